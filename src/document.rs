@@ -1,0 +1,380 @@
+//! The types behind every JSON document. A report can be made again from these alone.
+//!
+//! Angles are in degrees, lengths in millimetres; every name carries its unit, every parameter its own.
+
+use crate::identify::ResidualKind;
+use crate::message::Message;
+use crate::pose::Vector;
+use crate::solve::Termination;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What was read, what was refused and why.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ImportDocument {
+    /// `etalon/import/1`
+    pub schema: String,
+    /// Name of the campaign.
+    pub campaign: String,
+    /// Every file that was read.
+    pub sources: Vec<Source>,
+    /// What blunder rules found, and other messages.
+    pub messages: Vec<Message>,
+}
+
+/// One file that was read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Source {
+    /// File as the campaign names it.
+    pub file: String,
+    /// SHA-256 of its bytes, as `sha256sum` prints it.
+    pub sha256: String,
+    /// Its size.
+    pub bytes: usize,
+    /// `export`, `log`, `campaign` or `robot`.
+    pub kind: String,
+    /// How it was read: format, delimiter, decimal mark, unit.
+    pub dialect: String,
+    /// Rows that hold data.
+    pub rows_read: usize,
+    /// Rows that were refused.
+    pub refused: Vec<Refused>,
+}
+
+/// A row that was refused.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Refused {
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// The line itself.
+    pub text: String,
+    /// The rule that refused it.
+    pub reason: String,
+}
+
+/// Fitted elements.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FeaturesDocument {
+    /// `etalon/features/1`
+    pub schema: String,
+    /// One per feature of the campaign.
+    pub features: Vec<Feature>,
+}
+
+/// One fitted element, in the coordinates of the exports.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Feature {
+    /// Name in the campaign.
+    pub name: String,
+    /// `plane`, `line`, `circle` or `cylinder`.
+    pub element: String,
+    /// Labels of its points.
+    pub labels: Vec<String>,
+    /// Number of points.
+    pub points: usize,
+    /// A point of the element: centroid, or centre of the circle.
+    pub point_mm: Vector,
+    /// Normal of a plane or circle, axis of a line or cylinder; a unit vector.
+    pub direction: Vector,
+    /// Radius of a circle or cylinder.
+    pub radius_mm: Option<f64>,
+    /// Root mean square of the orthogonal distances.
+    pub rms_mm: f64,
+    /// Largest orthogonal distance.
+    pub max_mm: f64,
+    /// Standard uncertainty of the radius, or of the point along the normal of a plane, from the residuals.
+    pub standard_uncertainty_mm: Option<f64>,
+}
+
+/// Frames made from features and targets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FramesDocument {
+    /// `etalon/frames/1`
+    pub schema: String,
+    /// The world frame; `export_T_world` for every pose where it is measured again at each.
+    pub world: WorldFrame,
+}
+
+/// The world frame in the coordinates of the exports.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WorldFrame {
+    /// How it is defined, in words.
+    pub definition: String,
+    /// Drop z: observations are projected into the xy plane of the world.
+    pub planar: bool,
+    /// One entry for all poses (without `pose` and `cycle`), or one for each pose and cycle.
+    pub poses: Vec<FramePose>,
+    /// Root mean square distance of the targets from their best-fit places; absent for 3-2-1 frames.
+    pub rms_mm: Option<f64>,
+    /// Largest such distance.
+    pub max_mm: Option<f64>,
+    /// Best-fit places of the targets in the world, in the order of the definition.
+    pub reference_mm: Vec<Vector>,
+}
+
+/// Pose of a frame in the coordinates of the exports.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FramePose {
+    /// Pose number; absent where the frame holds for all.
+    pub pose: Option<i64>,
+    /// Cycle number; absent where the frame holds for all.
+    pub cycle: Option<i64>,
+    /// `export_T_world`.
+    pub export_t_world: crate::pose::Pose,
+}
+
+/// Identified parameters with all that is needed to trust them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ParametersDocument {
+    /// `etalon/parameters/1`
+    pub schema: String,
+    /// Model of the robot.
+    pub robot: String,
+    /// All parameters of the model.
+    pub parameters: Vec<ParameterEntry>,
+    /// Covariance of the identified parameters, in their order and units.
+    pub covariance: Vec<Vec<f64>>,
+    /// How well they fit.
+    pub residuals: ResidualSummary,
+    /// What the poses can tell.
+    pub observability: ObservabilitySummary,
+    /// How the solver ended.
+    pub solver: SolverSummary,
+    /// Rules and remarks that a reader must know: which parameters were held and why, warnings with remedies.
+    pub messages: Vec<Message>,
+    /// Where the numbers come from.
+    pub provenance: Provenance,
+}
+
+/// One parameter.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ParameterEntry {
+    /// Name as in the thesis.
+    pub name: String,
+    /// `mm`, `deg` or `1`.
+    pub unit: String,
+    /// Nominal value.
+    pub nominal: f64,
+    /// Value with only base and targets fitted: the robot before its calibration.
+    pub before: f64,
+    /// Identified value, or the value at which it is held.
+    pub value: f64,
+    /// Standard uncertainty (k = 1); absent where not identified.
+    pub standard_uncertainty: Option<f64>,
+    /// Identified, fixed or not identifiable.
+    pub status: ParameterStatus,
+    /// Parameters that the data cannot tell apart from this one.
+    pub confounded_with: Vec<String>,
+}
+
+/// Why a parameter has its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ParameterStatus {
+    /// Found by least squares.
+    Identified,
+    /// Held by the campaign, or not part of the model.
+    Fixed,
+    /// Held because the data cannot tell it apart.
+    NotIdentifiable,
+}
+
+/// Residuals of the identification.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ResidualSummary {
+    /// Residuals of targets or of the pose.
+    pub kind: ResidualKind,
+    /// Number of residuals.
+    pub count: usize,
+    /// Root mean square in mm (pose residuals: mm and rad mixed, eq. 3.26).
+    pub rms: f64,
+    /// Largest, likewise.
+    pub max: f64,
+    /// Residuals minus identified parameters.
+    pub degrees_of_freedom: usize,
+    /// Standard uncertainty of one coordinate that the instrument states, in mm.
+    pub stated_standard_uncertainty_mm: Option<f64>,
+    /// Chi-square against it.
+    pub chi_square: Option<f64>,
+    /// Standard uncertainties were enlarged by this factor because chi-square rejects the model; 1 if it does not.
+    pub uncertainties_enlarged_by: f64,
+}
+
+/// Observability of the parameters from the poses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ObservabilitySummary {
+    /// O1 = (σ1…σm)^(1/m) / √n, m parameters and n poses (Sun & Hollerbach 2008).
+    pub o1: f64,
+    /// O2 = σmin / σmax (eq. 1.20).
+    pub o2: f64,
+    /// O3 = σmin (eq. 1.22).
+    pub o3: f64,
+    /// O4 = σmin² / σmax (eq. 1.23).
+    pub o4: f64,
+    /// O5 = 1 / Σ 1/σ (eq. 1.25).
+    pub o5: f64,
+    /// Condition number with columns divided by their norms.
+    pub condition: f64,
+    /// Number of parameters told apart.
+    pub rank: usize,
+    /// Which scaling the indices have.
+    pub scaling: String,
+}
+
+/// How the solver ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SolverSummary {
+    /// Algorithm.
+    pub method: String,
+    /// Steps taken.
+    pub iterations: usize,
+    /// Why it stopped.
+    pub termination: Termination,
+    /// The same in words.
+    pub meaning: String,
+}
+
+/// Where numbers come from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Provenance {
+    /// Version of etalon.
+    pub version: String,
+    /// SHA-256 of every input, by name.
+    pub inputs: std::collections::BTreeMap<String, String>,
+    /// Seed of random numbers, where any were drawn.
+    pub seed: Option<u64>,
+}
+
+/// Errors before and after, on calibration and validation poses apart.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AccuracyDocument {
+    /// `etalon/accuracy/1`
+    pub schema: String,
+    /// What "before" and "error" mean here, in words.
+    pub definition: String,
+    /// One per set of poses: `calibration`, `validation`.
+    pub sets: Vec<AccuracySet>,
+    /// Limits that the campaign states, and whether they are met.
+    pub limits: Vec<LimitVerdict>,
+}
+
+/// Errors over one set of poses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AccuracySet {
+    /// `calibration` or `validation`.
+    pub name: String,
+    /// Poses in it.
+    pub poses: usize,
+    /// Points or poses whose errors are counted.
+    pub count: usize,
+    /// One per quantity: position, x, y, z, orientation.
+    pub errors: Vec<ErrorStatistics>,
+}
+
+/// Statistics of one error before and after.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ErrorStatistics {
+    /// `position`, `x`, `y`, `z` or `orientation`.
+    pub quantity: String,
+    /// `mm` or `deg`.
+    pub unit: String,
+    /// With nominal parameters and only base and targets fitted.
+    pub before: Statistics,
+    /// With the identified parameters.
+    pub after: Statistics,
+}
+
+/// Statistics of errors by size.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Statistics {
+    /// Mean size.
+    pub mean: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// 95 % of the errors are at most this.
+    pub p95: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+/// One limit of the campaign.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LimitVerdict {
+    /// Name of the limit in the campaign.
+    pub name: String,
+    /// Unit of both numbers.
+    pub unit: String,
+    /// What the campaign allows.
+    pub limit: f64,
+    /// What was reached, on the validation poses if there are any.
+    pub value: f64,
+    /// Whether the value is within the limit.
+    pub met: bool,
+}
+
+/// What the campaign says about itself, for the head of a report.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CampaignSummary {
+    /// Name of the campaign.
+    pub name: String,
+    /// Whether its data are synthetic, and what that means; absent for measured data.
+    pub synthetic: Option<String>,
+    /// Remarks.
+    pub notes: Option<String>,
+    /// Date as stated.
+    pub date: Option<String>,
+    /// Operator as stated.
+    pub operator: Option<String>,
+    /// Measuring instrument.
+    pub instrument: Option<String>,
+    /// Expanded uncertainty of one coordinate.
+    pub expanded_uncertainty_um: Option<f64>,
+    /// Its coverage factor.
+    pub coverage_factor: Option<f64>,
+    /// Temperature during the campaign.
+    pub temperature_c: Option<f64>,
+}
+
+/// One error, before or after: what the pictures of a report show.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointError {
+    /// `calibration` or `validation`.
+    pub set: String,
+    /// Pose number.
+    pub pose: i64,
+    /// Cycle number.
+    pub cycle: i64,
+    /// Target, or `C` for the centre of a planar platform.
+    pub target: String,
+    /// Where it was measured, in the world or the base frame.
+    pub at_mm: Vector,
+    /// Measured minus predicted, before.
+    pub before_mm: Vector,
+    /// Measured minus predicted, after.
+    pub after_mm: Vector,
+    /// Orientation error before, where there is one.
+    pub before_deg: Option<f64>,
+    /// Orientation error after.
+    pub after_deg: Option<f64>,
+}

@@ -1,0 +1,69 @@
+//! Observations: where the targets were, and what the joints said.
+
+use crate::message::{Message, Result};
+use crate::pose::Vector;
+use crate::robots::Robot;
+use crate::table;
+use polars::prelude::DataFrame;
+
+/// One pose of one cycle: joint values and the targets that were measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observation {
+    /// Number of the pose.
+    pub pose: i64,
+    /// Number of the repeat.
+    pub cycle: i64,
+    /// Joint values in mm or rad, in the robot's order.
+    pub joints: Vec<f64>,
+    /// Measured positions in the world in mm, in the order of the robot's targets; `None` where not measured.
+    pub targets: Vec<Option<Vector>>,
+}
+
+impl Observation {
+    /// Observations of `robot` from the tidy table (one row per pose, cycle and target), in the order of the table.
+    pub fn from_table(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Self>> {
+        let poses = table::integers(table, "pose")?;
+        let cycles = table::integers(table, "cycle")?;
+        let names = table::texts(table, "target")?;
+        let xyz = table::coordinates(table)?;
+        let mut joints = Vec::new();
+        for joint in robot.joints() {
+            let column = table::numbers(table, &joint.column())?;
+            joints.push(column.into_iter().map(|v| joint.quantity.inward(v)).collect::<Vec<f64>>());
+        }
+        let mut observations: Vec<Self> = Vec::new();
+        let mut place = std::collections::BTreeMap::new();
+        for row in 0..table.height() {
+            let what = || format!("pose {} cycle {} of the observations", poses[row], cycles[row]);
+            let target = robot.targets().iter().position(|t| *t == names[row]).ok_or_else(|| {
+                let message = Message::error(format!("{}: `{}` is no target of this robot", what(), names[row]));
+                message.hint_names(&names[row], robot.targets().iter().map(String::as_str))
+            })?;
+            let here: Vec<f64> = joints.iter().map(|j| j[row]).collect();
+            if here.iter().chain(&xyz[row]).any(|v| !v.is_finite()) {
+                return Err(Message::error(format!("{}: a value is missing or not a number", what())).into());
+            }
+            let k = *place.entry((poses[row], cycles[row])).or_insert_with(|| {
+                observations.push(Self {
+                    pose: poses[row],
+                    cycle: cycles[row],
+                    joints: here.clone(),
+                    targets: vec![None; robot.targets().len()],
+                });
+                observations.len() - 1
+            });
+            if observations[k].joints != here {
+                return Err(Message::error(format!("{}: its rows disagree on the joint values", what())).into());
+            }
+            if observations[k].targets[target].replace(xyz[row]).is_some() {
+                return Err(Message::error(format!("{}: target `{}` occurs twice", what(), names[row]))
+                    .hint("number repeats in the column `cycle`")
+                    .into());
+            }
+        }
+        if observations.is_empty() {
+            return Err(Message::error("there are no observations").into());
+        }
+        Ok(observations)
+    }
+}

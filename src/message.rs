@@ -1,0 +1,234 @@
+//! How everything says what is wrong: what, where, what was expected, and a hint.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// Whether the work can go on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// The work stops.
+    Error,
+    /// The work goes on; the report repeats it.
+    Warning,
+}
+
+/// Where a message points: a file, perhaps a line, perhaps columns of it.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Place {
+    /// File as the campaign names it.
+    pub file: String,
+    /// Line, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<usize>,
+    /// Column in characters, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<usize>,
+    /// How many characters are meant, at least 1.
+    #[serde(skip)]
+    pub width: usize,
+    /// The line itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
+}
+
+/// One thing to say to the user.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Message {
+    /// Error or warning.
+    pub severity: Severity,
+    /// What is wrong, in one sentence without a full stop.
+    pub what: String,
+    /// Where.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub place: Option<Place>,
+    /// What was expected there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected: Option<String>,
+    /// What to do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
+}
+
+impl Place {
+    /// A whole file.
+    pub fn file(file: impl Into<String>) -> Self {
+        Self { file: file.into(), ..Self::default() }
+    }
+
+    /// A line of a file.
+    pub fn line(file: impl Into<String>, line: usize, text: impl Into<String>) -> Self {
+        Self { file: file.into(), line: Some(line), text: Some(text.into()), ..Self::default() }
+    }
+
+    /// The bytes `span` of a file whose whole text is `source`.
+    pub fn span(file: impl Into<String>, source: &str, span: std::ops::Range<usize>) -> Self {
+        let start = floor_boundary(source, span.start);
+        let end = floor_boundary(source, span.end.max(start));
+        let line_start = source[..start].rfind('\n').map_or(0, |i| i + 1);
+        let text = source[line_start..].lines().next().unwrap_or("");
+        let within = source[start..end].lines().next().unwrap_or("");
+        Self {
+            file: file.into(),
+            line: Some(source[..start].matches('\n').count() + 1),
+            column: Some(source[line_start..start].chars().count() + 1),
+            width: within.chars().count(),
+            text: Some(text.to_owned()),
+        }
+    }
+
+    /// The same line, pointing at `width` characters from `column` (from 1).
+    pub fn at(mut self, column: usize, width: usize) -> Self {
+        self.column = Some(column);
+        self.width = width;
+        self
+    }
+}
+
+fn floor_boundary(source: &str, index: usize) -> usize {
+    let index = index.min(source.len());
+    (0..=index).rev().find(|&i| source.is_char_boundary(i)).unwrap_or(0)
+}
+
+impl Message {
+    /// An error: the work stops.
+    pub fn error(what: impl Into<String>) -> Self {
+        Self { severity: Severity::Error, what: what.into(), place: None, expected: None, hint: None }
+    }
+
+    /// A warning: the work goes on.
+    pub fn warning(what: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, ..Self::error(what) }
+    }
+
+    /// The same message with its place.
+    pub fn at(mut self, place: Place) -> Self {
+        self.place = Some(place);
+        self
+    }
+
+    /// The same message with what was expected.
+    pub fn expected(mut self, expected: impl Into<String>) -> Self {
+        self.expected = Some(expected.into());
+        self
+    }
+
+    /// The same message with a hint.
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = Some(hint.into());
+        self
+    }
+
+    /// A hint that proposes the nearest of the names that exist, or lists them.
+    pub fn hint_names<'a>(self, wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
+        let names: Vec<&str> = names.into_iter().collect();
+        let nearest = names.iter().map(|name| (strsim::jaro_winkler(wrong, name), *name)).max_by(|a, b| a.0.total_cmp(&b.0));
+        match nearest {
+            Some((likeness, name)) if likeness > 0.8 => self.hint(format!("did you mean `{name}`?")),
+            Some(_) => {
+                let more = if names.len() > 12 { ", ..." } else { "" };
+                self.hint(format!("there are: {}{more}", names[..names.len().min(12)].join(", ")))
+            }
+            None => self,
+        }
+    }
+}
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = match self.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        };
+        write!(f, "{kind}: {}", self.what)?;
+        if let Some(place) = &self.place {
+            write!(f, "\n  --> {}", place.file)?;
+            if let Some(line) = place.line {
+                write!(f, ":{line}")?;
+            }
+            if let Some(column) = place.column {
+                write!(f, ":{column}")?;
+            }
+            if let (Some(line), Some(text)) = (place.line, &place.text) {
+                write!(f, "\n{line:>5} | {}", shown(text))?;
+                if let Some(column) = place.column {
+                    let marks = "^".repeat(place.width.clamp(1, 60));
+                    write!(f, "\n      | {}{marks}", " ".repeat(column.saturating_sub(1).min(200)))?;
+                }
+            }
+        }
+        if let Some(expected) = &self.expected {
+            write!(f, "\n  expected: {expected}")?;
+        }
+        if let Some(hint) = &self.hint {
+            write!(f, "\n\nhint: {hint}")?;
+        }
+        Ok(())
+    }
+}
+
+/// A line fit to be printed: control characters replaced, cut at 200 characters.
+fn shown(text: &str) -> String {
+    let printable = |c: char| if c == '\t' { ' ' } else if c.is_control() { '\u{fffd}' } else { c };
+    let mut line: String = text.chars().take(200).map(printable).collect();
+    if text.chars().nth(200).is_some() {
+        line.push_str(" ...");
+    }
+    line
+}
+
+/// Everything that is wrong, found in one pass: what a stage returns instead of its document.
+#[derive(Clone, Debug, Default)]
+pub struct Problems(pub Vec<Message>);
+
+impl Problems {
+    /// `Ok` unless an error is among the messages.
+    pub fn check(self) -> std::result::Result<Vec<Message>, Self> {
+        if self.0.iter().any(|m| m.severity == Severity::Error) { Err(self) } else { Ok(self.0) }
+    }
+}
+
+impl From<Message> for Problems {
+    fn from(message: Message) -> Self {
+        Self(vec![message])
+    }
+}
+
+impl fmt::Display for Problems {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, message) in self.0.iter().enumerate() {
+            if i > 0 {
+                f.write_str("\n\n")?;
+            }
+            write!(f, "{message}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Problems {}
+
+/// A document, or everything that is wrong.
+pub type Result<T> = std::result::Result<T, Problems>;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_span_is_shown_with_its_line_and_a_hint() {
+        let source = "name = \"x\"\nrobto = 1\n";
+        let message = Message::error("unknown key `robto`")
+            .at(Place::span("campaign.toml", source, 11..16))
+            .hint_names("robto", ["robot", "name"]);
+        let text = "error: unknown key `robto`\n  --> campaign.toml:2:1\n    2 | robto = 1\n      | ^^^^^\n\nhint: did you mean `robot`?";
+        assert_eq!(message.to_string(), text);
+    }
+
+    #[test]
+    fn spans_off_the_end_or_inside_a_character_do_no_harm() {
+        for span in [0..99, 1..2, 5..3, 50..60] {
+            let _ = Message::error("e").at(Place::span("f", "äöü\nß", span)).to_string();
+        }
+    }
+}

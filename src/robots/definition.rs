@@ -1,0 +1,82 @@
+//! What a parameter and a joint are.
+
+use serde::{Deserialize, Serialize};
+
+/// What is measured: decides the unit at the door.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Quantity {
+    /// Millimetres inside and outside.
+    Length,
+    /// Radians inside, degrees outside.
+    Angle,
+    /// A number without unit.
+    Ratio,
+}
+
+impl Quantity {
+    /// Unit outside: `mm`, `deg` or `1`.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Length => "mm",
+            Self::Angle => "deg",
+            Self::Ratio => "1",
+        }
+    }
+
+    /// A value in the unit outside.
+    pub fn outward(self, value: f64) -> f64 {
+        if self == Self::Angle { value.to_degrees() } else { value }
+    }
+
+    /// A value from the unit outside.
+    pub fn inward(self, value: f64) -> f64 {
+        if self == Self::Angle { value.to_radians() } else { value }
+    }
+}
+
+/// What a parameter describes: decides what is fitted "before" the calibration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Role {
+    /// Where the base stands in the world.
+    Base,
+    /// Where the targets sit on the moving part.
+    Target,
+    /// Geometry, joint offsets, gains and compliance of the robot itself.
+    Robot,
+}
+
+/// One parameter of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Name as in the thesis, e.g. `x_c`.
+    pub name: String,
+    /// Length, angle or ratio.
+    pub quantity: Quantity,
+    /// What it describes.
+    pub role: Role,
+    /// Nominal value, in mm, rad or 1.
+    pub nominal: f64,
+}
+
+impl Parameter {
+    /// A parameter with its nominal value in mm, rad or 1.
+    pub fn new(name: impl Into<String>, quantity: Quantity, role: Role, nominal: f64) -> Self {
+        Self { name: name.into(), quantity, role, nominal }
+    }
+}
+
+/// One joint as the controller logs it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Joint {
+    /// Name, e.g. `rho1` or `q1`.
+    pub name: String,
+    /// Length or angle.
+    pub quantity: Quantity,
+}
+
+impl Joint {
+    /// Name of the column in a table of observations: `rho1_mm`, `q1_deg`.
+    pub fn column(&self) -> String {
+        format!("{}_{}", self.name, self.quantity.unit())
+    }
+}

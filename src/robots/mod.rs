@@ -1,0 +1,74 @@
+//! Robots as functions of their parameters: direct and inverse kinematics, exact Jacobians.
+//!
+//! Each model is written once, generic over the [`Scalar`](crate::scalar::Scalar); nothing here knows a file.
+//! Lengths are in millimetres, angles in radians.
+
+mod definition;
+mod prexyt;
+mod serial;
+mod serial_chain;
+
+pub use definition::{Joint, Parameter, Quantity, Role};
+pub use prexyt::{PlanarPose, Prexyt};
+pub use serial::{Serial, SerialJoint};
+
+use crate::pose::Vector;
+
+/// A robot whose targets are seen by a measuring system.
+pub trait Robot: Send + Sync {
+    /// Short name of the model: `prexyt`, `serial` ...
+    fn model(&self) -> &'static str;
+
+    /// The parameters, in the order in which every slice of parameters comes.
+    fn parameters(&self) -> &[Parameter];
+
+    /// The joints, in the order in which every slice of joint values comes.
+    fn joints(&self) -> &[Joint];
+
+    /// Names of the targets on the moving part.
+    fn targets(&self) -> &[String];
+
+    /// Coordinates measured per target: 2 for planar robots (x, y), 3 in space.
+    fn dimension(&self) -> usize;
+
+    /// Writes the positions of all targets in the world (mm), `dimension` values each.
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
+
+    /// Writes d positions / d parameters, row by row: (targets × dimension) × parameters.
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
+
+    /// The planar model, for robots that have one: pose residuals (eq. 3.26) and orientation errors need it.
+    fn planar(&self) -> Option<&Prexyt> {
+        None
+    }
+
+    /// The serial model, for robots that are serial: base and targets are searched from anywhere.
+    fn serial(&self) -> Option<&Serial> {
+        None
+    }
+
+    /// What to measure so that these parameters can be told apart, where the model knows.
+    fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
+        None
+    }
+
+    /// Index of a parameter by name.
+    fn index(&self, name: &str) -> Option<usize> {
+        self.parameters().iter().position(|p| p.name == name)
+    }
+
+    /// Nominal values of all parameters.
+    fn nominal(&self) -> Vec<f64> {
+        self.parameters().iter().map(|p| p.nominal).collect()
+    }
+
+    /// The position of one target as a point in space; planar robots have z = 0.
+    fn position(&self, parameters: &[f64], joints: &[f64], target: usize) -> Vector {
+        let d = self.dimension();
+        let mut all = vec![0.0; d * self.targets().len()];
+        self.positions(parameters, joints, &mut all);
+        let mut p = [0.0; 3];
+        p[..d].copy_from_slice(&all[target * d..][..d]);
+        p
+    }
+}

@@ -1,0 +1,208 @@
+//! The PreXYT: a planar parallel table with three actuators (thesis, chapter 3).
+//!
+//! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
+//! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
+
+use super::{Joint, Parameter, Quantity, Robot, Role};
+use crate::scalar::{Dual, Scalar};
+
+/// Position (mm) and orientation (rad) in the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarPose<T = f64> {
+    /// x in millimetres.
+    pub x_mm: T,
+    /// y in millimetres.
+    pub y_mm: T,
+    /// Orientation in radians.
+    pub theta_rad: T,
+}
+
+const PARAMETERS: usize = 16;
+/// Names, quantities, roles and nominal values (thesis, table 3.3; l_kl is twice the nominal x_C).
+const COMMON: [(&str, Quantity, Role, f64); 14] = [
+    ("beta", Quantity::Angle, Role::Robot, 0.0),
+    ("gamma", Quantity::Angle, Role::Robot, 0.0),
+    ("epsilon_theta", Quantity::Angle, Role::Target, 0.0),
+    ("s", Quantity::Length, Role::Robot, 394.0),
+    ("d3", Quantity::Length, Role::Robot, 0.0),
+    ("d", Quantity::Length, Role::Robot, 116.0),
+    ("x_c", Quantity::Length, Role::Target, 73.0),
+    ("y_c", Quantity::Length, Role::Target, -73.0),
+    ("x_o", Quantity::Length, Role::Base, 22.5),
+    ("y_o", Quantity::Length, Role::Base, -30.5),
+    ("delta", Quantity::Ratio, Role::Robot, 1.0),
+    ("delta2", Quantity::Ratio, Role::Robot, 1.0),
+    ("delta3", Quantity::Ratio, Role::Robot, 1.0),
+    ("l_kl", Quantity::Length, Role::Target, 146.0),
+];
+
+/// The PreXYT with its nominal parameters.
+#[derive(Clone, Debug)]
+pub struct Prexyt {
+    parameters: Vec<Parameter>,
+    joints: Vec<Joint>,
+    targets: Vec<String>,
+    full: bool,
+}
+
+impl Default for Prexyt {
+    fn default() -> Self {
+        Self::new(false)
+    }
+}
+
+impl Prexyt {
+    /// The model of thirteen parameters, or, if `full`, the one before the reduction of section 3.4.
+    pub fn new(full: bool) -> Self {
+        let mut parameters: Vec<Parameter> =
+            COMMON.iter().map(|&(name, quantity, role, nominal)| Parameter::new(name, quantity, role, nominal)).collect();
+        if full {
+            parameters[5].name = "d1".into();
+            parameters[10].name = "delta1".into();
+            parameters.push(Parameter::new("alpha", Quantity::Angle, Role::Robot, 0.0));
+            parameters.push(Parameter::new("h", Quantity::Length, Role::Robot, 0.0));
+        }
+        let joints = ["rho1", "rho2", "rho3"].map(|name| Joint { name: name.into(), quantity: Quantity::Length });
+        Self { parameters, joints: joints.into(), targets: vec!["K".into(), "L".into()], full }
+    }
+
+    /// The same robot with other nominal values, names of targets kept.
+    pub fn with_nominal(mut self, values: &[f64]) -> Self {
+        for (parameter, value) in self.parameters.iter_mut().zip(values) {
+            parameter.nominal = *value;
+        }
+        self
+    }
+
+    /// delta and d of the reduced model (section 3.4, below eq. 3.10).
+    fn reduced<T: Scalar>(&self, p: &[T]) -> (T, T) {
+        if !self.full {
+            return (p[10], p[5]);
+        }
+        let (gamma, d1, delta1, alpha, h) = (p[1], p[5], p[10], p[14], p[15]);
+        let one = T::from(1.0);
+        let delta = delta1 * alpha.sin_cos().1 * (one - alpha.tan() * gamma.tan());
+        (delta, d1 - h * gamma.tan())
+    }
+
+    /// Direct kinematics: pose of the platform in the base frame (eq. 3.8, 3.11, 3.10).
+    pub fn direct<T: Scalar>(&self, p: &[T], rho: &[T]) -> PlanarPose<T> {
+        let [beta, gamma, _, s, d3] = [p[0], p[1], p[2], p[3], p[4]];
+        let (delta, d) = self.reduced(p);
+        let (delta2, delta3) = (p[11], p[12]);
+        let (sin_beta, cos_beta) = beta.sin_cos();
+        let reach3 = delta3 * rho[2];
+        let rise = reach3 * cos_beta + d3 - delta2 * rho[1];
+        let run = s - reach3 * sin_beta - d3 * beta.tan();
+        let theta = rise.atan2(run); // eq. 3.8
+        let (tan_theta, tan_gamma) = (rise / run, gamma.tan());
+        let one = T::from(1.0);
+        let x = (rho[0] * delta + d + delta2 * rho[1] * tan_gamma) / (one - tan_gamma * tan_theta); // eq. 3.11
+        let y = delta2 * rho[1] + x * tan_theta; // eq. 3.10
+        PlanarPose { x_mm: x, y_mm: y, theta_rad: theta }
+    }
+
+    /// Inverse kinematics: actuator values for a pose of the platform in the base frame (eq. 3.12 to 3.14).
+    pub fn inverse<T: Scalar>(&self, p: &[T], pose: PlanarPose<T>) -> [T; 3] {
+        let [beta, gamma, _, s, d3] = [p[0], p[1], p[2], p[3], p[4]];
+        let (delta, d) = self.reduced(p);
+        let PlanarPose { x_mm: x, y_mm: y, theta_rad } = pose;
+        let t = theta_rad.tan();
+        let (sin_beta, cos_beta) = beta.sin_cos();
+        let rho2 = (y - x * t) / p[11]; // eq. 3.12
+        let rho3 = (t * (s - d3 * beta.tan() - x) + y - d3) / (p[12] * (cos_beta + sin_beta * t)); // eq. 3.13
+        let rho1 = (x - d - y * gamma.tan()) / delta; // eq. 3.14
+        [rho1, rho2, rho3]
+    }
+
+    /// Positions of the balls K and L in the world: eq. 3.17 and 3.19 solved for K, and L at `l_kl` from it.
+    pub fn balls<T: Scalar>(&self, p: &[T], rho: &[T]) -> [[T; 2]; 2] {
+        let pose = self.direct(p, rho);
+        let (sin, cos) = (pose.theta_rad + p[2]).sin_cos();
+        let (x_c, y_c, x_o, y_o, l_kl) = (p[6], p[7], p[8], p[9], p[13]);
+        let k = [pose.x_mm + x_o - (x_c * cos - y_c * sin), pose.y_mm + y_o - (x_c * sin + y_c * cos)];
+        [k, [k[0] + l_kl * cos, k[1] + l_kl * sin]]
+    }
+
+    /// Pose of the platform in the base frame, as the balls K and L measure it (eq. 3.17 to 3.19).
+    pub fn measured<T: Scalar>(&self, p: &[T], k: [T; 2], l: [T; 2]) -> PlanarPose<T> {
+        let (dx, dy) = (l[0] - k[0], l[1] - k[1]);
+        let length = (dx * dx + dy * dy).sqrt();
+        let (cos, sin) = (dx / length, dy / length);
+        let (x_c, y_c, x_o, y_o) = (p[6], p[7], p[8], p[9]);
+        PlanarPose {
+            x_mm: k[0] + x_c * cos - y_c * sin - x_o,
+            y_mm: k[1] + x_c * sin + y_c * cos - y_o,
+            theta_rad: dy.atan2(dx) - p[2],
+        }
+    }
+
+    /// Estimated minus measured pose: the summands of eq. 3.26 (mm, mm, rad).
+    pub fn pose_residual<T: Scalar>(&self, p: &[T], rho: &[T], k: [T; 2], l: [T; 2]) -> [T; 3] {
+        let (estimated, measured) = (self.direct(p, rho), self.measured(p, k, l));
+        [
+            estimated.x_mm - measured.x_mm,
+            estimated.y_mm - measured.y_mm,
+            wrap(estimated.theta_rad - measured.theta_rad),
+        ]
+    }
+
+    /// Derivatives of [`Self::pose_residual`]: by the parameters (3 rows of all parameters) and by the coordinates
+    /// of K and L (3 rows of 4).
+    pub fn pose_residual_jacobians(&self, p: &[f64], rho: &[f64], k: [f64; 2], l: [f64; 2]) -> (Vec<f64>, [[f64; 4]; 3]) {
+        let by_parameters =
+            self.pose_residual(&duals::<PARAMETERS>(p), &constants(rho), k.map(Dual::from), l.map(Dual::from));
+        let balls = duals::<4>(&[k[0], k[1], l[0], l[1]]);
+        let by_balls = self.pose_residual(&constants(p), &constants(rho), [balls[0], balls[1]], [balls[2], balls[3]]);
+        (by_parameters.iter().flat_map(|r| &r.gradient[..p.len()]).copied().collect(), by_balls.map(|r| r.gradient))
+    }
+}
+
+/// An angle difference brought to (−π, π], derivative kept.
+fn wrap<T: Scalar>(angle: T) -> T {
+    let turns = (angle.value() / std::f64::consts::TAU).round();
+    angle + (-turns * std::f64::consts::TAU)
+}
+
+fn duals<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
+    values.iter().enumerate().map(|(i, &v)| Dual::variable(v, i)).collect()
+}
+
+fn constants<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
+    values.iter().map(|&v| Dual::from(v)).collect()
+}
+
+impl Robot for Prexyt {
+    fn model(&self) -> &'static str {
+        if self.full { "prexyt_full" } else { "prexyt" }
+    }
+    fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+    fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+    fn targets(&self) -> &[String] {
+        &self.targets
+    }
+    fn dimension(&self) -> usize {
+        2
+    }
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(self.balls(parameters, joints).as_flattened());
+    }
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let balls = self.balls(&duals::<PARAMETERS>(parameters), &constants(joints));
+        for (row, value) in out.chunks_exact_mut(parameters.len()).zip(balls.as_flattened()) {
+            row.copy_from_slice(&value.gradient[..parameters.len()]);
+        }
+    }
+    fn planar(&self) -> Option<&Prexyt> {
+        Some(self)
+    }
+    fn remedy(&self, names: &[&str]) -> Option<&'static str> {
+        // d and x_c act along x and x': only different |theta| tell them apart
+        (names.contains(&"x_c") && (names.contains(&"d") || names.contains(&"d1")))
+            .then_some("measure poses with different |theta|, e.g. 0 and the largest the table reaches")
+    }
+}

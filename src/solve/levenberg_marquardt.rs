@@ -1,0 +1,273 @@
+//! Levenberg-Marquardt with an undamped Gauss-Newton finish.
+//!
+//! Damping after Nielsen (1999) on scaled columns; a step is accepted by the true sum of squares. Near the minimum
+//! the cost is too flat to judge a step, so the finish looks at the step alone: it stops on step or gradient, never on cost.
+
+use super::{Factor, Problem, Termination};
+
+/// When to stop.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Iterations allowed.
+    pub iterations: usize,
+    /// Relative step below which the parameters no longer change.
+    pub step: f64,
+    /// Cosine between residuals and Jacobian columns below which they are orthogonal.
+    pub gradient: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { iterations: 200, step: 1e-14, gradient: 1e-15 }
+    }
+}
+
+/// Where the solver ended, and how.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// The parameters.
+    pub x: Vec<f64>,
+    /// Residuals at `x`.
+    pub residuals: Vec<f64>,
+    /// Factor of the Jacobian at `x` with its columns divided by `scale`; `None` if no factor could be formed.
+    pub factor: Option<Factor>,
+    /// Norms of the columns of the Jacobian.
+    pub scale: Vec<f64>,
+    /// Steps taken.
+    pub iterations: usize,
+    /// Why it stopped.
+    pub termination: Termination,
+}
+
+impl Solution {
+    /// Sum of squares of the residuals.
+    pub fn cost(&self) -> f64 {
+        sum_of_squares(&self.residuals)
+    }
+
+    /// (JᵀJ)⁻¹, row by row: the covariance where residuals were divided by their standard uncertainties.
+    pub fn covariance(&self) -> Option<Vec<f64>> {
+        let mut covariance = self.factor.as_ref()?.inverse_normal()?;
+        let n = self.x.len();
+        for i in 0..n {
+            for j in 0..n {
+                covariance[i * n + j] /= self.scale[i] * self.scale[j];
+            }
+        }
+        Some(covariance)
+    }
+}
+
+/// Norm of each of the `n` columns of a row-by-row matrix; 1 for a column of zeros.
+pub(crate) fn column_norms(jacobian: &[f64], n: usize) -> Vec<f64> {
+    let mut squares = vec![0.0; n];
+    for row in jacobian.chunks_exact(n) {
+        for (s, j) in squares.iter_mut().zip(row) {
+            *s += j * j;
+        }
+    }
+    squares.into_iter().map(|s: f64| if s > 0.0 { s.sqrt() } else { 1.0 }).collect()
+}
+
+fn sum_of_squares(r: &[f64]) -> f64 {
+    r.iter().map(|r| r * r).sum()
+}
+
+/// Minimises the sum of squares of the residuals of `problem` from `start`.
+pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solution {
+    let (n, m) = (start.len(), problem.residual_count());
+    let mut residuals = vec![0.0; m];
+    problem.residuals(start, &mut residuals);
+    let mut state = Solution {
+        x: start.to_vec(),
+        residuals,
+        factor: None,
+        scale: vec![1.0; n],
+        iterations: 0,
+        termination: Termination::LostPatience,
+    };
+    if m < n {
+        state.termination = Termination::TooFewEquations;
+        return state;
+    }
+    let mut jacobian = vec![0.0; m * n];
+    state.termination = damped(problem, &mut state, &mut jacobian, options);
+    if state.termination.is_success() && n > 0 && state.termination != Termination::ResidualsZero {
+        state.termination = finish(problem, &mut state, &mut jacobian, options);
+    }
+    state
+}
+
+/// Evaluates the Jacobian at `state.x` and factors it; an error if a number in it is not finite.
+fn linearise(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64]) -> Result<(), Termination> {
+    problem.jacobian(&state.x, jacobian);
+    state.scale = column_norms(jacobian, state.x.len());
+    if state.scale.iter().any(|s| !s.is_finite()) || !sum_of_squares(&state.residuals).is_finite() {
+        return Err(Termination::NotANumber);
+    }
+    state.factor = Some(Factor::new(jacobian, &state.residuals, &state.scale));
+    Ok(())
+}
+
+/// The step that solves `factor`, in unscaled parameters; the sign makes it a descent.
+fn step_of(factor: &Factor, scale: &[f64]) -> Option<Vec<f64>> {
+    Some(factor.solve()?.iter().zip(scale).map(|(s, d)| -s / d).collect())
+}
+
+/// Largest step relative to its parameter, both in the scale of the residuals' columns.
+fn relative(step: &[f64], x: &[f64], scale: &[f64]) -> f64 {
+    let scaled = |v: &[f64]| v.iter().zip(scale).map(|(v, d)| (v * d).powi(2)).sum::<f64>().sqrt();
+    scaled(step) / (scaled(x) + f64::MIN_POSITIVE)
+}
+
+fn damped(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], options: Options) -> Termination {
+    let mut cost = state.cost();
+    let (mut lambda, mut growth) = (1e-4, 2.0);
+    let mut trial_residuals = vec![0.0; state.residuals.len()];
+    let mut fresh = false;
+    while state.iterations < options.iterations {
+        if cost == 0.0 {
+            return linearise(problem, state, jacobian).err().unwrap_or(Termination::ResidualsZero);
+        }
+        if !fresh {
+            if let Err(stopped) = linearise(problem, state, jacobian) {
+                return stopped;
+            }
+            fresh = true;
+        }
+        let Some(factor) = &state.factor else { return Termination::NotANumber };
+        let explained = sum_of_squares(&factor.qtb);
+        if explained.sqrt() <= options.gradient * cost.sqrt() {
+            return Termination::GradientVanished;
+        }
+        let damped = factor.damped(lambda);
+        let Some(step) = step_of(&damped, &state.scale) else { return Termination::RankDeficient };
+        let size = relative(&step, &state.x, &state.scale);
+        let trial: Vec<f64> = state.x.iter().zip(&step).map(|(x, s)| x + s).collect();
+        problem.residuals(&trial, &mut trial_residuals);
+        let trial_cost = sum_of_squares(&trial_residuals);
+        // predicted decrease of the linear model: ‖r‖² − ‖r + Js‖² = (explained + rest) − (damped.rest − λ²‖s‖²)
+        let scaled_step: f64 = step.iter().zip(&state.scale).map(|(s, d)| (s * d).powi(2)).sum();
+        let predicted = explained + factor.rest - (damped.rest - lambda * lambda * scaled_step);
+        let ratio = (cost - trial_cost) / predicted;
+        if trial_cost.is_finite() && ratio > 1e-4 {
+            state.iterations += 1;
+            state.x = trial;
+            std::mem::swap(&mut state.residuals, &mut trial_residuals);
+            cost = trial_cost;
+            fresh = false;
+            lambda *= (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(1e-2, 1.0);
+            growth = 2.0;
+            if size < 1e-8 {
+                return Termination::StepVanished;
+            }
+        } else {
+            if size < 1e-8 || !lambda.is_finite() {
+                return Termination::NoImprovementPossible;
+            }
+            lambda = lambda.max(1e-8) * growth;
+            growth *= 2.0;
+        }
+    }
+    Termination::LostPatience
+}
+
+/// Undamped Gauss-Newton: goes on while every step is clearly shorter than the one before.
+fn finish(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], options: Options) -> Termination {
+    let mut last = f64::INFINITY;
+    for _ in 0..20 {
+        if let Err(stopped) = linearise(problem, state, jacobian) {
+            return stopped;
+        }
+        let Some(step) = state.factor.as_ref().and_then(|f| step_of(f, &state.scale)) else {
+            return Termination::RankDeficient;
+        };
+        let size = relative(&step, &state.x, &state.scale);
+        if size > 0.5 * last {
+            return if last < 1e-6 { Termination::StepVanished } else { Termination::NoImprovementPossible };
+        }
+        let trial: Vec<f64> = state.x.iter().zip(&step).map(|(x, s)| x + s).collect();
+        let mut residuals = vec![0.0; state.residuals.len()];
+        problem.residuals(&trial, &mut residuals);
+        if sum_of_squares(&residuals) > state.cost() * (1.0 + 1e-6) + f64::MIN_POSITIVE {
+            return Termination::NoImprovementPossible;
+        }
+        state.x = trial;
+        state.residuals = residuals;
+        state.iterations += 1;
+        if size <= options.step {
+            return linearise(problem, state, jacobian).err().unwrap_or(Termination::StepVanished);
+        }
+        last = size;
+    }
+    linearise(problem, state, jacobian).err().unwrap_or(Termination::StepVanished)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rosenbrock's valley: the first full step from (-1.2, 1) raises the cost and must be rejected.
+    struct Rosenbrock;
+
+    impl Problem for Rosenbrock {
+        fn residual_count(&self) -> usize {
+            2
+        }
+        fn residuals(&self, x: &[f64], r: &mut [f64]) {
+            r[0] = 10.0 * (x[1] - x[0] * x[0]);
+            r[1] = 1.0 - x[0];
+        }
+        fn jacobian(&self, x: &[f64], j: &mut [f64]) {
+            j.copy_from_slice(&[-20.0 * x[0], 10.0, -1.0, 0.0]);
+        }
+    }
+
+    /// y = exp(b x) fitted to data it cannot meet: a nonzero residual at the minimum.
+    struct Exponential;
+
+    impl Problem for Exponential {
+        fn residual_count(&self) -> usize {
+            4
+        }
+        fn residuals(&self, x: &[f64], r: &mut [f64]) {
+            for (i, r) in r.iter_mut().enumerate() {
+                let t = i as f64;
+                *r = x[0] * (x[1] * t).exp() - [1.0, 1.7, 2.5, 4.9][i];
+            }
+        }
+        fn jacobian(&self, x: &[f64], j: &mut [f64]) {
+            for (i, j) in j.chunks_exact_mut(2).enumerate() {
+                let t = i as f64;
+                let e = (x[1] * t).exp();
+                j.copy_from_slice(&[e, x[0] * t * e]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_rejected_step_is_not_the_end() {
+        let solution = solve(&Rosenbrock, &[-1.2, 1.0], Options::default());
+        assert!(solution.termination.is_success(), "{}", solution.termination);
+        assert!((solution.x[0] - 1.0).abs() < 1e-14 && (solution.x[1] - 1.0).abs() < 1e-14, "{:?}", solution.x);
+    }
+
+    #[test]
+    fn the_gradient_vanishes_at_a_minimum_with_residuals() {
+        let solution = solve(&Exponential, &[1.0, 0.0], Options::default());
+        let mut j = vec![0.0; 8];
+        Exponential.jacobian(&solution.x, &mut j);
+        for c in 0..2 {
+            let gradient: f64 = (0..4).map(|i| j[2 * i + c] * solution.residuals[i]).sum();
+            assert!(gradient.abs() < 1e-13, "{gradient}");
+        }
+        let again = solve(&Exponential, &[1.0, 0.0], Options::default());
+        assert_eq!(again.x, solution.x);
+    }
+
+    #[test]
+    fn too_few_equations_and_nan_are_said() {
+        assert_eq!(solve(&Rosenbrock, &[1.0, 1.0, 1.0], Options::default()).termination, Termination::TooFewEquations);
+        assert_eq!(solve(&Rosenbrock, &[f64::NAN, 1.0], Options::default()).termination, Termination::NotANumber);
+    }
+}

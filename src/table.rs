@@ -1,0 +1,89 @@
+//! Tables: points, joints, observations (polars underneath), with the names of their columns in one place.
+
+use crate::message::{Message, Problems, Result};
+use crate::pose::Vector;
+use polars::prelude::*;
+use std::io::Cursor;
+use std::path::Path;
+
+/// Columns of the coordinates, in millimetres.
+pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
+impl From<PolarsError> for Problems {
+    fn from(error: PolarsError) -> Self {
+        Message::error(format!("table: {error}")).into()
+    }
+}
+
+/// A column as numbers; missing values are NaN.
+pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
+    let column = column(table, name)?.cast(&DataType::Float64)?;
+    Ok(column.f64()?.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
+}
+
+/// A column of whole numbers without gaps.
+pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
+    let column = column(table, name)?.strict_cast(&DataType::Int64);
+    let column = column.map_err(|_| Message::error(format!("column `{name}` holds something that is no whole number")))?;
+    let whole = |v: Option<i64>| v.ok_or_else(|| Message::error(format!("column `{name}` has an empty cell")).into());
+    column.i64()?.iter().map(whole).collect()
+}
+
+/// A column of whole numbers; empty where missing.
+pub fn optional_integers(table: &DataFrame, name: &str) -> Result<Vec<Option<i64>>> {
+    Ok(column(table, name)?.cast(&DataType::Int64)?.i64()?.iter().collect())
+}
+
+/// A column as text; empty where missing.
+pub fn texts(table: &DataFrame, name: &str) -> Result<Vec<String>> {
+    let column = column(table, name)?.cast(&DataType::String)?;
+    Ok(column.str()?.iter().map(|v| v.unwrap_or_default().to_owned()).collect())
+}
+
+/// The three coordinates in millimetres; a table without `z_mm`, or with an empty one, has z = 0.
+pub fn coordinates(table: &DataFrame) -> Result<Vec<Vector>> {
+    let (x, y) = (numbers(table, XYZ[0])?, numbers(table, XYZ[1])?);
+    let mut z = if table.column(XYZ[2]).is_ok() { numbers(table, XYZ[2])? } else { vec![0.0; x.len()] };
+    if z.iter().all(|z| z.is_nan()) {
+        z.fill(0.0);
+    }
+    Ok(x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect())
+}
+
+fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
+    table.column(name).map_err(|_| {
+        let names: Vec<&str> = table.get_column_names().into_iter().map(PlSmallStr::as_str).collect();
+        Message::error(format!("the table has no column `{name}`")).hint_names(name, names).into()
+    })
+}
+
+/// The table as CSV text.
+pub fn to_csv(table: &mut DataFrame) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    CsvWriter::new(&mut bytes).include_header(true).finish(table)?;
+    Ok(bytes)
+}
+
+/// The table as Parquet.
+pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    ParquetWriter::new(&mut bytes).finish(table)?;
+    Ok(bytes)
+}
+
+/// Reads a Parquet table that a stage wrote.
+pub fn read_parquet(path: &Path) -> Result<DataFrame> {
+    let bytes = crate::files::read(path)?;
+    ParquetReader::new(Cursor::new(bytes)).finish().map_err(|e| unreadable(path, &e))
+}
+
+/// Reads a table of observations or poses from CSV with a header, comma-separated, decimal point.
+pub fn read_csv(path: &Path) -> Result<DataFrame> {
+    let bytes = crate::files::read(path)?;
+    let options = CsvReadOptions::default().with_has_header(true).with_infer_schema_length(None);
+    options.into_reader_with_file_handle(Cursor::new(bytes)).finish().map_err(|e| unreadable(path, &e))
+}
+
+fn unreadable(path: &Path, error: &PolarsError) -> Problems {
+    Message::error(format!("`{}` is not a table: {error}", path.display())).into()
+}

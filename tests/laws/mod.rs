@@ -1,0 +1,2 @@
+//! Laws that hold without outside data.
+mod robots;

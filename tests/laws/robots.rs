@@ -1,0 +1,165 @@
+//! Every model: direct(inverse(pose)) = pose, and Jacobian = numeric derivative.
+
+use etalon::pose::{Pose, minus, norm};
+use etalon::robots::{PlanarPose, Prexyt, Robot, Serial, SerialJoint};
+
+/// Parameters away from nominal, so that no term of a model is multiplied by zero or one.
+fn disturbed(robot: &dyn Robot) -> Vec<f64> {
+    robot.nominal().iter().enumerate().map(|(i, v)| v * (1.0 + 1e-3 * (i % 5) as f64) + 0.01 * ((i * 7) % 11) as f64 - 0.05).collect()
+}
+
+fn jacobian_is_the_numeric_derivative(robot: &dyn Robot, q: &[f64]) {
+    let p = disturbed(robot);
+    let rows = robot.dimension() * robot.targets().len();
+    let mut analytic = vec![0.0; rows * p.len()];
+    robot.jacobian(&p, q, &mut analytic);
+    let at = |p: &[f64]| {
+        let mut out = vec![0.0; rows];
+        robot.positions(p, q, &mut out);
+        out
+    };
+    for j in 0..p.len() {
+        let h = 1e-4;
+        let shifted = |k: f64| {
+            let mut x = p.clone();
+            x[j] += k * h;
+            at(&x)
+        };
+        // fourth-order central difference
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(shifted);
+        for i in 0..rows {
+            let numeric = (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * h);
+            let error = (analytic[i * p.len() + j] - numeric).abs();
+            assert!(error < 1e-7, "{} {}: row {i} {} {numeric}", robot.model(), robot.parameters()[j].name, analytic[i * p.len() + j]);
+        }
+    }
+}
+
+fn irb120() -> Serial {
+    let rows = [(0.0, 0.0, 0.0, 290.0), (-90.0, 0.0, -90.0, 0.0), (0.0, 270.0, 0.0, 0.0), (-90.0, 70.0, 0.0, 302.0), (90.0, 0.0, 0.0, 0.0), (-90.0, 0.0, 180.0, 72.0f64)];
+    let joints: Vec<SerialJoint> = rows
+        .iter()
+        .enumerate()
+        .map(|(i, &(alpha, a, theta, d))| SerialJoint {
+            alpha_rad: f64::to_radians(alpha),
+            a_mm: a,
+            theta_rad: f64::to_radians(theta),
+            d_mm: d,
+            prismatic: false,
+            parallel: i == 2,
+        })
+        .collect();
+    let targets: Vec<String> = ["a", "b", "c"].map(String::from).into();
+    Serial::new(&joints, &targets, [0.0, 0.0, -1.0], &[2, 3], &[(5, 4), (6, 4), (6, 5)])
+}
+
+#[test]
+fn jacobians() {
+    for q in [[0.0, 10.0, 44.0], [85.0, 150.0, 170.0], [170.0, 300.0, 255.0]] {
+        jacobian_is_the_numeric_derivative(&Prexyt::new(false), &q);
+        jacobian_is_the_numeric_derivative(&Prexyt::new(true), &q);
+    }
+    for q in [[0.1, -0.5, 0.3, 1.0, -0.7, 2.0], [-2.0, 0.8, -1.1, -0.4, 1.2, -0.3]] {
+        jacobian_is_the_numeric_derivative(&irb120(), &q);
+        jacobian_is_the_numeric_derivative(&irb120().with_base_turn_y(1.0), &q);
+    }
+}
+
+#[test]
+fn jacobian_of_pose_residuals() {
+    let robot = Prexyt::new(true);
+    let p = disturbed(&robot);
+    let (q, k, l) = ([80.0, 120.0, 170.0], [150.0, 130.0], [290.0, 160.0]);
+    let (by_parameters, by_balls) = robot.pose_residual_jacobians(&p, &q, k, l);
+    let h = 1e-5;
+    for j in 0..p.len() {
+        let shifted = |s: f64| {
+            let mut x = p.clone();
+            x[j] += s;
+            robot.pose_residual(&x, &q, k, l)
+        };
+        let (plus, minus) = (shifted(h), shifted(-h));
+        for i in 0..3 {
+            let numeric = (plus[i] - minus[i]) / (2.0 * h);
+            assert!((by_parameters[i * p.len() + j] - numeric).abs() < 1e-6, "{i} {j}");
+        }
+    }
+    for j in 0..4 {
+        let shifted = |s: f64| {
+            let mut b = [k[0], k[1], l[0], l[1]];
+            b[j] += s;
+            robot.pose_residual(&p, &q, [b[0], b[1]], [b[2], b[3]])
+        };
+        let (plus, minus) = (shifted(h), shifted(-h));
+        for i in 0..3 {
+            assert!((by_balls[i][j] - (plus[i] - minus[i]) / (2.0 * h)).abs() < 1e-6);
+        }
+    }
+}
+
+#[test]
+fn prexyt_inverse_undoes_direct() {
+    for full in [false, true] {
+        let robot = Prexyt::new(full);
+        let p = disturbed(&robot);
+        for x in [120.0, 201.0, 280.0] {
+            for y in [30.0, 137.5, 250.0] {
+                for theta_rad in [-0.5, -0.2, 0.0, 0.3, 0.55] {
+                    let pose = PlanarPose { x_mm: x, y_mm: y, theta_rad };
+                    let back = robot.direct(&p, &robot.inverse(&p, pose));
+                    assert!((back.x_mm - x).abs() < 1e-9 && (back.y_mm - y).abs() < 1e-9, "{back:?} {pose:?}");
+                    assert!((back.theta_rad - theta_rad).abs() < 1e-12);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn prexyt_balls_measure_the_pose() {
+    let robot = Prexyt::new(false);
+    let p = disturbed(&robot);
+    let q = [60.0, 110.0, 190.0];
+    let [k, l] = robot.balls(&p, &q);
+    assert!(robot.pose_residual(&p, &q, k, l).iter().all(|r| r.abs() < 1e-12));
+}
+
+#[test]
+fn serial_inverse_undoes_direct() {
+    let robot = irb120();
+    let p = disturbed(&robot);
+    let q = [0.3, -0.4, 0.5, 0.9, -0.8, 1.5];
+    let pose = robot.direct(&p, &q);
+    let near: Vec<f64> = q.iter().map(|q| q + 0.1).collect();
+    let found = robot.inverse(&p, &pose, &near).expect("reachable");
+    assert!(found.iter().zip(&q).all(|(f, q)| (f - q).abs() < 1e-9), "{found:?}");
+    let far = Pose { translation_mm: [5000.0, 0.0, 0.0], ..pose };
+    assert!(robot.inverse(&p, &far, &near).is_none());
+}
+
+#[test]
+fn serial_nominal_is_the_product_of_craigs_matrices() {
+    // an independent product of 4x4 matrices for the IRB 120 at one pose
+    let robot = irb120();
+    let q: [f64; 6] = [0.2, -0.3, 0.4, 0.5, -0.6, 0.7];
+    let rows = [(0.0, 0.0, 0.0, 290.0), (-90.0, 0.0, -90.0, 0.0), (0.0, 270.0, 0.0, 0.0), (-90.0, 70.0, 0.0, 302.0), (90.0, 0.0, 0.0, 0.0), (-90.0, 0.0, 180.0, 72.0f64)];
+    let mut t = nalgebra::Matrix4::<f64>::identity();
+    for ((alpha, a, theta, d), q) in rows.into_iter().zip(q) {
+        let (sa, ca) = f64::to_radians(alpha).sin_cos();
+        let (st, ct) = (f64::to_radians(theta) + q).sin_cos();
+        // Craig, eq. 3.6
+        t *= nalgebra::Matrix4::new(ct, -st, 0.0, a, st * ca, ct * ca, -sa, -sa * d, st * sa, ct * sa, ca, ca * d, 0.0, 0.0, 0.0, 1.0);
+    }
+    let mut bent = robot.nominal();
+    let reached = robot.direct(&bent, &q);
+    let expected = [t[(0, 3)], t[(1, 3)], t[(2, 3)]];
+    assert!(norm(minus(reached.translation_mm, expected)) < 1e-10);
+    // a level forearm bends joint 3 by its whole compliance and lowers the wrist
+    let k = robot.index("compliance_3_3").unwrap();
+    bent[k] = 1e-3;
+    let level = [0.0, 0.0, (70.0f64 / 302.0).atan(), 0.0, 0.0, 0.0];
+    let (straight, low) = (robot.direct(&robot.nominal(), &level), robot.direct(&bent, &level));
+    let drop = straight.translation_mm[2] - low.translation_mm[2];
+    let reach = straight.translation_mm[0];
+    assert!((drop / reach - 1e-3).abs() < 1e-5, "{drop} {reach}");
+}

@@ -1,0 +1,2 @@
+//! Agreement with numbers that others have published or certified.
+mod prexyt;

@@ -1,0 +1,141 @@
+//! The PreXYT against the thesis' table 3.1 and an independent implementation's sensitivity study.
+
+use etalon::identify::{Observation, ResidualKind, Settings, identify};
+use etalon::noise::Noise;
+use etalon::robots::{PlanarPose, Prexyt, Robot};
+
+/// "Actual" column of table 3.1, in the order of the model; the balls are 146 mm apart.
+fn truth() -> Vec<f64> {
+    let deg = f64::to_radians;
+    vec![deg(1.204), deg(-1.523), deg(-0.954), 393.564, 0.648, 120.473, 73.513, -72.822, 23.246, -30.052, 0.986, 0.994, 0.976, 146.0]
+}
+
+fn poses(file: &str) -> Option<Vec<[f64; 3]>> {
+    let path = crate::reference_data("prexyt")?.join(file);
+    let mut reader = csv::Reader::from_path(path).expect("reference file");
+    let row = |r: csv::StringRecord| [1, 2, 3].map(|i| r[i].parse().expect("number"));
+    Some(reader.records().map(|r| row(r.expect("row"))).collect())
+}
+
+fn measure(robot: &Prexyt, poses: &[[f64; 3]], noise: &mut dyn FnMut() -> f64) -> Vec<Observation> {
+    let truth = truth();
+    let observe = |(i, q): (usize, &[f64; 3])| {
+        let balls = robot.balls(&truth, q).map(|[x, y]| Some([x + noise(), y + noise(), 0.0]));
+        Observation { pose: i as i64 + 1, cycle: 1, joints: q.to_vec(), targets: balls.to_vec() }
+    };
+    poses.iter().enumerate().map(observe).collect()
+}
+
+fn settings(kind: ResidualKind) -> Settings {
+    Settings { kind, standard_uncertainty_mm: Some(0.015 / 3f64.sqrt()), hold: Vec::new() }
+}
+
+/// Largest xy error over the workspace of 170 mm at 0 and ±15 degrees, as the balls measure it (the reference's README).
+fn largest_error(robot: &Prexyt, identified: &[f64]) -> f64 {
+    let truth = truth();
+    let mut worst = 0.0f64;
+    let rings = (0..=8).flat_map(|r| (0..24).map(move |a| (r as f64 / 8.0 * 85.0, f64::from(a) * 15f64.to_radians())));
+    for (radius, angle) in rings {
+        for theta in [-15.0, 0.0, 15.0f64] {
+            let command = PlanarPose {
+                x_mm: 201.0 + radius * angle.cos(),
+                y_mm: 137.5 + radius * angle.sin(),
+                theta_rad: theta.to_radians(),
+            };
+            let [k, l] = robot.balls(&truth, &robot.inverse(identified, command));
+            let reached = robot.measured(identified, k, l);
+            worst = worst.max((reached.x_mm - command.x_mm).hypot(reached.y_mm - command.y_mm));
+        }
+    }
+    worst
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    0.5 * (values[(values.len() - 1) / 2] + values[values.len() / 2])
+}
+
+#[test]
+fn noise_free_gives_the_truth() {
+    let Some(poses) = poses("eight_poses_theta_0_33.csv") else { return };
+    let robot = Prexyt::default();
+    let observations = measure(&robot, &poses, &mut || 0.0);
+    for kind in [ResidualKind::Pose, ResidualKind::Targets] {
+        let found = identify(&robot, &observations, &settings(kind)).expect("identified");
+        for (i, (value, truth)) in found.values.iter().zip(truth()).enumerate() {
+            if kind == ResidualKind::Pose && robot.parameters()[i].name == "l_kl" {
+                continue;
+            }
+            assert!((value - truth).abs() < 1e-9, "{kind:?} {} {value} {truth}", robot.parameters()[i].name);
+        }
+    }
+}
+
+#[test]
+fn hundred_seeds_are_as_good_as_an_independent_implementation() {
+    let Some(poses) = poses("eight_poses_theta_0_33.csv") else { return };
+    let robot = Prexyt::default();
+    for (kind, reference_um) in [(ResidualKind::Pose, 11.6), (ResidualKind::Targets, 9.9)] {
+        let mut errors = Vec::new();
+        let mut pulls: Vec<f64> = Vec::new();
+        for seed in 0..100 {
+            let mut noise = Noise::new(1, seed);
+            let observations = measure(&robot, &poses, &mut || noise.uniform(0.015));
+            let found = identify(&robot, &observations, &settings(kind)).expect("identified");
+            errors.push(1000.0 * largest_error(&robot, &found.values));
+            let pull = |(k, &i): (usize, &usize)| (found.values[i] - truth()[i]) / found.covariance[k * found.free.len() + k].sqrt();
+            pulls.extend(found.free.iter().enumerate().map(pull));
+        }
+        let median = median(errors);
+        let spread = (pulls.iter().map(|p| p * p).sum::<f64>() / pulls.len() as f64).sqrt();
+        println!("{kind:?}: median of the largest error {median:.2} um (independent: {reference_um}), spread over covariance {spread:.3}");
+        assert!(median <= 1.05 * reference_um, "{kind:?} {median}");
+        assert!((spread - 1.0).abs() < 0.1, "{kind:?} {spread}");
+    }
+}
+
+#[test]
+fn full_model_finds_its_redundant_parameters() {
+    let Some(poses) = poses("eight_poses_theta_0_33.csv") else { return };
+    let robot = Prexyt::new(true);
+    let reduced = Prexyt::default();
+    let observations = measure(&reduced, &poses, &mut || 0.0);
+    let found = identify(&robot, &observations, &settings(ResidualKind::Pose)).expect("identified");
+    let name = |i: usize| robot.parameters()[i].name.as_str();
+    let groups: Vec<(&str, Vec<&str>)> =
+        found.groups.iter().map(|g| (name(g.held), g.with.iter().map(|&i| name(i)).collect())).collect();
+    println!("{groups:?}");
+    assert_eq!(groups, [("alpha", vec!["delta1"]), ("h", vec!["d1"])]);
+    for (i, truth) in truth().iter().enumerate().take(13) {
+        assert!((found.values[i] - truth).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_single_theta_is_warned_of() {
+    let (Some(good), Some(bad)) = (poses("eight_poses_theta_0_33.csv"), poses("eight_poses_theta_17.csv")) else { return };
+    let robot = Prexyt::default();
+    
+    for kind in [ResidualKind::Pose, ResidualKind::Targets] {
+        let (mut predicted, mut off) = (Vec::new(), Vec::new());
+        for seed in 0..100 {
+            let mut noise = Noise::new(2, seed);
+            let observations = measure(&robot, &bad, &mut || noise.uniform(0.015));
+            let found = identify(&robot, &observations, &settings(kind)).expect("identified");
+            let names: Vec<Vec<&str>> =
+                found.weak.iter().map(|w| w.parameters.iter().map(|&i| robot.parameters()[i].name.as_str()).collect()).collect();
+            let said = found.warnings.iter().any(|w| w.hint.as_deref().is_some_and(|h| h.contains("different |theta|")));
+            assert!(said, "{:?}", found.warnings);
+            assert_eq!(names, [["d", "x_c"]], "{kind:?} {seed}");
+            predicted.push(found.standard_uncertainty(6).expect("identified"));
+            off.push((found.values[6] - truth()[6]).hypot(found.values[7] - truth()[7]));
+        }
+        let mut noise = Noise::new(2, 0);
+        let found = identify(&robot, &measure(&robot, &good, &mut || noise.uniform(0.015)), &settings(kind)).expect("identified");
+        assert!(found.weak.is_empty(), "{:?}", found.weak);
+
+        let (off, predicted) = (median(off), median(predicted));
+        println!("{kind:?}: C is off by {off:.2} mm (median), u(x_c) predicted {predicted:.2} mm");
+        assert!(off > 0.2 && off < 2.0 * predicted);
+    }
+}
