@@ -1,12 +1,95 @@
-//! map later
+//! `etalon` turns a folder of coordinate measurements into calibrated robot parameters that one can defend.
+//!
+//! A campaign goes in (exports of a measuring system, encoder logs, one `campaign.toml`); frames, identified parameters
+//! with uncertainties, errors before and after, a report and files for the controller come out. This page is the map.
+//!
+//! # The hallway
+//!
+//! ```text
+//! exports ──import──► points ──fit──► features ──frames──► frames ─┐
+//! logs ────import──► joints ─────────────────────────────────────┴─join──► observations
+//! observations ──identify──► parameters ──evaluate──► accuracy ──► report · export
+//! robot model ──simulate──► exports and logs with a known truth
+//! ```
+//!
+//! [`pipeline`] is that hallway on one screen. Every stage is a function from the documents before it to the document
+//! after it: none reads a file that another stage did not name, none prints, none looks at the clock.
+//!
+//! # Rooms
+//!
+//! Mathematics, which knows no file and no campaign:
+//! [`scalar`] (numbers that carry derivatives), [`pose`] (rigid transforms), [`solve`] (least squares, singular values),
+//! [`fit`] (geometric elements), [`robots`] (direct and inverse kinematics, exact Jacobians), [`identify`] (what the
+//! data tell, and how well), [`noise`] (random numbers from a seed).
+//!
+//! Doors: [`campaign`] (what the user states), [`import`] (exports and logs become points and joints), [`files`]
+//! (whole or not at all), [`cli`].
+//!
+//! In between: [`table`] (columns and their names), [`frames`] (world frames from features and targets), [`join`]
+//! (measurements meet joint values), [`evaluate`] (errors before and after), [`simulate`] (campaigns with a known truth).
+//!
+//! What comes out: [`document`] (the types behind every JSON document), [`schema`], [`parameters`], [`output`],
+//! [`report`] and [`export`], which read documents and nothing else. [`message`] is how everything says what is wrong.
+//!
+//! # Conventions
+//!
+//! Millimetres and radians inside; every name carries its unit. `world_t_base` is the pose of the base in the world;
+//! chains read from left to right. Angles leave the program in degrees. Every formula names its source; "thesis" is
+//! A. Joubair, "Contribution à l'amélioration de la précision absolue des robots parallèles", ÉTS Montréal, 2012, and
+//! equation numbers are its.
+//!
+//! # Two ways in
+//!
+//! A campaign on disk: [`campaign::Campaign::read`], then [`pipeline::run`]. Or data in memory:
+//!
+//! ```
+//! use etalon::identify::{Observation, ResidualKind, Settings, identify};
+//! use etalon::robots::{Prexyt, Robot};
+//!
+//! let robot = Prexyt::default();
+//! let mut truth = robot.nominal();
+//! truth[3] = 393.93; // s, mm
+//! let joints = [[0.0, 300.0, 300.0], [0.0, 0.0, 256.0], [0.0, 300.0, 44.0], [0.0, 0.0, 0.0], [170.0, 300.0, 300.0],
+//!     [170.0, 0.0, 256.0], [170.0, 300.0, 44.0], [170.0, 0.0, 0.0]];
+//! let observations: Vec<Observation> = joints
+//!     .iter()
+//!     .enumerate()
+//!     .map(|(i, q)| Observation {
+//!         pose: i as i64,
+//!         cycle: 1,
+//!         joints: q.to_vec(),
+//!         targets: robot.balls(&truth, q).map(|[x, y]| Some([x, y, 0.0])).to_vec(),
+//!     })
+//!     .collect();
+//! let settings =
+//!     Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.002), hold: Vec::new() };
+//! let found = identify(&robot, &observations, &settings)?;
+//! assert!((found.values[3] - 393.93).abs() < 1e-9);
+//! # Ok::<(), etalon::message::Problems>(())
+//! ```
 #![forbid(unsafe_code)]
+
+pub mod campaign;
+pub mod cli;
 pub mod document;
+pub mod evaluate;
+pub mod export;
 pub mod files;
+pub mod fit;
+pub mod frames;
 pub mod identify;
+pub mod import;
+pub mod join;
 pub mod message;
 pub mod noise;
+pub mod output;
+pub mod parameters;
+pub mod pipeline;
 pub mod pose;
+pub mod report;
 pub mod robots;
 pub mod scalar;
+pub mod schema;
+pub mod simulate;
 pub mod solve;
 pub mod table;

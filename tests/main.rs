@@ -1,6 +1,11 @@
 //! Tests by what they prove.
+
+mod cli;
+mod golden;
+mod hostile;
 mod laws;
 mod reference;
+mod scratch;
 
 /// The reference data, or `None` after saying that the test is skipped.
 fn reference_data(folder: &str) -> Option<std::path::PathBuf> {

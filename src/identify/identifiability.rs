@@ -1,14 +1,15 @@
-//! Which parameters the data can tell apart: rank of the scaled Jacobian, and names for its null space.
+//! Which parameters the data can tell apart: rank of the scaled Jacobian, column by column in the model's order.
 
 use super::residuals::Residuals;
-use crate::solve::{Factor, Problem, Svd, column_norms, svd};
+use crate::solve::{Factor, Problem, column_norms};
 
-/// Singular values of the scaled Jacobian below this fraction of the largest are zero: far above rounding (1e-15),
-/// far below the condition that any useful set of poses has (about 100: Schröer, cited in Nahvi & Hollerbach 1996).
+/// A column of the scaled Jacobian that lies this near to the span of the columns before it adds nothing: far above
+/// rounding (1e-15), far below what any useful set of poses has (1/condition, about 1/100: Schröer, cited in
+/// Nahvi & Hollerbach 1996).
 pub const RANK_TOLERANCE: f64 = 1e-9;
 /// A column below this fraction of the largest is not seen by the data.
 const UNSEEN: f64 = 1e-12;
-/// Share of a null vector above which a parameter belongs to the group.
+/// Share of a dependence above which a parameter belongs to the group.
 const MEMBER: f64 = 1e-4;
 
 /// Parameters that the data cannot tell apart; the last of them is held.
@@ -35,19 +36,28 @@ impl Analysis {
         let mut jacobian = vec![0.0; m * n];
         problem.jacobian(&x, &mut jacobian);
         let norms = column_norms(&jacobian, n);
-        let is_seen = |j: &usize| jacobian.iter().skip(*j).step_by(n).any(|v| v.abs() > 0.0);
-        let largest = (0..n).filter(is_seen).map(|j| norms[j]).fold(0.0, f64::max);
-        let (seen, unseen): (Vec<usize>, Vec<usize>) =
-            (0..n).partition(|j| is_seen(j) && norms[*j] > UNSEEN * largest);
-        let reduced: Vec<f64> = jacobian.chunks_exact(n.max(1)).flat_map(|row| seen.iter().map(|&j| row[j])).collect();
-        let scale: Vec<f64> = seen.iter().map(|&j| norms[j]).collect();
-        let decomposition = svd(&Factor::new(&reduced, &vec![0.0; m], &scale));
-        let mut groups: Vec<Group> = null_groups(&decomposition)
-            .into_iter()
-            .map(|g| Group { held: free[seen[g.held]], with: g.with.iter().map(|&k| free[seen[k]]).collect() })
-            .collect();
-        groups.extend(unseen.into_iter().map(|j| Group { held: free[j], with: Vec::new() }));
-        groups.sort_by_key(|g| g.held);
+        let factor = Factor::new(&jacobian, &vec![0.0; m], &norms);
+        // column_norms gives 1 for a column of zeros: its R is zero too
+        let size = |j: usize| (0..=j).map(|i| factor.r(i, j).powi(2)).sum::<f64>().sqrt() * norms[j];
+        let largest = (0..n).map(size).fold(0.0, f64::max);
+        let mut basis: Vec<(usize, Vec<f64>)> = Vec::new();
+        let mut groups = Vec::new();
+        for j in 0..n {
+            if size(j) <= UNSEEN * largest {
+                groups.push(Group { held: free[j], with: Vec::new() });
+                continue;
+            }
+            let column: Vec<f64> = (0..n).map(|i| factor.r(i, j)).collect();
+            let (shares, rest) = split(&column, &basis);
+            let distance = rest.iter().map(|v| v * v).sum::<f64>().sqrt();
+            if distance > RANK_TOLERANCE {
+                basis.push((j, rest.into_iter().map(|v| v / distance).collect()));
+                continue;
+            }
+            let weights = weights(&shares, &basis, &factor);
+            let member = |(k, w): (usize, &f64)| (w.abs() > MEMBER).then_some(free[basis[k].0]);
+            groups.push(Group { held: free[j], with: weights.iter().enumerate().filter_map(member).collect() });
+        }
         Self { groups }
     }
 
@@ -57,35 +67,32 @@ impl Analysis {
     }
 }
 
-/// One group per null vector, in echelon form from the last parameter: each group holds a parameter of its own.
-fn null_groups(decomposition: &Svd) -> Vec<Group> {
-    let rank = decomposition.rank(RANK_TOLERANCE);
-    let mut rows: Vec<Vec<f64>> = decomposition.vectors[rank..].to_vec();
-    let n = decomposition.vectors.len();
-    let mut done = 0;
-    let mut pivots = Vec::new();
-    for column in (0..n).rev() {
-        let Some(best) = (done..rows.len()).max_by(|&i, &j| rows[i][column].abs().total_cmp(&rows[j][column].abs()))
-        else {
-            break;
-        };
-        if rows[best][column].abs() < MEMBER {
-            continue;
+/// Shares of `column` along the orthonormal `basis` and what is left of it (Gram-Schmidt, done twice: Giraud et al. 2005).
+fn split(column: &[f64], basis: &[(usize, Vec<f64>)]) -> (Vec<f64>, Vec<f64>) {
+    let mut rest = column.to_vec();
+    let mut shares = vec![0.0; basis.len()];
+    for _ in 0..2 {
+        for ((_, q), share) in basis.iter().zip(&mut shares) {
+            let along: f64 = q.iter().zip(&rest).map(|(q, r)| q * r).sum();
+            rest.iter_mut().zip(q).for_each(|(r, q)| *r -= along * q);
+            *share += along;
         }
-        rows.swap(done, best);
-        let pivot = rows[done].clone();
-        for (i, row) in rows.iter_mut().enumerate() {
-            let factor = if i == done { 1.0 - 1.0 / pivot[column] } else { row[column] / pivot[column] };
-            for (value, p) in row.iter_mut().zip(&pivot) {
-                *value -= factor * p;
-            }
-        }
-        pivots.push(column);
-        done += 1;
     }
-    let group = |(row, &held): (&Vec<f64>, &usize)| Group {
-        held,
-        with: (0..n).filter(|&k| k != held && row[k].abs() > MEMBER).collect(),
+    (shares, rest)
+}
+
+/// The same column as a sum of the columns behind the basis: back substitution in their triangular matrix.
+fn weights(shares: &[f64], basis: &[(usize, Vec<f64>)], factor: &Factor) -> Vec<f64> {
+    let element = |i: usize, k: usize| -> f64 {
+        let column = basis[k].0;
+        basis[i].1.iter().enumerate().map(|(row, q)| q * factor.r(row, column)).sum()
     };
-    rows.iter().zip(&pivots).map(group).collect()
+    let mut weights = shares.to_vec();
+    for k in (0..basis.len()).rev() {
+        weights[k] /= element(k, k);
+        for i in 0..k {
+            weights[i] -= element(i, k) * weights[k];
+        }
+    }
+    weights
 }

@@ -15,7 +15,7 @@ pub use uncertainty::{Observability, WeakGroup};
 
 use crate::message::{Message, Result};
 use crate::robots::{Robot, Role};
-use crate::solve::{self, Options, Termination};
+use crate::solve::{self, Options, Solution, Termination};
 use identifiability::Analysis;
 use residuals::Residuals;
 
@@ -133,30 +133,60 @@ fn identify_from(
     wanted: &[usize],
     start: Vec<f64>,
 ) -> Result<Identification> {
+    // a subset of many poses brings the parameters near, all poses then take few steps
     let mut values = start;
-    let mut before: Option<Analysis> = None;
+    if observations.len() > 2 * SUBSET {
+        let step = observations.len().div_ceil(SUBSET);
+        let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
+        if let Ok(near) = settle(robot, &subset, settings, wanted, values.clone()) {
+            values = near.values;
+        }
+    }
+    let settled = settle(robot, observations, settings, wanted, values)?;
+    let problem = Residuals::new(robot, observations, settings, &settled.free, &settled.values)?;
+    Ok(uncertainty::conclude(robot, settings, &problem, wanted, settled))
+}
+
+/// Observations that suffice to come near, if they are spread over all.
+const SUBSET: usize = 96;
+
+/// A solution at which the same parameters are held as those it was found with.
+struct Settled {
+    values: Vec<f64>,
+    free: Vec<usize>,
+    groups: Vec<Group>,
+    solution: Solution,
+    iterations: usize,
+}
+
+fn settle(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+    start: Vec<f64>,
+) -> Result<Settled> {
+    let mut values = start;
     let mut iterations = 0;
+    let all = Residuals::new(robot, observations, settings, wanted, &values)?;
+    let mut held = Analysis::at(&all, &values).held();
     for _round in 0..5 {
-        let all = Residuals::new(robot, observations, settings, wanted, &values)?;
-        let analysis = Analysis::at(&all, &values);
-        let settled = before.as_ref().is_some_and(|b| b.held() == analysis.held());
-        let free: Vec<usize> = wanted.iter().copied().filter(|i| !analysis.held().contains(i)).collect();
+        let free: Vec<usize> = wanted.iter().copied().filter(|i| !held.contains(i)).collect();
         let problem = Residuals::new(robot, observations, settings, &free, &values)?;
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
         let solution = solve::solve(&problem, &x, Options::default());
         iterations += solution.iterations;
-        for (&i, &x) in free.iter().zip(&solution.x) {
-            values[i] = x;
-        }
+        values = problem.all(&solution.x);
         if !solution.termination.is_success() {
             return Err(Message::error(format!("the identification ended without a result: {}", solution.termination))
                 .hint("`etalon check` lists what each pose and target brings; `hold` in [identify] holds parameters")
                 .into());
         }
-        if settled {
-            return Ok(uncertainty::conclude(robot, settings, &problem, &solution, values, wanted, analysis, iterations));
+        let analysis = Analysis::at(&all, &values);
+        if analysis.held() == held {
+            return Ok(Settled { values, free, groups: analysis.groups, solution, iterations });
         }
-        before = Some(analysis);
+        held = analysis.held();
     }
     Err(Message::error("which parameters can be told apart changes from step to step")
         .hint("hold parameters in [identify], or measure more poses")

@@ -6,7 +6,7 @@
 use super::residuals::Residuals;
 use super::{Observation, ResidualKind, Settings};
 use crate::message::{Message, Result};
-use crate::pose::Pose;
+use crate::pose::{Pose, centroid, minus, norm};
 use crate::robots::{Robot, Role, Serial};
 use crate::solve::{self, Factor, Options};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -36,6 +36,11 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation]) -> Result<V
         let solution = solve::solve(&problem, &x, Options { step: 1e-6, ..Options::default() });
         if solution.termination.is_success() && best.as_ref().is_none_or(|b| solution.cost() < b.0) {
             best = Some((solution.cost(), problem.all(&solution.x)));
+            // a wrong minimum is off by much of the arm's reach, the right one by the robot's errors
+            let rms_mm = (solution.cost() / solution.residuals.len() as f64).sqrt();
+            if rms_mm < 0.01 * spread_mm(&subset) {
+                break;
+            }
         }
     }
     let (_, mut values) = best.ok_or_else(|| {
@@ -52,6 +57,13 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation]) -> Result<V
             .into());
     }
     Ok(values)
+}
+
+/// Root mean square distance of the measured positions from their mean.
+fn spread_mm(observations: &[Observation]) -> f64 {
+    let all: Vec<_> = observations.iter().flat_map(|o| o.targets.iter().flatten().copied()).collect();
+    let mean = centroid(&all).unwrap_or_default();
+    (all.iter().map(|p| norm(minus(*p, mean)).powi(2)).sum::<f64>() / all.len().max(1) as f64).sqrt()
 }
 
 /// The 24 rotations that bring a cube to itself.

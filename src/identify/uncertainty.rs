@@ -1,8 +1,7 @@
 //! How well parameters are known: covariance, chi-square, observability, and parameters that are hardly told apart.
 
-use super::identifiability::Analysis;
 use super::residuals::Residuals;
-use super::{Identification, ResidualKind, Settings, Status};
+use super::{Identification, ResidualKind, Settings, Settled, Status};
 use crate::message::Message;
 use crate::robots::{Quantity, Robot};
 use crate::solve::{Factor, Problem, Solution, Svd, svd};
@@ -41,17 +40,16 @@ const WEAK_MEMBER: f64 = 0.3;
 /// Probability with which a chi-square test rejects a right model.
 const REJECT: f64 = 1e-3;
 
-#[allow(clippy::too_many_arguments)] // the two ends of one function, cut for length
+/// What a settled solution means.
 pub(super) fn conclude(
     robot: &dyn Robot,
     settings: &Settings,
     problem: &Residuals,
-    solution: &Solution,
-    values: Vec<f64>,
     wanted: &[usize],
-    analysis: Analysis,
-    iterations: usize,
+    settled: Settled,
 ) -> Identification {
+    let Settled { values, groups, solution, iterations, .. } = settled;
+    let solution = &solution;
     let (m, n) = (problem.residual_count(), problem.free.len());
     let dof = m - n;
     let variance_of_residuals = if dof > 0 { solution.cost() / dof as f64 } else { 0.0 };
@@ -91,7 +89,7 @@ pub(super) fn conclude(
             Message::warning(format!("the data cannot tell apart `{held}` and `{}`: `{held}` is held at its nominal value", names.join("`, `")))
         }
     };
-    warnings.extend(analysis.groups.iter().map(group));
+    warnings.extend(groups.iter().map(group));
     warnings.extend(weak.iter().map(|w| weak_message(robot, w)));
     let status = |i| match () {
         () if problem.free.contains(&i) => Status::Identified,
@@ -104,7 +102,7 @@ pub(super) fn conclude(
         free: problem.free.clone(),
         covariance,
         model_factor,
-        groups: analysis.groups,
+        groups,
         weak,
         observability,
         rms: (solution.cost() / m.max(1) as f64).sqrt() * problem.unit,

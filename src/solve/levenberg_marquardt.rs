@@ -101,6 +101,11 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
 /// Evaluates the Jacobian at `state.x` and factors it; an error if a number in it is not finite.
 fn linearise(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64]) -> Result<(), Termination> {
     problem.jacobian(&state.x, jacobian);
+    refactor(state, jacobian)
+}
+
+/// Factors the Jacobian at hand.
+fn refactor(state: &mut Solution, jacobian: &[f64]) -> Result<(), Termination> {
     state.scale = column_norms(jacobian, state.x.len());
     if state.scale.iter().any(|s| !s.is_finite()) || !sum_of_squares(&state.residuals).is_finite() {
         return Err(Termination::NotANumber);
@@ -158,7 +163,7 @@ fn damped(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], op
             fresh = false;
             lambda *= (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(1e-2, 1.0);
             growth = 2.0;
-            if size < 1e-8 {
+            if size < 1e-8 || size < 1e-3 && (ratio - 1.0).abs() < 0.1 {
                 return Termination::StepVanished;
             }
         } else {
@@ -173,34 +178,52 @@ fn damped(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], op
 }
 
 /// Undamped Gauss-Newton: goes on while every step is clearly shorter than the one before.
+///
+/// The gradient is always that of the Jacobian at hand; its factor is taken over from an earlier point as long as steps
+/// shrink tenfold with it.
 fn finish(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], options: Options) -> Termination {
     let mut last = f64::INFINITY;
-    for _ in 0..20 {
-        if let Err(stopped) = linearise(problem, state, jacobian) {
-            return stopped;
-        }
-        let Some(step) = state.factor.as_ref().and_then(|f| step_of(f, &state.scale)) else {
-            return Termination::RankDeficient;
+    let mut residuals = vec![0.0; state.residuals.len()];
+    let mut termination = Termination::NoImprovementPossible;
+    for _ in 0..40 {
+        problem.jacobian(&state.x, jacobian);
+        let taken_over = state.factor.as_ref().filter(|_| last < 1e-3);
+        let step = taken_over.and_then(|f| f.solve_normal(jacobian, &state.residuals, &state.scale));
+        let step = match step.filter(|step| relative(step, &state.x, &state.scale) < 0.1 * last) {
+            Some(step) => step,
+            None => {
+                if let Err(stopped) = refactor(state, jacobian) {
+                    return stopped;
+                }
+                match state.factor.as_ref().and_then(|f| step_of(f, &state.scale)) {
+                    Some(step) => step,
+                    None => return Termination::RankDeficient,
+                }
+            }
         };
         let size = relative(&step, &state.x, &state.scale);
         if size > 0.5 * last {
-            return if last < 1e-6 { Termination::StepVanished } else { Termination::NoImprovementPossible };
+            if last < 1e-6 {
+                termination = Termination::StepVanished;
+            }
+            break;
         }
         let trial: Vec<f64> = state.x.iter().zip(&step).map(|(x, s)| x + s).collect();
-        let mut residuals = vec![0.0; state.residuals.len()];
         problem.residuals(&trial, &mut residuals);
         if sum_of_squares(&residuals) > state.cost() * (1.0 + 1e-6) + f64::MIN_POSITIVE {
-            return Termination::NoImprovementPossible;
+            break;
         }
         state.x = trial;
-        state.residuals = residuals;
+        std::mem::swap(&mut state.residuals, &mut residuals);
         state.iterations += 1;
-        if size <= options.step {
-            return linearise(problem, state, jacobian).err().unwrap_or(Termination::StepVanished);
-        }
         last = size;
+        if size <= options.step {
+            termination = Termination::StepVanished;
+            break;
+        }
     }
-    linearise(problem, state, jacobian).err().unwrap_or(Termination::StepVanished)
+    // the Jacobian at hand is that of the solution, or of a point closer to it than rounding can tell
+    refactor(state, jacobian).err().unwrap_or(termination)
 }
 
 #[cfg(test)]

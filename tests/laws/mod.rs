@@ -1,2 +1,4 @@
 //! Laws that hold without outside data.
+
+mod campaigns;
 mod robots;

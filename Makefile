@@ -1,0 +1,43 @@
+# make         run every sample campaign (each writes samples/NAME/out/report.html)
+# make test    run the tests
+# make bench   compare with a peer, side by side in the same run (needs Python with numpy and scipy)
+# make samples make the synthetic samples again from their truth
+# make help    this text
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+MAKEFLAGS += --no-builtin-rules --warn-undefined-variables
+.SUFFIXES:
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := all
+
+CARGO_TARGET_DIR ?= target
+ETALON := $(CARGO_TARGET_DIR)/release/etalon
+SOURCES := Cargo.toml Cargo.lock $(shell find src -type f)
+CAMPAIGNS := $(patsubst samples/%/campaign.toml,%,$(sort $(wildcard samples/*/campaign.toml)))
+SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth.toml)))
+
+.PHONY: all test bench samples help clean
+all: $(CAMPAIGNS:%=samples/%/out/report.html)
+
+$(ETALON): $(SOURCES)
+	cargo build --release --locked
+
+# a campaign is run again when one of its files or the program has changed
+.SECONDEXPANSION:
+samples/%/out/report.html: $$(shell find samples/% -type f -not -path '*/out/*') $(ETALON)
+	$(ETALON) run --skip-missing samples/$*
+
+test:
+	if command -v cargo-nextest >/dev/null; then cargo nextest run --locked; else cargo test --locked; fi
+
+bench:
+	cargo bench --locked
+
+samples: $(ETALON)
+	for name in $(SYNTHETIC); do $(ETALON) simulate samples/$$name; done
+
+clean:
+	rm -rf $(CAMPAIGNS:%=samples/%/out)
+
+help:
+	@sed -n 's/^# make/make/p' Makefile

@@ -1,0 +1,59 @@
+//! Identification of the IRB 120 (688 poses, 45 and 39 parameters) beside SciPy, in the same run.
+//!
+//! SciPy gets the better deal: its time begins with base and reflectors already found, ours includes finding them.
+
+use etalon::campaign::{Campaign, check};
+use etalon::identify::{Observation, Settings, identify};
+use etalon::{evaluate, frames, join, table};
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+fn main() {
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120");
+    let campaign = Campaign::read(&sample).expect("sample");
+    if let Some(name) = campaign.missing_variable() {
+        println!("skipped: {name} is not set");
+        return;
+    }
+    let imported = check(&campaign).expect("import");
+    let robot = campaign.build_robot().expect("robot");
+    let features = frames::fit_features(&campaign, &imported.points).expect("features");
+    let frames = frames::make_frames(&campaign, &imported.points, &features, false).expect("frames");
+    let mut joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");
+    let observations = Observation::from_table(robot.as_ref(), &joined.observations[0].1).expect("observations");
+    let (calibration, validation) = campaign.selections().expect("selections");
+    let sets = evaluate::split(&observations, &calibration, validation.as_ref());
+    let folder = tempfile::tempdir().expect("folder");
+    let csv = folder.path().join("observations.csv");
+    std::fs::write(&csv, table::to_csv(&mut joined.observations[0].1).expect("csv")).expect("csv");
+
+    for (what, extra) in [("45 parameters", 6), ("39 parameters", 0)] {
+        let mut settings: Settings = campaign.settings();
+        if extra == 0 {
+            settings.hold = vec!["compliance_*".into(), "coupling_*".into()];
+        }
+        let mut times: Vec<f64> = (0..15)
+            .map(|_| {
+                let start = Instant::now();
+                let found = identify(robot.as_ref(), &sets.calibration, &settings).expect("identified");
+                std::hint::black_box(found);
+                start.elapsed().as_secs_f64()
+            })
+            .collect();
+        times.sort_by(f64::total_cmp);
+        let ours = times[times.len() / 2];
+        println!("{what}: etalon {:.1} ms (median of {})", ours * 1e3, times.len());
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/identify_scipy.py");
+        let output = Command::new("python3").arg(script).arg(&csv).arg(extra.to_string()).output();
+        let Some(output) = output.ok().filter(|o| o.status.success()) else {
+            println!("  SciPy: not there (python3 with numpy and scipy)");
+            continue;
+        };
+        for line in String::from_utf8_lossy(&output.stdout).lines() {
+            let Some((name, seconds)) = line.split_once(' ') else { continue };
+            let seconds: f64 = seconds.parse().expect("seconds");
+            println!("  SciPy {name}: {:.0} ms, {:.1} times etalon", seconds * 1e3, seconds / ours);
+        }
+    }
+}

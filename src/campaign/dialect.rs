@@ -1,0 +1,216 @@
+//! How a delimited text is to be read: stated by the campaign, never guessed in silence.
+
+use serde::de::{self, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
+
+/// Format of an export.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Format {
+    /// PolyWorks point text: `name x y z [i j k]`, blank-separated, decimal point; name optional, quoted if it has blanks.
+    Polyworks,
+    /// Delimited text.
+    Delimited(Dialect),
+}
+
+/// A delimited text.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Dialect {
+    /// What separates columns.
+    pub delimiter: Delimiter,
+    /// Decimal mark.
+    #[serde(default)]
+    pub decimal: Decimal,
+    /// What each column holds, from the left; more columns than stated are refused.
+    pub columns: Vec<Role>,
+    /// Rows before the data.
+    #[serde(default)]
+    pub header: usize,
+    /// Lines that start with this are skipped.
+    pub comment: Option<String>,
+}
+
+/// What separates columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub enum Delimiter {
+    /// Any number of blanks or tabs.
+    #[serde(rename = "blank", alias = " ")]
+    Blank,
+    /// A tab.
+    #[serde(rename = "tab", alias = "\t")]
+    Tab,
+    /// A comma.
+    #[serde(rename = ",", alias = "comma")]
+    Comma,
+    /// A semicolon.
+    #[serde(rename = ";", alias = "semicolon")]
+    Semicolon,
+}
+
+impl Delimiter {
+    /// The byte, for delimiters that are one.
+    pub fn byte(self) -> Option<u8> {
+        match self {
+            Self::Blank => None,
+            Self::Tab => Some(b'\t'),
+            Self::Comma => Some(b','),
+            Self::Semicolon => Some(b';'),
+        }
+    }
+
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Blank => "blank",
+            Self::Tab => "tab",
+            Self::Comma => ",",
+            Self::Semicolon => ";",
+        }
+    }
+}
+
+/// Decimal mark.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+pub enum Decimal {
+    /// `1.5`
+    #[default]
+    #[serde(rename = ".", alias = "point")]
+    Point,
+    /// `1,5`
+    #[serde(rename = ",", alias = "comma")]
+    Comma,
+}
+
+impl Decimal {
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        if self == Self::Point { "." } else { "," }
+    }
+}
+
+/// What a column holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// Label of the point.
+    Label,
+    /// Name of the target.
+    Target,
+    /// Number of the pose.
+    Pose,
+    /// Number of the repeat.
+    Cycle,
+    /// Coordinate.
+    X,
+    /// Coordinate.
+    Y,
+    /// Coordinate.
+    Z,
+    /// Time in seconds.
+    TimeS,
+    /// Not read.
+    #[serde(rename = "-", alias = "skip")]
+    Skip,
+}
+
+/// Length unit of an export.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub enum Unit {
+    /// Millimetre.
+    #[serde(rename = "mm")]
+    Millimetre,
+    /// Metre.
+    #[serde(rename = "m")]
+    Metre,
+    /// Micrometre.
+    #[serde(rename = "um")]
+    Micrometre,
+    /// Inch: 25.4 mm exactly.
+    #[serde(rename = "inch", alias = "in")]
+    Inch,
+}
+
+impl Unit {
+    /// Millimetres in one of the unit.
+    pub fn in_mm(self) -> f64 {
+        match self {
+            Self::Millimetre => 1.0,
+            Self::Metre => 1000.0,
+            Self::Micrometre => 0.001,
+            Self::Inch => 25.4,
+        }
+    }
+
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Millimetre => "mm",
+            Self::Metre => "m",
+            Self::Micrometre => "um",
+            Self::Inch => "inch",
+        }
+    }
+}
+
+/// A column of a log: by its name in the header, or by its number from 1.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Column {
+    /// Name in the header.
+    Name(String),
+    /// Number from 1.
+    Number(usize),
+}
+
+impl<'de> Deserialize<'de> for Column {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NameOrNumber;
+        impl Visitor<'_> for NameOrNumber {
+            type Value = Column;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("the name of a column, or its number from 1")
+            }
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<Column, E> {
+                Ok(Column::Name(name.to_owned()))
+            }
+            fn visit_i64<E: de::Error>(self, number: i64) -> Result<Column, E> {
+                let wrong = || E::invalid_value(de::Unexpected::Signed(number), &self);
+                usize::try_from(number).ok().filter(|n| *n > 0).map(Column::Number).ok_or_else(wrong)
+            }
+        }
+        deserializer.deserialize_any(NameOrNumber)
+    }
+}
+
+impl<'de> Deserialize<'de> for Format {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NameOrDialect;
+        impl<'de> Visitor<'de> for NameOrDialect {
+            type Value = Format;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("\"polyworks\" or { delimiter = .., decimal = .., columns = [..] }")
+            }
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<Format, E> {
+                match name {
+                    "polyworks" => Ok(Format::Polyworks),
+                    _ => Err(E::invalid_value(de::Unexpected::Str(name), &self)),
+                }
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Format, A::Error> {
+                Ok(Format::Delimited(Dialect::deserialize(de::value::MapAccessDeserializer::new(map))?))
+            }
+        }
+        deserializer.deserialize_any(NameOrDialect)
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Polyworks => f.write_str("PolyWorks text"),
+            Self::Delimited(d) => {
+                write!(f, "delimited by `{}`, decimal `{}`, {} header rows", d.delimiter.name(), d.decimal.name(), d.header)
+            }
+        }
+    }
+}

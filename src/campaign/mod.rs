@@ -1,0 +1,121 @@
+//! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
+
+mod check;
+mod dialect;
+mod paths;
+mod robot_file;
+mod selection;
+mod toml_problems;
+mod types;
+
+pub use check::check;
+pub use dialect::{Column, Decimal, Delimiter, Dialect, Format, Role, Unit};
+pub use robot_file::RobotFile;
+pub use selection::Selection;
+pub use types::*;
+
+use crate::document::CampaignSummary;
+use crate::files;
+use crate::message::{Message, Place, Problems, Result};
+use std::path::{Path, PathBuf};
+use toml::Spanned;
+
+/// A campaign with the folder it lives in and the text it was read from.
+#[derive(Clone, Debug)]
+pub struct Campaign {
+    /// What `campaign.toml` says.
+    pub file: CampaignFile,
+    /// What `robot.toml` says.
+    pub robot: RobotFile,
+    /// The folder of `campaign.toml`.
+    pub folder: PathBuf,
+    /// `campaign.toml` as the user named it.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+    /// Text of the robot file.
+    pub robot_text: String,
+}
+
+impl Campaign {
+    /// Reads a campaign: the path of a `campaign.toml`, or of the folder that holds it.
+    ///
+    /// Every wrong key and value of both files is reported, not only the first.
+    pub fn read(path: &Path) -> Result<Self> {
+        let path = if path.is_dir() { path.join("campaign.toml") } else { path.to_owned() };
+        if !path.is_file() {
+            let what = format!("there is no campaign `{}`", path.display());
+            return Err(Message::error(what).hint("`etalon init FOLDER` writes one to start from").into());
+        }
+        let text = files::read_text(&path)?;
+        let name = path.display().to_string();
+        let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
+        let file: CampaignFile = toml_problems::parse(&name, &text)?;
+        let robot_path = paths::resolve(&folder, file.robot.get_ref())
+            .map_err(|m| m.at(Place::span(name.as_str(), &text, file.robot.span())))?;
+        let robot_text = files::read_text(&robot_path).map_err(|mut problems| {
+            for message in &mut problems.0 {
+                message.place = Some(Place::span(name.as_str(), &text, file.robot.span()));
+            }
+            problems
+        })?;
+        let robot = toml_problems::parse(&robot_path.display().to_string(), &robot_text)?;
+        Ok(Self { file, robot, folder, path: name, text, robot_text })
+    }
+
+    /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.
+    pub fn resolve(&self, file: &Spanned<String>) -> Result<PathBuf> {
+        paths::resolve(&self.folder, file.get_ref()).map_err(|m| m.at(self.place(file)).into())
+    }
+
+    /// Folder for the documents.
+    pub fn output(&self) -> Result<PathBuf> {
+        self.resolve(&self.file.output)
+    }
+
+    /// The environment variable that the campaign's data hang on, if it is not set: such a campaign is skipped.
+    pub fn missing_variable(&self) -> Option<String> {
+        let logs = self.file.logs.iter().map(|l| l.file.get_ref());
+        self.file.exports.iter().map(|e| e.file.get_ref()).chain(logs).find_map(|f| paths::missing_variable(f))
+    }
+
+    /// Where a value stands in `campaign.toml`.
+    pub fn place<T>(&self, value: &Spanned<T>) -> Place {
+        Place::span(self.path.as_str(), &self.text, value.span())
+    }
+
+    /// What a report says about the campaign.
+    pub fn summary(&self) -> CampaignSummary {
+        let file = &self.file;
+        CampaignSummary {
+            name: file.name.clone(),
+            synthetic: file.synthetic.clone(),
+            notes: file.notes.clone(),
+            date: file.date.clone(),
+            operator: file.operator.clone(),
+            instrument: Some(file.instrument.name.clone()),
+            expanded_uncertainty_um: Some(file.instrument.expanded_uncertainty_um),
+            coverage_factor: Some(file.instrument.coverage_factor),
+            temperature_c: file.temperature_c,
+        }
+    }
+
+    /// Which poses are for what: `calibration` and `validation`.
+    pub fn selections(&self) -> Result<(Selection, Option<Selection>)> {
+        let parse = |text: &Spanned<String>| {
+            Selection::parse(text.get_ref()).map_err(|m| Problems::from(m.at(self.place(text))))
+        };
+        let identify = &self.file.identify;
+        Ok((parse(&identify.calibration)?, identify.validation.as_ref().map(parse).transpose()?))
+    }
+}
+
+/// Reads a robot file on its own.
+pub fn read_robot(path: &Path) -> Result<RobotFile> {
+    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?)
+}
+
+/// Reads the truth of a simulation.
+pub fn read_truth(path: &Path) -> Result<crate::simulate::Truth> {
+    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?)
+}

@@ -1,0 +1,48 @@
+//! Paths that a campaign may name: inside its folder, or below a variable of the environment that it names.
+
+use crate::message::Message;
+use std::path::{Component, Path, PathBuf};
+
+/// `$NAME/rest` as (NAME, rest).
+fn variable(file: &str) -> Option<(&str, &str)> {
+    file.strip_prefix('$').map(|f| f.split_once('/').unwrap_or((f, "")))
+}
+
+/// The variable that a path starts with, if it is not set.
+pub(super) fn missing_variable(file: &str) -> Option<String> {
+    variable(file).filter(|(name, _)| std::env::var_os(name).is_none()).map(|(name, _)| name.to_owned())
+}
+
+/// The path that `file` names; an error if it leaves the folder, or if its variable is not set.
+pub(super) fn resolve(folder: &Path, file: &str) -> Result<PathBuf, Message> {
+    let (root, rest) = match variable(file) {
+        Some((name, rest)) => match std::env::var_os(name) {
+            Some(root) => (PathBuf::from(root), rest),
+            None => {
+                return Err(Message::error(format!("the environment has no `{name}`"))
+                    .hint(format!("set {name} to the folder that holds `{rest}`")));
+            }
+        },
+        None => (folder.to_owned(), file),
+    };
+    let inside = Path::new(rest).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
+    if !inside {
+        return Err(Message::error(format!("`{file}` leaves the folder of the campaign"))
+            .expected("a path inside the campaign's folder, or one that starts with `$NAME/`"));
+    }
+    Ok(root.join(rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_stay_inside() {
+        let folder = Path::new("c");
+        assert_eq!(resolve(folder, "exports/a.txt").unwrap(), Path::new("c/exports/a.txt"));
+        for outside in ["../a", "/etc/passwd", "x/../../a", "$ETALON_NO_SUCH/a", "$HOME/../a"] {
+            assert!(resolve(folder, outside).is_err(), "{outside}");
+        }
+    }
+}

@@ -1,0 +1,332 @@
+//! The keys of `campaign.toml`.
+
+use super::dialect::{Column, Format, Unit};
+use crate::identify::ResidualKind;
+use serde::de::{self, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::collections::BTreeMap;
+use std::fmt;
+use toml::Spanned;
+
+/// `campaign.toml`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CampaignFile {
+    /// Name of the campaign.
+    pub name: String,
+    /// File that describes the robot.
+    pub robot: Spanned<String>,
+    /// Folder for the documents.
+    #[serde(default = "default_output")]
+    pub output: Spanned<String>,
+    /// Set where the data are synthetic: how they were made. Every report repeats it.
+    pub synthetic: Option<String>,
+    /// Remarks for the report.
+    pub notes: Option<String>,
+    /// Date of the measurements, as it shall stand in the report.
+    pub date: Option<String>,
+    /// Who measured.
+    pub operator: Option<String>,
+    /// Temperature during the measurements.
+    pub temperature_c: Option<f64>,
+    /// What was measured with.
+    pub instrument: Instrument,
+    /// Files of the measuring system.
+    #[serde(rename = "export")]
+    pub exports: Vec<Export>,
+    /// Targets whose distances cannot change.
+    #[serde(default, rename = "rigid")]
+    pub rigid: Vec<Rigid>,
+    /// Files of the controller. The first is used to identify, others are compared with it.
+    #[serde(rename = "log", deserialize_with = "one_or_many")]
+    pub logs: Vec<Log>,
+    /// How measurements meet joint values.
+    pub join: Join,
+    /// Elements to fit.
+    #[serde(default, rename = "feature")]
+    pub features: BTreeMap<String, FeatureDefinition>,
+    /// Frames.
+    pub frame: Frames,
+    /// What is identified.
+    pub identify: Identify,
+    /// What the result must meet.
+    #[serde(default)]
+    pub limits: Limits,
+    /// Controller files to write.
+    #[serde(default = "default_controllers")]
+    pub controllers: Vec<Spanned<String>>,
+}
+
+fn default_output() -> Spanned<String> {
+    Spanned::new(0..0, "out".to_owned())
+}
+
+fn default_controllers() -> Vec<Spanned<String>> {
+    crate::export::names().iter().map(|name| Spanned::new(0..0, (*name).to_owned())).collect()
+}
+
+/// The measuring instrument.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Instrument {
+    /// Name for the report.
+    pub name: String,
+    /// Expanded uncertainty of one coordinate, in micrometres.
+    pub expanded_uncertainty_um: f64,
+    /// Its coverage factor.
+    pub coverage_factor: f64,
+}
+
+impl Instrument {
+    /// Standard uncertainty of one coordinate in millimetres.
+    pub fn standard_uncertainty_mm(&self) -> f64 {
+        self.expanded_uncertainty_um / self.coverage_factor / 1000.0
+    }
+}
+
+/// A file of a measuring system.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Export {
+    /// The file.
+    pub file: Spanned<String>,
+    /// Its format.
+    pub format: Format,
+    /// Its length unit: never guessed.
+    pub unit: Unit,
+    /// How a label names target, pose and cycle, e.g. `{target}_{pose}_{cycle}`.
+    pub label: Option<Spanned<String>>,
+    /// The target that all rows are of, where the file does not name it.
+    pub target: Option<String>,
+    /// `"row"`: the number of the data row is the number of the pose.
+    pub pose: Option<FromRow>,
+}
+
+/// A number that is the number of its row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FromRow {
+    /// Counted from 1 over the data rows of the file, refused ones included.
+    Row,
+}
+
+/// Targets on a rigid part.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rigid {
+    /// Their names.
+    pub targets: Vec<Spanned<String>>,
+    /// How far a distance may lie from its median before the pose is refused.
+    pub tolerance_mm: f64,
+}
+
+/// A file of a controller.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Log {
+    /// Name of the log where there are several.
+    #[serde(default = "default_log")]
+    pub name: String,
+    /// The file.
+    pub file: Spanned<String>,
+    /// `blank`, `tab`, `,` or `;`.
+    #[serde(default = "default_delimiter")]
+    pub delimiter: super::dialect::Delimiter,
+    /// Decimal mark.
+    #[serde(default)]
+    pub decimal: super::dialect::Decimal,
+    /// The first row names the columns.
+    #[serde(default = "yes")]
+    pub header: bool,
+    /// What stands in which column: `pose`, `cycle`, `time_s` and the joints with their units.
+    pub columns: BTreeMap<Spanned<String>, Column>,
+    /// `"row"`: the number of the data row is the number of the pose.
+    pub pose: Option<FromRow>,
+}
+
+fn default_log() -> String {
+    "log".to_owned()
+}
+
+fn default_delimiter() -> super::dialect::Delimiter {
+    super::dialect::Delimiter::Comma
+}
+
+fn yes() -> bool {
+    true
+}
+
+/// How measurements meet joint values.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Join {
+    /// The key.
+    pub by: JoinBy,
+    /// Targets that become observations; all of the robot's if absent.
+    pub targets: Option<Vec<Spanned<String>>>,
+    /// Time of the measurement minus time of the log, for a join by time.
+    pub clock_offset_s: Option<f64>,
+    /// How far two times may lie apart.
+    pub tolerance_s: Option<f64>,
+}
+
+/// Key of a join.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JoinBy {
+    /// Pose and cycle.
+    PoseAndCycle,
+    /// Pose: the log has one row for all cycles.
+    Pose,
+    /// Number of the row; the counts must agree.
+    Row,
+    /// Nearest time.
+    Time,
+}
+
+impl<'de> Deserialize<'de> for JoinBy {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Key;
+        impl<'de> Visitor<'de> for Key {
+            type Value = JoinBy;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("[\"pose\", \"cycle\"], [\"pose\"], \"row\" or \"time\"")
+            }
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<JoinBy, E> {
+                match text {
+                    "row" => Ok(JoinBy::Row),
+                    "time" => Ok(JoinBy::Time),
+                    "pose" => Ok(JoinBy::Pose),
+                    _ => Err(E::invalid_value(de::Unexpected::Str(text), &self)),
+                }
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<JoinBy, A::Error> {
+                let mut keys: Vec<String> = Vec::new();
+                while let Some(key) = seq.next_element()? {
+                    keys.push(key);
+                }
+                keys.sort();
+                match keys.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+                    ["cycle", "pose"] => Ok(JoinBy::PoseAndCycle),
+                    ["pose"] => Ok(JoinBy::Pose),
+                    _ => Err(de::Error::custom(format!("`by` names {}", keys.join(", ")))),
+                }
+            }
+        }
+        deserializer.deserialize_any(Key)
+    }
+}
+
+/// An element to fit: one of the four with the labels of its points.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FeatureDefinition {
+    /// Points of a plane.
+    pub plane: Option<Vec<Spanned<String>>>,
+    /// Points of a line.
+    pub line: Option<Vec<Spanned<String>>>,
+    /// Points of a circle in space.
+    pub circle: Option<Vec<Spanned<String>>>,
+    /// Points of a cylinder.
+    pub cylinder: Option<Vec<Spanned<String>>>,
+}
+
+impl FeatureDefinition {
+    /// The element and its labels, if exactly one is given.
+    pub fn element(&self) -> Option<(&'static str, &[Spanned<String>])> {
+        let all =
+            [("plane", &self.plane), ("line", &self.line), ("circle", &self.circle), ("cylinder", &self.cylinder)];
+        let mut given = all.iter().filter_map(|(name, labels)| labels.as_ref().map(|l| (*name, l.as_slice())));
+        given.next().filter(|_| given.next().is_none())
+    }
+}
+
+/// Frames of a campaign.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Frames {
+    /// The frame in which observations are expressed.
+    pub world: Spanned<WorldDefinition>,
+}
+
+/// The world frame: from plane, origin and axis; or from targets; or that of the export.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WorldDefinition {
+    /// Feature whose plane is the xy plane.
+    pub plane: Option<Spanned<String>>,
+    /// Label or feature whose point, projected into the plane, is the origin.
+    pub origin: Option<Spanned<String>>,
+    /// Two labels (from, to), or one feature with a direction.
+    pub x_axis: Option<Vec<Spanned<String>>>,
+    /// Two labels (from, to), or one feature with a direction.
+    pub y_axis: Option<Vec<Spanned<String>>>,
+    /// A label on the positive side of the other axis: decides which way z points.
+    pub towards: Option<Spanned<String>>,
+    /// Targets that carry the frame: origin at the first, x axis to the second, third in the xy plane.
+    pub targets: Option<Vec<Spanned<String>>>,
+    /// `"pose"`: the targets were measured again at every pose.
+    pub each: Option<EachPose>,
+    /// The coordinates of the export are those of the world.
+    #[serde(default)]
+    pub as_exported: bool,
+}
+
+/// A frame that is measured again at every pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EachPose {
+    /// At every pose.
+    Pose,
+}
+
+/// What is identified.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Identify {
+    /// Residuals of targets or of the pose.
+    #[serde(default = "default_residuals")]
+    pub residuals: ResidualKind,
+    /// Poses to identify on, e.g. `"1-8"`.
+    pub calibration: Spanned<String>,
+    /// Poses to test on.
+    pub validation: Option<Spanned<String>>,
+    /// Parameters held at their nominal values.
+    #[serde(default)]
+    pub hold: Vec<Spanned<String>>,
+}
+
+fn default_residuals() -> ResidualKind {
+    ResidualKind::Targets
+}
+
+/// What the result must meet, on the validation poses if there are any.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Limits {
+    /// Largest position error.
+    pub position_max_mm: Option<f64>,
+    /// Mean position error.
+    pub position_mean_mm: Option<f64>,
+    /// Root mean square position error.
+    pub position_rms_mm: Option<f64>,
+    /// Largest orientation error.
+    pub orientation_max_deg: Option<f64>,
+}
+
+/// A table, or an array of tables.
+fn one_or_many<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Log>, D::Error> {
+    struct OneOrMany;
+    impl<'de> Visitor<'de> for OneOrMany {
+        type Value = Vec<Log>;
+        fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+            f.write_str("a table [log] or tables [[log]]")
+        }
+        fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Vec<Log>, A::Error> {
+            Ok(vec![Log::deserialize(de::value::MapAccessDeserializer::new(map))?])
+        }
+        fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Vec<Log>, A::Error> {
+            Vec::deserialize(de::value::SeqAccessDeserializer::new(seq))
+        }
+    }
+    deserializer.deserialize_any(OneOrMany)
+}

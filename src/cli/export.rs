@@ -1,0 +1,44 @@
+//! `etalon export`
+
+use super::report::document;
+use super::{Verdict, print};
+use crate::document::ParametersDocument;
+use crate::message::{Message, Problems};
+use crate::{export, files};
+use std::path::{Path, PathBuf};
+
+/// Write identified parameters as a file that a controller or another program loads
+#[derive(Debug, clap::Args)]
+pub struct Export {
+    /// parameters.json of a run
+    parameters: PathBuf,
+    /// Format; all if none is named; may be repeated
+    #[arg(long, value_name = "NAME")]
+    format: Vec<String>,
+    /// Folder to write to; the one of parameters.json by default
+    #[arg(long, value_name = "FOLDER")]
+    to: Option<PathBuf>,
+}
+
+impl Export {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let folder = self.parameters.parent().unwrap_or(Path::new("")).to_owned();
+        let name = self.parameters.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let parameters: ParametersDocument = document(&folder, &name)?;
+        let wanted = if self.format.is_empty() {
+            export::names().iter().map(|n| (*n).to_owned()).collect()
+        } else {
+            self.format
+        };
+        let to = self.to.unwrap_or(folder);
+        for name in wanted {
+            let exporter = export::by_name(&name).ok_or_else(|| {
+                Problems::from(Message::error(format!("`{name}` is no controller format")).hint_names(&name, export::names()))
+            })?;
+            let path = to.join(exporter.file_name());
+            files::write(&path, &exporter.write(&parameters)?)?;
+            print(format!("{}\n", path.display()))?;
+        }
+        Ok(Verdict::Met)
+    }
+}

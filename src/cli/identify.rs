@@ -1,0 +1,86 @@
+//! `etalon identify`
+
+use super::{Verdict, print, say};
+use crate::campaign::read_robot;
+use crate::document::{ParameterStatus, ParametersDocument};
+use crate::identify::{Observation, ResidualKind, Settings, fit_frames, identify};
+use crate::parameters::parameters_document;
+use crate::{files, output, table};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Identify the parameters of a robot from a table of observations, without a campaign
+#[derive(Debug, clap::Args)]
+pub struct Identify {
+    /// Robot file
+    #[arg(long)]
+    robot: PathBuf,
+    /// Observations: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] and one column per joint with its unit
+    #[arg(long)]
+    observations: PathBuf,
+    /// Standard uncertainty (k = 1) of one measured coordinate in micrometres; without it, it is taken from the residuals
+    #[arg(long, value_name = "UM")]
+    standard_uncertainty_um: Option<f64>,
+    /// Compare poses as in eq. 3.26 instead of targets (planar robots)
+    #[arg(long)]
+    pose_residuals: bool,
+    /// Hold a parameter at its nominal value; `*` stands for any text; may be repeated
+    #[arg(long, value_name = "NAME")]
+    hold: Vec<String>,
+    /// Print parameters.json instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+impl Identify {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let robot_file = read_robot(&self.robot)?;
+        let observed = table::read_csv(&self.observations)?;
+        let mut targets: Vec<String> = Vec::new();
+        for name in table::texts(&observed, "target")? {
+            if !targets.contains(&name) {
+                targets.push(name);
+            }
+        }
+        let robot = robot_file.build(&targets)?;
+        let observations = Observation::from_table(robot.as_ref(), &observed)?;
+        let settings = Settings {
+            kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
+            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
+            hold: self.hold,
+        };
+        let before = fit_frames(robot.as_ref(), &observations, &settings)?;
+        let found = identify(robot.as_ref(), &observations, &settings)?;
+        let mut inputs = BTreeMap::new();
+        for path in [&self.robot, &self.observations] {
+            inputs.insert(path.display().to_string(), files::sha256(&files::read(path)?));
+        }
+        let document = parameters_document(robot.as_ref(), &settings, &before, &found, &inputs);
+        if self.json {
+            print(output::to_json(&document)?)?;
+        } else {
+            for message in &document.messages {
+                say(format_args!("{message}\n"));
+            }
+            print(as_text(&document))?;
+        }
+        Ok(Verdict::Met)
+    }
+}
+
+fn as_text(document: &ParametersDocument) -> String {
+    let mut text = format!("{:<16} {:>16} {:>16} {:>12}  unit\n", "parameter", "nominal", "value", "u (k = 1)");
+    for p in &document.parameters {
+        let u = match (p.status, p.standard_uncertainty) {
+            (ParameterStatus::Identified, Some(u)) => format!("{u:.2e}"),
+            (ParameterStatus::NotIdentifiable, _) => "not told".to_owned(),
+            _ => "held".to_owned(),
+        };
+        let _ = writeln!(text, "{:<16} {:>16.6} {:>16.6} {u:>12}  {}", p.name, p.nominal, p.value, p.unit);
+    }
+    let r = &document.residuals;
+    let _ = writeln!(text, "residuals: rms {:.6} mm, max {:.6} mm, {} degrees of freedom", r.rms, r.max, r.degrees_of_freedom);
+    let _ = writeln!(text, "condition {:.1}; {}", document.observability.condition, document.solver.meaning);
+    text
+}

@@ -1,0 +1,98 @@
+//! The command line: one file per command.
+//!
+//! stdout is for data, stderr for talk. Exit codes: 0 done; 1 done, but a limit that the campaign states is not met;
+//! 2 could not run.
+
+mod check;
+mod export;
+mod formats;
+mod identify;
+mod init;
+mod report;
+mod run;
+mod schema;
+mod simulate;
+
+use clap::{Parser, Subcommand};
+use std::fmt::Display;
+use std::io::Write;
+use std::process::ExitCode;
+
+/// Robot calibration from coordinate measurements: a campaign folder in, calibrated parameters and a report out.
+#[derive(Debug, Parser)]
+#[command(version, about, arg_required_else_help = true, max_term_width = 100)]
+#[command(after_help = "Examples:
+  etalon init my-campaign               write a commented campaign to start from
+  etalon check my-campaign              find everything that is wrong, without computing
+  etalon run my-campaign                exports and logs in, parameters and report out
+  etalon identify --robot robot.toml --observations observations.csv --json
+
+Exit codes: 0 done; 1 done, but a limit that the campaign states is not met; 2 could not run.")]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Init(init::Init),
+    Check(check::Check),
+    Formats(formats::Formats),
+    Run(run::Run),
+    Identify(identify::Identify),
+    Report(report::Report),
+    Export(export::Export),
+    Simulate(simulate::Simulate),
+    Schema(schema::Schema),
+}
+
+/// Whether everything that was asked for is met.
+enum Verdict {
+    Met,
+    LimitNotMet,
+}
+
+/// Runs one command; says on stderr what went wrong.
+pub fn run(arguments: Arguments) -> ExitCode {
+    let result = match arguments.command {
+        Command::Init(command) => command.run(),
+        Command::Check(command) => command.run(),
+        Command::Formats(command) => command.run(),
+        Command::Run(command) => command.run(),
+        Command::Identify(command) => command.run(),
+        Command::Report(command) => command.run(),
+        Command::Export(command) => command.run(),
+        Command::Simulate(command) => command.run(),
+        Command::Schema(command) => command.run(),
+    };
+    match result {
+        Ok(Verdict::Met) => ExitCode::SUCCESS,
+        Ok(Verdict::LimitNotMet) => ExitCode::from(1),
+        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) => {
+            match error.downcast_ref::<crate::message::Problems>() {
+                Some(problems) => say(problems),
+                None => say(format_args!("error: {error:#}")),
+            }
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// The reader of stdout went away: nothing is left to do, and nothing is wrong.
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.downcast_ref::<std::io::Error>().is_some_and(|e| e.kind() == std::io::ErrorKind::BrokenPipe)
+}
+
+/// Data for stdout.
+fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
+    let mut out = std::io::stdout().lock();
+    out.write_all(data.as_ref())?;
+    out.flush()?;
+    Ok(())
+}
+
+/// Talk for stderr; a closed stderr is no error.
+fn say(text: impl Display) {
+    let _ = writeln!(std::io::stderr().lock(), "{text}");
+}

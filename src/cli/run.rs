@@ -1,0 +1,73 @@
+//! `etalon run`
+
+use super::{Verdict, print, say};
+use crate::campaign::Campaign;
+use crate::document::{AccuracySet, LimitVerdict};
+use crate::pipeline;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Run a campaign from its exports to the report
+#[derive(Debug, clap::Args)]
+pub struct Run {
+    /// Folder of the campaign, or its campaign.toml
+    campaign: PathBuf,
+    /// Print accuracy.json instead of a summary
+    #[arg(long)]
+    json: bool,
+    /// Skip a campaign whose data hang on an environment variable that is not set
+    #[arg(long)]
+    skip_missing: bool,
+}
+
+impl Run {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let campaign = Campaign::read(&self.campaign)?;
+        if let Some(name) = campaign.missing_variable().filter(|_| self.skip_missing) {
+            say(format_args!("skipped: {} needs data below ${name}, which is not set", campaign.path));
+            return Ok(Verdict::Met);
+        }
+        let outcome = pipeline::run(&campaign)?;
+        for message in &outcome.messages {
+            say(format_args!("{message}\n"));
+        }
+        if self.json {
+            print(crate::output::to_json(&outcome.accuracy)?)?;
+        } else {
+            let mut text = format!("{}\n", campaign.file.name);
+            for set in &outcome.accuracy.sets {
+                text.push_str(&summary(set));
+            }
+            for limit in &outcome.accuracy.limits {
+                text.push_str(&verdict(limit));
+            }
+            let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
+            print(text)?;
+        }
+        let met = outcome.accuracy.limits.iter().all(|l| l.met);
+        Ok(if met { Verdict::Met } else { Verdict::LimitNotMet })
+    }
+}
+
+fn summary(set: &AccuracySet) -> String {
+    let mut text = format!("{}: {} poses, {} errors, before -> after\n", set.name, set.poses, set.count);
+    for e in &set.errors {
+        let pair = |b: f64, a: f64| format!("{b:.4} -> {a:.4}");
+        let _ = writeln!(
+            text,
+            "  {:<11} {:<3}  mean {}  rms {}  95 % {}  max {}",
+            e.quantity,
+            e.unit,
+            pair(e.before.mean, e.after.mean),
+            pair(e.before.rms, e.after.rms),
+            pair(e.before.p95, e.after.p95),
+            pair(e.before.max, e.after.max)
+        );
+    }
+    text
+}
+
+fn verdict(limit: &LimitVerdict) -> String {
+    let word = if limit.met { "met" } else { "NOT MET" };
+    format!("limit {}: {word}, {:.4} of {} {}\n", limit.name, limit.value, limit.limit, limit.unit)
+}

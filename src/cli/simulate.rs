@@ -1,0 +1,30 @@
+//! `etalon simulate`
+
+use super::{Verdict, print};
+use crate::campaign::{Campaign, read_truth};
+use std::path::PathBuf;
+
+/// Write the exports and logs of a campaign for a robot with known parameters and stated noise
+#[derive(Debug, clap::Args)]
+pub struct Simulate {
+    /// Folder of the campaign, or its campaign.toml
+    campaign: PathBuf,
+    /// What is true and what is measured; truth.toml beside the campaign by default
+    #[arg(long, value_name = "FILE")]
+    truth: Option<PathBuf>,
+    /// Seed of the noise instead of the one in the truth
+    #[arg(long)]
+    seed: Option<u64>,
+}
+
+impl Simulate {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let campaign = Campaign::read(&self.campaign)?;
+        let mut truth = read_truth(&self.truth.unwrap_or_else(|| campaign.folder.join("truth.toml")))?;
+        truth.seed = self.seed.unwrap_or(truth.seed);
+        for file in crate::simulate::simulate(&campaign, &truth)? {
+            print(format!("{file}\n"))?;
+        }
+        Ok(Verdict::Met)
+    }
+}

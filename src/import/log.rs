@@ -1,0 +1,114 @@
+//! Encoder logs as CSV: pose, cycle or time, and the joints with the units that the campaign states.
+
+use super::delimited::{Row, number, rows};
+use crate::campaign::{Campaign, Column, Log};
+use crate::document::Source;
+use crate::message::{Message, Place, Problems, Result};
+use crate::robots::{Joint, Quantity};
+use polars::prelude::{DataFrame, NamedFrom, Series};
+
+/// Factor from a unit to mm or deg.
+fn factor(unit: &str, quantity: Quantity) -> Option<f64> {
+    match (quantity, unit) {
+        (Quantity::Length, "mm") | (Quantity::Angle, "deg") => Some(1.0),
+        (Quantity::Length, "m") => Some(1000.0),
+        (Quantity::Length, "um") => Some(0.001),
+        (Quantity::Angle, "rad") => Some(180.0 / std::f64::consts::PI),
+        _ => None,
+    }
+}
+
+/// Whether a key of `columns` states this joint, in whatever unit: `q1_deg`, `q1_rad`.
+pub fn is_joint_column(key: &str, joint: &Joint) -> bool {
+    key.rsplit_once('_').is_some_and(|(name, unit)| name == joint.name && factor(unit, joint.quantity).is_some())
+}
+
+/// What a key of `columns` becomes: the name of the column in the table, and the factor of its values.
+fn meaning(key: &str) -> Option<(String, f64)> {
+    match key {
+        "pose" | "cycle" | "time_s" => Some((key.to_owned(), 1.0)),
+        _ => {
+            let (name, unit) = key.rsplit_once('_')?;
+            let quantity = [Quantity::Length, Quantity::Angle].into_iter().find(|q| factor(unit, *q).is_some())?;
+            Some((format!("{name}_{}", quantity.unit()), factor(unit, quantity)?))
+        }
+    }
+}
+
+/// Reads a log: `row line pose cycle time_s` where stated, and the joints in mm or deg.
+pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Source) -> Result<DataFrame> {
+    let file = log.file.get_ref().as_str();
+    source.dialect = format!("delimited by `{}`, decimal `{}`", log.delimiter.name(), log.decimal.name());
+    let mut all = rows(file, text, log.delimiter, None)?;
+    let header = if log.header && !all.is_empty() { Some(all.remove(0)) } else { None };
+    if all.is_empty() {
+        return Err(Message::error(format!("log `{file}` holds no rows")).at(campaign.place(&log.file)).into());
+    }
+    source.rows_read = all.len();
+    let mut problems = Problems::default();
+    let lines: Vec<&str> = text.lines().collect();
+    let count = all.len();
+    let counted = |name: &str, f: &dyn Fn(usize, &Row) -> i64| {
+        Series::new(name.into(), all.iter().enumerate().map(|(i, r)| f(i, r)).collect::<Vec<i64>>()).into()
+    };
+    let mut columns = vec![counted("row", &|i, _| i as i64 + 1), counted("line", &|_, r| r.line as i64)];
+    if log.pose.is_some() {
+        columns.push(counted("pose", &|i, _| i as i64 + 1));
+    }
+    for (key, column) in &log.columns {
+        let at = || campaign.place(key);
+        let Some((name, factor)) = meaning(key.get_ref()) else {
+            problems.0.push(
+                Message::error(format!("`{}` states no unit that a joint can have", key.get_ref()))
+                    .at(at())
+                    .expected("`pose`, `cycle`, `time_s`, or a joint with its unit like `q1_deg`, `q1_rad`, `rho1_mm`"),
+            );
+            continue;
+        };
+        let index = match place_of(column, header.as_ref()) {
+            Ok(index) => index,
+            Err(message) => {
+                problems.0.push(message.at(at()));
+                continue;
+            }
+        };
+        let mut values = Vec::with_capacity(count);
+        for row in &all {
+            let shown = lines.get(row.line - 1).copied().unwrap_or("");
+            let cell = row.fields.get(index).map(String::as_str).unwrap_or("");
+            match number(cell, log.decimal) {
+                Ok(value) => values.push(value * factor),
+                Err(message) => problems.0.push(message.at(Place::line(file, row.line, shown))),
+            }
+        }
+        if name == "pose" || name == "cycle" {
+            if let Some(i) = values.iter().position(|v| v.fract() != 0.0) {
+                problems.0.push(Message::error(format!("{name} {} of log `{file}` is no whole number", values[i])).at(at()));
+            }
+            columns.push(Series::new(name.as_str().into(), values.iter().map(|v| *v as i64).collect::<Vec<i64>>()).into());
+        } else {
+            columns.push(Series::new(name.as_str().into(), values).into());
+        }
+    }
+    problems.check()?;
+    Ok(DataFrame::new(count, columns)?)
+}
+
+/// Index of a column, by its number or by its name in the header.
+fn place_of(column: &Column, header: Option<&Row>) -> std::result::Result<usize, Message> {
+    match (column, header) {
+        (Column::Number(n), _) => Ok(n - 1),
+        (Column::Name(name), Some(header)) => {
+            let places: Vec<usize> = (0..header.fields.len()).filter(|&i| header.fields[i] == *name).collect();
+            match places[..] {
+                [one] => Ok(one),
+                [] => Err(Message::error(format!("the header has no column `{name}`"))
+                    .hint_names(name, header.fields.iter().map(String::as_str))),
+                _ => Err(Message::error(format!("the header names `{name}` {} times", places.len()))
+                    .hint("give the number of the column instead of its name")),
+            }
+        }
+        (Column::Name(name), None) => Err(Message::error(format!("the log has no header that could name `{name}`"))
+            .hint("give the number of the column instead of its name, or remove `header = false`")),
+    }
+}

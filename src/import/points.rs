@@ -1,0 +1,145 @@
+//! Points of all exports, column by column.
+
+use super::label::Pattern;
+use crate::campaign::{Campaign, Export};
+use crate::document::{Refused, Source};
+use crate::identify::matches_pattern;
+use crate::message::{Message, Place, Problems, Result};
+use crate::pose::Vector;
+use polars::prelude::{DataFrame, NamedFrom, Series};
+
+/// One row of an export, in its own unit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct PointRow {
+    pub line: usize,
+    pub text: String,
+    pub label: String,
+    pub target: Option<String>,
+    pub pose: Option<i64>,
+    pub cycle: Option<i64>,
+    pub time_s: Option<f64>,
+    pub xyz: Vector,
+    /// The rule that refuses it.
+    pub refused: Option<String>,
+}
+
+/// A point in millimetres.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    pub export: String,
+    /// Number among the data rows of its export, from 1, refused ones counted.
+    pub row: i64,
+    pub line: usize,
+    pub text: String,
+    pub label: String,
+    pub target: Option<String>,
+    pub pose: Option<i64>,
+    pub cycle: Option<i64>,
+    pub time_s: Option<f64>,
+    pub xyz_mm: Vector,
+}
+
+/// All points of a campaign.
+#[derive(Clone, Debug, Default)]
+pub(super) struct PointColumns {
+    pub points: Vec<Point>,
+}
+
+impl PointColumns {
+    /// Adds the rows of an export; rows that were not measured go to the source's list of refused ones.
+    pub fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<PointRow>, source: &mut Source) -> Result<()> {
+        let pattern = match &export.label {
+            Some(text) => Some(Pattern::parse(text.get_ref()).map_err(|m| m.at(campaign.place(text)))?),
+            None => None,
+        };
+        if rows.is_empty() {
+            return Err(Message::error(format!("`{}` holds no points", export.file.get_ref()))
+                .at(campaign.place(&export.file))
+                .into());
+        }
+        source.rows_read = rows.len();
+        let mut problems = Problems::default();
+        for (i, row) in rows.into_iter().enumerate() {
+            let zero = row.xyz == [0.0; 3];
+            let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
+            if let Some(reason) = reason {
+                source.refused.push(Refused { line: row.line, text: row.text, reason });
+                continue;
+            }
+            let named = pattern.as_ref().and_then(|p| p.read(&row.label)).unwrap_or_default();
+            let target = row.target.or(named.target).or_else(|| export.target.clone());
+            let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|_| i as i64 + 1));
+            if target.is_some() && pose.is_none() && row.time_s.is_none() {
+                let message = Message::error("the row names a target but no pose");
+                let hint = "name the pose in the label, or state `pose = \"row\"` for this export";
+                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
+                continue;
+            }
+            self.points.push(Point {
+                export: export.file.get_ref().clone(),
+                row: i as i64 + 1,
+                line: row.line,
+                text: row.text,
+                label: row.label,
+                cycle: row.cycle.or(named.cycle).or(target.as_ref().map(|_| 1)),
+                target,
+                pose,
+                time_s: row.time_s,
+                xyz_mm: row.xyz.map(|v| v * export.unit.in_mm()),
+            });
+        }
+        problems.check().map(|_| ())
+    }
+
+    /// Warnings about labels that name no target and that no feature or frame uses.
+    pub fn unused_labels(&self, campaign: &Campaign) -> Vec<Message> {
+        let world = campaign.file.frame.world.get_ref();
+        let features = campaign.file.features.values().filter_map(|f| f.element()).flat_map(|(_, labels)| labels);
+        let axes = world.x_axis.iter().flatten().chain(world.y_axis.iter().flatten());
+        let used: Vec<&str> = features
+            .chain(world.origin.iter())
+            .chain(world.towards.iter())
+            .chain(axes)
+            .map(|l| l.get_ref().as_str())
+            .collect();
+        let idle = |p: &&Point| p.target.is_none() && !used.iter().any(|u| matches_pattern(u, &p.label));
+        let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
+        let Some(first) = idle.first() else { return Vec::new() };
+        let what = format!("{} points name no target, and no feature or frame uses their labels; the first is `{}`", idle.len(), first.label);
+        vec![
+            Message::warning(what)
+                .at(Place::line(&first.export, first.line, &first.text))
+                .hint("correct the label, or `label` of this export"),
+        ]
+    }
+
+    /// The points as a table.
+    pub fn table(&self) -> Result<DataFrame> {
+        let p = &self.points;
+        let strings = |name: &str, f: &dyn Fn(&Point) -> Option<&str>| {
+            Series::new(name.into(), p.iter().map(f).collect::<Vec<_>>()).into()
+        };
+        let whole = |name: &str, f: &dyn Fn(&Point) -> Option<i64>| {
+            Series::new(name.into(), p.iter().map(f).collect::<Vec<_>>()).into()
+        };
+        let real = |name: &str, f: &dyn Fn(&Point) -> Option<f64>| {
+            Series::new(name.into(), p.iter().map(f).collect::<Vec<_>>()).into()
+        };
+        Ok(DataFrame::new(
+            p.len(),
+            vec![
+                strings("export", &|p| Some(&p.export)),
+                whole("row", &|p| Some(p.row)),
+                whole("line", &|p| Some(p.line as i64)),
+                strings("label", &|p| Some(&p.label)),
+                strings("target", &|p| p.target.as_deref()),
+                whole("pose", &|p| p.pose),
+                whole("cycle", &|p| p.cycle),
+                real("time_s", &|p| p.time_s),
+                real("x_mm", &|p| Some(p.xyz_mm[0])),
+                real("y_mm", &|p| Some(p.xyz_mm[1])),
+                real("z_mm", &|p| Some(p.xyz_mm[2])),
+            ],
+        )?)
+    }
+}

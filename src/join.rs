@@ -1,0 +1,243 @@
+//! Measurements meet joint values: one tidy table of observations per log, and every row without a partner reported.
+
+use crate::campaign::{Campaign, JoinBy};
+use crate::document::FramesDocument;
+use crate::import::Imported;
+use crate::message::{Message, Problems, Result};
+use crate::pose::{Pose, Vector};
+use crate::robots::Robot;
+use crate::table;
+use polars::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Observations by log, and what found no partner.
+#[derive(Clone, Debug)]
+pub struct Joined {
+    /// Name of each log and its observations: `pose cycle target x_mm y_mm [z_mm]` and the joints.
+    pub observations: Vec<(String, DataFrame)>,
+    /// Rows without a partner.
+    pub messages: Vec<Message>,
+}
+
+/// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
+pub fn join(campaign: &Campaign, imported: &Imported, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
+    let mut messages = Vec::new();
+    let points = targets_in_world(imported, frames, robot, &mut messages)?;
+    let mut observations = Vec::new();
+    for (name, log) in &imported.logs {
+        let joined = match campaign.file.join.by {
+            JoinBy::PoseAndCycle => by_keys(&points, log, name, &["pose", "cycle"], &mut messages)?,
+            JoinBy::Pose => by_keys(&points, log, name, &["pose"], &mut messages)?,
+            JoinBy::Row => {
+                equal_counts(campaign, imported, log, name)?;
+                by_keys(&points, log, name, &["row"], &mut messages)?
+            }
+            JoinBy::Time => {
+                let join = &campaign.file.join;
+                let (offset, tolerance) = (join.clock_offset_s.unwrap_or(0.0), join.tolerance_s.unwrap_or(0.0));
+                by_time(&points, log, name, offset, tolerance, &mut messages)?
+            }
+        };
+        if joined.height() == 0 {
+            return Err(Message::error(format!("no measured point has a partner in log `{name}`"))
+                .hint("compare the poses and cycles of exports and log, or choose another key with `by` in [join]")
+                .into());
+        }
+        observations.push((name.clone(), tidy(joined, robot)?));
+    }
+    Ok(Joined { observations, messages })
+}
+
+/// The targets of the robot in the world; targets of poses without a world frame are reported.
+fn targets_in_world(
+    imported: &Imported,
+    frames: &FramesDocument,
+    robot: &dyn Robot,
+    messages: &mut Vec<Message>,
+) -> Result<DataFrame> {
+    let points = &imported.points;
+    let names = table::texts(points, "target")?;
+    let xyz = table::coordinates(points)?;
+    let (poses, cycles) = (table::optional_integers(points, "pose")?, table::optional_integers(points, "cycle")?);
+    let mut by_pose: BTreeMap<(i64, i64), Pose> = BTreeMap::new();
+    let mut for_all = None;
+    for frame in &frames.world.poses {
+        match (frame.pose, frame.cycle) {
+            (Some(pose), Some(cycle)) => drop(by_pose.insert((pose, cycle), frame.export_t_world.inverse())),
+            _ => for_all = Some(frame.export_t_world.inverse()),
+        }
+    }
+    let (mut keep, mut order, mut world) = (Vec::new(), Vec::new(), Vec::<Vector>::new());
+    let mut lost = BTreeSet::new();
+    for i in 0..points.height() {
+        let Some(target) = robot.targets().iter().position(|t| *t == names[i]) else { continue };
+        let key = poses[i].zip(cycles[i]);
+        let Some(world_t_export) = for_all.or_else(|| by_pose.get(&key?).copied()) else {
+            lost.extend(poses[i]);
+            continue;
+        };
+        keep.push(i as IdxSize);
+        order.push(target as i64);
+        world.push(world_t_export.apply(xyz[i]));
+    }
+    if !lost.is_empty() {
+        messages.push(
+            Message::warning(format!("{} poses have no world frame and are left out: {}", lost.len(), listed(&lost)))
+                .hint("their frame targets were refused or not measured: see import.json"),
+        );
+    }
+    let mut kept = points.take(&IdxCa::from_vec("i".into(), keep))?;
+    for (axis, name) in table::XYZ.iter().enumerate() {
+        kept.with_column(Column::new((*name).into(), world.iter().map(|p| p[axis]).collect::<Vec<f64>>()))?;
+    }
+    kept.with_column(Column::new("order".into(), order))?;
+    Ok(kept)
+}
+
+/// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a warning.
+fn by_keys(
+    points: &DataFrame,
+    log: &DataFrame,
+    name: &str,
+    keys: &[&str],
+    messages: &mut Vec<Message>,
+) -> Result<DataFrame> {
+    let measured = key_rows(points, keys)?;
+    let logged = key_rows(log, keys)?;
+    let twice: Vec<&Vec<i64>> = logged.iter().filter(|(_, rows)| rows.len() > 1).map(|(key, _)| key).collect();
+    if let Some(first) = twice.first() {
+        let what = format!("log `{name}` has {} keys ({}) more than once, the first is {first:?}", twice.len(), keys.join(", "));
+        return Err(Message::error(what).hint("add `cycle` to the key, or remove the rows that do not count").into());
+    }
+    let mut report = |what: &str, alone: Vec<&Vec<i64>>| {
+        if !alone.is_empty() {
+            let shown: Vec<String> = alone.iter().take(8).map(|k| format!("{k:?}")).collect();
+            let more = if alone.len() > 8 { ", ..." } else { "" };
+            let text = format!("{} {what} `{name}` without a partner ({}): {}{more}", alone.len(), keys.join(", "), shown.join(", "));
+            messages.push(Message::warning(text));
+        }
+    };
+    report("measured keys are beside log", measured.keys().filter(|k| !logged.contains_key(*k)).collect());
+    if keys != ["row"] {
+        report("keys of log", logged.keys().filter(|k| !measured.contains_key(*k)).collect());
+    }
+    let mut right = log.clone();
+    for column in ["row", "line", "pose", "cycle", "time_s"] {
+        if !keys.contains(&column) && right.column(column).is_ok() {
+            right = right.drop(column)?;
+        }
+    }
+    Ok(points.join(&right, keys.iter().copied(), keys.iter().copied(), JoinArgs::new(JoinType::Inner), None)?)
+}
+
+/// Rows by their key.
+fn key_rows(frame: &DataFrame, keys: &[&str]) -> Result<BTreeMap<Vec<i64>, Vec<usize>>> {
+    let columns: Vec<Vec<i64>> = keys
+        .iter()
+        .map(|key| {
+            table::integers(frame, key).map_err(|_| {
+                Problems::from(
+                    Message::error(format!("the join needs `{key}`, which some rows do not have"))
+                        .hint("name it in `label` of the exports and in `columns` of the log, or change `by` in [join]"),
+                )
+            })
+        })
+        .collect::<Result<_>>()?;
+    let mut rows: BTreeMap<Vec<i64>, Vec<usize>> = BTreeMap::new();
+    for i in 0..frame.height() {
+        rows.entry(columns.iter().map(|c| c[i]).collect()).or_default().push(i);
+    }
+    Ok(rows)
+}
+
+/// A join by row is only allowed where every export has as many data rows as the log.
+fn equal_counts(campaign: &Campaign, imported: &Imported, log: &DataFrame, name: &str) -> Result<()> {
+    let targets: BTreeSet<String> = table::texts(&imported.points, "export")?.into_iter().collect();
+    let mut problems = Problems::default();
+    for source in imported.document.sources.iter().filter(|s| s.kind == "export" && targets.contains(&s.file)) {
+        if source.rows_read != log.height() {
+            let what = format!("`{}` has {} rows, log `{name}` has {}", source.file, source.rows_read, log.height());
+            let message = Message::error(what).expected("equal counts for a join by row");
+            let place = campaign.file.exports.iter().find(|e| *e.file.get_ref() == source.file).map(|e| campaign.place(&e.file));
+            problems.0.push(Message { place, ..message });
+        }
+    }
+    problems.check().map(|_| ())
+}
+
+/// Joins each point with the nearest row of the log in time; the log's row becomes the pose where no label names one.
+fn by_time(
+    points: &DataFrame,
+    log: &DataFrame,
+    name: &str,
+    offset_s: f64,
+    tolerance_s: f64,
+    messages: &mut Vec<Message>,
+) -> Result<DataFrame> {
+    let nanoseconds = |frame: &DataFrame, offset: f64, whose: &str| -> Result<Vec<i64>> {
+        let times = table::numbers(frame, "time_s")?;
+        if times.iter().any(|t| !t.is_finite()) {
+            return Err(Message::error(format!("{whose} has rows without a time"))
+                .hint("a join by time needs `time_s` in the columns of exports and log")
+                .into());
+        }
+        Ok(times.into_iter().map(|t| ((t - offset) * 1e9).round() as i64).collect())
+    };
+    let times = nanoseconds(points, offset_s, "the export")?;
+    let log_times = nanoseconds(log, 0.0, "the log")?;
+    if let Some(i) = log_times.windows(2).position(|w| w[1] <= w[0]) {
+        let what = format!("times of log `{name}` do not increase at its row {}", i + 2);
+        return Err(Message::error(what).hint("sort the log by time, and remove rows with equal times").into());
+    }
+    let group = |n: usize| Column::new("all".into(), vec![1i64; n]);
+    let mut left = points.clone();
+    left.with_column(Column::new("t_ns".into(), times))?.with_column(group(points.height()))?;
+    let left = left.sort(["t_ns"], SortMultipleOptions::default().with_maintain_order(true))?;
+    let mut right = log.clone();
+    right.with_column(Column::new("t_ns".into(), log_times))?.with_column(group(log.height()))?;
+    right.rename("row", "log_row".into())?;
+    for column in ["line", "pose", "cycle", "time_s"] {
+        if right.column(column).is_ok() {
+            right = right.drop(column)?;
+        }
+    }
+    let tolerance = AnyValue::Int64((tolerance_s * 1e9).round() as i64);
+    let (by, nearest) = (["all"], AsofStrategy::Nearest);
+    let joined = left.join_asof_by(&right, "t_ns", "t_ns", by, by, nearest, Some(tolerance), true, false)?;
+    let log_rows = table::optional_integers(&joined, "log_row")?;
+    let targets = table::texts(&joined, "target")?;
+    let alone = log_rows.iter().filter(|r| r.is_none()).count();
+    if alone > 0 {
+        messages.push(Message::warning(format!("{alone} measured points have no row of log `{name}` within {tolerance_s} s")));
+    }
+    let mut used: BTreeMap<(i64, &str), usize> = BTreeMap::new();
+    for (row, target) in log_rows.iter().zip(&targets) {
+        if let Some(row) = row {
+            *used.entry((*row, target)).or_default() += 1;
+        }
+    }
+    if let Some(((row, target), n)) = used.iter().find(|(_, n)| **n > 1) {
+        let what = format!("row {row} of log `{name}` is nearest to {n} points of target `{target}`");
+        return Err(Message::error(what).hint("lower `tolerance_s`, or check `clock_offset_s`").into());
+    }
+    let keep: BooleanChunked = log_rows.iter().map(|r| Some(r.is_some())).collect();
+    let poses = table::optional_integers(&joined, "pose")?;
+    let pose: Vec<Option<i64>> = poses.iter().zip(&log_rows).map(|(pose, row)| pose.or(*row)).collect();
+    let mut joined = joined;
+    joined.with_column(Column::new("pose".into(), pose))?;
+    Ok(joined.filter(&keep)?)
+}
+
+/// The columns of observations, sorted by pose, cycle and the robot's order of targets.
+fn tidy(joined: DataFrame, robot: &dyn Robot) -> Result<DataFrame> {
+    let sorted = joined.sort(["pose", "cycle", "order"], SortMultipleOptions::default().with_maintain_order(true))?;
+    let mut columns = vec!["pose".to_owned(), "cycle".to_owned(), "target".to_owned()];
+    columns.extend(table::XYZ[..robot.dimension()].iter().map(|c| (*c).to_owned()));
+    columns.extend(robot.joints().iter().map(|j| j.column()));
+    Ok(sorted.select(columns)?)
+}
+
+fn listed(numbers: &BTreeSet<i64>) -> String {
+    let shown: Vec<String> = numbers.iter().take(20).map(i64::to_string).collect();
+    shown.join(", ") + if numbers.len() > 20 { ", ..." } else { "" }
+}

@@ -1,0 +1,21 @@
+//! JSON Schema of every document, generated from its type.
+
+use crate::document::*;
+use schemars::JsonSchema;
+
+/// Name and schema text of every document, as it stands in `schemas/`.
+pub fn all() -> Vec<(&'static str, String)> {
+    vec![
+        ("accuracy", schema::<AccuracyDocument>()),
+        ("campaign", schema::<CampaignSummary>()),
+        ("features", schema::<FeaturesDocument>()),
+        ("frames", schema::<FramesDocument>()),
+        ("import", schema::<ImportDocument>()),
+        ("parameters", schema::<ParametersDocument>()),
+    ]
+}
+
+fn schema<T: JsonSchema>() -> String {
+    // a schema is plain JSON: writing it cannot fail
+    serde_json::to_string_pretty(&schemars::schema_for!(T)).unwrap_or_default() + "\n"
+}

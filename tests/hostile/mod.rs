@@ -1,0 +1,141 @@
+//! Broken campaigns: every error says what, where, what was expected, and a hint; nothing panics, nothing is written.
+
+use crate::scratch::{Scratch, copy_sample};
+
+/// Exit code and stderr of `etalon ARGS campaign`.
+fn etalon(scratch: &Scratch, command: &str) -> (Option<i32>, String) {
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        .args([command, "campaign"])
+        .current_dir(scratch.root())
+        .output()
+        .unwrap();
+    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// Checks the campaign after one replacement; all `parts` must be said.
+fn broken(file: &str, from: &str, to: &str, parts: &[&str]) {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace(file, from, to);
+    let (code, said) = etalon(&scratch, "check");
+    assert_eq!(code, Some(2), "{said}");
+    for part in parts {
+        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+    }
+    assert_eq!(etalon(&scratch, "run").0, Some(2));
+    assert!(!scratch.path().join("out").exists(), "something was written");
+}
+
+#[test]
+fn a_wrong_key_has_its_place_and_a_hint() {
+    broken(
+        "campaign.toml",
+        "coverage_factor = 2",
+        "coverage_facter = 2",
+        &["unknown key `coverage_facter`", "campaign/campaign.toml:8:1", "    8 | coverage_facter = 2", "did you mean `coverage_factor`?", "`coverage_factor` is missing"],
+    );
+}
+
+#[test]
+fn a_missing_unit_is_not_guessed() {
+    broken("campaign.toml", "file = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = \"mm\"", "file = \"exports/poses.txt\"\nformat = \"polyworks\"", &["`unit` is missing", "never guessed"]);
+}
+
+#[test]
+fn a_missing_file_points_at_the_campaign() {
+    broken("campaign.toml", "exports/world.txt", "exports/wrld.txt", &["there is no file `campaign/exports/wrld.txt`", "campaign.toml:12:8"]);
+}
+
+#[test]
+fn a_label_that_no_point_bears() {
+    broken("campaign.toml", "plane = [\"rail2_a\"", "plane = [\"rail2_x\"", &["no point bears the label `rail2_x`", "campaign.toml:31:10", "did you mean `rail2_"]);
+}
+
+#[test]
+fn a_path_may_not_leave_the_folder() {
+    broken("campaign.toml", "file = \"encoders.csv\"", "file = \"../encoders.csv\"", &["leaves the folder of the campaign"]);
+}
+
+#[test]
+fn a_decimal_comma_is_not_read_as_something_else() {
+    broken("exports/world.txt", ".", ",", &["is no number", "exports/world.txt:1", "decimal"]);
+}
+
+#[test]
+fn a_column_that_the_log_does_not_have() {
+    broken("encoders.csv", "RP3", "RP33", &["the header has no column `RP3`", "did you mean `RP33`?", "campaign.toml"]);
+}
+
+#[test]
+fn words_in_a_log_are_reported_with_their_rows() {
+    broken("encoders.csv", "\n1,1,", "\n1,x,", &["is no number", "encoders.csv:2"]);
+}
+
+#[test]
+fn an_unknown_parameter_in_hold_and_in_nominal() {
+    broken("campaign.toml", "[limits]", "hold = [\"gama\"]\n[limits]", &["`gama` is no parameter", "did you mean `gamma`?"]);
+    broken("robot.toml", "delta2 = 1.0", "delt2 = 1.0", &["`delt2`, which is no parameter", "did you mean `delta2`?"]);
+}
+
+#[test]
+fn everything_that_is_wrong_is_said_at_once() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "coverage_factor = 2", "coverage_factor = \"two\"");
+    scratch.replace("campaign.toml", "unit = \"mm\"", "unit = \"millimetres\"");
+    scratch.replace("campaign.toml", "[join]", "[jion]");
+    let (code, said) = etalon(&scratch, "check");
+    assert_eq!(code, Some(2));
+    for part in ["coverage_factor", "`millimetres`", "unknown key `jion`", "did you mean `join`?"] {
+        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+    }
+    assert!(said.matches("`millimetres`").count() >= 2, "both exports are wrong:\n{said}");
+}
+
+#[test]
+fn every_repeat_needs_its_row_in_the_log_and_only_one() {
+    let scratch = copy_sample("prexyt-cmm");
+    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    let row = log.lines().nth(3).unwrap().to_owned() + "\n";
+    std::fs::write(scratch.path().join("encoders.csv"), log.replacen(&row, "", 1)).unwrap();
+    let (code, said) = etalon(&scratch, "run");
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("1 measured keys are beside log `log` without a partner (pose, cycle): [3, 1]"), "{said}");
+    std::fs::write(scratch.path().join("encoders.csv"), log + &row).unwrap();
+    let (code, said) = etalon(&scratch, "run");
+    assert_eq!(code, Some(2));
+    assert!(said.contains("more than once") && said.contains("[3, 1]"), "{said}");
+}
+
+#[test]
+fn not_measured_rows_are_refused_and_listed() {
+    let scratch = copy_sample("prexyt-cmm");
+    let poses = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
+    let first = poses.lines().next().unwrap();
+    let label = first.split(' ').next().unwrap();
+    std::fs::write(scratch.path().join("exports/poses.txt"), poses.replacen(first, &format!("{label} 0 0 0"), 1)).unwrap();
+    let (code, said) = etalon(&scratch, "run");
+    assert_eq!(code, Some(0), "{said}");
+    let import = std::fs::read_to_string(scratch.path().join("out/import.json")).unwrap();
+    assert!(import.contains("not measured: 0 0 0") && import.contains("\"line\": 1"), "{import}");
+}
+
+#[test]
+fn a_limit_that_is_not_met_is_exit_code_one() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = 0.000001");
+    let (code, _) = etalon(&scratch, "run");
+    assert_eq!(code, Some(1));
+    assert!(scratch.path().join("out/report.html").exists());
+}
+
+#[test]
+fn broken_bytes_do_no_harm() {
+    for bytes in [&b"\xff\xfe\x00"[..], b"", b"\x00\x00\x00", b"K_1_1 1 2 3\x00", b"a b c d e f g h\n"] {
+        for file in ["exports/poses.txt", "encoders.csv", "campaign.toml", "robot.toml"] {
+            let scratch = copy_sample("prexyt-cmm");
+            std::fs::write(scratch.path().join(file), bytes).unwrap();
+            let (code, said) = etalon(&scratch, "check");
+            assert_eq!(code, Some(2), "{file} {bytes:?}\n{said}");
+            assert!(said.starts_with("error: ") && !said.contains("panicked"), "{file} {bytes:?}\n{said}");
+        }
+    }
+}

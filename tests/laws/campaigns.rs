@@ -1,0 +1,112 @@
+//! Whole campaigns: simulate → run gives the truth, the same bytes every time, whatever the number of threads.
+
+use crate::scratch::{Scratch, copy_sample};
+use etalon::campaign::{Campaign, read_truth};
+use etalon::document::ParameterStatus;
+use etalon::pipeline;
+
+/// Runs the sample with its noise multiplied; gives the parameters that are off by more than `sigmas` of their u.
+fn off_by(sample: &str, noise_um: f64, sigmas: f64) -> Vec<String> {
+    let scratch = copy_sample(sample);
+    let campaign = Campaign::read(&scratch.path()).unwrap();
+    let mut truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    truth.noise_um = Some(noise_um);
+    truth.decimals = 12;
+    etalon::simulate::simulate(&campaign, &truth).unwrap();
+    let outcome = pipeline::run(&campaign).unwrap();
+    let mut off = Vec::new();
+    for p in &outcome.parameters.parameters {
+        let error = (p.value - truth.parameters[&p.name]).abs();
+        assert_eq!(p.status, ParameterStatus::Identified, "{}", p.name);
+        let u = if noise_um == 0.0 { 1e-9 } else { p.standard_uncertainty.unwrap() };
+        if error > sigmas * u {
+            off.push(format!("{}: off by {error:e}, u {u:e}", p.name));
+        }
+    }
+    off
+}
+
+#[test]
+fn a_noise_free_campaign_gives_the_truth() {
+    for sample in ["prexyt-cmm", "prexyt-faroarm"] {
+        let off = off_by(sample, 0.0, 1.0);
+        assert!(off.is_empty(), "{sample}: {off:?}");
+    }
+}
+
+#[test]
+fn a_noisy_campaign_is_within_its_uncertainties() {
+    for sample in ["prexyt-cmm", "prexyt-faroarm"] {
+        let off = off_by(sample, 1.35, 4.0);
+        assert!(off.is_empty(), "{sample}: {off:?}");
+    }
+}
+
+#[test]
+fn samples_are_what_their_truth_makes() {
+    for sample in ["prexyt-cmm", "prexyt-faroarm"] {
+        let scratch = copy_sample(sample);
+        let campaign = Campaign::read(&scratch.path()).unwrap();
+        let truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+        let committed: Vec<Vec<u8>> = FILES.iter().map(|f| std::fs::read(scratch.path().join(f)).unwrap()).collect();
+        etalon::simulate::simulate(&campaign, &truth).unwrap();
+        for (file, before) in FILES.iter().zip(committed) {
+            let after = std::fs::read(scratch.path().join(file)).unwrap();
+            assert!(before == after, "{sample}/{file} is not what truth.toml makes: run `make samples`");
+        }
+    }
+}
+
+const FILES: [&str; 3] = ["exports/world.txt", "exports/poses.txt", "encoders.csv"];
+
+fn all_bytes(scratch: &Scratch) -> Vec<(String, Vec<u8>)> {
+    let mut files: Vec<_> = std::fs::read_dir(scratch.path().join("out"))
+        .unwrap()
+        .map(|entry| {
+            let entry = entry.unwrap();
+            (entry.file_name().into_string().unwrap(), std::fs::read(entry.path()).unwrap())
+        })
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn same_bytes_for_any_number_of_threads() {
+    let mut runs = Vec::new();
+    for threads in [1, 2, 5] {
+        let scratch = copy_sample("prexyt-cmm");
+        let status = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+            .args(["run", "campaign"])
+            .current_dir(scratch.root())
+            .env("RAYON_NUM_THREADS", threads.to_string())
+            .env("POLARS_MAX_THREADS", threads.to_string())
+            .output()
+            .unwrap();
+        assert!(status.status.success(), "{}", String::from_utf8_lossy(&status.stderr));
+        runs.push(all_bytes(&scratch));
+    }
+    assert!(runs[0].len() > 10, "{:?}", runs[0].iter().map(|f| &f.0).collect::<Vec<_>>());
+    for run in &runs[1..] {
+        for (a, b) in runs[0].iter().zip(run) {
+            assert!(a == b, "{} differs between runs", a.0);
+        }
+    }
+}
+
+#[test]
+fn report_is_made_again_from_the_documents_alone() {
+    let scratch = copy_sample("prexyt-cmm");
+    let campaign = Campaign::read(&scratch.path()).unwrap();
+    pipeline::run(&campaign).unwrap();
+    let report = scratch.path().join("out/report.html");
+    let first = std::fs::read(&report).unwrap();
+    std::fs::remove_file(&report).unwrap();
+    let status = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        .arg("report")
+        .arg(scratch.path().join("out"))
+        .output()
+        .unwrap();
+    assert!(status.status.success(), "{}", String::from_utf8_lossy(&status.stderr));
+    assert!(first == std::fs::read(&report).unwrap(), "the report differs");
+}

@@ -1,0 +1,39 @@
+//! Copies of samples that a test may change.
+
+use std::path::{Path, PathBuf};
+
+/// A folder that goes away with the test.
+pub struct Scratch(tempfile::TempDir);
+
+impl Scratch {
+    /// The folder that holds the campaign's.
+    pub fn root(&self) -> &Path {
+        self.0.path()
+    }
+
+    /// The campaign's folder.
+    pub fn path(&self) -> PathBuf {
+        self.0.path().join("campaign")
+    }
+
+    /// Replaces text in a file of the campaign; the text must be there.
+    pub fn replace(&self, file: &str, from: &str, to: &str) {
+        let path = self.path().join(file);
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.contains(from), "{file} does not hold {from:?}");
+        std::fs::write(path, text.replace(from, to)).unwrap();
+    }
+}
+
+/// A copy of a sample campaign without its output.
+pub fn copy_sample(name: &str) -> Scratch {
+    let scratch = Scratch(tempfile::tempdir().unwrap());
+    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(name);
+    std::fs::create_dir_all(scratch.path().join("exports")).unwrap();
+    for file in ["campaign.toml", "robot.toml", "truth.toml", "encoders.csv", "exports/world.txt", "exports/poses.txt"] {
+        if from.join(file).exists() {
+            std::fs::copy(from.join(file), scratch.path().join(file)).unwrap();
+        }
+    }
+    scratch
+}
