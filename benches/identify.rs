@@ -2,6 +2,8 @@
 //!
 //! SciPy gets the better deal: its time begins with base and reflectors already found, ours includes finding them.
 
+#![allow(clippy::print_stdout)] // a benchmark prints
+
 use etalon::campaign::{Campaign, check};
 use etalon::identify::{Observation, Settings, identify};
 use etalon::{evaluate, frames, join, table};

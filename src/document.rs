@@ -128,7 +128,7 @@ pub struct FramePose {
     /// Cycle number; absent where the frame holds for all.
     pub cycle: Option<i64>,
     /// `export_T_world`.
-    pub export_t_world: crate::pose::Pose,
+    pub export_T_world: crate::pose::Pose,
 }
 
 /// Identified parameters with all that is needed to trust them.

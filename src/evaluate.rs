@@ -38,7 +38,7 @@ pub fn split(observations: &[Observation], calibration: &Selection, validation: 
 }
 
 /// Errors of every observation of both sets with two sets of parameters.
-pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> Result<Vec<PointError>> {
+pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> Vec<PointError> {
     let mut all = Vec::new();
     for (name, observations) in [("calibration", &sets.calibration), ("validation", &sets.validation)] {
         for o in observations {
@@ -61,26 +61,25 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
                         after_deg: Some(a[2].to_degrees()),
                     });
                 }
-                None => all.extend(target_errors(robot, o, name, before, after)?),
+                None => all.extend(target_errors(robot, o, name, before, after)),
             }
         }
     }
-    Ok(all)
+    all
 }
 
 /// Errors of each target of a pose in space; with three or more, the rotation that is left between them.
-fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], after: &[f64]) -> Result<Vec<PointError>> {
+fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], after: &[f64]) -> Vec<PointError> {
     let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, t)| Some((k, (*t)?))).collect();
     let measured: Vec<Vector> = seen.iter().map(|s| s.1).collect();
     let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
     let (b, a) = (predict(before), predict(after));
-    let turned = |from: &[Vector]| -> Result<Option<f64>> {
-        if seen.len() < 3 {
-            return Ok(None);
-        }
-        Ok(Some(fit::rigid(from, &measured)?.to_t_from.angle_rad().to_degrees()))
+    // a rotation can be told from three targets that are not on one line
+    let turned = |from: &[Vector]| {
+        let fitted = fit::rigid(from, &measured).ok()?;
+        Some(fitted.to_T_from.angle_rad().to_degrees())
     };
-    let (before_deg, after_deg) = (turned(&b)?, turned(&a)?);
+    let (before_deg, after_deg) = (turned(&b), turned(&a));
     let error = |i: usize| PointError {
         set: set.to_owned(),
         pose: o.pose,
@@ -93,7 +92,7 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
         before_deg: before_deg.filter(|_| i == 0),
         after_deg: after_deg.filter(|_| i == 0),
     };
-    Ok((0..seen.len()).map(error).collect())
+    (0..seen.len()).map(error).collect()
 }
 
 /// Statistics of the errors, and the verdict on the campaign's limits.
@@ -177,8 +176,10 @@ fn summarise(mut sizes: Vec<f64>) -> Statistics {
 
 /// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`.
 pub fn to_table(errors: &[PointError]) -> Result<DataFrame> {
-    let text = |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
-    let whole = |name: &str, f: fn(&PointError) -> i64| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
+    let text =
+        |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
+    let whole =
+        |name: &str, f: fn(&PointError) -> i64| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
     let mut columns = vec![
         text("set", |e| &e.set),
         whole("pose", |e| e.pose),
@@ -196,8 +197,10 @@ pub fn to_table(errors: &[PointError]) -> Result<DataFrame> {
     Ok(DataFrame::new(errors.len(), columns)?)
 }
 
-const VECTORS: [(&str, fn(&PointError) -> Vector); 3] =
-    [("", |e| e.at_mm), ("before_", |e| e.before_mm), ("after_", |e| e.after_mm)];
+/// Prefix of three columns, and the vector in them.
+type VectorColumns = (&'static str, fn(&PointError) -> Vector);
+
+const VECTORS: [VectorColumns; 3] = [("", |e| e.at_mm), ("before_", |e| e.before_mm), ("after_", |e| e.after_mm)];
 
 /// The errors from such a table.
 pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {

@@ -30,7 +30,7 @@ pub fn fit_features(campaign: &Campaign, points: &DataFrame) -> Result<FeaturesD
         .map_err(|mut problems| {
             for message in &mut problems.0 {
                 message.what = format!("feature `{name}`: {}", message.what);
-                message.place = labels.first().map(|l| campaign.place(l));
+                message.place = labels.first().map(|l| Box::new(campaign.place(l)));
             }
             problems
         })?;
@@ -44,7 +44,7 @@ pub fn fit_features(campaign: &Campaign, points: &DataFrame) -> Result<FeaturesD
             radius_mm: fitted.radius_mm,
             rms_mm: fitted.rms_mm(),
             max_mm: fitted.max_mm(),
-            standard_uncertainty_mm: fitted.standard_uncertainty_mm(),
+            standard_uncertainty_mm: fitted.standard_uncertainty().map(|u| u.radius_mm.unwrap_or(u.point_largest_mm)),
         });
     }
     Ok(FeaturesDocument { schema: "etalon/features/1".to_owned(), features })
@@ -63,7 +63,7 @@ pub fn make_frames(
         (None, true) => WorldFrame {
             definition: "the coordinates of the exports are those of the world".to_owned(),
             planar: false,
-            poses: vec![FramePose { pose: None, cycle: None, export_t_world: Pose::identity() }],
+            poses: vec![FramePose { pose: None, cycle: None, export_T_world: Pose::identity() }],
             rms_mm: None,
             max_mm: None,
             reference_mm: Vec::new(),
@@ -108,7 +108,10 @@ fn from_plane(
         _ => [0.0; 3],
     };
     let along = minus(along, normal.map(|n| n * dot(along, normal)));
-    let first = unit(along).ok_or_else(|| wrong("the axis of the world frame has no direction").expected("two labels, from and to, or one feature with a direction"))?;
+    let first = unit(along).ok_or_else(|| {
+        wrong("the axis of the world frame has no direction")
+            .expected("two labels, from and to, or one feature with a direction")
+    })?;
     let side = minus(towards, origin);
     let other = unit(minus(side, first.map(|v| v * dot(side, first))))
         .ok_or_else(|| wrong("`towards` lies on the axis: it cannot tell the side of the other one"))?;
@@ -123,7 +126,7 @@ fn from_plane(
     Ok(WorldFrame {
         definition,
         planar: false,
-        poses: vec![FramePose { pose: None, cycle: None, export_t_world: from_axes(origin, x, y) }],
+        poses: vec![FramePose { pose: None, cycle: None, export_T_world: from_axes(origin, x, y) }],
         rms_mm: None,
         max_mm: None,
         reference_mm: Vec::new(),
@@ -145,7 +148,12 @@ fn three_two_one(p: &[Vector]) -> Option<Pose> {
 }
 
 /// The frame that targets carry: their mean places in it, and each pose as the best fit to those places.
-fn from_targets(campaign: &Campaign, points: &DataFrame, targets: &[Spanned<String>], each: bool) -> Result<WorldFrame> {
+fn from_targets(
+    campaign: &Campaign,
+    points: &DataFrame,
+    targets: &[Spanned<String>],
+    each: bool,
+) -> Result<WorldFrame> {
     let names: Vec<&str> = targets.iter().map(|t| t.get_ref().as_str()).collect();
     let wrong = |what: String| Message::error(what).at(campaign.place(&campaign.file.frame.world));
     if names.len() < 3 {
@@ -170,12 +178,12 @@ fn from_targets(campaign: &Campaign, points: &DataFrame, targets: &[Spanned<Stri
     let (mut poses, mut squares, mut largest) = (Vec::new(), 0.0, 0.0f64);
     for (&(pose, cycle), places) in &whole {
         let fitted = fit::rigid(&reference, places)?;
-        for r in &fitted.residuals_mm {
+        for r in fitted.distances_mm() {
             squares += r * r;
-            largest = largest.max(*r);
+            largest = largest.max(r);
         }
         let (pose, cycle) = if each { (Some(pose), Some(cycle)) } else { (None, None) };
-        poses.push(FramePose { pose, cycle, export_t_world: fitted.to_t_from });
+        poses.push(FramePose { pose, cycle, export_T_world: fitted.to_T_from });
     }
     let definition = format!(
         "best fit of the targets {}{}: origin at the first, x axis to the second, the third in the xy plane",
@@ -183,7 +191,14 @@ fn from_targets(campaign: &Campaign, points: &DataFrame, targets: &[Spanned<Stri
         if each { ", measured again at every pose" } else { "" },
     );
     let rms = (squares / (poses.len() * names.len()) as f64).sqrt();
-    Ok(WorldFrame { definition, planar: false, poses, rms_mm: Some(rms), max_mm: Some(largest), reference_mm: reference })
+    Ok(WorldFrame {
+        definition,
+        planar: false,
+        poses,
+        rms_mm: Some(rms),
+        max_mm: Some(largest),
+        reference_mm: reference,
+    })
 }
 
 fn all_of(seen: &BTreeMap<Key, Vec<Option<Vector>>>, k: usize) -> Vec<Vector> {

@@ -29,7 +29,7 @@ pub fn join(campaign: &Campaign, imported: &Imported, frames: &FramesDocument, r
             JoinBy::PoseAndCycle => by_keys(&points, log, name, &["pose", "cycle"], &mut messages)?,
             JoinBy::Pose => by_keys(&points, log, name, &["pose"], &mut messages)?,
             JoinBy::Row => {
-                equal_counts(campaign, imported, log, name)?;
+                equal_counts(campaign, imported, &points, log, name)?;
                 by_keys(&points, log, name, &["row"], &mut messages)?
             }
             JoinBy::Time => {
@@ -63,8 +63,8 @@ fn targets_in_world(
     let mut for_all = None;
     for frame in &frames.world.poses {
         match (frame.pose, frame.cycle) {
-            (Some(pose), Some(cycle)) => drop(by_pose.insert((pose, cycle), frame.export_t_world.inverse())),
-            _ => for_all = Some(frame.export_t_world.inverse()),
+            (Some(pose), Some(cycle)) => drop(by_pose.insert((pose, cycle), frame.export_T_world.inverse())),
+            _ => for_all = Some(frame.export_T_world.inverse()),
         }
     }
     let (mut keep, mut order, mut world) = (Vec::new(), Vec::new(), Vec::<Vector>::new());
@@ -72,13 +72,13 @@ fn targets_in_world(
     for i in 0..points.height() {
         let Some(target) = robot.targets().iter().position(|t| *t == names[i]) else { continue };
         let key = poses[i].zip(cycles[i]);
-        let Some(world_t_export) = for_all.or_else(|| by_pose.get(&key?).copied()) else {
+        let Some(world_T_export) = for_all.or_else(|| by_pose.get(&key?).copied()) else {
             lost.extend(poses[i]);
             continue;
         };
         keep.push(i as IdxSize);
         order.push(target as i64);
-        world.push(world_t_export.apply(xyz[i]));
+        world.push(world_T_export.apply(xyz[i]));
     }
     if !lost.is_empty() {
         messages.push(
@@ -106,14 +106,23 @@ fn by_keys(
     let logged = key_rows(log, keys)?;
     let twice: Vec<&Vec<i64>> = logged.iter().filter(|(_, rows)| rows.len() > 1).map(|(key, _)| key).collect();
     if let Some(first) = twice.first() {
-        let what = format!("log `{name}` has {} keys ({}) more than once, the first is {first:?}", twice.len(), keys.join(", "));
+        let what = format!(
+            "log `{name}` has {} keys ({}) more than once, the first is {first:?}",
+            twice.len(),
+            keys.join(", ")
+        );
         return Err(Message::error(what).hint("add `cycle` to the key, or remove the rows that do not count").into());
     }
     let mut report = |what: &str, alone: Vec<&Vec<i64>>| {
         if !alone.is_empty() {
             let shown: Vec<String> = alone.iter().take(8).map(|k| format!("{k:?}")).collect();
             let more = if alone.len() > 8 { ", ..." } else { "" };
-            let text = format!("{} {what} `{name}` without a partner ({}): {}{more}", alone.len(), keys.join(", "), shown.join(", "));
+            let text = format!(
+                "{} {what} `{name}` without a partner ({}): {}{more}",
+                alone.len(),
+                keys.join(", "),
+                shown.join(", ")
+            );
             messages.push(Message::warning(text));
         }
     };
@@ -132,17 +141,16 @@ fn by_keys(
 
 /// Rows by their key.
 fn key_rows(frame: &DataFrame, keys: &[&str]) -> Result<BTreeMap<Vec<i64>, Vec<usize>>> {
-    let columns: Vec<Vec<i64>> = keys
-        .iter()
-        .map(|key| {
-            table::integers(frame, key).map_err(|_| {
-                Problems::from(
-                    Message::error(format!("the join needs `{key}`, which some rows do not have"))
-                        .hint("name it in `label` of the exports and in `columns` of the log, or change `by` in [join]"),
-                )
+    let columns: Vec<Vec<i64>> =
+        keys.iter()
+            .map(|key| {
+                table::integers(frame, key).map_err(|_| {
+                    Problems::from(Message::error(format!("the join needs `{key}`, which some rows do not have")).hint(
+                        "name it in `label` of the exports and in `columns` of the log, or change `by` in [join]",
+                    ))
+                })
             })
-        })
-        .collect::<Result<_>>()?;
+            .collect::<Result<_>>()?;
     let mut rows: BTreeMap<Vec<i64>, Vec<usize>> = BTreeMap::new();
     for i in 0..frame.height() {
         rows.entry(columns.iter().map(|c| c[i]).collect()).or_default().push(i);
@@ -150,15 +158,26 @@ fn key_rows(frame: &DataFrame, keys: &[&str]) -> Result<BTreeMap<Vec<i64>, Vec<u
     Ok(rows)
 }
 
-/// A join by row is only allowed where every export has as many data rows as the log.
-fn equal_counts(campaign: &Campaign, imported: &Imported, log: &DataFrame, name: &str) -> Result<()> {
-    let targets: BTreeSet<String> = table::texts(&imported.points, "export")?.into_iter().collect();
+/// A join by row is only allowed where every export that brings targets has as many data rows as the log.
+fn equal_counts(
+    campaign: &Campaign,
+    imported: &Imported,
+    points: &DataFrame,
+    log: &DataFrame,
+    name: &str,
+) -> Result<()> {
+    let targets: BTreeSet<String> = table::texts(points, "export")?.into_iter().collect();
     let mut problems = Problems::default();
     for source in imported.document.sources.iter().filter(|s| s.kind == "export" && targets.contains(&s.file)) {
         if source.rows_read != log.height() {
             let what = format!("`{}` has {} rows, log `{name}` has {}", source.file, source.rows_read, log.height());
             let message = Message::error(what).expected("equal counts for a join by row");
-            let place = campaign.file.exports.iter().find(|e| *e.file.get_ref() == source.file).map(|e| campaign.place(&e.file));
+            let place = campaign
+                .file
+                .exports
+                .iter()
+                .find(|e| *e.file.get_ref() == source.file)
+                .map(|e| Box::new(campaign.place(&e.file)));
             problems.0.push(Message { place, ..message });
         }
     }
@@ -208,7 +227,9 @@ fn by_time(
     let targets = table::texts(&joined, "target")?;
     let alone = log_rows.iter().filter(|r| r.is_none()).count();
     if alone > 0 {
-        messages.push(Message::warning(format!("{alone} measured points have no row of log `{name}` within {tolerance_s} s")));
+        messages.push(Message::warning(format!(
+            "{alone} measured points have no row of log `{name}` within {tolerance_s} s"
+        )));
     }
     let mut used: BTreeMap<(i64, &str), usize> = BTreeMap::new();
     for (row, target) in log_rows.iter().zip(&targets) {

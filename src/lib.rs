@@ -33,7 +33,7 @@
 //!
 //! # Conventions
 //!
-//! Millimetres and radians inside; every name carries its unit. `world_t_base` is the pose of the base in the world;
+//! Millimetres and radians inside; every name carries its unit. `world_T_base` is the pose of the base in the world;
 //! chains read from left to right. Angles leave the program in degrees. Every formula names its source; "thesis" is
 //! A. Joubair, "Contribution à l'amélioration de la précision absolue des robots parallèles", ÉTS Montréal, 2012, and
 //! equation numbers are its.
@@ -68,6 +68,7 @@
 //! # Ok::<(), etalon::message::Problems>(())
 //! ```
 #![forbid(unsafe_code)]
+#![allow(non_snake_case)] // world_T_base: frames in names
 
 pub mod campaign;
 pub mod cli;

@@ -41,7 +41,7 @@ pub struct Message {
     pub what: String,
     /// Where.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub place: Option<Place>,
+    pub place: Option<Box<Place>>,
     /// What was expected there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected: Option<String>,
@@ -103,7 +103,7 @@ impl Message {
 
     /// The same message with its place.
     pub fn at(mut self, place: Place) -> Self {
-        self.place = Some(place);
+        self.place = Some(Box::new(place));
         self
     }
 
@@ -122,7 +122,8 @@ impl Message {
     /// A hint that proposes the nearest of the names that exist, or lists them.
     pub fn hint_names<'a>(self, wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
         let names: Vec<&str> = names.into_iter().collect();
-        let nearest = names.iter().map(|name| (strsim::jaro_winkler(wrong, name), *name)).max_by(|a, b| a.0.total_cmp(&b.0));
+        let nearest =
+            names.iter().map(|name| (strsim::jaro_winkler(wrong, name), *name)).max_by(|a, b| a.0.total_cmp(&b.0));
         match nearest {
             Some((likeness, name)) if likeness > 0.8 => self.hint(format!("did you mean `{name}`?")),
             Some(_) => {
@@ -169,7 +170,15 @@ impl fmt::Display for Message {
 
 /// A line fit to be printed: control characters replaced, cut at 200 characters.
 fn shown(text: &str) -> String {
-    let printable = |c: char| if c == '\t' { ' ' } else if c.is_control() { '\u{fffd}' } else { c };
+    let printable = |c: char| {
+        if c == '\t' {
+            ' '
+        } else if c.is_control() {
+            '\u{fffd}'
+        } else {
+            c
+        }
+    };
     let mut line: String = text.chars().take(200).map(printable).collect();
     if text.chars().nth(200).is_some() {
         line.push_str(" ...");
@@ -227,7 +236,8 @@ mod tests {
 
     #[test]
     fn spans_off_the_end_or_inside_a_character_do_no_harm() {
-        for span in [0..99, 1..2, 5..3, 50..60] {
+        for span in [(0, 99), (1, 2), (5, 3), (50, 60)] {
+            let span = span.0..span.1;
             let _ = Message::error("e").at(Place::span("f", "äöü\nß", span)).to_string();
         }
     }

@@ -19,7 +19,8 @@ pub fn parameters_document(
     let confounded = |i: usize| {
         let in_group = |g: &&Group| g.held == i || g.with.contains(&i);
         let members = |g: &Group| g.with.iter().chain([&g.held]).copied().collect::<Vec<_>>();
-        let mut others: Vec<usize> = found.groups.iter().filter(in_group).flat_map(members).filter(|&j| j != i).collect();
+        let mut others: Vec<usize> =
+            found.groups.iter().filter(in_group).flat_map(members).filter(|&j| j != i).collect();
         others.sort_unstable();
         others.dedup();
         others.iter().map(name).collect()
@@ -73,7 +74,9 @@ pub fn parameters_document(
             o5,
             condition: found.observability.condition,
             rank: found.observability.rank,
-            scaling: "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms".to_owned(),
+            scaling:
+                "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms"
+                    .to_owned(),
         },
         solver: SolverSummary {
             method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),

@@ -58,7 +58,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     let parameters = parameters_document(robot.as_ref(), &settings, &before, &found, &imported.document.inputs());
 
     // evaluate: errors before and after
-    let errors = evaluate::errors(robot.as_ref(), &sets, &before.values, &found.values)?;
+    let errors = evaluate::errors(robot.as_ref(), &sets, &before.values, &found.values);
     let accuracy = evaluate::evaluate(robot.as_ref(), &errors, &campaign.file.limits);
 
     // report and export, from the documents alone
@@ -118,7 +118,11 @@ fn compare_logs(
              {:.3} mm, with log `{that}` {:.3} mm",
             compared.correlation, found.rms, other.rms
         );
-        let hint = if this == used { format!("identify with log `{that}`: name it first") } else { format!("log `{that}` is the one to use, as this campaign does") };
+        let hint = if this == used {
+            format!("identify with log `{that}`: name it first")
+        } else {
+            format!("log `{that}` is the one to use, as this campaign does")
+        };
         messages.push(Message::warning(what).hint(hint));
     }
     Ok(messages)

@@ -27,7 +27,7 @@ pub struct Truth {
     #[serde(default)]
     pub target_height_mm: f64,
     /// Where the world stands in the coordinates of the exports.
-    pub export_t_world: Placement,
+    pub export_T_world: Placement,
     /// True parameters by name, in mm, deg and 1; those not given are nominal.
     pub parameters: BTreeMap<String, f64>,
     /// Points of features, in the world.
@@ -104,19 +104,21 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     for (name, value) in &truth.parameters {
         let names = robot.parameters().iter().map(|p| p.name.as_str());
         let i = robot.index(name).ok_or_else(|| {
-            Message::error(format!("[parameters] names `{name}`, which is no parameter of this robot")).hint_names(name, names)
+            Message::error(format!("[parameters] names `{name}`, which is no parameter of this robot"))
+                .hint_names(name, names)
         })?;
         values[i] = robot.parameters()[i].quantity.inward(*value);
     }
     let joints = joint_values(robot.as_ref(), truth)?;
     let sigma_mm = truth.noise_um.map_or(campaign.file.instrument.standard_uncertainty_mm(), |um| um / 1000.0);
-    let rpy = truth.export_t_world.rpy_deg.map(f64::to_radians);
-    let export_t_world = Pose::from_xyz_rpy(truth.export_t_world.xyz_mm, rpy);
+    let rpy = truth.export_T_world.rpy_deg.map(f64::to_radians);
+    let export_T_world = Pose::from_xyz_rpy(truth.export_T_world.xyz_mm, rpy);
     let mut written = Vec::new();
     for (stream, export) in campaign.file.exports.iter().enumerate() {
         // one stream of noise per file: adding a file changes no other
         let mut noise = Noise::new(truth.seed, stream as u64);
-        let mut measure = |p: Vector| export_t_world.apply(p).map(|v| (v + noise.gaussian(sigma_mm)) / export.unit.in_mm());
+        let mut measure =
+            |p: Vector| export_T_world.apply(p).map(|v| (v + noise.gaussian(sigma_mm)) / export.unit.in_mm());
         let file = export.file.get_ref();
         let mut rows: Vec<(String, Vector)> = Vec::new();
         for point in truth.points.iter().filter(|p| p.export == *file) {
@@ -131,7 +133,8 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
                         let mut p = robot.position(&values, q, k);
                         p[2] += truth.target_height_mm;
                         let label = pattern.get_ref().replace("{target}", target);
-                        let label = label.replace("{pose}", &(i + 1).to_string()).replace("{cycle}", &cycle.to_string());
+                        let label =
+                            label.replace("{pose}", &(i + 1).to_string()).replace("{cycle}", &cycle.to_string());
                         rows.push((label, measure(p)));
                     }
                 }
@@ -139,7 +142,9 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         }
         if rows.is_empty() {
             let message = Message::error(format!("nothing in the truth goes to the export `{file}`"));
-            return Err(message.hint("add a [[point]] with this `export`, or `label` to the export in the campaign").into());
+            return Err(message
+                .hint("add a [[point]] with this `export`, or `label` to the export in the campaign")
+                .into());
         }
         files::write(&campaign.resolve(&export.file)?, export_text(&rows, &export.format, truth.decimals).as_bytes())?;
         written.push(file.clone());
@@ -165,7 +170,8 @@ fn joint_values(robot: &dyn Robot, truth: &Truth) -> Result<Vec<Vec<f64>>> {
             all.push(q.iter().zip(robot.joints()).map(|(q, j)| j.quantity.inward(*q)).collect());
         }
         for circle in &poses.circles {
-            let planar = robot.planar().ok_or_else(|| Message::error("`circles` are for planar robots").hint("use `joints`"))?;
+            let planar =
+                robot.planar().ok_or_else(|| Message::error("`circles` are for planar robots").hint("use `joints`"))?;
             for i in 0..circle.count {
                 let angle = std::f64::consts::TAU * i as f64 / circle.count as f64;
                 let radius = 0.5 * circle.diameter_mm;

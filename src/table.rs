@@ -24,7 +24,8 @@ pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
 /// A column of whole numbers without gaps.
 pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
     let column = column(table, name)?.strict_cast(&DataType::Int64);
-    let column = column.map_err(|_| Message::error(format!("column `{name}` holds something that is no whole number")))?;
+    let column =
+        column.map_err(|_| Message::error(format!("column `{name}` holds something that is no whole number")))?;
     let whole = |v: Option<i64>| v.ok_or_else(|| Message::error(format!("column `{name}` has an empty cell")).into());
     column.i64()?.iter().map(whole).collect()
 }

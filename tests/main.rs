@@ -1,4 +1,5 @@
 //! Tests by what they prove.
+#![allow(clippy::print_stdout)] // a test says what it measured and what it skipped
 
 mod cli;
 mod golden;

@@ -51,8 +51,9 @@ fn check_statements(campaign: &Campaign, problems: &mut Problems) {
     }
     if file.join.by == JoinBy::Time && (file.join.clock_offset_s.is_none() || file.join.tolerance_s.is_none()) {
         problems.0.push(
-            Message::error("a join by time needs the offset of the clocks and a tolerance")
-                .hint("add `clock_offset_s` (time of the measurement minus time of the log) and `tolerance_s` to [join]"),
+            Message::error("a join by time needs the offset of the clocks and a tolerance").hint(
+                "add `clock_offset_s` (time of the measurement minus time of the log) and `tolerance_s` to [join]",
+            ),
         );
     }
     for (name, feature) in &file.features {
@@ -75,9 +76,11 @@ fn check_statements(campaign: &Campaign, problems: &mut Problems) {
         let axes = usize::from(world.x_axis.is_some()) + usize::from(world.y_axis.is_some());
         if axes != 1 || world.origin.is_none() || world.towards.is_none() {
             problems.0.push(
-                Message::error("a world frame from a plane needs `origin`, one of `x_axis` and `y_axis`, and `towards`")
-                    .at(campaign.place(&file.frame.world))
-                    .hint("`towards` names a label on the positive side of the other axis: it decides which way z points"),
+                Message::error(
+                    "a world frame from a plane needs `origin`, one of `x_axis` and `y_axis`, and `towards`",
+                )
+                .at(campaign.place(&file.frame.world))
+                .hint("`towards` names a label on the positive side of the other axis: it decides which way z points"),
             );
         }
     }
@@ -107,7 +110,13 @@ fn check_labels(campaign: &Campaign, imported: &Imported, problems: &mut Problem
     if let Some(name) = &world.plane {
         want(name, &[&features], "feature is called");
     }
-    for name in world.origin.iter().chain(&world.towards).chain(world.x_axis.iter().flatten()).chain(world.y_axis.iter().flatten()) {
+    for name in world
+        .origin
+        .iter()
+        .chain(&world.towards)
+        .chain(world.x_axis.iter().flatten())
+        .chain(world.y_axis.iter().flatten())
+    {
         want(name, &[&labels, &features], "point or feature is called");
     }
     let rigid = file.rigid.iter().flat_map(|r| &r.targets);

@@ -209,7 +209,13 @@ impl fmt::Display for Format {
         match self {
             Self::Polyworks => f.write_str("PolyWorks text"),
             Self::Delimited(d) => {
-                write!(f, "delimited by `{}`, decimal `{}`, {} header rows", d.delimiter.name(), d.decimal.name(), d.header)
+                write!(
+                    f,
+                    "delimited by `{}`, decimal `{}`, {} header rows",
+                    d.delimiter.name(),
+                    d.decimal.name(),
+                    d.header
+                )
             }
         }
     }

@@ -55,7 +55,7 @@ impl Campaign {
             .map_err(|m| m.at(Place::span(name.as_str(), &text, file.robot.span())))?;
         let robot_text = files::read_text(&robot_path).map_err(|mut problems| {
             for message in &mut problems.0 {
-                message.place = Some(Place::span(name.as_str(), &text, file.robot.span()));
+                message.place = Some(Box::new(Place::span(name.as_str(), &text, file.robot.span())));
             }
             problems
         })?;

@@ -120,8 +120,9 @@ impl RobotFile {
                 }
             })
             .collect();
-        let gravity = crate::pose::unit(self.gravity)
-            .ok_or_else(|| Message::error("`gravity` has no direction").expected("a direction in the base, e.g. [0, 0, -1]"))?;
+        let gravity = crate::pose::unit(self.gravity).ok_or_else(|| {
+            Message::error("`gravity` has no direction").expected("a direction in the base, e.g. [0, 0, -1]")
+        })?;
         let serial = Serial::new(&joints, targets, gravity, &self.bending, &self.coupling);
         Ok(serial.with_base_turn_y(self.base_turn_y_deg.to_radians()))
     }

@@ -41,7 +41,10 @@ fn remove(table: &mut DeTable, span: &Range<usize>) -> Option<String> {
     if let Some(key) = table.iter_mut().find_map(|(_, value)| remove_within(value, span)) {
         return Some(key);
     }
-    let key = table.iter().find(|(key, value)| covers(&key.span(), span) || reaches(value, span)).map(|(k, _)| k.get_ref().to_string())?;
+    let key = table
+        .iter()
+        .find(|(key, value)| covers(&key.span(), span) || reaches(value, span))
+        .map(|(k, _)| k.get_ref().to_string())?;
     table.remove(key.as_str()).map(|_| key)
 }
 
@@ -89,7 +92,8 @@ fn message(file: &str, text: &str, error: &Error, section: Option<&str>) -> Mess
         let of = section.map(|s| format!(" in `{s}`")).unwrap_or_default();
         let message = Message::error(format!("the key `{key}` is missing{of}")).at(place);
         return match key.as_str() {
-            "unit" => message.hint("state the length unit of the file: \"mm\", \"m\", \"um\" or \"inch\"; it is never guessed"),
+            "unit" => message
+                .hint("state the length unit of the file: \"mm\", \"m\", \"um\" or \"inch\"; it is never guessed"),
             "expanded_uncertainty_um" | "coverage_factor" => {
                 message.hint("take both from the instrument's calibration certificate")
             }
@@ -138,8 +142,14 @@ mod tests {
         let problems = parse::<Outer>("f.toml", text).unwrap_err();
         let said: Vec<String> =
             problems.0.iter().map(|m| format!("{} {:?}", m.what, m.place.as_ref().and_then(|p| p.line))).collect();
-        println!("{problems}");
-        for part in ["unknown key `nmae` Some(1)", "Some(3)", "Some(4)", "unknown key `colour` Some(5)", "`unit` is missing", "`name` is missing"] {
+        for part in [
+            "unknown key `nmae` Some(1)",
+            "Some(3)",
+            "Some(4)",
+            "unknown key `colour` Some(5)",
+            "`unit` is missing",
+            "`name` is missing",
+        ] {
             assert!(said.iter().any(|s| s.contains(part)), "{part}: {said:?}");
         }
         assert_eq!(said.len(), 6, "{said:?}");

@@ -62,7 +62,7 @@ fn default_output() -> Spanned<String> {
 }
 
 fn default_controllers() -> Vec<Spanned<String>> {
-    crate::export::names().iter().map(|name| Spanned::new(0..0, (*name).to_owned())).collect()
+    crate::export::names().map(|name| Spanned::new(0..0, name.to_owned())).collect()
 }
 
 /// The measuring instrument.

@@ -25,15 +25,14 @@ impl Export {
         let folder = self.parameters.parent().unwrap_or(Path::new("")).to_owned();
         let name = self.parameters.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let parameters: ParametersDocument = document(&folder, &name)?;
-        let wanted = if self.format.is_empty() {
-            export::names().iter().map(|n| (*n).to_owned()).collect()
-        } else {
-            self.format
-        };
+        let wanted =
+            if self.format.is_empty() { export::names().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
         let to = self.to.unwrap_or(folder);
         for name in wanted {
             let exporter = export::by_name(&name).ok_or_else(|| {
-                Problems::from(Message::error(format!("`{name}` is no controller format")).hint_names(&name, export::names()))
+                Problems::from(
+                    Message::error(format!("`{name}` is no controller format")).hint_names(&name, export::names()),
+                )
             })?;
             let path = to.join(exporter.file_name());
             files::write(&path, &exporter.write(&parameters)?)?;

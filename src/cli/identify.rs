@@ -80,7 +80,11 @@ fn as_text(document: &ParametersDocument) -> String {
         let _ = writeln!(text, "{:<16} {:>16.6} {:>16.6} {u:>12}  {}", p.name, p.nominal, p.value, p.unit);
     }
     let r = &document.residuals;
-    let _ = writeln!(text, "residuals: rms {:.6} mm, max {:.6} mm, {} degrees of freedom", r.rms, r.max, r.degrees_of_freedom);
+    let _ = writeln!(
+        text,
+        "residuals: rms {:.6} mm, max {:.6} mm, {} degrees of freedom",
+        r.rms, r.max, r.degrees_of_freedom
+    );
     let _ = writeln!(text, "condition {:.1}; {}", document.observability.condition, document.solver.meaning);
     text
 }

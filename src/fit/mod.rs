@@ -1,20 +1,53 @@
-//! stub
-use crate::message::Result; use crate::pose::*;
-pub struct Fit { pub point_mm: Vector, pub direction: Option<Vector>, pub radius_mm: Option<f64> }
-impl Fit { pub fn rms_mm(&self)->f64{0.0} pub fn max_mm(&self)->f64{0.0} pub fn standard_uncertainty_mm(&self)->Option<f64>{None} }
-pub fn plane(p:&[Vector])->Result<Fit>{ let c=centroid(p).unwrap(); let mut m=[[0.0;3];3]; for q in p {let d=minus(*q,c); for i in 0..3{for j in 0..3{m[i][j]+=d[i]*d[j];}}} let (_,v)=crate::solve::symmetric_eigen(m); Ok(Fit{point_mm:c,direction:Some(v[0]),radius_mm:None}) }
-pub fn line(_:&[Vector])->Result<Fit>{unimplemented!()}
-pub fn circle3d(_:&[Vector])->Result<Fit>{unimplemented!()}
-pub fn cylinder(_:&[Vector])->Result<Fit>{unimplemented!()}
-pub struct RigidFit{pub to_t_from: Pose, pub residuals_mm: Vec<f64>}
-pub fn rigid(from:&[Vector],to:&[Vector])->Result<RigidFit>{
- let a=centroid(from).unwrap(); let b=centroid(to).unwrap();
- let mut s=[[0.0;3];3]; for (f,t) in from.iter().zip(to){let f=minus(*f,a);let t=minus(*t,b); for i in 0..3{for j in 0..3{s[i][j]+=f[i]*t[j];}}}
- let n=[[s[0][0]+s[1][1]+s[2][2],s[1][2]-s[2][1],s[2][0]-s[0][2],s[0][1]-s[1][0]],
- [s[1][2]-s[2][1],s[0][0]-s[1][1]-s[2][2],s[0][1]+s[1][0],s[2][0]+s[0][2]],
- [s[2][0]-s[0][2],s[0][1]+s[1][0],-s[0][0]+s[1][1]-s[2][2],s[1][2]+s[2][1]],
- [s[0][1]-s[1][0],s[2][0]+s[0][2],s[1][2]+s[2][1],-s[0][0]-s[1][1]+s[2][2]]];
- let (_,v)=crate::solve::symmetric_eigen(n); let [w,x,y,z]=v[3];
- let r=[[1.0-2.0*(y*y+z*z),2.0*(x*y-w*z),2.0*(x*z+w*y)],[2.0*(x*y+w*z),1.0-2.0*(x*x+z*z),2.0*(y*z-w*x)],[2.0*(x*z-w*y),2.0*(y*z+w*x),1.0-2.0*(x*x+y*y)]];
- let mut p=Pose{rotation:r,translation_mm:[0.0;3]}; p.translation_mm=minus(b,p.rotate(a));
- let res=from.iter().zip(to).map(|(f,t)|norm(minus(p.apply(*f),*t))).collect(); Ok(RigidFit{to_t_from:p,residuals_mm:res})}
+//! Geometric elements fitted to points: least squares of orthogonal distances, with uncertainty.
+//!
+//! Every fit goes the same way: points are checked, shifted to their centroid and scaled ([`Cloud`](cloud::Cloud)); a
+//! start is found from the points alone; the orthogonal distances are minimised with exact derivatives; the
+//! answer ([`Fit`]) carries its residuals, covariance, condition, and how the solver ended. A closed solution is used
+//! where there is one (plane, line, rigid transform). Nothing here knows a file.
+
+mod axis;
+mod ball;
+mod circle2d;
+mod circle3d;
+mod cloud;
+mod cone;
+mod cylinder;
+mod element;
+mod line;
+mod plane;
+mod result;
+mod rigid;
+mod sphere;
+mod surface;
+mod torus;
+
+pub use circle2d::{circle2d, circle2d_with};
+pub use circle3d::{circle3d, circle3d_with};
+pub use cone::{cone, cone_with};
+pub use cylinder::{cylinder, cylinder_with};
+pub use element::{CircleMethod, Element, Settings};
+pub use line::{line, line_with, line2d, line2d_with};
+pub use plane::{plane, plane_with};
+pub use result::{Covariance, Fit, QUANTITIES, StandardUncertainty};
+pub use rigid::{RigidFit, rigid, rigid_weighted};
+pub use sphere::{sphere, sphere_with};
+pub use torus::{torus, torus_with};
+
+use crate::message::Result;
+use crate::pose::Vector;
+
+/// Fits any element; of a line or circle in the plane, z of the points is not looked at.
+pub fn element(element: Element, points: &[Vector], settings: &Settings) -> Result<Fit> {
+    let flat = || points.iter().map(|p| [p[0], p[1]]).collect::<Vec<_>>();
+    match element {
+        Element::Line2d => line2d_with(&flat(), settings),
+        Element::Line => line_with(points, settings),
+        Element::Plane => plane_with(points, settings),
+        Element::Circle2d => circle2d_with(&flat(), settings),
+        Element::Circle3d => circle3d_with(points, settings),
+        Element::Sphere => sphere_with(points, settings),
+        Element::Cylinder => cylinder_with(points, settings),
+        Element::Cone => cone_with(points, settings),
+        Element::Torus => torus_with(points, settings),
+    }
+}

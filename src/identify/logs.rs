@@ -24,7 +24,8 @@ pub fn compare_logs(
 ) -> Option<LogComparison> {
     let by_key: std::collections::BTreeMap<_, _> = others.iter().map(|o| ((o.pose, o.cycle), o)).collect();
     let dimension = robot.dimension();
-    let (mut here, mut there) = (vec![0.0; dimension * robot.targets().len()], vec![0.0; dimension * robot.targets().len()]);
+    let (mut here, mut there) =
+        (vec![0.0; dimension * robot.targets().len()], vec![0.0; dimension * robot.targets().len()]);
     let mut pairs = Vec::new();
     for o in observations {
         let Some(other) = by_key.get(&(o.pose, o.cycle)) else { continue };
@@ -32,10 +33,8 @@ pub fn compare_logs(
         robot.positions(values, &other.joints, &mut there);
         for (k, measured) in o.targets.iter().enumerate() {
             let Some(measured) = measured else { continue };
-            for i in 0..dimension {
-                let at = k * dimension + i;
-                pairs.push((measured[i] - here[at], there[at] - here[at]));
-            }
+            let both = here[k * dimension..].iter().zip(&there[k * dimension..]).take(dimension);
+            pairs.extend(measured.iter().zip(both).map(|(m, (here, there))| (m - here, there - here)));
         }
     }
     Some(LogComparison { correlation: pearson(&pairs)?, count: pairs.len() })

@@ -200,6 +200,8 @@ mod tests {
     #[test]
     fn patterns() {
         assert!(matches_pattern("gain_*", "gain_3") && matches_pattern("d", "d") && matches_pattern("*_x", "SMR_1_x"));
-        assert!(!matches_pattern("gain_*", "again_3") && !matches_pattern("d", "d3") && !matches_pattern("ab*ba", "aba"));
+        assert!(
+            !matches_pattern("gain_*", "again_3") && !matches_pattern("d", "d3") && !matches_pattern("ab*ba", "aba")
+        );
     }
 }

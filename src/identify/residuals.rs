@@ -51,7 +51,15 @@ impl<'a> Residuals<'a> {
             if planar.is_some() { 3 * usize::from(measured == 2) } else { robot.dimension() * measured }
         });
         let unit = if planar.is_some() { 1.0 } else { settings.standard_uncertainty_mm.unwrap_or(1.0) };
-        Ok(Self { robot, free: free.to_vec(), observations, planar, unit, values: values.to_vec(), rows: rows.collect() })
+        Ok(Self {
+            robot,
+            free: free.to_vec(),
+            observations,
+            planar,
+            unit,
+            values: values.to_vec(),
+            rows: rows.collect(),
+        })
     }
 
     /// All parameters of the robot with the free ones at `x`.

@@ -9,7 +9,7 @@ use crate::message::{Message, Result};
 use crate::pose::{Pose, centroid, minus, norm};
 use crate::robots::{Robot, Role, Serial};
 use crate::solve::{self, Factor, Options};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 const SUBSET: usize = 24;
 const REFINED: usize = 4;
@@ -18,8 +18,7 @@ const REFINED: usize = 4;
 pub(super) fn start(robot: &dyn Robot, observations: &[Observation]) -> Result<Vec<f64>> {
     let nominal = robot.nominal();
     let Some(serial) = robot.serial() else { return Ok(nominal) };
-    let places: Vec<usize> =
-        (0..nominal.len()).filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
+    let places: Vec<usize> = (0..nominal.len()).filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
     if places.iter().any(|&i| nominal[i] != 0.0) {
         return Ok(nominal); // the robot file states where base and targets are
     }
@@ -48,13 +47,15 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation]) -> Result<V
             .expected("at least four poses in which the arm moves in all directions")
             .hint("measure more poses, or state base_x .. base_rz and the targets under [nominal] in the robot file")
     })?;
-    for i in 3..6 {
-        values[i] -= (values[i] / (2.0 * PI)).round() * 2.0 * PI;
+    for angle in &mut values[3..6] {
+        *angle -= (*angle / TAU).round() * TAU;
     }
     if (values[4].abs() - FRAC_PI_2).abs() < 0.1 {
-        return Err(Message::error("the base stands with its x axis upright in the world: base_rx and base_rz turn about the same axis")
-            .hint("set `base_turn_y_deg = 90` in the robot file: base_rx, base_ry and base_rz are then counted from there")
-            .into());
+        return Err(Message::error(
+            "the base stands with its x axis upright in the world: base_rx and base_rz turn about the same axis",
+        )
+        .hint("set `base_turn_y_deg = 90` in the robot file: base_rx, base_ry and base_rz are then counted from there")
+        .into());
     }
     Ok(values)
 }
@@ -81,28 +82,28 @@ fn cube_rotations() -> Vec<Pose> {
 
 /// With `base` as rotation of the base: R_bᵀ p = c + R_i r_k + t_i is linear in c and the targets r_k.
 fn linear_start(serial: &Serial, subset: &[Observation], nominal: &[f64], base: &Pose) -> Option<(f64, Vec<f64>)> {
-    let world_t_turned = Pose::identity().turn_y(serial.base_turn_y_rad());
+    let world_T_turned = Pose::identity().turn_y(serial.base_turn_y_rad());
     let columns = 3 + 3 * serial.targets().len();
     let (mut a, mut b) = (Vec::new(), Vec::new());
-    let back = world_t_turned.then(base).inverse();
+    let back = world_T_turned.then(base).inverse();
     for o in subset {
-        let base_t_flange = world_t_turned.inverse().then(&serial.direct(nominal, &o.joints));
+        let base_T_flange = world_T_turned.inverse().then(&serial.direct(nominal, &o.joints));
         for (k, measured) in o.targets.iter().enumerate() {
             let Some(measured) = measured else { continue };
             let p_base = back.rotate(*measured);
             for (i, p) in p_base.iter().enumerate() {
                 let mut row = vec![0.0; columns];
                 row[i] = 1.0;
-                row[3 + 3 * k..][..3].copy_from_slice(&base_t_flange.rotation[i]);
+                row[3 + 3 * k..][..3].copy_from_slice(&base_T_flange.rotation[i]);
                 a.extend(row);
-                b.push(p - base_t_flange.translation_mm[i]);
+                b.push(p - base_T_flange.translation_mm[i]);
             }
         }
     }
     let factor = Factor::new(&a, &b, &vec![1.0; columns]);
     let x = factor.solve()?;
     let mut values = nominal.to_vec();
-    values[..3].copy_from_slice(&world_t_turned.then(base).rotate([x[0], x[1], x[2]]));
+    values[..3].copy_from_slice(&world_T_turned.then(base).rotate([x[0], x[1], x[2]]));
     values[3..6].copy_from_slice(&base.rpy_rad());
     values[6..3 + columns].copy_from_slice(&x[3..]);
     Some((factor.rest, values))

@@ -5,6 +5,7 @@ use super::{Identification, ResidualKind, Settings, Settled, Status};
 use crate::message::Message;
 use crate::robots::{Quantity, Robot};
 use crate::solve::{Factor, Problem, Solution, Svd, svd};
+use nalgebra::{DMatrix, Matrix3x4, Vector3};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// Singular values of the Jacobian and the indices made of them (eq. 1.19 to 1.25).
@@ -86,7 +87,10 @@ pub(super) fn conclude(
         if names.is_empty() {
             Message::warning(format!("the data do not see `{held}`: it is held at its nominal value"))
         } else {
-            Message::warning(format!("the data cannot tell apart `{held}` and `{}`: `{held}` is held at its nominal value", names.join("`, `")))
+            Message::warning(format!(
+                "the data cannot tell apart `{held}` and `{}`: `{held}` is held at its nominal value",
+                names.join("`, `")
+            ))
         }
     };
     warnings.extend(groups.iter().map(group));
@@ -127,36 +131,21 @@ fn pose_covariance(problem: &Residuals, solution: &Solution, u: f64) -> Option<(
     let n = solution.x.len();
     let mut jacobian = vec![0.0; problem.residual_count() * n];
     problem.jacobian(&solution.x, &mut jacobian);
-    let a = solution.covariance()?;
-    let mut middle = vec![0.0; n * n];
+    let inverse = DMatrix::from_row_slice(n, n, &solution.covariance()?);
+    let mut middle = DMatrix::zeros(n, n);
     let mut chi_square = 0.0;
     for ((rows, r), s) in jacobian.chunks_exact(3 * n).zip(solution.residuals.chunks_exact(3)).zip(&sensitivities) {
-        // rows of u Sᵀ J: four per pose
-        for ball in 0..4 {
-            let row: Vec<f64> = (0..n).map(|j| u * (0..3).map(|i| s[i][ball] * rows[i * n + j]).sum::<f64>()).collect();
-            for i in 0..n {
-                for j in 0..n {
-                    middle[i * n + j] += row[i] * row[j];
-                }
-            }
-        }
-        let covariance = nalgebra::Matrix3::from_fn(|i, j| u * u * (0..4).map(|k| s[i][k] * s[j][k]).sum::<f64>());
-        let r = nalgebra::Vector3::from_column_slice(r);
-        chi_square += r.dot(&covariance.cholesky()?.solve(&r));
+        let noise = u * Matrix3x4::from_fn(|i, j| s[i][j]); // S u
+        let by_ball = noise.transpose() * DMatrix::from_row_slice(3, n, rows); // u Sᵀ J
+        middle += by_ball.tr_mul(&by_ball);
+        let r = Vector3::from_column_slice(r);
+        chi_square += r.dot(&(noise * noise.transpose()).cholesky()?.solve(&r));
     }
-    Some((multiply(&multiply(&a, &middle, n), &a, n), chi_square))
+    let covariance = &inverse * middle * &inverse;
+    Some((covariance.as_slice().to_vec(), chi_square))
 }
 
-fn multiply(a: &[f64], b: &[f64], n: usize) -> Vec<f64> {
-    let element = |k: usize| (0..n).map(|l| a[k / n * n + l] * b[l * n + k % n]).sum();
-    (0..n * n).map(element).collect()
-}
-
-fn observe(
-    problem: &Residuals,
-    solution: &Solution,
-    covariance: &[f64],
-) -> (Observability, Vec<WeakGroup>) {
+fn observe(problem: &Residuals, solution: &Solution, covariance: &[f64]) -> (Observability, Vec<WeakGroup>) {
     let n = problem.free.len();
     let empty = Observability { indices: [f64::NAN; 5], condition: f64::NAN, rank: 0 };
     let Some(factor) = &solution.factor else { return (empty, Vec::new()) };
@@ -176,7 +165,8 @@ fn observe(
         .map(|k| {
             let members: Vec<usize> = (0..n).filter(|&j| scaled.vectors[k][j].abs() > WEAK_MEMBER).collect();
             let pairs = members.iter().flat_map(|&i| members.iter().filter(move |&&j| j > i).map(move |&j| (i, j)));
-            let strongest = pairs.map(|(i, j)| correlation(i, j)).fold(0.0f64, |a, b| if b.abs() > a.abs() { b } else { a });
+            let strongest =
+                pairs.map(|(i, j)| correlation(i, j)).fold(0.0f64, |a, b| if b.abs() > a.abs() { b } else { a });
             WeakGroup {
                 standard_uncertainties: members.iter().map(|&j| u(j)).collect(),
                 parameters: members.into_iter().map(|j| problem.free[j]).collect(),
@@ -201,7 +191,13 @@ fn indices(svd: &Svd, poses: usize) -> [f64; 5] {
     let m = svd.values.len() as f64;
     let mean_log = svd.values.iter().map(|s| s.ln()).sum::<f64>() / m;
     let harmonic: f64 = svd.values.iter().map(|s| 1.0 / s).sum();
-    [mean_log.exp() / (poses as f64).sqrt(), smallest / largest, smallest, smallest * smallest / largest, 1.0 / harmonic]
+    [
+        mean_log.exp() / (poses as f64).sqrt(),
+        smallest / largest,
+        smallest,
+        smallest * smallest / largest,
+        1.0 / harmonic,
+    ]
 }
 
 fn weak_message(robot: &dyn Robot, weak: &WeakGroup) -> Message {
@@ -218,6 +214,7 @@ fn weak_message(robot: &dyn Robot, weak: &WeakGroup) -> Message {
         uncertainties.join(", "),
         weak.correlation
     );
-    let remedy = robot.remedy(&names).unwrap_or("measure poses in which these parameters act differently, or hold one of them");
+    let remedy =
+        robot.remedy(&names).unwrap_or("measure poses in which these parameters act differently, or hold one of them");
     Message::warning(what).hint(remedy)
 }

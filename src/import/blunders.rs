@@ -47,7 +47,8 @@ fn violations(rigid: &Rigid, points: &[Point]) -> BTreeMap<usize, String> {
     let distance = |seen: &[Option<usize>], (a, b): (usize, usize)| {
         Some(norm(minus(points[seen[a]?].xyz_mm, points[seen[b]?].xyz_mm)))
     };
-    let medians: Vec<f64> = pairs.iter().map(|&p| median(poses.values().filter_map(|s| distance(s, p)).collect())).collect();
+    let medians: Vec<f64> =
+        pairs.iter().map(|&p| median(poses.values().filter_map(|s| distance(s, p)).collect())).collect();
     let mut refused = BTreeMap::new();
     for seen in poses.values() {
         let off: Vec<(usize, usize, f64)> = pairs

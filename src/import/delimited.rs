@@ -59,13 +59,20 @@ pub(super) fn blank_fields(line: &str) -> Vec<String> {
 
 /// A number in the stated decimal mark, nothing else around it.
 pub(super) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
-    let wrong = || Message::error(format!("`{field}` is no number")).expected(format!("a number with decimal mark `{}`", decimal.name()));
+    let wrong = || {
+        Message::error(format!("`{field}` is no number"))
+            .expected(format!("a number with decimal mark `{}`", decimal.name()))
+    };
     let (text, other) = match decimal {
         Decimal::Point => (field.to_owned(), ','),
         Decimal::Comma => (field.replace(',', "."), '.'),
     };
     if field.contains(other) {
-        let hint = if decimal == Decimal::Point { "a decimal comma? then state `decimal = \",\"`" } else { "a decimal point? then state `decimal = \".\"`" };
+        let hint = if decimal == Decimal::Point {
+            "a decimal comma? then state `decimal = \",\"`"
+        } else {
+            "a decimal point? then state `decimal = \".\"`"
+        };
         return Err(wrong().hint(hint));
     }
     // words that `parse` would take for infinity or NaN are no measured values
@@ -117,7 +124,8 @@ fn point(row: &Row, dialect: &Dialect, file: &str, shown: &str) -> std::result::
             Place::line(file, row.line, shown).at(column, field.chars().count())
         };
         let value = || number(field, dialect.decimal).map_err(|m| m.at(place()));
-        let whole = || field.parse::<i64>().map_err(|_| Message::error(format!("`{field}` is no whole number")).at(place()));
+        let whole =
+            || field.parse::<i64>().map_err(|_| Message::error(format!("`{field}` is no whole number")).at(place()));
         match role {
             Role::Label => point.label.clone_from(field),
             Role::Target => point.target = Some(field.clone()),
@@ -145,7 +153,15 @@ mod tests {
     fn numbers_are_read_strictly() {
         assert_eq!(number("-1.5e+003", Decimal::Point).unwrap(), -1500.0);
         assert_eq!(number("1,25", Decimal::Comma).unwrap(), 1.25);
-        for (field, decimal) in [("1,25", Decimal::Point), ("1.25", Decimal::Comma), ("nan", Decimal::Point), ("inf", Decimal::Point), ("1 000", Decimal::Point), ("", Decimal::Point), ("1.2.3", Decimal::Point)] {
+        for (field, decimal) in [
+            ("1,25", Decimal::Point),
+            ("1.25", Decimal::Comma),
+            ("nan", Decimal::Point),
+            ("inf", Decimal::Point),
+            ("1 000", Decimal::Point),
+            ("", Decimal::Point),
+            ("1.2.3", Decimal::Point),
+        ] {
             assert!(number(field, decimal).is_err(), "{field}");
         }
     }

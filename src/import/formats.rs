@@ -29,11 +29,22 @@ pub fn propose(file: &str, text: &str) -> String {
         return format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
     };
     let doubts = guesses.iter().filter(|g| g.share > 0.99 * best.share).count();
-    let _ = writeln!(out, "# proposed for `{file}`: {:.0} % of its rows read this way, {} columns", 100.0 * best.share, best.columns);
+    let _ = writeln!(
+        out,
+        "# proposed for `{file}`: {:.0} % of its rows read this way, {} columns",
+        100.0 * best.share,
+        best.columns
+    );
     if doubts > 1 {
         let _ = writeln!(out, "# DOUBT: {} other readings explain it as well; check a row by eye:", doubts - 1);
         for g in guesses.iter().skip(1).take(doubts - 1) {
-            let _ = writeln!(out, "#   delimiter \"{}\", decimal \"{}\", {} columns", g.delimiter.name(), g.decimal.name(), g.columns);
+            let _ = writeln!(
+                out,
+                "#   delimiter \"{}\", decimal \"{}\", {} columns",
+                g.delimiter.name(),
+                g.decimal.name(),
+                g.columns
+            );
         }
     }
     let _ = writeln!(out, "[[export]]\nfile = {file:?}");
@@ -94,10 +105,16 @@ mod tests {
     #[test]
     fn delimiter_and_decimal_are_proposed_and_the_unit_is_asked() {
         let text = propose("p.txt", "Name;X;Y;Z\nA;1,25;2,5;-3,75\nB;4,125;5,5;6,25\n");
-        assert!(text.contains("delimiter = \";\", decimal = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"]"), "{text}");
+        assert!(
+            text.contains("delimiter = \";\", decimal = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"]"),
+            "{text}"
+        );
         assert!(text.contains("unit = \"?\""));
         let text = propose("p.txt", "1.25 2.5 3.5\n4.5 5.5 6.5\n");
-        assert!(text.contains("delimiter = \"blank\", decimal = \".\", header = 0, columns = [\"x\", \"y\", \"z\"]"), "{text}");
+        assert!(
+            text.contains("delimiter = \"blank\", decimal = \".\", header = 0, columns = [\"x\", \"y\", \"z\"]"),
+            "{text}"
+        );
     }
 
     #[test]

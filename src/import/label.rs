@@ -25,14 +25,18 @@ pub(super) struct Pattern(Vec<Part>);
 impl Pattern {
     /// Reads a pattern.
     pub fn parse(pattern: &str) -> Result<Self, Message> {
-        let wrong = |what: String| Err(Message::error(what).expected("text with {target}, {pose} and {cycle}, each at most once"));
+        let wrong = |what: String| {
+            Err(Message::error(what).expected("text with {target}, {pose} and {cycle}, each at most once"))
+        };
         let mut parts = Vec::new();
         let mut rest = pattern;
         while let Some((text, after)) = rest.split_once('{') {
             if !text.is_empty() {
                 parts.push(Part::Text(text.to_owned()));
             }
-            let Some((name, after)) = after.split_once('}') else { return wrong(format!("`{pattern}` has a `{{` without `}}`")) };
+            let Some((name, after)) = after.split_once('}') else {
+                return wrong(format!("`{pattern}` has a `{{` without `}}`"));
+            };
             let part = match name {
                 "target" => Part::Target,
                 "pose" => Part::Pose,

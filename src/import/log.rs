@@ -83,9 +83,12 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
         }
         if name == "pose" || name == "cycle" {
             if let Some(i) = values.iter().position(|v| v.fract() != 0.0) {
-                problems.0.push(Message::error(format!("{name} {} of log `{file}` is no whole number", values[i])).at(at()));
+                problems
+                    .0
+                    .push(Message::error(format!("{name} {} of log `{file}` is no whole number", values[i])).at(at()));
             }
-            columns.push(Series::new(name.as_str().into(), values.iter().map(|v| *v as i64).collect::<Vec<i64>>()).into());
+            columns
+                .push(Series::new(name.as_str().into(), values.iter().map(|v| *v as i64).collect::<Vec<i64>>()).into());
         } else {
             columns.push(Series::new(name.as_str().into(), values).into());
         }

@@ -47,7 +47,13 @@ pub(super) struct PointColumns {
 
 impl PointColumns {
     /// Adds the rows of an export; rows that were not measured go to the source's list of refused ones.
-    pub fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<PointRow>, source: &mut Source) -> Result<()> {
+    pub fn add(
+        &mut self,
+        campaign: &Campaign,
+        export: &Export,
+        rows: Vec<PointRow>,
+        source: &mut Source,
+    ) -> Result<()> {
         let pattern = match &export.label {
             Some(text) => Some(Pattern::parse(text.get_ref()).map_err(|m| m.at(campaign.place(text)))?),
             None => None,
@@ -105,7 +111,11 @@ impl PointColumns {
         let idle = |p: &&Point| p.target.is_none() && !used.iter().any(|u| matches_pattern(u, &p.label));
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
         let Some(first) = idle.first() else { return Vec::new() };
-        let what = format!("{} points name no target, and no feature or frame uses their labels; the first is `{}`", idle.len(), first.label);
+        let what = format!(
+            "{} points name no target, and no feature or frame uses their labels; the first is `{}`",
+            idle.len(),
+            first.label
+        );
         vec![
             Message::warning(what)
                 .at(Place::line(&first.export, first.line, &first.text))

@@ -1,4 +1,128 @@
-//! stub
-use crate::document::*;
-pub struct Report<'a> { pub campaign: &'a CampaignSummary, pub import: &'a ImportDocument, pub features: &'a FeaturesDocument, pub frames: &'a FramesDocument, pub parameters: &'a ParametersDocument, pub accuracy: &'a AccuracyDocument, pub errors: &'a [PointError] }
-pub fn html(_r:&Report)->crate::message::Result<String>{Ok(String::new())}
+//! The report: one page that needs no network, made from the documents alone.
+//!
+//! `html` is a pure function: it reads nothing but its argument and writes the same bytes for the same documents.
+
+mod arrows;
+mod axis;
+mod by_pose;
+#[cfg(test)]
+mod demo;
+mod histogram;
+mod map;
+mod number;
+mod parameters;
+mod plane;
+mod points;
+mod svg;
+mod tables;
+#[cfg(test)]
+mod tests;
+mod verdict;
+
+use crate::document::{
+    AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, ImportDocument, ParametersDocument,
+    PointError, WorldFrame,
+};
+use crate::message::{Message, Result};
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::Serde;
+use minijinja::{Environment, UndefinedBehavior};
+use serde::Serialize;
+
+/// Everything that a report tells.
+pub struct Report<'a> {
+    /// What the campaign says about itself.
+    pub campaign: &'a CampaignSummary,
+    /// What was read and refused.
+    pub import: &'a ImportDocument,
+    /// Fitted elements.
+    pub features: &'a FeaturesDocument,
+    /// Frames made from them.
+    pub frames: &'a FramesDocument,
+    /// Identified parameters.
+    pub parameters: &'a ParametersDocument,
+    /// Errors before and after.
+    pub accuracy: &'a AccuracyDocument,
+    /// The errors that the pictures show.
+    pub errors: &'a [PointError],
+}
+
+/// What the template sees: documents as they are, and what was computed from them.
+#[derive(Serialize)]
+struct Page<'a> {
+    campaign: &'a CampaignSummary,
+    import: &'a ImportDocument,
+    features: &'a FeaturesDocument,
+    world: &'a WorldFrame,
+    fit: &'a ParametersDocument,
+    messages: Vec<&'a Message>,
+    verdict: verdict::Verdict,
+    definition: &'a str,
+    sets: Vec<tables::Set>,
+    poses: tables::Poses,
+    parameters: Vec<parameters::Row>,
+    pictures: Vec<points::Picture>,
+    /// errors that are not finite
+    undrawn: usize,
+}
+
+/// The report as one HTML page.
+pub fn html(report: &Report) -> Result<String> {
+    let fail = |e: minijinja::Error| Message::error(format!("cannot write the report: {e:#}"));
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build().map_err(fail)?);
+    environment.add_filter("significant", |value: f64, digits: usize| number::significant(value, digits));
+    environment.add_filter("fixed", |value: f64, decimals: usize| number::fixed(value, decimals));
+    environment
+        .add_filter("stated", |value: f64| if value.is_finite() { value.to_string() } else { "not a number".into() });
+    environment.add_filter("one_line", |text: String| one_line(&text));
+    let page = Page {
+        campaign: report.campaign,
+        import: report.import,
+        features: report.features,
+        world: &report.frames.world,
+        fit: report.parameters,
+        messages: report.parameters.messages.iter().chain(&report.import.messages).collect(),
+        verdict: verdict::verdict(report),
+        definition: &report.accuracy.definition,
+        sets: tables::sets(report.accuracy),
+        poses: tables::poses(report.errors),
+        parameters: parameters::rows(&report.parameters.parameters),
+        pictures: pictures(report),
+        undrawn: report.errors.len() - points::drawable(report.errors).len(),
+    };
+    // the name's ending turns escaping on
+    environment.add_template("report.html", include_str!("report.html")).map_err(fail)?;
+    let template = environment.get_template("report.html").map_err(fail)?;
+    Ok(template.render(Serde(page)).map_err(fail)?)
+}
+
+fn pictures(report: &Report) -> Vec<points::Picture> {
+    let errors = points::drawable(report.errors);
+    if errors.is_empty() {
+        return vec![];
+    }
+    let flat = |p: &&PointError| p.at_mm[2] == 0.0 && p.before_mm[2] == 0.0 && p.after_mm[2] == 0.0;
+    let planar = report.frames.world.planar || errors.iter().all(flat);
+    let mut pictures = map::maps(&errors, planar);
+    pictures.extend(arrows::arrows(&errors, planar));
+    pictures.extend(histogram::histogram(&errors));
+    pictures.extend(by_pose::pictures(&errors));
+    pictures
+}
+
+/// Text of an input on one line: control characters replaced, cut at 200 characters.
+fn one_line(text: &str) -> String {
+    let printable = |c: char| {
+        if c == '\t' {
+            ' '
+        } else if c.is_control() {
+            '\u{fffd}'
+        } else {
+            c
+        }
+    };
+    let cut = if text.chars().nth(200).is_some() { " ..." } else { "" };
+    text.chars().take(200).map(printable).collect::<String>() + cut
+}

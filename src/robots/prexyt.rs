@@ -54,8 +54,10 @@ impl Default for Prexyt {
 impl Prexyt {
     /// The model of thirteen parameters, or, if `full`, the one before the reduction of section 3.4.
     pub fn new(full: bool) -> Self {
-        let mut parameters: Vec<Parameter> =
-            COMMON.iter().map(|&(name, quantity, role, nominal)| Parameter::new(name, quantity, role, nominal)).collect();
+        let mut parameters: Vec<Parameter> = COMMON
+            .iter()
+            .map(|&(name, quantity, role, nominal)| Parameter::new(name, quantity, role, nominal))
+            .collect();
         if full {
             parameters[5].name = "d1".into();
             parameters[10].name = "delta1".into();
@@ -140,16 +142,18 @@ impl Prexyt {
     /// Estimated minus measured pose: the summands of eq. 3.26 (mm, mm, rad).
     pub fn pose_residual<T: Scalar>(&self, p: &[T], rho: &[T], k: [T; 2], l: [T; 2]) -> [T; 3] {
         let (estimated, measured) = (self.direct(p, rho), self.measured(p, k, l));
-        [
-            estimated.x_mm - measured.x_mm,
-            estimated.y_mm - measured.y_mm,
-            wrap(estimated.theta_rad - measured.theta_rad),
-        ]
+        [estimated.x_mm - measured.x_mm, estimated.y_mm - measured.y_mm, wrap(estimated.theta_rad - measured.theta_rad)]
     }
 
     /// Derivatives of [`Self::pose_residual`]: by the parameters (3 rows of all parameters) and by the coordinates
     /// of K and L (3 rows of 4).
-    pub fn pose_residual_jacobians(&self, p: &[f64], rho: &[f64], k: [f64; 2], l: [f64; 2]) -> (Vec<f64>, [[f64; 4]; 3]) {
+    pub fn pose_residual_jacobians(
+        &self,
+        p: &[f64],
+        rho: &[f64],
+        k: [f64; 2],
+        l: [f64; 2],
+    ) -> (Vec<f64>, [[f64; 4]; 3]) {
         let by_parameters =
             self.pose_residual(&duals::<PARAMETERS>(p), &constants(rho), k.map(Dual::from), l.map(Dual::from));
         let balls = duals::<4>(&[k[0], k[1], l[0], l[1]]);

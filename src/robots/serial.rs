@@ -94,17 +94,16 @@ impl Serial {
             place.gain = add(format!("gain_{}", i + 1), Ratio, Role::Robot, 1.0);
         }
         let pairs = bending.iter().flat_map(|&j| bending.iter().filter(move |&&l| l >= j).map(move |&l| (j, l)));
-        let bending = pairs
-            .map(|(j, l)| (j - 1, l - 1, add(format!("compliance_{j}_{l}"), Angle, Role::Robot, 0.0)))
-            .collect();
+        let bending =
+            pairs.map(|(j, l)| (j - 1, l - 1, add(format!("compliance_{j}_{l}"), Angle, Role::Robot, 0.0))).collect();
         let coupling = coupling
             .iter()
             .map(|&(j, by)| (j - 1, by - 1, add(format!("coupling_{j}_{by}"), Ratio, Role::Robot, 0.0)))
             .collect();
-        let names = joints.iter().enumerate().map(|(i, j)| Joint {
-            name: format!("q{}", i + 1),
-            quantity: if j.prismatic { Length } else { Angle },
-        });
+        let names = joints
+            .iter()
+            .enumerate()
+            .map(|(i, j)| Joint { name: format!("q{}", i + 1), quantity: if j.prismatic { Length } else { Angle } });
         Self {
             nominal: joints.to_vec(),
             places,
@@ -218,20 +217,21 @@ impl Serial {
     /// Inverse kinematics near `start`: joint values at which the flange has the pose `world_T_flange`.
     ///
     /// `None` where the pose cannot be reached to 1e-9 mm and 1e-12 rad from there. The branch is that of `start`.
-    pub fn inverse(&self, parameters: &[f64], world_t_flange: &Pose, start: &[f64]) -> Option<Vec<f64>> {
+    pub fn inverse(&self, parameters: &[f64], world_T_flange: &Pose, start: &[f64]) -> Option<Vec<f64>> {
         let mut q = start.to_vec();
         let mut axes = Vec::new();
         for _ in 0..50 {
             let chain = self.chain(&q);
             let reached = chain.trace(parameters, &mut axes);
-            let gap = minus(world_t_flange.translation_mm, reached.translation_mm);
+            let gap = minus(world_T_flange.translation_mm, reached.translation_mm);
             // small rotation from reached to wanted, in the world
-            let turn = world_t_flange.then(&reached.inverse()).rotation;
+            let turn = world_T_flange.then(&reached.inverse()).rotation;
             let small = [turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1]].map(|v| 0.5 * v);
             let b: Vec<f64> = gap.iter().chain(&small.map(|v| v * 1000.0)).copied().collect();
             let mut a = vec![0.0; 6 * q.len()];
             for (j, place) in self.places.iter().enumerate() {
-                let has_gain = |s: &&super::serial_chain::Step| chain.terms[s.terms.clone()].iter().any(|t| t.0 == place.gain);
+                let has_gain =
+                    |s: &&super::serial_chain::Step| chain.terms[s.terms.clone()].iter().any(|t| t.0 == place.gain);
                 let k = chain.steps.iter().position(|s| has_gain(&s))?;
                 let linear = velocity(chain.steps[k].motion, axes[k], reached.translation_mm);
                 let angular = if matches!(chain.steps[k].motion, Motion::Turn(_)) { axes[k].0 } else { [0.0; 3] };
@@ -250,8 +250,8 @@ impl Serial {
             }
         }
         let reached = self.direct(parameters, &q);
-        let off = crate::pose::norm(minus(world_t_flange.translation_mm, reached.translation_mm));
-        let turned = world_t_flange.inverse().then(&reached).angle_rad();
+        let off = crate::pose::norm(minus(world_T_flange.translation_mm, reached.translation_mm));
+        let turned = world_T_flange.inverse().then(&reached).angle_rad();
         (off < 1e-9 && turned < 1e-12).then_some(q)
     }
 }

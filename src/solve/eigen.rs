@@ -44,10 +44,9 @@ pub(super) fn symmetric_schur(app: f64, apq: f64, aqq: f64) -> (f64, f64) {
 }
 
 fn rotate_rows<const N: usize>(m: &mut [[f64; N]; N], p: usize, q: usize, sin: f64, cos: f64) {
-    for j in 0..N {
-        let (x, y) = (m[p][j], m[q][j]);
-        m[p][j] = cos * x - sin * y;
-        m[q][j] = sin * x + cos * y;
+    let (head, tail) = m.split_at_mut(q);
+    for (x, y) in head[p].iter_mut().zip(&mut tail[0]) {
+        (*x, *y) = (cos * *x - sin * *y, sin * *x + cos * *y);
     }
 }
 

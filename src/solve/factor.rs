@@ -116,8 +116,8 @@ impl Factor {
                 return None;
             }
             let x = b[j];
-            for i in 0..j {
-                b[i] -= self.r(i, j) * x;
+            for (b, r) in b[..j].iter_mut().zip(&self.r[j * self.n..]) {
+                *b -= r * x;
             }
         }
         Some(b)

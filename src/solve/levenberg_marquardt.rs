@@ -91,9 +91,16 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
         return state;
     }
     let mut jacobian = vec![0.0; m * n];
-    state.termination = damped(problem, &mut state, &mut jacobian, options);
-    if state.termination.is_success() && n > 0 && state.termination != Termination::ResidualsZero {
+    // undamped steps take over early where the linear model is good; where they do not shrink, damped ones go on
+    for near in [1e-3, 1e-8] {
+        state.termination = damped(problem, &mut state, &mut jacobian, options, near);
+        if !state.termination.is_success() || n == 0 || state.termination == Termination::ResidualsZero {
+            break;
+        }
         state.termination = finish(problem, &mut state, &mut jacobian, options);
+        if state.termination != Termination::NoImprovementPossible {
+            break;
+        }
     }
     state
 }
@@ -125,7 +132,14 @@ fn relative(step: &[f64], x: &[f64], scale: &[f64]) -> f64 {
     scaled(step) / (scaled(x) + f64::MIN_POSITIVE)
 }
 
-fn damped(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], options: Options) -> Termination {
+/// Damped steps until one is shorter than 1e-8, or shorter than `near` and as good as the linear model predicts.
+fn damped(
+    problem: &impl Problem,
+    state: &mut Solution,
+    jacobian: &mut [f64],
+    options: Options,
+    near: f64,
+) -> Termination {
     let mut cost = state.cost();
     let (mut lambda, mut growth) = (1e-4, 2.0);
     let mut trial_residuals = vec![0.0; state.residuals.len()];
@@ -163,7 +177,7 @@ fn damped(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], op
             fresh = false;
             lambda *= (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(1e-2, 1.0);
             growth = 2.0;
-            if size < 1e-8 || size < 1e-3 && (ratio - 1.0).abs() < 0.1 {
+            if size < 1e-8 || size < near && (ratio - 1.0).abs() < 0.1 {
                 return Termination::StepVanished;
             }
         } else {

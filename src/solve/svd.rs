@@ -110,7 +110,12 @@ mod tests {
 
     #[test]
     fn a_dependent_column_gives_its_null_vector() {
-        let a: Vec<f64> = (0..30).flat_map(|i| { let t = f64::from(i); [t.sin(), t.cos(), 2.0 * t.sin()] }).collect();
+        let a: Vec<f64> = (0..30)
+            .flat_map(|i| {
+                let t = f64::from(i);
+                [t.sin(), t.cos(), 2.0 * t.sin()]
+            })
+            .collect();
         let s = decompose(&a, 3);
         assert_eq!(s.rank(1e-12), 2);
         let v = &s.vectors[2];

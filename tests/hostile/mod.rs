@@ -31,28 +31,54 @@ fn a_wrong_key_has_its_place_and_a_hint() {
         "campaign.toml",
         "coverage_factor = 2",
         "coverage_facter = 2",
-        &["unknown key `coverage_facter`", "campaign/campaign.toml:8:1", "    8 | coverage_facter = 2", "did you mean `coverage_factor`?", "`coverage_factor` is missing"],
+        &[
+            "unknown key `coverage_facter`",
+            "campaign/campaign.toml:8:1",
+            "    8 | coverage_facter = 2",
+            "did you mean `coverage_factor`?",
+            "`coverage_factor` is missing",
+        ],
     );
 }
 
 #[test]
 fn a_missing_unit_is_not_guessed() {
-    broken("campaign.toml", "file = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = \"mm\"", "file = \"exports/poses.txt\"\nformat = \"polyworks\"", &["`unit` is missing", "never guessed"]);
+    broken(
+        "campaign.toml",
+        "file = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = \"mm\"",
+        "file = \"exports/poses.txt\"\nformat = \"polyworks\"",
+        &["`unit` is missing", "never guessed"],
+    );
 }
 
 #[test]
 fn a_missing_file_points_at_the_campaign() {
-    broken("campaign.toml", "exports/world.txt", "exports/wrld.txt", &["there is no file `campaign/exports/wrld.txt`", "campaign.toml:12:8"]);
+    broken(
+        "campaign.toml",
+        "exports/world.txt",
+        "exports/wrld.txt",
+        &["there is no file `campaign/exports/wrld.txt`", "campaign.toml:12:8"],
+    );
 }
 
 #[test]
 fn a_label_that_no_point_bears() {
-    broken("campaign.toml", "plane = [\"rail2_a\"", "plane = [\"rail2_x\"", &["no point bears the label `rail2_x`", "campaign.toml:31:10", "did you mean `rail2_"]);
+    broken(
+        "campaign.toml",
+        "plane = [\"rail2_a\"",
+        "plane = [\"rail2_x\"",
+        &["no point bears the label `rail2_x`", "campaign.toml:31:10", "did you mean `rail2_"],
+    );
 }
 
 #[test]
 fn a_path_may_not_leave_the_folder() {
-    broken("campaign.toml", "file = \"encoders.csv\"", "file = \"../encoders.csv\"", &["leaves the folder of the campaign"]);
+    broken(
+        "campaign.toml",
+        "file = \"encoders.csv\"",
+        "file = \"../encoders.csv\"",
+        &["leaves the folder of the campaign"],
+    );
 }
 
 #[test]
@@ -72,7 +98,12 @@ fn words_in_a_log_are_reported_with_their_rows() {
 
 #[test]
 fn an_unknown_parameter_in_hold_and_in_nominal() {
-    broken("campaign.toml", "[limits]", "hold = [\"gama\"]\n[limits]", &["`gama` is no parameter", "did you mean `gamma`?"]);
+    broken(
+        "campaign.toml",
+        "[limits]",
+        "hold = [\"gama\"]\n[limits]",
+        &["`gama` is no parameter", "did you mean `gamma`?"],
+    );
     broken("robot.toml", "delta2 = 1.0", "delt2 = 1.0", &["`delt2`, which is no parameter", "did you mean `delta2`?"]);
 }
 
@@ -111,7 +142,8 @@ fn not_measured_rows_are_refused_and_listed() {
     let poses = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
     let first = poses.lines().next().unwrap();
     let label = first.split(' ').next().unwrap();
-    std::fs::write(scratch.path().join("exports/poses.txt"), poses.replacen(first, &format!("{label} 0 0 0"), 1)).unwrap();
+    std::fs::write(scratch.path().join("exports/poses.txt"), poses.replacen(first, &format!("{label} 0 0 0"), 1))
+        .unwrap();
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(0), "{said}");
     let import = std::fs::read_to_string(scratch.path().join("out/import.json")).unwrap();

@@ -1,4 +1,5 @@
 //! Laws that hold without outside data.
 
 mod campaigns;
+mod joins;
 mod robots;

@@ -5,7 +5,12 @@ use etalon::robots::{PlanarPose, Prexyt, Robot, Serial, SerialJoint};
 
 /// Parameters away from nominal, so that no term of a model is multiplied by zero or one.
 fn disturbed(robot: &dyn Robot) -> Vec<f64> {
-    robot.nominal().iter().enumerate().map(|(i, v)| v * (1.0 + 1e-3 * (i % 5) as f64) + 0.01 * ((i * 7) % 11) as f64 - 0.05).collect()
+    robot
+        .nominal()
+        .iter()
+        .enumerate()
+        .map(|(i, v)| v * (1.0 + 1e-3 * (i % 5) as f64) + 0.01 * ((i * 7) % 11) as f64 - 0.05)
+        .collect()
 }
 
 fn jacobian_is_the_numeric_derivative(robot: &dyn Robot, q: &[f64]) {
@@ -30,13 +35,26 @@ fn jacobian_is_the_numeric_derivative(robot: &dyn Robot, q: &[f64]) {
         for i in 0..rows {
             let numeric = (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * h);
             let error = (analytic[i * p.len() + j] - numeric).abs();
-            assert!(error < 1e-7, "{} {}: row {i} {} {numeric}", robot.model(), robot.parameters()[j].name, analytic[i * p.len() + j]);
+            assert!(
+                error < 1e-7,
+                "{} {}: row {i} {} {numeric}",
+                robot.model(),
+                robot.parameters()[j].name,
+                analytic[i * p.len() + j]
+            );
         }
     }
 }
 
 fn irb120() -> Serial {
-    let rows = [(0.0, 0.0, 0.0, 290.0), (-90.0, 0.0, -90.0, 0.0), (0.0, 270.0, 0.0, 0.0), (-90.0, 70.0, 0.0, 302.0), (90.0, 0.0, 0.0, 0.0), (-90.0, 0.0, 180.0, 72.0f64)];
+    let rows = [
+        (0.0, 0.0, 0.0, 290.0),
+        (-90.0, 0.0, -90.0, 0.0),
+        (0.0, 270.0, 0.0, 0.0),
+        (-90.0, 70.0, 0.0, 302.0),
+        (90.0, 0.0, 0.0, 0.0),
+        (-90.0, 0.0, 180.0, 72.0f64),
+    ];
     let joints: Vec<SerialJoint> = rows
         .iter()
         .enumerate()
@@ -142,13 +160,37 @@ fn serial_nominal_is_the_product_of_craigs_matrices() {
     // an independent product of 4x4 matrices for the IRB 120 at one pose
     let robot = irb120();
     let q: [f64; 6] = [0.2, -0.3, 0.4, 0.5, -0.6, 0.7];
-    let rows = [(0.0, 0.0, 0.0, 290.0), (-90.0, 0.0, -90.0, 0.0), (0.0, 270.0, 0.0, 0.0), (-90.0, 70.0, 0.0, 302.0), (90.0, 0.0, 0.0, 0.0), (-90.0, 0.0, 180.0, 72.0f64)];
+    let rows = [
+        (0.0, 0.0, 0.0, 290.0),
+        (-90.0, 0.0, -90.0, 0.0),
+        (0.0, 270.0, 0.0, 0.0),
+        (-90.0, 70.0, 0.0, 302.0),
+        (90.0, 0.0, 0.0, 0.0),
+        (-90.0, 0.0, 180.0, 72.0f64),
+    ];
     let mut t = nalgebra::Matrix4::<f64>::identity();
     for ((alpha, a, theta, d), q) in rows.into_iter().zip(q) {
         let (sa, ca) = f64::to_radians(alpha).sin_cos();
         let (st, ct) = (f64::to_radians(theta) + q).sin_cos();
         // Craig, eq. 3.6
-        t *= nalgebra::Matrix4::new(ct, -st, 0.0, a, st * ca, ct * ca, -sa, -sa * d, st * sa, ct * sa, ca, ca * d, 0.0, 0.0, 0.0, 1.0);
+        t *= nalgebra::Matrix4::new(
+            ct,
+            -st,
+            0.0,
+            a,
+            st * ca,
+            ct * ca,
+            -sa,
+            -sa * d,
+            st * sa,
+            ct * sa,
+            ca,
+            ca * d,
+            0.0,
+            0.0,
+            0.0,
+            1.0,
+        );
     }
     let mut bent = robot.nominal();
     let reached = robot.direct(&bent, &q);

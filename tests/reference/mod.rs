@@ -1,2 +1,3 @@
 //! Agreement with numbers that others have published or certified.
+mod irb120;
 mod prexyt;

@@ -7,7 +7,22 @@ use etalon::robots::{PlanarPose, Prexyt, Robot};
 /// "Actual" column of table 3.1, in the order of the model; the balls are 146 mm apart.
 fn truth() -> Vec<f64> {
     let deg = f64::to_radians;
-    vec![deg(1.204), deg(-1.523), deg(-0.954), 393.564, 0.648, 120.473, 73.513, -72.822, 23.246, -30.052, 0.986, 0.994, 0.976, 146.0]
+    vec![
+        deg(1.204),
+        deg(-1.523),
+        deg(-0.954),
+        393.564,
+        0.648,
+        120.473,
+        73.513,
+        -72.822,
+        23.246,
+        -30.052,
+        0.986,
+        0.994,
+        0.976,
+        146.0,
+    ]
 }
 
 fn poses(file: &str) -> Option<Vec<[f64; 3]>> {
@@ -83,12 +98,16 @@ fn hundred_seeds_are_as_good_as_an_independent_implementation() {
             let observations = measure(&robot, &poses, &mut || noise.uniform(0.015));
             let found = identify(&robot, &observations, &settings(kind)).expect("identified");
             errors.push(1000.0 * largest_error(&robot, &found.values));
-            let pull = |(k, &i): (usize, &usize)| (found.values[i] - truth()[i]) / found.covariance[k * found.free.len() + k].sqrt();
+            let pull = |(k, &i): (usize, &usize)| {
+                (found.values[i] - truth()[i]) / found.covariance[k * found.free.len() + k].sqrt()
+            };
             pulls.extend(found.free.iter().enumerate().map(pull));
         }
         let median = median(errors);
         let spread = (pulls.iter().map(|p| p * p).sum::<f64>() / pulls.len() as f64).sqrt();
-        println!("{kind:?}: median of the largest error {median:.2} um (independent: {reference_um}), spread over covariance {spread:.3}");
+        println!(
+            "{kind:?}: median of the largest error {median:.2} um (independent: {reference_um}), spread over covariance {spread:.3}"
+        );
         assert!(median <= 1.05 * reference_um, "{kind:?} {median}");
         assert!((spread - 1.0).abs() < 0.1, "{kind:?} {spread}");
     }
@@ -113,25 +132,32 @@ fn full_model_finds_its_redundant_parameters() {
 
 #[test]
 fn a_single_theta_is_warned_of() {
-    let (Some(good), Some(bad)) = (poses("eight_poses_theta_0_33.csv"), poses("eight_poses_theta_17.csv")) else { return };
+    let (Some(good), Some(bad)) = (poses("eight_poses_theta_0_33.csv"), poses("eight_poses_theta_17.csv")) else {
+        return;
+    };
     let robot = Prexyt::default();
-    
+
     for kind in [ResidualKind::Pose, ResidualKind::Targets] {
         let (mut predicted, mut off) = (Vec::new(), Vec::new());
         for seed in 0..100 {
             let mut noise = Noise::new(2, seed);
             let observations = measure(&robot, &bad, &mut || noise.uniform(0.015));
             let found = identify(&robot, &observations, &settings(kind)).expect("identified");
-            let names: Vec<Vec<&str>> =
-                found.weak.iter().map(|w| w.parameters.iter().map(|&i| robot.parameters()[i].name.as_str()).collect()).collect();
-            let said = found.warnings.iter().any(|w| w.hint.as_deref().is_some_and(|h| h.contains("different |theta|")));
+            let names: Vec<Vec<&str>> = found
+                .weak
+                .iter()
+                .map(|w| w.parameters.iter().map(|&i| robot.parameters()[i].name.as_str()).collect())
+                .collect();
+            let said =
+                found.warnings.iter().any(|w| w.hint.as_deref().is_some_and(|h| h.contains("different |theta|")));
             assert!(said, "{:?}", found.warnings);
             assert_eq!(names, [["d", "x_c"]], "{kind:?} {seed}");
             predicted.push(found.standard_uncertainty(6).expect("identified"));
             off.push((found.values[6] - truth()[6]).hypot(found.values[7] - truth()[7]));
         }
         let mut noise = Noise::new(2, 0);
-        let found = identify(&robot, &measure(&robot, &good, &mut || noise.uniform(0.015)), &settings(kind)).expect("identified");
+        let found = identify(&robot, &measure(&robot, &good, &mut || noise.uniform(0.015)), &settings(kind))
+            .expect("identified");
         assert!(found.weak.is_empty(), "{:?}", found.weak);
 
         let (off, predicted) = (median(off), median(predicted));

@@ -1,0 +1,39 @@
+//! Parameters as a CSV table, for spreadsheets and small scripts.
+
+use super::{Exporter, check, status_word};
+use crate::document::ParametersDocument;
+use crate::message::{Message, Result};
+
+/// CSV, one parameter a row.
+pub(super) struct Csv;
+
+const HEADER: [&str; 6] = ["name", "unit", "nominal", "value", "standard_uncertainty", "status"];
+
+impl Exporter for Csv {
+    fn file_name(&self) -> &'static str {
+        "controller.csv"
+    }
+
+    fn write(&self, document: &ParametersDocument) -> Result<Vec<u8>> {
+        check(document)?;
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let fail = |e: &dyn std::fmt::Display| Message::error(format!("cannot write the parameters as CSV: {e}"));
+        writer.write_record(HEADER).map_err(|e| fail(&e))?;
+        for p in &document.parameters {
+            let u = p.standard_uncertainty.map_or_else(String::new, digits);
+            let row = [text(&p.name), text(&p.unit), digits(p.nominal), digits(p.value), u, status_word(p).to_owned()];
+            writer.write_record(row).map_err(|e| fail(&e))?;
+        }
+        Ok(writer.into_inner().map_err(|e| fail(&e))?)
+    }
+}
+
+/// The shortest decimal that reads back bit for bit.
+fn digits(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// Text that no spreadsheet takes for a formula (OWASP, CSV injection).
+fn text(text: &str) -> String {
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text.to_owned() }
+}

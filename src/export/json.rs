@@ -1,0 +1,53 @@
+//! `etalon/controller/1`: parameters by name, for programs that read JSON.
+
+use super::{Exporter, check};
+use crate::document::{ParameterStatus, ParametersDocument};
+use crate::message::{Message, Result};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// JSON, parameters by name.
+pub(super) struct Json;
+
+#[derive(Serialize)]
+struct Controller<'a> {
+    schema: &'static str,
+    robot: &'a str,
+    parameters: BTreeMap<&'a str, Parameter<'a>>,
+    etalon: &'a str,
+    /// sha256 by name
+    inputs: &'a BTreeMap<String, String>,
+}
+
+#[derive(Serialize)]
+struct Parameter<'a> {
+    value: f64,
+    unit: &'a str,
+    standard_uncertainty: Option<f64>,
+    status: ParameterStatus,
+}
+
+impl Exporter for Json {
+    fn file_name(&self) -> &'static str {
+        "controller.json"
+    }
+
+    fn write(&self, document: &ParametersDocument) -> Result<Vec<u8>> {
+        check(document)?;
+        let parameters = document.parameters.iter().map(|p| {
+            let standard_uncertainty = p.standard_uncertainty;
+            (p.name.as_str(), Parameter { value: p.value, unit: &p.unit, standard_uncertainty, status: p.status })
+        });
+        let controller = Controller {
+            schema: "etalon/controller/1",
+            robot: &document.robot,
+            parameters: parameters.collect(),
+            etalon: &document.provenance.version,
+            inputs: &document.provenance.inputs,
+        };
+        let mut bytes = serde_json::to_vec_pretty(&controller)
+            .map_err(|e| Message::error(format!("cannot write the parameters as JSON: {e}")))?;
+        bytes.push(b'\n');
+        Ok(bytes)
+    }
+}

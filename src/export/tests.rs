@@ -1,0 +1,182 @@
+//! Every format against the same parameters: what is written reads back bit for bit.
+
+use super::*;
+use crate::document::{ObservabilitySummary, Provenance, ResidualSummary, SolverSummary};
+use crate::identify::ResidualKind;
+use crate::solve::Termination;
+use std::process::Command;
+
+const NUMBERS: [f64; 8] =
+    [300.000_000_000_000_06, -0.1, 1.0 / 3.0, 5e-324, -1.797_693_134_862_315_7e308, 0.0, -0.0, 123_456_789.123_456_79];
+
+fn parameter(name: &str, unit: &str, value: f64) -> ParameterEntry {
+    ParameterEntry {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        nominal: value,
+        before: value,
+        value,
+        standard_uncertainty: Some(1e-7),
+        status: ParameterStatus::Identified,
+        confounded_with: vec![],
+    }
+}
+
+fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
+    let termination = Termination::StepVanished;
+    ParametersDocument {
+        schema: "etalon/parameters/1".to_owned(),
+        robot: "prexyt".to_owned(),
+        parameters,
+        covariance: vec![],
+        residuals: ResidualSummary {
+            kind: ResidualKind::Targets,
+            count: 0,
+            rms: 0.0,
+            max: 0.0,
+            degrees_of_freedom: 0,
+            stated_standard_uncertainty_mm: None,
+            chi_square: None,
+            uncertainties_enlarged_by: 1.0,
+        },
+        observability: ObservabilitySummary {
+            o1: 0.0,
+            o2: 0.0,
+            o3: 0.0,
+            o4: 0.0,
+            o5: 0.0,
+            condition: 1.0,
+            rank: 0,
+            scaling: String::new(),
+        },
+        solver: SolverSummary { method: "lm".to_owned(), iterations: 3, termination, meaning: termination.to_string() },
+        messages: vec![],
+        provenance: Provenance {
+            version: "0.1.0".to_owned(),
+            inputs: [("campaign.toml".to_owned(), "ab".repeat(32))].into(),
+            seed: None,
+        },
+    }
+}
+
+fn numbers() -> ParametersDocument {
+    let units = ["mm", "deg", "1", "mm", "mm", "deg", "1", "mm"];
+    document((0..8).map(|i| parameter(&format!("p{i}"), units[i], NUMBERS[i])).collect())
+}
+
+fn text(name: &str, document: &ParametersDocument) -> String {
+    String::from_utf8(by_name(name).unwrap().write(document).unwrap()).unwrap()
+}
+
+#[test]
+fn every_name_has_a_format_with_its_own_file() {
+    let files: BTreeSet<_> = names().map(|n| by_name(n).unwrap().file_name()).collect();
+    assert_eq!(files.len(), names().count());
+    assert!(by_name("JSON ").is_none());
+}
+
+#[test]
+fn json_reads_back_bit_for_bit() {
+    let json: serde_json::Value = serde_json::from_str(&text("json", &numbers())).unwrap();
+    for (i, number) in NUMBERS.iter().enumerate() {
+        let read = json["parameters"][format!("p{i}")]["value"].as_f64().unwrap();
+        assert_eq!(read.to_bits(), number.to_bits());
+    }
+    assert_eq!(json["schema"], "etalon/controller/1");
+    assert_eq!(json["parameters"]["p1"]["unit"], "deg");
+    assert_eq!(json["parameters"]["p1"]["standard_uncertainty"], 1e-7);
+    assert_eq!(json["parameters"]["p1"]["status"], "identified");
+    assert_eq!(json["inputs"]["campaign.toml"], "ab".repeat(32));
+}
+
+#[test]
+fn csv_reads_back_bit_for_bit() {
+    let written = text("csv", &numbers());
+    let mut reader = ::csv::Reader::from_reader(written.as_bytes());
+    let rows: Vec<_> = reader.records().map(|r| r.unwrap()).collect();
+    assert_eq!(rows.len(), NUMBERS.len());
+    for (row, number) in rows.iter().zip(NUMBERS) {
+        for column in [2, 3] {
+            assert_eq!(row[column].parse::<f64>().unwrap().to_bits(), number.to_bits());
+        }
+        assert_eq!((row[4].parse::<f64>().unwrap(), &row[5]), (1e-7, "identified"));
+    }
+}
+
+#[test]
+fn a_spreadsheet_sees_no_formula() {
+    let names = ["=1+1", "+1", "-1", "@sum", "\tx", "a\"b,c\nd"];
+    let written = text("csv", &document(names.iter().map(|n| parameter(n, "mm", -1.0)).collect()));
+    let mut reader = ::csv::Reader::from_reader(written.as_bytes());
+    let read: Vec<_> = reader.records().map(|r| r.unwrap()).map(|r| (r[0].to_owned(), r[3].to_owned())).collect();
+    let safe = ["'=1+1", "'+1", "'-1", "'@sum", "'\tx", "a\"b,c\nd"];
+    assert_eq!(read, safe.map(|name| (name.to_owned(), "-1.0".to_owned())));
+}
+
+#[test]
+fn a_c_header_reads_back_bit_for_bit() {
+    let header = text("c-header", &numbers());
+    let value = |name: &str| -> f64 {
+        let line = header.lines().find_map(|l| l.strip_prefix(&format!("#define {name} "))).unwrap();
+        line.trim_matches(['(', ')']).parse().unwrap()
+    };
+    let suffixes = ["MM", "DEG", "RATIO", "MM", "MM", "DEG", "RATIO", "MM"];
+    for (i, number) in NUMBERS.iter().enumerate() {
+        assert_eq!(value(&format!("ETALON_PREXYT_P{i}_{}", suffixes[i])).to_bits(), number.to_bits());
+    }
+    assert_eq!(value("ETALON_PREXYT_P1_RAD"), (-0.1f64).to_radians());
+}
+
+#[test]
+fn names_that_are_one_in_c_are_refused() {
+    let two = document(vec![parameter("d-2", "mm", 1.0), parameter("d_2", "mm", 2.0)]);
+    let refused = by_name("c-header").unwrap().write(&two).unwrap_err().to_string();
+    assert!(refused.contains("`d-2` and `d_2` are both `ETALON_PREXYT_D_2_MM`"), "{refused}");
+}
+
+#[test]
+fn what_must_not_reach_a_machine_is_refused() {
+    let mut lost = numbers();
+    lost.solver.termination = Termination::LostPatience;
+    let nan = document(vec![parameter("d", "mm", f64::NAN)]);
+    let twice = document(vec![parameter("d", "mm", 1.0), parameter("d", "mm", 1.0)]);
+    let cases = [(lost, "not converged"), (nan, "`d` has a number that is not finite"), (twice, "two parameters `d`")];
+    for (document, why) in cases {
+        for name in names() {
+            let refused = by_name(name).unwrap().write(&document).unwrap_err().to_string();
+            assert!(refused.contains(why), "{name}: {refused}");
+        }
+    }
+}
+
+#[test]
+#[allow(clippy::print_stdout, reason = "a skipped compiler is said")]
+fn compilers_read_the_same_numbers_whatever_the_names() {
+    let hostile = "*/ int x; /* ??/ \\\n// \u{202e}\u{e9}\u{5d0}";
+    let mut document = numbers();
+    document.parameters.push(parameter(hostile, "mm", 1.0));
+    document.provenance.inputs.insert(hostile.to_owned(), hostile.to_owned());
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name);
+    std::fs::write(file("p.h"), text("c-header", &document)).unwrap();
+    let suffixes = ["MM", "DEG", "RATIO", "MM", "MM", "DEG", "RATIO", "MM"];
+    let prints: String =
+        (0..8).map(|i| format!("printf(\"%.17g\\n\", 0-ETALON_PREXYT_P{i}_{});\n", suffixes[i])).collect();
+    let source =
+        format!("#include \"p.h\"\n#include \"p.h\"\n#include <stdio.h>\nint main(void) {{\n{prints}return 0;\n}}\n");
+    std::fs::write(file("p.c"), &source).unwrap();
+    std::fs::write(file("p.cpp"), &source).unwrap();
+    for (compiler, standard, name) in [("cc", "-std=c99", "p.c"), ("c++", "-std=c++11", "p.cpp")] {
+        if Command::new(compiler).arg("--version").output().is_err() {
+            println!("skipped: there is no `{compiler}`");
+            continue;
+        }
+        let program = file("p.out");
+        let flags = [standard, "-Wall", "-Wextra", "-Werror", "-pedantic", "-o"];
+        let compiled = Command::new(compiler).args(flags).arg(&program).arg(file(name)).output().unwrap();
+        assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+        let output = String::from_utf8(Command::new(&program).output().unwrap().stdout).unwrap();
+        let read: Vec<f64> = output.lines().map(|l| l.parse().unwrap()).collect();
+        assert_eq!(read, NUMBERS.map(|n| 0.0 - n));
+    }
+}

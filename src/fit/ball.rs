@@ -1,0 +1,72 @@
+//! Circle in the plane and sphere: the distance of a point from a centre, less the radius.
+
+use super::cloud::Cloud;
+use super::result::QUANTITIES;
+use super::surface::Surface;
+use crate::pose::{Vector, minus, norm};
+use crate::solve::symmetric_eigen;
+
+/// Parameters x, y, z of the centre and the radius; in the plane z is held at zero.
+pub(super) struct Ball;
+
+impl Surface<4, 1> for Ball {
+    fn distances(&self, x: &[f64; 4], q: Vector) -> [(f64, [f64; 4]); 1] {
+        let w = minus(q, [x[0], x[1], x[2]]);
+        let rho = norm(w);
+        let g = if rho > 0.0 { w.map(|c| c / rho) } else { [0.0; 3] };
+        [(rho - x[3], [-g[0], -g[1], -g[2], -1.0])]
+    }
+
+    fn quantities(&self, _x: &[f64; 4]) -> [[f64; QUANTITIES]; 4] {
+        let mut by_parameter = [[0.0; QUANTITIES]; 4];
+        for (row, quantity) in by_parameter.iter_mut().zip([0, 1, 2, 6]) {
+            row[quantity] = 1.0;
+        }
+        by_parameter
+    }
+}
+
+/// Taubin's algebraic circle (`M` = 3) or sphere (`M` = 4): centre and radius.
+///
+/// Taubin 1991, IEEE Trans. PAMI 13, 1115, in the form of Chernov 2010, "Circular and linear regression", 5.9-5.10:
+/// the smallest eigenvector of the moments of ((z - z̄)/(2√z̄), x, y), z = x² + y². Unlike Kasa's it is hardly biased on
+/// short arcs.
+pub(super) fn taubin<const M: usize>(cloud: &Cloud) -> (Vector, f64) {
+    let points = &cloud.points;
+    let square = |q: &Vector| q.iter().take(M - 1).map(|x| x * x).sum::<f64>();
+    let (mut total, mut centre) = (0.0, [0.0; 3]);
+    for q in points {
+        total += square(q);
+        for (c, x) in centre.iter_mut().zip(q).take(M - 1) {
+            *c += x / points.len() as f64;
+        }
+    }
+    let mean = total / points.len().max(1) as f64 - square(&centre);
+    if mean <= 0.0 || mean.is_nan() {
+        return (centre, 0.0);
+    }
+    let mut moments = [[0.0; M]; M];
+    for q in points {
+        let q = minus(*q, centre);
+        let mut row = [0.0; M];
+        row[0] = (square(&q) - mean) / (2.0 * mean.sqrt());
+        row[1..].copy_from_slice(&q[..M - 1]);
+        for (i, line) in moments.iter_mut().enumerate() {
+            for (m, x) in line.iter_mut().zip(&row) {
+                *m += row[i] * x;
+            }
+        }
+    }
+    let (_, vectors) = symmetric_eigen(moments);
+    let v = vectors[0];
+    let normal = v[1..].iter().map(|x| x * x).sum::<f64>().sqrt();
+    // a straight row of points has curvature zero: begin with a radius of 1e6 sizes
+    let least = 1e-6 * normal.max(1e-6);
+    let curvature = v[0] / (2.0 * mean.sqrt());
+    let curvature = if curvature.abs() < least { least.copysign(curvature) } else { curvature };
+    for (c, x) in centre.iter_mut().zip(&v[1..]) {
+        *c -= x / (2.0 * curvature);
+    }
+    let radius = (normal * normal + 4.0 * mean * curvature * curvature).sqrt() / (2.0 * curvature.abs());
+    (centre, radius)
+}

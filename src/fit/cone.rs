@@ -1,0 +1,199 @@
+//! Circular cone, one nappe.
+
+use super::axis::{Axial, Chart, angles_about, best_apart, hemisphere, rank, refine_axis};
+use super::cloud::Cloud;
+use super::element::{Element, Settings};
+use super::result::{Fit, QUANTITIES, arc_coverage};
+use super::surface::{Refined, Surface};
+use crate::message::{Message, Result};
+use crate::pose::Vector;
+use crate::solve::Options;
+use nalgebra::{Matrix5, Vector5};
+use std::f64::consts::PI;
+
+/// Directions tried over the hemisphere, 7 degrees apart.
+const DIRECTIONS: usize = 400;
+/// Points that the search for a start looks at.
+const SEARCHED: usize = 120;
+/// Starts that are followed to their minimum.
+const FOLLOWED: usize = 8;
+
+/// Fits a cone to at least six points that are not in one plane.
+///
+/// Distance to the surface, stated at the centroid and not at the apex, so that slim cones are not singular
+/// (Shakarji 1998, 3.5). The start is searched over the hemisphere of axes, the best are followed.
+pub fn cone(points: &[Vector]) -> Result<Fit> {
+    cone_with(points, &Settings::default())
+}
+
+/// [`cone`] with weights or a held axis.
+pub fn cone_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    let held = settings.check(Element::Cone)?;
+    let cloud = Cloud::new(Element::Cone, points, settings)?;
+    let free = [true, true, false, held.is_none(), held.is_none(), true, true];
+    let few = cloud.thinned(SEARCHED);
+    let patience = Options { iterations: 80, ..Options::default() };
+    let best = starts(&few, held)
+        .into_iter()
+        .map(|(axis, start)| refine_axis(Funnel { chart: Chart::new(axis) }, &few, start, free, patience))
+        .map(|(funnel, refined)| (widening(&funnel, &refined.x), rank(&refined)))
+        .filter(|((_, x), rank)| x[5] > 0.0 && rank.is_finite())
+        .min_by(|a, b| a.1.total_cmp(&b.1));
+    let (funnel, start) = match best {
+        Some((start, _)) => start,
+        None => (Funnel { chart: Chart::new(held.unwrap_or(cloud.axes[0])) }, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1]),
+    };
+    let (funnel, refined) = refine_axis(funnel, &cloud, start, free, Options::default());
+    finished(&cloud, &funnel, refined)
+}
+
+fn finished(cloud: &Cloud, funnel: &Funnel, refined: Refined<7, 1>) -> Result<Fit> {
+    let [a, b, h, u, v, distance, half_angle] = refined.x;
+    let (axis, _) = funnel.chart.axis(u, v);
+    let foot = funnel.chart.point(a, b, h);
+    let mut fit = refined.into_fit(Element::Cone, funnel, cloud, foot)?;
+    let wider = if half_angle < 0.0 { axis.map(|x| -x) } else { axis };
+    fit.point_along(axis, wider);
+    fit.radius_mm = Some(distance / half_angle.cos() * cloud.scale_mm);
+    fit.apex_angle_rad = Some(2.0 * half_angle.abs());
+    fit.coverage_rad = Some(arc_coverage(angles_about(&cloud.points, &funnel.chart, foot)));
+    let uncertain = fit.standard_uncertainty().and_then(|u| u.apex_angle_rad);
+    if uncertain.is_some_and(|u| u > half_angle.abs()) {
+        let what = "the apex angle of the cone cannot be told from zero (k = 2)";
+        fit.warnings.push(Message::warning(what).hint("fit a cylinder"));
+    }
+    Ok(fit.with_warnings())
+}
+
+/// The same cone with its axis towards larger radii and its half angle between 0 and a right angle.
+fn widening(funnel: &Funnel, x: &[f64; 7]) -> (Funnel, [f64; 7]) {
+    let (mut funnel, mut x) = funnel.recharted(x);
+    // ψ - π is the same surface seen from the other side: the distance s changes its sign
+    let half_turns = (x[6] / PI).round();
+    x[6] -= half_turns * PI;
+    if half_turns.rem_euclid(2.0) == 1.0 {
+        x[5] = -x[5];
+    }
+    if x[6] < 0.0 {
+        let foot = funnel.chart.point(x[0], x[1], x[2]);
+        let chart = Chart::new(funnel.chart.d0.map(|d| -d));
+        x[..3].copy_from_slice(&chart.coordinates(foot));
+        x[6] = -x[6];
+        funnel = Funnel { chart };
+    }
+    (funnel, x)
+}
+
+/// Axes with their cones, the most promising first.
+///
+/// About a given axis a cone is x² + y² = 2 p x + 2 q y + k0 + k1 t + k2 t², linear in all five; the half angle then
+/// comes from the radii about (p, q), regressed on the height.
+fn starts(cloud: &Cloud, held: Option<Vector>) -> Vec<(Vector, [f64; 7])> {
+    let score = |axis: Vector| {
+        let chart = Chart::new(axis);
+        let points: Vec<[f64; 3]> = cloud.points.iter().map(|&q| chart.coordinates(q)).collect();
+        let (mut normal, mut right) = (Matrix5::<f64>::zeros(), Vector5::<f64>::zeros());
+        for &[x, y, t] in &points {
+            let row = Vector5::new(2.0 * x, 2.0 * y, 1.0, t, t * t);
+            normal += row * row.transpose();
+            right += row * (x * x + y * y);
+        }
+        // two circles have two heights only, and t² is then 1 and t again: a little damping chooses
+        normal += Matrix5::identity() * (1e-10 * normal.trace());
+        let Some(solved) = normal.cholesky().map(|c| c.solve(&right)) else {
+            return (f64::INFINITY, axis, [0.0; 7]);
+        };
+        let (p, q) = (solved[0], solved[1]);
+        let radii: Vec<(f64, f64)> = points.iter().map(|&[x, y, t]| ((x - p).hypot(y - q), t)).collect();
+        let (slope, at_zero) = regression(&radii);
+        let cost: f64 = radii.iter().map(|(rho, t)| (rho - at_zero - slope * t).powi(2)).sum();
+        let half_angle = slope.atan();
+        (cost / (1.0 + slope * slope), axis, [p, q, 0.0, 0.0, 0.0, at_zero * half_angle.cos(), half_angle])
+    };
+    match held {
+        Some(axis) => vec![score(axis)].into_iter().map(|(_, axis, start)| (axis, start)).collect(),
+        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).map(score).collect(), FOLLOWED),
+    }
+}
+
+/// Slope and intercept of the first of each pair over the second.
+fn regression(pairs: &[(f64, f64)]) -> (f64, f64) {
+    let n = pairs.len().max(1) as f64;
+    let (y, x) = pairs.iter().fold((0.0, 0.0), |(sy, sx), (y, x)| (sy + y / n, sx + x / n));
+    let (xy, xx) = pairs.iter().fold((0.0, 0.0), |(xy, xx), p| (xy + (p.1 - x) * (p.0 - y), xx + (p.1 - x).powi(2)));
+    let slope = if xx > 0.0 { xy / xx } else { 0.0 };
+    (slope, y - slope * x)
+}
+
+/// Parameters a, b, h, u, v of the axis (h held at the foot of the centroid), the distance s of that foot from the
+/// surface and the half angle ψ: a point has the distance ρ cos ψ - t sin ψ - s (Shakarji 1998, 3.5).
+pub(super) struct Funnel {
+    pub(super) chart: Chart,
+}
+
+impl Surface<7, 1> for Funnel {
+    fn distances(&self, x: &[f64; 7], q: Vector) -> [(f64, [f64; 7]); 1] {
+        let at = self.chart.cylindrical([x[0], x[1], x[2], x[3], x[4]], q);
+        let (sin, cos) = x[6].sin_cos();
+        let mut derivative = [0.0; 7];
+        for (d, (rho, t)) in derivative.iter_mut().zip(at.d_rho.iter().zip(&at.d_t)) {
+            *d = cos * rho - sin * t;
+        }
+        derivative[5] = -1.0;
+        derivative[6] = -sin * at.rho - cos * at.t;
+        [(cos * at.rho - sin * at.t - x[5], derivative)]
+    }
+
+    fn quantities(&self, x: &[f64; 7]) -> [[f64; QUANTITIES]; 7] {
+        let mut by_parameter = self.chart.quantities::<7>();
+        let (sin, cos) = x[6].sin_cos();
+        // radius = s / cos ψ
+        by_parameter[5][6] = 1.0 / cos;
+        by_parameter[6][6] = x[5] * sin / (cos * cos);
+        by_parameter[6][8] = 2.0 * if x[6] < 0.0 { -1.0 } else { 1.0 };
+        // the foot of the centroid stays square to the axis, and the radius there changes as it slides
+        for (row, along) in [(3, x[0]), (4, x[1])] {
+            for (quantity, d) in by_parameter[row].iter_mut().zip(self.chart.d0) {
+                *quantity -= along * d;
+            }
+            by_parameter[row][6] -= along * sin / cos;
+        }
+        by_parameter
+    }
+}
+
+impl Axial<7, 1> for Funnel {
+    const SLIDES: bool = true;
+
+    fn chart(&self) -> &Chart {
+        &self.chart
+    }
+
+    fn with_chart(&self, chart: Chart) -> Self {
+        Self { chart }
+    }
+
+    fn slide(x: &mut [f64; 7], slid: f64) {
+        // from its new point the surface is farther by what the radius grew on the way
+        x[5] += slid * x[6].sin();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::FRAC_PI_2;
+
+    #[test]
+    fn a_cone_turned_to_widen_is_the_same_cone() {
+        let funnel = Funnel { chart: Chart::new([0.3, -0.5, 0.8]) };
+        let q = [0.4, -0.7, 0.9];
+        for half_angle in [0.4, -0.4, PI - 0.4, PI + 0.4, FRAC_PI_2 - 0.1] {
+            let x = [0.1, 0.2, 0.0, 0.05, -0.03, 0.6, half_angle];
+            let (turned, y) = widening(&funnel, &x);
+            assert!(y[6] > 0.0 && y[6] < FRAC_PI_2, "{half_angle}: {y:?}");
+            let (was, is) = (funnel.distances(&x, q)[0].0, turned.distances(&y, q)[0].0);
+            assert!((was.abs() - is.abs()).abs() < 1e-14, "{half_angle}: {was} {is}");
+        }
+    }
+}

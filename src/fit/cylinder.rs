@@ -1,0 +1,114 @@
+//! Circular cylinder.
+
+use super::axis::{Axial, Chart, angles_about, best_apart, hemisphere, rank, refine_axis};
+use super::ball::taubin;
+use super::cloud::Cloud;
+use super::element::{Element, Settings};
+use super::result::{Fit, QUANTITIES, arc_coverage, largest_component_positive};
+use super::surface::Surface;
+use crate::message::Result;
+use crate::pose::Vector;
+use crate::solve::Options;
+
+/// Directions tried over the hemisphere, 7 degrees apart.
+const DIRECTIONS: usize = 400;
+/// Points that the search for a start looks at.
+const SEARCHED: usize = 120;
+/// Starts that are followed to their minimum.
+const FOLLOWED: usize = 6;
+
+/// Fits a cylinder to at least five points that are not in one plane.
+///
+/// Orthogonal distance to the axis (Shakarji 1998, 3.4). The start is searched over the hemisphere of axes with a
+/// circle for each (after Eberly, "Fitting 3D data with a cylinder", Geometric Tools 2019), the best are followed.
+pub fn cylinder(points: &[Vector]) -> Result<Fit> {
+    cylinder_with(points, &Settings::default())
+}
+
+/// [`cylinder`] with weights, a held radius or a held axis.
+pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    let held = settings.check(Element::Cylinder)?;
+    let cloud = Cloud::new(Element::Cylinder, points, settings)?;
+    let radius = settings.radius_mm.map(|r| r / cloud.scale_mm);
+    let free = [true, true, false, held.is_none(), held.is_none(), radius.is_none()];
+    let few = cloud.thinned(SEARCHED);
+    let patience = Options { iterations: 60, ..Options::default() };
+    let best = starts(&few, held)
+        .into_iter()
+        .map(|(axis, mut start)| {
+            start[5] = radius.unwrap_or(start[5]);
+            refine_axis(Tube { chart: Chart::new(axis) }, &few, start, free, patience)
+        })
+        .min_by(|a, b| rank(&a.1).total_cmp(&rank(&b.1)));
+    let (tube, start) = match best {
+        Some((tube, refined)) => tube.recharted(&refined.x),
+        None => (Tube { chart: Chart::new(cloud.axes[0]) }, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
+    };
+    let (tube, mut refined) = refine_axis(tube, &cloud, start, free, Options::default());
+    refined.x[5] = refined.x[5].abs();
+    let [a, b, h, u, v, radius] = refined.x;
+    let (axis, _) = tube.chart.axis(u, v);
+    let foot = tube.chart.point(a, b, h);
+    let mut fit = refined.into_fit(Element::Cylinder, &tube, &cloud, foot)?;
+    fit.point_along(axis, largest_component_positive(axis));
+    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.coverage_rad = Some(arc_coverage(angles_about(&cloud.points, &tube.chart, foot)));
+    Ok(fit.with_warnings())
+}
+
+/// Axes with their circles, the most promising first.
+fn starts(cloud: &Cloud, held: Option<Vector>) -> Vec<(Vector, [f64; 6])> {
+    let score = |axis: Vector| {
+        let chart = Chart::new(axis);
+        let flat = Cloud {
+            points: cloud.points.iter().map(|&q| chart.coordinates(q)).map(|[x, y, _]| [x, y, 0.0]).collect(),
+            roots: Vec::new(),
+            ..*cloud
+        };
+        let (centre, radius) = taubin::<3>(&flat);
+        let off = |q: &Vector| ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius).powi(2);
+        let cost: f64 = flat.points.iter().map(off).sum();
+        (cost, axis, [centre[0], centre[1], 0.0, 0.0, 0.0, radius])
+    };
+    match held {
+        Some(axis) => vec![score(axis)].into_iter().map(|(_, axis, start)| (axis, start)).collect(),
+        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).map(score).collect(), FOLLOWED),
+    }
+}
+
+/// Parameters a, b, h, u, v of the axis (h held at the foot of the centroid) and the radius.
+pub(super) struct Tube {
+    pub(super) chart: Chart,
+}
+
+impl Surface<6, 1> for Tube {
+    fn distances(&self, x: &[f64; 6], q: Vector) -> [(f64, [f64; 6]); 1] {
+        let at = self.chart.cylindrical([x[0], x[1], x[2], x[3], x[4]], q);
+        let d = at.d_rho;
+        [(at.rho - x[5], [d[0], d[1], d[2], d[3], d[4], -1.0])]
+    }
+
+    fn quantities(&self, x: &[f64; 6]) -> [[f64; QUANTITIES]; 6] {
+        let mut by_parameter = self.chart.quantities::<6>();
+        by_parameter[5][6] = 1.0;
+        // the foot of the centroid stays square to the axis
+        for (row, along) in [(3, x[0]), (4, x[1])] {
+            for (quantity, d) in by_parameter[row].iter_mut().zip(self.chart.d0) {
+                *quantity -= along * d;
+            }
+        }
+        by_parameter
+    }
+}
+
+impl Axial<6, 1> for Tube {
+    const SLIDES: bool = true;
+
+    fn chart(&self) -> &Chart {
+        &self.chart
+    }
+
+    fn with_chart(&self, chart: Chart) -> Self {
+        Self { chart }
+    }
+}

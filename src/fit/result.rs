@@ -1,0 +1,228 @@
+//! What every fit answers: the element, its residuals, how well it is known and how the solver ended.
+
+use super::cloud::Cloud;
+use super::element::Element;
+use crate::message::Message;
+use crate::pose::{Vector, dot, norm};
+use crate::solve::Termination;
+
+/// Number of quantities in a [`Covariance`].
+pub const QUANTITIES: usize = 9;
+
+/// Covariance of point (x, y, z, mm), direction (x, y, z), radius (mm), minor radius (mm) and apex angle (rad), in
+/// this order; rows and columns of what an element does not have, or what was held, are zero.
+///
+/// It is propagated to first order from σ² (JᵀJ)⁻¹, with σ² the variance of the residuals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Covariance(pub [[f64; QUANTITIES]; QUANTITIES]);
+
+/// Standard uncertainties, the square roots of the diagonal of a [`Covariance`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StandardUncertainty {
+    /// Of each coordinate of the point.
+    pub point_mm: Vector,
+    /// Of the point in its most uncertain direction.
+    pub point_largest_mm: f64,
+    /// Of the direction, the angle about its most uncertain axis.
+    pub direction_rad: Option<f64>,
+    /// Of the radius.
+    pub radius_mm: Option<f64>,
+    /// Of the minor radius of a torus.
+    pub minor_radius_mm: Option<f64>,
+    /// Of the full apex angle of a cone.
+    pub apex_angle_rad: Option<f64>,
+}
+
+/// An element fitted to points by least squares of orthogonal distances.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit {
+    /// Which element.
+    pub element: Element,
+    /// Centre of a circle, sphere or torus; for a plane or line the centroid of the points; for a cylinder or cone
+    /// the foot of that centroid on the axis.
+    pub point_mm: Vector,
+    /// Unit normal of a plane, circle or torus (its largest component is positive); unit direction of a line (from
+    /// the first point to the last); unit axis of a cylinder (largest component positive) or cone (to larger radii).
+    pub direction: Option<Vector>,
+    /// Radius of a circle, sphere or cylinder; of a cone the radius of its section at `point_mm` (square to the
+    /// axis); of a torus the radius of the circle that its tube is bent along.
+    pub radius_mm: Option<f64>,
+    /// Radius of the tube of a torus.
+    pub minor_radius_mm: Option<f64>,
+    /// Full apex angle of a cone.
+    pub apex_angle_rad: Option<f64>,
+    /// Orthogonal distance of each point, positive outside (circle, sphere, cylinder, cone, torus), on the side of
+    /// the normal (plane) or to the left (line in the plane); a line in space has distances without sign. For a
+    /// circle in space the distance from the circle within its plane.
+    pub residuals_mm: Vec<f64>,
+    /// For a circle in space the distance of each point from its plane, on the side of the normal; else empty.
+    pub out_of_plane_mm: Vec<f64>,
+    /// Equations less parameters.
+    pub degrees_of_freedom: usize,
+    /// How well the quantities are known; `None` without redundancy.
+    pub covariance: Option<Covariance>,
+    /// How much of the circumference has points: the full turn less the largest gap; for a sphere the full angle of
+    /// the cap that holds the points.
+    pub coverage_rad: Option<f64>,
+    /// Largest over smallest singular value of the Jacobian with columns of length one.
+    pub condition: f64,
+    /// Name of the method.
+    pub method: &'static str,
+    /// Steps of the solver; zero where the solution is closed.
+    pub iterations: usize,
+    /// Why the solver stopped.
+    pub termination: Termination,
+    /// What a person must know before using the numbers.
+    pub warnings: Vec<Message>,
+}
+
+impl Fit {
+    /// A fit with closed solution and nothing but its point.
+    pub(super) fn new(element: Element, cloud: &Cloud, point: Vector, residuals: Vec<f64>) -> Self {
+        Self {
+            element,
+            point_mm: cloud.to_mm(point),
+            direction: None,
+            radius_mm: None,
+            minor_radius_mm: None,
+            apex_angle_rad: None,
+            residuals_mm: residuals.iter().map(|r| r * cloud.scale_mm).collect(),
+            out_of_plane_mm: Vec::new(),
+            degrees_of_freedom: 0,
+            covariance: None,
+            coverage_rad: None,
+            condition: 1.0,
+            method: "singular value decomposition of the centred points",
+            iterations: 0,
+            termination: Termination::StepVanished,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Root of the mean square of the residuals.
+    pub fn rms_mm(&self) -> f64 {
+        rms(&self.residuals_mm)
+    }
+
+    /// Largest residual without its sign.
+    pub fn max_mm(&self) -> f64 {
+        self.residuals_mm.iter().fold(0.0, |m, r| m.max(r.abs()))
+    }
+
+    /// Form deviation, peak to valley: largest less smallest residual; for a line in space the diameter about it.
+    pub fn form_mm(&self) -> f64 {
+        if self.element == Element::Line {
+            return 2.0 * self.max_mm();
+        }
+        let fold = |f: fn(f64, f64) -> f64, start| self.residuals_mm.iter().fold(start, |m, r| f(m, *r));
+        (fold(f64::max, f64::NEG_INFINITY) - fold(f64::min, f64::INFINITY)).max(0.0)
+    }
+
+    /// Root of the mean square of the distances from the plane of a circle in space.
+    pub fn out_of_plane_rms_mm(&self) -> f64 {
+        rms(&self.out_of_plane_mm)
+    }
+
+    /// How much of the circumference has points, in degrees.
+    pub fn coverage_deg(&self) -> Option<f64> {
+        self.coverage_rad.map(f64::to_degrees)
+    }
+
+    /// Apex of a cone; `None` for other elements.
+    pub fn apex_mm(&self) -> Option<Vector> {
+        let (d, r, angle) = (self.direction?, self.radius_mm?, self.apex_angle_rad?);
+        let back = r / (angle / 2.0).tan();
+        let p = self.point_mm;
+        back.is_finite().then(|| [p[0] - back * d[0], p[1] - back * d[1], p[2] - back * d[2]])
+    }
+
+    /// Standard uncertainties; `None` without redundancy.
+    pub fn standard_uncertainty(&self) -> Option<StandardUncertainty> {
+        let c = &self.covariance?.0;
+        let root = |i: usize| c.get(i).and_then(|row| row.get(i)).map_or(0.0, |v| v.max(0.0).sqrt());
+        let block = |k: usize| {
+            let block = [0, 1, 2].map(|i| [0, 1, 2].map(|j| c[k + i][k + j]));
+            let (values, _) = crate::solve::symmetric_eigen(block);
+            values.iter().fold(0.0f64, |m, v| m.max(*v)).sqrt()
+        };
+        Some(StandardUncertainty {
+            point_mm: [root(0), root(1), root(2)],
+            point_largest_mm: block(0),
+            direction_rad: self.direction.map(|_| block(3)),
+            radius_mm: self.radius_mm.map(|_| root(6)),
+            minor_radius_mm: self.minor_radius_mm.map(|_| root(7)),
+            apex_angle_rad: self.apex_angle_rad.map(|_| root(8)),
+        })
+    }
+
+    /// Sets the direction to `wanted`, which is `axis` or its opposite; the covariance was found for `axis`.
+    pub(super) fn point_along(&mut self, axis: Vector, wanted: Vector) {
+        self.direction = Some(wanted);
+        if dot(axis, wanted) < 0.0
+            && let Some(Covariance(c)) = &mut self.covariance
+        {
+            for (i, row) in c.iter_mut().enumerate() {
+                for (j, v) in row.iter_mut().enumerate() {
+                    if (3..6).contains(&i) != (3..6).contains(&j) {
+                        *v = -*v;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds the warnings that follow from redundancy and from how well the radius is known.
+    pub(super) fn with_warnings(mut self) -> Self {
+        if self.degrees_of_freedom == 0 {
+            let what = format!(
+                "the {} has no redundant point: residuals are zero and no uncertainty can be stated",
+                self.element
+            );
+            self.warnings.push(Message::warning(what).hint("measure more points than the minimum"));
+        }
+        let uncertain = self.standard_uncertainty().and_then(|u| Some((u.radius_mm?, self.radius_mm?)));
+        // k = 2 (95 %) above a tenth of the radius: the size is a guess
+        if let Some((u, radius)) = uncertain.filter(|(u, radius)| 2.0 * u > 0.1 * radius) {
+            let covered = self.coverage_deg().map_or(String::new(), |d| format!(" over {d:.0} degrees"));
+            let what = format!(
+                "the radius {radius:.6} mm of the {} is known to ±{:.2e} mm (k = 2) only{covered}",
+                self.element,
+                2.0 * u
+            );
+            let hint = "measure a longer arc, or hold the radius at its nominal value";
+            self.warnings.push(Message::warning(what).hint(hint));
+        }
+        self
+    }
+}
+
+fn rms(values: &[f64]) -> f64 {
+    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}
+
+/// `d` or its opposite, so that its largest component is positive.
+pub(super) fn largest_component_positive(d: Vector) -> Vector {
+    let largest = d.iter().fold(0.0f64, |m, x| if x.abs() > m.abs() + 1e-9 { *x } else { m });
+    if largest < 0.0 { d.map(|x| -x) } else { d }
+}
+
+/// Full turn less the largest gap between neighbouring angles.
+pub(super) fn arc_coverage(mut angles_rad: Vec<f64>) -> f64 {
+    angles_rad.sort_by(f64::total_cmp);
+    let around = match (angles_rad.first(), angles_rad.last()) {
+        (Some(first), Some(last)) => first + std::f64::consts::TAU - last,
+        _ => std::f64::consts::TAU,
+    };
+    let gap = angles_rad.iter().zip(angles_rad.iter().skip(1)).fold(around, |g, (a, b)| g.max(b - a));
+    std::f64::consts::TAU - gap
+}
+
+/// Full angle of the cap about the mean direction that holds all directions from `centre`.
+pub(super) fn cap_coverage(points: &[Vector], centre: Vector) -> f64 {
+    let directions: Vec<Vector> =
+        points.iter().filter_map(|&p| crate::pose::unit(crate::pose::minus(p, centre))).collect();
+    let mean = crate::pose::centroid(&directions).and_then(crate::pose::unit);
+    let Some(mean) = mean else { return std::f64::consts::TAU };
+    let widest = directions.iter().fold(0.0f64, |m, &d| m.max(norm(crate::pose::cross(d, mean)).atan2(dot(d, mean))));
+    2.0 * widest
+}

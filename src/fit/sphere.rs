@@ -1,0 +1,33 @@
+//! Sphere.
+
+use super::ball::{Ball, taubin};
+use super::cloud::Cloud;
+use super::element::{Element, Settings};
+use super::result::{Fit, cap_coverage};
+use super::surface::refine;
+use crate::message::Result;
+use crate::pose::Vector;
+use crate::solve::Options;
+
+/// Fits a sphere to at least four points that are not in one plane.
+///
+/// Orthogonal distance (Shakarji 1998, 3.3) from Taubin's start.
+pub fn sphere(points: &[Vector]) -> Result<Fit> {
+    sphere_with(points, &Settings::default())
+}
+
+/// [`sphere`] with weights or a held radius.
+pub fn sphere_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    settings.check(Element::Sphere)?;
+    let cloud = Cloud::new(Element::Sphere, points, settings)?;
+    let (start, radius) = taubin::<4>(&cloud);
+    let held = settings.radius_mm.map(|r| r / cloud.scale_mm);
+    let start = [start[0], start[1], start[2], held.unwrap_or(radius)];
+    let refined = refine(&Ball, &cloud, start, [true, true, true, held.is_none()], Options::default());
+    let [x, y, z, radius] = refined.x;
+    let centre = [x, y, z];
+    let mut fit = refined.into_fit(Element::Sphere, &Ball, &cloud, centre)?;
+    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.coverage_rad = Some(cap_coverage(&cloud.points, centre));
+    Ok(fit.with_warnings())
+}

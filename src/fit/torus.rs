@@ -1,0 +1,115 @@
+//! Torus: a tube bent along a circle, whole or a piece of it.
+
+use super::axis::{Axial, Chart, angles_about, best_apart, hemisphere, rank, refine_axis};
+use super::ball::taubin;
+use super::cloud::Cloud;
+use super::element::{Element, Settings};
+use super::result::{Fit, QUANTITIES, arc_coverage, largest_component_positive};
+use super::surface::Surface;
+use crate::message::Result;
+use crate::pose::Vector;
+use crate::solve::Options;
+
+/// Directions tried over the hemisphere, 7 degrees apart.
+const DIRECTIONS: usize = 400;
+/// Points that the search for a start looks at.
+const SEARCHED: usize = 150;
+/// Starts that are followed to their minimum.
+const FOLLOWED: usize = 8;
+
+/// Fits a torus to at least seven points that are not in one plane.
+///
+/// Orthogonal distance (ISO 10360-6:2001 tests it so). The start is searched over the hemisphere of axes, for each a
+/// circle through the points seen along the axis, and a circle through them seen along the tube.
+pub fn torus(points: &[Vector]) -> Result<Fit> {
+    torus_with(points, &Settings::default())
+}
+
+/// [`torus`] with weights or a held axis.
+pub fn torus_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    let held = settings.check(Element::Torus)?;
+    let cloud = Cloud::new(Element::Torus, points, settings)?;
+    let free = [true, true, true, held.is_none(), held.is_none(), true, true];
+    let few = cloud.thinned(SEARCHED);
+    let patience = Options { iterations: 80, ..Options::default() };
+    let best = starts(&few, held)
+        .into_iter()
+        .map(|(axis, start)| refine_axis(Bend { chart: Chart::new(axis) }, &few, start, free, patience))
+        .filter(|(_, refined)| refined.x[5] > 0.0 && refined.x[6] > 0.0 && rank(refined).is_finite())
+        .min_by(|a, b| rank(&a.1).total_cmp(&rank(&b.1)));
+    let (bend, start) = match best {
+        Some((bend, refined)) => bend.recharted(&refined.x),
+        None => (Bend { chart: Chart::new(held.unwrap_or(cloud.axes[2])) }, [0.0, 0.0, 0.0, 0.0, 0.0, 0.7, 0.3]),
+    };
+    let (bend, refined) = refine_axis(bend, &cloud, start, free, Options::default());
+    let [a, b, h, u, v, radius, minor] = refined.x;
+    let (axis, _) = bend.chart.axis(u, v);
+    let centre = bend.chart.point(a, b, h);
+    let mut fit = refined.into_fit(Element::Torus, &bend, &cloud, centre)?;
+    fit.point_along(axis, largest_component_positive(axis));
+    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.minor_radius_mm = Some(minor * cloud.scale_mm);
+    fit.coverage_rad = Some(arc_coverage(angles_about(&cloud.points, &bend.chart, centre)));
+    Ok(fit.with_warnings())
+}
+
+/// Axes with their tori, the most promising first.
+fn starts(cloud: &Cloud, held: Option<Vector>) -> Vec<(Vector, [f64; 7])> {
+    let flat = |points: Vec<Vector>| Cloud { points, roots: Vec::new(), ..*cloud };
+    let score = |axis: Vector| {
+        let chart = Chart::new(axis);
+        let points: Vec<[f64; 3]> = cloud.points.iter().map(|&q| chart.coordinates(q)).collect();
+        let (centre, _) = taubin::<3>(&flat(points.iter().map(|&[x, y, _]| [x, y, 0.0]).collect()));
+        let section = points.iter().map(|&[x, y, t]| [(x - centre[0]).hypot(y - centre[1]), t, 0.0]).collect();
+        let section = flat(section);
+        let ([radius, height, _], minor) = taubin::<3>(&section);
+        let off = |q: &Vector| ((q[0] - radius).hypot(q[1] - height) - minor).powi(2);
+        let cost: f64 = section.points.iter().map(off).sum();
+        (cost, axis, [centre[0], centre[1], height, 0.0, 0.0, radius, minor])
+    };
+    match held {
+        Some(axis) => vec![score(axis)].into_iter().map(|(_, axis, start)| (axis, start)).collect(),
+        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).map(score).collect(), FOLLOWED),
+    }
+}
+
+/// Parameters a, b, h, u, v of the axis through the centre, the radius R and the radius r of the tube: a point has
+/// the distance √((ρ - R)² + t²) - r.
+pub(super) struct Bend {
+    pub(super) chart: Chart,
+}
+
+impl Surface<7, 1> for Bend {
+    fn distances(&self, x: &[f64; 7], q: Vector) -> [(f64, [f64; 7]); 1] {
+        let at = self.chart.cylindrical([x[0], x[1], x[2], x[3], x[4]], q);
+        let outward = at.rho - x[5];
+        let from_core = outward.hypot(at.t);
+        let (g_rho, g_t) = if from_core > 0.0 { (outward / from_core, at.t / from_core) } else { (0.0, 0.0) };
+        let mut derivative = [0.0; 7];
+        for (d, (rho, t)) in derivative.iter_mut().zip(at.d_rho.iter().zip(&at.d_t)) {
+            *d = g_rho * rho + g_t * t;
+        }
+        derivative[5] = -g_rho;
+        derivative[6] = -1.0;
+        [(from_core - x[6], derivative)]
+    }
+
+    fn quantities(&self, _x: &[f64; 7]) -> [[f64; QUANTITIES]; 7] {
+        let mut by_parameter = self.chart.quantities::<7>();
+        by_parameter[5][6] = 1.0;
+        by_parameter[6][7] = 1.0;
+        by_parameter
+    }
+}
+
+impl Axial<7, 1> for Bend {
+    const SLIDES: bool = false;
+
+    fn chart(&self) -> &Chart {
+        &self.chart
+    }
+
+    fn with_chart(&self, chart: Chart) -> Self {
+        Self { chart }
+    }
+}

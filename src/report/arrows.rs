@@ -1,0 +1,113 @@
+//! Residual arrows: at each position the error that is left after calibration, enlarged by a stated factor.
+
+use super::axis::range;
+use super::number::{self, round_down_125};
+use super::plane::{self, Plane, WIDTH};
+use super::points::{self, Picture};
+use super::svg::Svg;
+use crate::document::PointError;
+use crate::pose::Vector;
+
+/// More arrows than this cannot be read.
+const LIMIT: usize = 300;
+/// The longest arrow takes about this share of the workspace.
+const SHARE: f64 = 0.16;
+
+/// One picture for every plane of the workspace.
+pub(super) fn arrows(errors: &[&PointError], planar: bool) -> Vec<Picture> {
+    plane::planes(planar).iter().enumerate().map(|(i, &axes)| in_plane(errors, axes, i == 0)).collect()
+}
+
+fn in_plane(errors: &[&PointError], axes: (usize, usize), with_table: bool) -> Picture {
+    let drawn = points::thin(errors, LIMIT, points::after_mm);
+    let in_plane = |v: Vector| v[axes.0].hypot(v[axes.1]);
+    let longest_mm = range(drawn.iter().map(|p| in_plane(p.after_mm))).map_or(0.0, |r| r.1);
+    let factor = enlargement(&drawn, axes, longest_mm);
+    let tip_mm = |p: &PointError| [0, 1, 2].map(|i| p.at_mm[i] + factor * p.after_mm[i]);
+    let places: Vec<_> = drawn.iter().flat_map(|p| [p.at_mm, tip_mm(p)]).collect();
+    let plane = Plane::around(axes, &places);
+    let shown = number::shown("mm", longest_mm);
+    let enlarged = format!("arrows enlarged {} times", number::significant(factor, 1));
+    let title = format!("Error vectors after calibration, {} plane", plane::name(axes));
+    let description = format!("At each measured position an arrow of measured minus predicted, {enlarged}.");
+    let id = format!("arrows-{}", plane::name(axes));
+    let mut svg = Svg::new(&id, WIDTH, plane.height() + 44.0, &title, &description);
+    plane.draw(&mut svg);
+    for p in &drawn {
+        let (from, to) = (plane.at(p.at_mm), plane.at(tip_mm(p)));
+        let class = if points::is_validation(p) { "arrow-val" } else { "arrow-cal" };
+        svg.arrow(class, from, to);
+        let tip = points::tooltip(p, points::before_mm(p), points::after_mm(p), shown);
+        svg.mark(points::shape(p), points::class(p), from, 2.0, "", &tip);
+    }
+    // the scale arrow: a round length as long as the picture's own arrows
+    let round = round_down_125(longest_mm * shown.factor);
+    if longest_mm > 0.0 {
+        let length = round / shown.factor * factor * plane.scale;
+        let y = plane.height() + 10.0;
+        svg.arrow("arrow-scale", (30.0, y), (30.0 + length, y));
+        svg.text("start", (36.0 + length, y + 4.0), &format!("{} {}", number::significant(round, 1), shown.unit));
+    }
+    for (i, (shape, class, name)) in points::sets(errors).into_iter().enumerate() {
+        let x = 30.0 + 120.0 * i as f64;
+        svg.mark(shape, class, (x, plane.height() + 32.0), 3.5, "", "");
+        svg.text("start", (x + 10.0, plane.height() + 36.0), name);
+    }
+    let longest = format!("{} {}", number::significant(longest_mm * shown.factor, 3), shown.unit);
+    let capital = enlarged.replacen('a', "A", 1);
+    let caption = format!("{capital}; the longest is {longest}.{}", points::how_many(drawn.len(), errors.len()));
+    let (table_title, header, rows) = if with_table { table(&drawn) } else { Default::default() };
+    Picture { title, svg: svg.finish(), caption, wide: false, table_title, header, rows }
+}
+
+/// The round factor that makes the longest arrow a readable share of the workspace.
+fn enlargement(drawn: &[&PointError], axes: (usize, usize), longest_mm: f64) -> f64 {
+    let span = |axis: usize| range(drawn.iter().map(|p| p.at_mm[axis])).map_or(0.0, |(low, high)| high - low);
+    let workspace = span(axes.0).max(span(axes.1)).max(1.0);
+    if longest_mm > 0.0 { round_down_125(SHARE * workspace / longest_mm) } else { 1.0 }
+}
+
+fn table(drawn: &[&PointError]) -> (String, Vec<String>, Vec<Vec<String>>) {
+    let shown = number::shown("mm", range(drawn.iter().map(|p| points::after_mm(p))).map_or(0.0, |r| r.1));
+    let column = |axis: &str| format!("error {axis} in {}", shown.unit);
+    let mut header: Vec<String> =
+        ["set", "pose", "cycle", "target", "x in mm", "y in mm", "z in mm"].map(str::to_owned).into();
+    header.extend(["x", "y", "z"].map(column));
+    let row = |p: &&PointError| {
+        let name = |text: &str| text.to_owned();
+        let mut row = vec![name(&p.set), p.pose.to_string(), p.cycle.to_string(), name(&p.target)];
+        row.extend(p.at_mm.map(|v| number::fixed(v, 3)));
+        row.extend(p.after_mm.map(|v| number::fixed(v * shown.factor, if shown.factor > 1.0 { 2 } else { 4 })));
+        row
+    };
+    (format!("Numbers of the {} arrows", drawn.len()), header, drawn.iter().map(row).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::demo::point;
+    use super::*;
+
+    #[test]
+    fn arrows_are_enlarged_by_a_round_factor_that_is_stated() {
+        let errors = [
+            point(1, [0.0; 3], [0.1; 3], [0.003, 0.0, 0.0]),
+            point(2, [100.0, 50.0, 0.0], [0.1; 3], [0.0, 0.006, 0.0]),
+        ];
+        let errors: Vec<_> = errors.iter().collect();
+        let pictures = arrows(&errors, true);
+        assert_eq!(pictures.len(), 1);
+        // 16 % of 100 mm over 6 µm is 2667
+        assert!(pictures[0].caption.starts_with("Arrows enlarged 2000 times; the longest is 6.00 µm."));
+        assert!(pictures[0].svg.contains(">5 µm</text>"));
+        assert_eq!(pictures[0].rows.len(), 2);
+        assert_eq!(pictures[0].rows[1][8], "6.00");
+    }
+
+    #[test]
+    fn perfect_points_have_no_arrows() {
+        let errors = [point(1, [0.0; 3], [0.0; 3], [0.0; 3])];
+        let picture = &arrows(&errors.iter().collect::<Vec<_>>(), true)[0];
+        assert!(!picture.svg.contains("class=\"arrow") && picture.caption.contains("longest is 0 µm"));
+    }
+}

@@ -1,0 +1,171 @@
+//! Error by pose, before and after in one picture.
+
+use super::axis::{Axis, range};
+use super::number;
+use super::points::{self, Picture};
+use super::svg::{Shape, Svg};
+use crate::document::PointError;
+use std::collections::BTreeSet;
+
+const WIDTH: f64 = 760.0;
+const HEIGHT: f64 = 340.0;
+const LEFT: f64 = 62.0;
+const RIGHT: f64 = 12.0;
+const TOP: f64 = 36.0;
+const BOTTOM: f64 = 296.0;
+/// More marks than this hide each other.
+const LIMIT: usize = 1500;
+/// The axis is logarithmic where the largest error before is more than this many times the median after.
+const RATIO: f64 = 20.0;
+
+/// Position and, where there is one, orientation.
+pub(super) fn pictures(errors: &[&PointError]) -> Vec<Picture> {
+    let position = |p: &PointError| Some((points::before_mm(p), points::after_mm(p)));
+    let orientation = |p: &PointError| Some((p.before_deg?.abs(), p.after_deg?.abs()));
+    let all = [picture(errors, "position", "mm", position), picture(errors, "orientation", "deg", orientation)];
+    all.into_iter().flatten().collect()
+}
+
+fn picture(
+    errors: &[&PointError],
+    quantity: &str,
+    unit: &str,
+    value: impl Fn(&PointError) -> Option<(f64, f64)>,
+) -> Option<Picture> {
+    let sizes = |p: &PointError| value(p).filter(|(before, after)| before.is_finite() && after.is_finite());
+    let all: Vec<_> = errors.iter().copied().filter(|p| sizes(p).is_some()).collect();
+    let drawn = points::thin(&all, LIMIT, |p| sizes(p).map_or(0.0, |s| s.1));
+    let pairs: Vec<_> = drawn.iter().filter_map(|p| sizes(p).map(|s| (*p, s))).collect();
+    if pairs.is_empty() {
+        return None;
+    }
+    let largest = range(pairs.iter().flat_map(|(_, s)| [s.0, s.1])).map_or(0.0, |r| r.1);
+    let shown = number::shown(unit, largest);
+    // a few errors that happen to be nearly zero must not squeeze all others
+    let smallest = quantile(pairs.iter().map(|(_, s)| s.1), 0.02);
+    let largest_before = range(pairs.iter().map(|(_, s)| s.0)).map_or(0.0, |r| r.1);
+    let logarithmic = largest_before > RATIO * quantile(pairs.iter().map(|(_, s)| s.1), 0.5) && smallest > 0.0;
+    let axis = match logarithmic {
+        true => Axis::logarithmic(smallest * shown.factor, largest * shown.factor, BOTTOM, TOP),
+        false => Axis::from_zero(largest * shown.factor, BOTTOM, TOP),
+    };
+    let title = format!("{} error by pose, before and after calibration", capital(quantity));
+    let kind = if logarithmic { "logarithmic" } else { "linear" };
+    let description = format!("One mark for each pose, cycle and target; {kind} axis in {}.", shown.unit);
+    let mut svg = Svg::new(&format!("by-pose-{quantity}"), WIDTH, HEIGHT, &title, &description);
+    let poses: Vec<i64> = pairs.iter().map(|(p, _)| p.pose).collect::<BTreeSet<_>>().into_iter().collect();
+    let across = Axis::linear(-0.7, poses.len() as f64 - 0.3, LEFT, WIDTH - RIGHT);
+    draw_axes(&mut svg, &axis, &across, &poses, &format!("{quantity} error in {}", shown.unit));
+    for after in [false, true] {
+        for (p, s) in &pairs {
+            let place = poses.binary_search(&p.pose).unwrap_or(0) as f64;
+            let size = if after { s.1 } else { s.0 };
+            let class = if after { points::class(p) } else { "before" };
+            let at = (across.at(place), axis.at(size * shown.factor));
+            svg.mark(points::shape(p), class, at, 2.8, "", &points::tooltip(p, s.0, s.1, shown));
+        }
+    }
+    legend(&mut svg, &drawn);
+    let rule = match logarithmic {
+        true => "more than",
+        false => "no more than",
+    };
+    let low = axis.low() / shown.factor;
+    let lower = match pairs.iter().flat_map(|(_, s)| [s.0, s.1]).filter(|&v| v < low).count() {
+        0 => String::new(),
+        n => format!(" {n} smaller errors are drawn at the lower edge."),
+    };
+    let caption = format!(
+        "The error axis is {kind}: the largest error before is {rule} {RATIO} times the median after.{lower}{}",
+        points::how_many(drawn.len(), all.len())
+    );
+    Some(Picture {
+        title,
+        svg: svg.finish(),
+        caption,
+        wide: true,
+        table_title: String::new(),
+        header: vec![],
+        rows: vec![],
+    })
+}
+
+fn draw_axes(svg: &mut Svg, axis: &Axis, across: &Axis, poses: &[i64], name: &str) {
+    for (value, label) in axis.ticks(5) {
+        let y = axis.at(value);
+        svg.line("grid", (LEFT, y), (WIDTH - RIGHT, y));
+        svg.text("end", (LEFT - 6.0, y + 4.0), &label);
+    }
+    let stride = (super::axis::step(poses.len() as f64, 15) as usize).max(1);
+    for (i, pose) in poses.iter().enumerate() {
+        // round pose numbers where poses are counted from 1
+        if pose % stride as i64 == 0 || poses.len() <= 15 {
+            let x = across.at(i as f64);
+            svg.line("axis", (x, BOTTOM), (x, BOTTOM + 4.0));
+            svg.text("mid", (x, BOTTOM + 17.0), &pose.to_string());
+        }
+    }
+    svg.line("axis", (LEFT, BOTTOM), (WIDTH - RIGHT, BOTTOM));
+    svg.line("axis", (LEFT, TOP), (LEFT, BOTTOM));
+    svg.text("mid", ((LEFT + WIDTH - RIGHT) / 2.0, BOTTOM + 36.0), "pose");
+    svg.text_upwards((14.0, (TOP + BOTTOM) / 2.0), name);
+}
+
+fn legend(svg: &mut Svg, drawn: &[&PointError]) {
+    let sets = points::sets(drawn);
+    let before = sets.iter().map(|&(shape, _, name)| (shape, "before", format!("{name}, before")));
+    let after = sets.iter().map(|&(shape, class, name)| (shape, class, format!("{name}, after")));
+    let entries: Vec<(Shape, &str, String)> = before.chain(after).collect();
+    for (i, (shape, class, name)) in entries.iter().enumerate() {
+        let x = LEFT + 8.0 + 160.0 * i as f64;
+        svg.mark(*shape, class, (x, 16.0), 4.0, "", "");
+        svg.text("start", (x + 10.0, 20.0), name);
+    }
+}
+
+fn quantile(values: impl Iterator<Item = f64>, share: f64) -> f64 {
+    let mut sorted: Vec<f64> = values.collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get((sorted.len() as f64 * share) as usize).copied().unwrap_or(0.0)
+}
+
+fn capital(word: &str) -> String {
+    let mut letters = word.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::demo::point;
+    use super::*;
+
+    #[test]
+    fn the_axis_follows_its_stated_rule() {
+        let caption = |before: f64| {
+            let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [before, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
+            pictures(&errors.iter().collect::<Vec<_>>())[0].caption.clone()
+        };
+        assert!(caption(0.19).starts_with("The error axis is linear: the largest error before is no more than 20"));
+        assert!(caption(0.21).starts_with("The error axis is logarithmic: the largest error before is more than 20"));
+        assert!(caption(0.0).contains("linear"));
+    }
+
+    #[test]
+    fn errors_below_the_axis_are_counted() {
+        let mut errors: Vec<_> = (0..99).map(|i| point(i, [0.0; 3], [0.5, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
+        assert!(!pictures(&errors.iter().collect::<Vec<_>>())[0].caption.contains("lower edge"));
+        errors[7].after_mm = [1e-9, 0.0, 0.0];
+        assert!(pictures(&errors.iter().collect::<Vec<_>>())[0].caption.contains(" 1 smaller errors are drawn"));
+    }
+
+    #[test]
+    fn orientation_is_drawn_where_there_is_one() {
+        let mut errors = vec![point(1, [0.0; 3], [0.1; 3], [0.01; 3]); 3];
+        assert_eq!(pictures(&errors.iter().collect::<Vec<_>>()).len(), 1);
+        (errors[0].before_deg, errors[0].after_deg) = (Some(-0.1), Some(0.01));
+        (errors[1].before_deg, errors[1].after_deg) = (Some(f64::NAN), Some(0.01));
+        let both = pictures(&errors.iter().collect::<Vec<_>>());
+        assert_eq!((both.len(), both[1].svg.matches("pose 1, ").count()), (2, 2));
+        assert!(both[1].svg.contains("0.100 deg before, 0.0100 deg after"));
+    }
+}

@@ -1,0 +1,115 @@
+//! Errors over the workspace (thesis, figures 3.8 to 3.10): colour and size of each mark say how large the error is.
+
+use super::axis::{Axis, range};
+use super::number::{self, Shown};
+use super::plane::{self, Plane, WIDTH};
+use super::points::{self, Picture};
+use super::svg::Svg;
+use crate::document::PointError;
+
+/// More marks than this hide each other.
+const LIMIT: usize = 1000;
+
+/// Colours of increasing error: lightness falls all the way, so that print and every eye can order them.
+const RAMP: [[f64; 3]; 4] = [[250.0, 205.0, 100.0], [226.0, 110.0, 70.0], [150.0, 40.0, 100.0], [45.0, 10.0, 75.0]];
+
+/// Before and after, side by side, for every plane of the workspace.
+pub(super) fn maps(errors: &[&PointError], planar: bool) -> Vec<Picture> {
+    let of_plane = |&axes: &(usize, usize)| {
+        [map(errors, axes, "before", points::before_mm), map(errors, axes, "after", points::after_mm)]
+    };
+    plane::planes(planar).iter().flat_map(of_plane).collect()
+}
+
+fn map(errors: &[&PointError], axes: (usize, usize), when: &str, size: fn(&PointError) -> f64) -> Picture {
+    let places: Vec<_> = errors.iter().map(|p| p.at_mm).collect();
+    let plane = Plane::around(axes, &places);
+    let largest = range(errors.iter().map(|p| size(p))).map_or(0.0, |r| r.1);
+    let shown = number::shown("mm", largest);
+    let scale = Axis::from_zero(largest * shown.factor, 0.0, 1.0);
+    let top = format!("{} {}", number::significant(scale.high(), 2), shown.unit);
+    let title = format!("Position error {when} calibration, {} plane", plane::name(axes));
+    let largest = format!("{} {}", number::significant(largest * shown.factor, 3), shown.unit);
+    let description = format!("Marks at the measured positions; colour and size from 0 to {top}; largest {largest}.");
+    let id = format!("map-{when}-{}", plane::name(axes));
+    let mut svg = Svg::new(&id, WIDTH, plane.height() + 48.0, &title, &description);
+    plane.draw(&mut svg);
+    let mut drawn = points::thin(errors, LIMIT, size);
+    // the small ones lie on top of the large ones
+    drawn.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    for p in &drawn {
+        let share = scale.at(size(p) * shown.factor);
+        let tip = points::tooltip(p, points::before_mm(p), points::after_mm(p), shown);
+        svg.mark(points::shape(p), "map", plane.at(p.at_mm), radius(share), &colour(share), &tip);
+    }
+    legend(&mut svg, errors, &scale, shown, plane.height());
+    Picture {
+        title,
+        svg: svg.finish(),
+        caption: format!(
+            "Colour and size of the marks from 0 to {top}, a scale of this picture's own; largest error {largest}.{}",
+            points::how_many(drawn.len(), errors.len())
+        ),
+        wide: false,
+        table_title: String::new(),
+        header: vec![],
+        rows: vec![],
+    }
+}
+
+fn legend(svg: &mut Svg, errors: &[&PointError], scale: &Axis, shown: Shown, top: f64) {
+    let ticks = scale.ticks(5);
+    let pitch = (WIDTH - 60.0) / ticks.len().max(1) as f64;
+    for (i, (value, label)) in ticks.iter().enumerate() {
+        let (x, share) = (30.0 + pitch * i as f64, scale.at(*value));
+        svg.mark(super::svg::Shape::Circle, "map", (x, top + 14.0), radius(share), &colour(share), "");
+        svg.text("start", (x + 10.0, top + 18.0), label);
+    }
+    svg.text("end", (WIDTH - 4.0, top + 18.0), shown.unit);
+    for (i, (shape, _, name)) in points::sets(errors).into_iter().enumerate() {
+        let x = 30.0 + 120.0 * i as f64;
+        svg.mark(shape, "map", (x, top + 36.0), 4.5, "#ffffff", "");
+        svg.text("start", (x + 10.0, top + 40.0), name);
+    }
+}
+
+/// The mark's area grows with the error.
+fn radius(share: f64) -> f64 {
+    1.8 + 5.0 * share.sqrt()
+}
+
+fn colour(share: f64) -> String {
+    let place = share.clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
+    let below = (place as usize).min(RAMP.len() - 2);
+    let part = place - below as f64;
+    let mix = |c: usize| (RAMP[below][c] + part * (RAMP[below + 1][c] - RAMP[below][c])).round() as u8;
+    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::demo::point;
+    use super::*;
+
+    #[test]
+    fn larger_errors_are_darker() {
+        let lightness = |share: f64| {
+            let c = u32::from_str_radix(&colour(share)[1..], 16).unwrap();
+            0.2126 * f64::from(c >> 16) + 0.7152 * f64::from(c >> 8 & 255) + 0.0722 * f64::from(c & 255)
+        };
+        let steps: Vec<_> = (0..=20).map(|i| lightness(f64::from(i) / 20.0)).collect();
+        assert!(steps.windows(2).all(|w| w[0] > w[1] + 1.0), "{steps:?}");
+    }
+
+    #[test]
+    fn before_and_after_have_their_own_scale() {
+        let errors = [point(1, [0.0; 3], [0.35, 0.0, 0.0], [0.002, 0.0, 0.0]), point(2, [9.0; 3], [1.2; 3], [0.0; 3])];
+        let errors: Vec<_> = errors.iter().collect();
+        let maps = maps(&errors, false);
+        assert_eq!(maps.len(), 4);
+        assert!(maps[0].caption.contains("from 0 to 2.5 mm"), "{}", maps[0].caption);
+        assert!(maps[1].caption.contains("from 0 to 2.0 µm"), "{}", maps[1].caption);
+        assert!(maps[3].title.contains("xz"));
+        assert_eq!(maps[0].svg.matches("pose 1, cycle 1").count(), 1);
+    }
+}

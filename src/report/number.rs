@@ -1,0 +1,109 @@
+//! Numbers as a reader wants them: no digit that means nothing, none missing that does.
+
+/// `value` with a fixed number of decimals; never "-0".
+pub(super) fn fixed(value: f64, decimals: usize) -> String {
+    if !value.is_finite() {
+        return "not a number".to_owned();
+    }
+    if value.abs() >= 1e15 {
+        return format!("{value:e}");
+    }
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(digits) if digits.bytes().all(|b| b == b'0' || b == b'.') => digits.to_owned(),
+        _ => text,
+    }
+}
+
+/// Power of ten of the first digit of `value` after rounding to `digits` significant digits.
+fn magnitude(value: f64, digits: usize) -> Option<i32> {
+    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    let exponent = text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
+    exponent.filter(|_| value.is_finite() && value != 0.0)
+}
+
+/// Decimals that show `digits` significant digits of `value`, at most 12.
+pub(super) fn decimals(value: f64, digits: usize) -> Option<usize> {
+    let last = digits as i32 - 1 - magnitude(value, digits)?;
+    Some(last.clamp(0, 12) as usize)
+}
+
+/// `value` with `digits` significant digits; as a power of ten where it is very large or small.
+pub(super) fn significant(value: f64, digits: usize) -> String {
+    match magnitude(value, digits) {
+        Some(exponent) if !(-4..9).contains(&exponent) => format!("{value:.*e}", digits.saturating_sub(1)),
+        _ => fixed(value, decimals(value, digits).unwrap_or(0)),
+    }
+}
+
+/// `value` to the second significant digit of its standard uncertainty; 4 decimals without one.
+pub(super) fn with_uncertainty(value: f64, u: Option<f64>) -> String {
+    fixed(value, u.and_then(|u| decimals(u, 2)).unwrap_or(4))
+}
+
+/// The largest of 1, 2 or 5 times a power of ten that is at most `value`.
+pub(super) fn round_down_125(value: f64) -> f64 {
+    let Some(exponent) = magnitude(value, 17) else { return 1.0 };
+    let decade = 10f64.powi(exponent);
+    [5.0, 2.0].into_iter().map(|m| m * decade).find(|&m| m <= value * (1.0 + 1e-12)).unwrap_or(decade)
+}
+
+/// A unit to show lengths in, and what millimetres are multiplied by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shown {
+    pub unit: &'static str,
+    pub factor: f64,
+}
+
+/// Micrometres for lengths below a millimetre; degrees and other units stay.
+pub(super) fn shown(unit: &str, largest: f64) -> Shown {
+    match unit {
+        "mm" if largest < 1.0 => Shown { unit: "µm", factor: 1000.0 },
+        "mm" => Shown { unit: "mm", factor: 1.0 },
+        "deg" => Shown { unit: "deg", factor: 1.0 },
+        _ => Shown { unit: "", factor: 1.0 },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_show_the_second_digit_of_their_uncertainty() {
+        assert_eq!(with_uncertainty(299.987_654_321, Some(0.001_234)), "299.9877");
+        assert_eq!(with_uncertainty(299.987_654_321, Some(0.000_999)), "299.9877");
+        assert_eq!(with_uncertainty(299.987_654_321, Some(0.000_994)), "299.98765");
+        assert_eq!(with_uncertainty(299.987_654_321, Some(250.0)), "300");
+        assert_eq!(with_uncertainty(299.987_654_321, None), "299.9877");
+        assert_eq!(with_uncertainty(1.0, Some(0.0)), "1.0000");
+        assert_eq!(with_uncertainty(1.0, Some(f64::NAN)), "1.0000");
+    }
+
+    #[test]
+    fn zero_has_no_sign_and_nan_a_name() {
+        assert_eq!(fixed(-0.000_01, 4), "0.0000");
+        assert_eq!(fixed(-0.000_06, 4), "-0.0001");
+        assert_eq!(fixed(f64::NAN, 2), "not a number");
+        assert_eq!(significant(f64::INFINITY, 3), "not a number");
+        assert_eq!(significant(0.0, 3), "0");
+        assert_eq!(significant(f64::MAX, 3), "1.80e308");
+    }
+
+    #[test]
+    fn significant_digits() {
+        let cases = [(1432.2, "1432"), (93.46, "93.5"), (0.009_996, "0.0100"), (1.234e-7, "1.23e-7")];
+        for (value, text) in cases {
+            assert_eq!(significant(value, 3), text);
+        }
+    }
+
+    #[test]
+    fn round_numbers_are_1_2_or_5() {
+        let cases = [(1.0, 1.0), (1.99, 1.0), (2.0, 2.0), (4.9, 2.0), (7.0, 5.0), (2300.0, 2000.0), (0.06, 0.05)];
+        for (value, round) in cases {
+            assert!((round_down_125(value) / round - 1.0).abs() < 1e-12, "{value}");
+        }
+        assert_eq!(round_down_125(0.0), 1.0);
+    }
+}

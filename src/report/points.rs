@@ -1,0 +1,118 @@
+//! The errors as the pictures need them: what can be drawn, how much of it, and what a pointer reads off a mark.
+
+use super::number::{self, Shown};
+use super::svg::Shape;
+use crate::document::PointError;
+use crate::pose::norm;
+
+/// Places and errors beyond this are blunders that no picture can show, mm.
+const DRAWABLE_MM: f64 = 1e7;
+
+/// A picture with what stands under it.
+#[derive(Debug, serde::Serialize)]
+pub(super) struct Picture {
+    pub title: String,
+    pub svg: String,
+    pub caption: String,
+    /// wide pictures get a row of their own
+    pub wide: bool,
+    /// header and rows of the numbers behind it; empty where another table has them
+    pub table_title: String,
+    pub header: Vec<String>,
+    pub rows: Vec<Vec<String>>,
+}
+
+/// The errors that can be drawn, in their order.
+pub(super) fn drawable(errors: &[PointError]) -> Vec<&PointError> {
+    let small = |v: &f64| v.abs() < DRAWABLE_MM;
+    let whole = |p: &&PointError| [p.at_mm, p.before_mm, p.after_mm].iter().flatten().all(small);
+    errors.iter().filter(whole).collect()
+}
+
+/// At most about `limit` points, evenly chosen; the largest is always among them.
+pub(super) fn thin<'a>(
+    points: &[&'a PointError],
+    limit: usize,
+    size: impl Fn(&PointError) -> f64,
+) -> Vec<&'a PointError> {
+    let stride = points.len().div_ceil(limit.max(1)).max(1);
+    let largest = (0..points.len()).max_by(|&a, &b| size(points[a]).total_cmp(&size(points[b])));
+    let chosen = |i: &usize| i.is_multiple_of(stride) || Some(*i) == largest;
+    (0..points.len()).filter(chosen).map(|i| points[i]).collect()
+}
+
+/// A sentence on how many of the points are drawn; empty where all are.
+pub(super) fn how_many(drawn: usize, all: usize) -> String {
+    match drawn < all {
+        true => format!(" {drawn} of {all} points are drawn, evenly chosen, the largest among them."),
+        false => String::new(),
+    }
+}
+
+/// Size of the position error before.
+pub(super) fn before_mm(p: &PointError) -> f64 {
+    norm(p.before_mm)
+}
+
+/// Size of the position error after.
+pub(super) fn after_mm(p: &PointError) -> f64 {
+    norm(p.after_mm)
+}
+
+/// Validation poses are diamonds.
+pub(super) fn is_validation(p: &PointError) -> bool {
+    p.set == "validation"
+}
+
+/// Form of the mark of a point.
+pub(super) fn shape(p: &PointError) -> Shape {
+    if is_validation(p) { Shape::Diamond } else { Shape::Circle }
+}
+
+/// Style of the mark of a point.
+pub(super) fn class(p: &PointError) -> &'static str {
+    if is_validation(p) { "val" } else { "cal" }
+}
+
+/// Form and style of each set that occurs, for legends.
+pub(super) fn sets(points: &[&PointError]) -> Vec<(Shape, &'static str, &'static str)> {
+    let all = [(false, Shape::Circle, "cal", "calibration"), (true, Shape::Diamond, "val", "validation")];
+    let occurs = |validation: bool| points.iter().any(|p| is_validation(p) == validation);
+    all.into_iter().filter(|s| occurs(s.0)).map(|(_, shape, class, name)| (shape, class, name)).collect()
+}
+
+/// Which point, and its error before and after; the target's name is isolated from its surroundings (right-to-left).
+pub(super) fn tooltip(p: &PointError, before: f64, after: f64, shown: Shown) -> String {
+    let value = |v: f64| format!("{} {}", number::significant(v * shown.factor, 3), shown.unit);
+    let (target, set) =
+        (format!("\u{2068}{}\u{2069}", p.target), if is_validation(p) { "validation" } else { "calibration" });
+    format!("pose {}, cycle {}, {target} ({set}): {} before, {} after", p.pose, p.cycle, value(before), value(after))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::demo::point;
+    use super::*;
+
+    #[test]
+    fn thinning_keeps_the_largest_and_no_more_than_asked() {
+        let mut errors: Vec<_> = (0..1000).map(|i| point(i, [i as f64, 0.0, 0.0], [0.1; 3], [0.01; 3])).collect();
+        errors[777].after_mm = [1.0; 3];
+        let all: Vec<_> = errors.iter().collect();
+        let few = thin(&all, 300, after_mm);
+        assert!(few.len() <= 301 && few.iter().any(|p| p.pose == 777), "{}", few.len());
+        assert_eq!(thin(&all, 1000, after_mm).len(), 1000);
+        assert_eq!(thin(&[], 10, after_mm).len(), 0);
+        assert_eq!((how_many(3, 3), how_many(2, 3).is_empty()), (String::new(), false));
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_not_drawn() {
+        let fine = point(1, [0.0; 3], [0.1; 3], [0.01; 3]);
+        let mut errors = vec![fine.clone(), fine.clone(), fine.clone(), fine];
+        errors[0].at_mm[2] = f64::NAN;
+        errors[1].before_mm[0] = f64::INFINITY;
+        errors[2].after_mm[1] = 1e300;
+        assert_eq!(drawable(&errors).len(), 1);
+    }
+}

@@ -1,0 +1,136 @@
+//! Errors as tables: by set of poses, and by pose.
+
+use super::number::{self, Shown};
+use super::points;
+use crate::document::{AccuracyDocument, ErrorStatistics, PointError, Statistics};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// More rows than this nobody reads; the documents have them all.
+const LIMIT: usize = 500;
+
+#[derive(Debug, Serialize)]
+pub(super) struct Set {
+    pub name: String,
+    pub poses: usize,
+    pub count: usize,
+    pub rows: Vec<Row>,
+}
+
+/// One quantity: mean, RMS, 95 % and max.
+#[derive(Debug, Serialize)]
+pub(super) struct Row {
+    pub quantity: String,
+    pub unit: String,
+    pub before: [String; 4],
+    pub after: [String; 4],
+    /// RMS before over RMS after
+    pub ratio: String,
+}
+
+/// Errors of every set of poses.
+pub(super) fn sets(accuracy: &AccuracyDocument) -> Vec<Set> {
+    // one unit for all lengths, so that rows and sets can be compared
+    let lengths = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == "mm");
+    let largest_mm = lengths.map(|e| e.before.max.max(e.after.max)).fold(0.0, f64::max);
+    let set = |s: &crate::document::AccuracySet| Set {
+        name: s.name.clone(),
+        poses: s.poses,
+        count: s.count,
+        rows: s.errors.iter().map(|e| row(e, largest_mm)).collect(),
+    };
+    accuracy.sets.iter().map(set).collect()
+}
+
+fn row(e: &ErrorStatistics, largest_mm: f64) -> Row {
+    let Shown { unit, factor } = number::shown(&e.unit, largest_mm);
+    let all = |s: &Statistics| [s.mean, s.rms, s.p95, s.max].map(|v| v * factor);
+    // the smallest number that is not zero shows two digits
+    let smallest = all(&e.before).into_iter().chain(all(&e.after)).filter(|&v| v > 0.0).fold(f64::INFINITY, f64::min);
+    let decimals = number::decimals(smallest, 2).unwrap_or(1).clamp(1, 5);
+    let text = |s: &Statistics| all(s).map(|v| number::fixed(v, decimals));
+    let ratio = e.before.rms / e.after.rms;
+    Row {
+        quantity: e.quantity.clone(),
+        unit: if unit.is_empty() { e.unit.clone() } else { unit.to_owned() },
+        before: text(&e.before),
+        after: text(&e.after),
+        ratio: if ratio.is_finite() { number::significant(ratio, 2) } else { String::new() },
+    }
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct Poses {
+    pub unit: &'static str,
+    pub orientation: bool,
+    pub rows: Vec<[String; 7]>,
+    /// poses that the table leaves out
+    pub left_out: usize,
+}
+
+/// Largest and mean error of every pose.
+pub(super) fn poses(errors: &[PointError]) -> Poses {
+    let mut by_pose: BTreeMap<(&str, i64), Vec<&PointError>> = BTreeMap::new();
+    for p in errors {
+        by_pose.entry((&p.set, p.pose)).or_default().push(p);
+    }
+    let largest =
+        |points: &[&PointError], size: fn(&PointError) -> f64| points.iter().map(|p| size(p)).fold(0.0, f64::max);
+    let all: Vec<&PointError> = errors.iter().collect();
+    let Shown { unit, factor } =
+        number::shown("mm", largest(&all, points::after_mm).max(largest(&all, points::before_mm)));
+    let length = |v: f64| number::significant(v * factor, 3);
+    let angle = |points: &[&PointError], angle: fn(&PointError) -> Option<f64>| {
+        let largest = points.iter().filter_map(|p| angle(p)).map(f64::abs).reduce(f64::max);
+        largest.map_or_else(String::new, |v| number::significant(v, 3))
+    };
+    let row = |(&(set, pose), points): (&(&str, i64), &Vec<&PointError>)| {
+        let (before, after) = (largest(points, points::before_mm), largest(points, points::after_mm));
+        let count = points.len().to_string();
+        let angles = (angle(points, |p| p.before_deg), angle(points, |p| p.after_deg));
+        [pose.to_string(), set.to_owned(), count, length(before), length(after), angles.0, angles.1]
+    };
+    Poses {
+        unit,
+        orientation: errors.iter().any(|p| p.before_deg.is_some() || p.after_deg.is_some()),
+        rows: by_pose.iter().take(LIMIT).map(row).collect(),
+        left_out: by_pose.len().saturating_sub(LIMIT),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::demo::point;
+    use super::*;
+
+    fn statistics(size: f64) -> Statistics {
+        Statistics { mean: 0.8 * size, rms: size, p95: 1.8 * size, max: 2.0 * size }
+    }
+
+    #[test]
+    fn small_lengths_are_in_micrometres_with_the_digits_of_the_smallest() {
+        let mut errors = ErrorStatistics {
+            quantity: "position".into(),
+            unit: "mm".into(),
+            before: statistics(0.4),
+            after: statistics(0.008),
+        };
+        let small = row(&errors, 0.8);
+        assert_eq!((small.unit.as_str(), small.ratio.as_str()), ("µm", "50"));
+        assert_eq!(small.before, ["320.0", "400.0", "720.0", "800.0"].map(str::to_owned));
+        assert_eq!(small.after, ["6.4", "8.0", "14.4", "16.0"].map(str::to_owned));
+        assert_eq!((row(&errors, 8.0).after[1].as_str(), row(&errors, 8.0).unit.as_str()), ("0.0080", "mm"));
+        errors.after = statistics(0.0);
+        assert_eq!(row(&errors, 0.8).ratio, "");
+    }
+
+    #[test]
+    fn a_pose_has_the_largest_of_its_errors_and_long_tables_are_cut() {
+        let two = [point(1, [0.0; 3], [0.3, 0.0, 0.0], [0.02, 0.0, 0.0]), point(1, [0.0; 3], [0.2; 3], [0.01; 3])];
+        let table = poses(&two);
+        assert_eq!(table.rows, [["1", "calibration", "2", "346", "20.0", "", ""].map(str::to_owned)]);
+        let many: Vec<_> = (0..600).map(|i| point(i, [0.0; 3], [0.1; 3], [0.01; 3])).collect();
+        assert_eq!((poses(&many).rows.len(), poses(&many).left_out), (500, 100));
+        assert!(poses(&[]).rows.is_empty());
+    }
+}

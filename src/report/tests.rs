@@ -1,0 +1,149 @@
+//! The whole page: what it must show, what it must survive, what it must never contain.
+
+use super::demo::{Documents, point};
+use super::*;
+use crate::document::{Refused, Statistics};
+use crate::message::Place;
+
+fn page(documents: &Documents) -> String {
+    html(&documents.report()).unwrap()
+}
+
+#[test]
+fn the_demo_page_tells_what_a_reader_needs() {
+    let page = page(&Documents::demo());
+    if let Some(path) = std::env::var_os("ETALON_REPORT_DEMO") {
+        std::fs::write(path, &page).unwrap();
+    }
+    let needed = [
+        "Synthetic data: ",
+        "All 2 limits of the campaign are met.",
+        "<b>2.09 → 0.0442 <small>mm</small></b>",
+        "U = 2.7 µm for one coordinate (k = 2)",
+        "held: the data cannot tell it apart",
+        "arrows enlarged ",
+        "is not a number (column y)",
+        "enlarged by a factor of 1.19",
+    ];
+    for text in needed {
+        assert!(page.contains(text), "{text}");
+    }
+    for id in ["verdict", "messages", "errors", "pictures", "parameters", "fit", "frames", "import", "provenance"] {
+        assert!(page.contains(&format!("<section id=\"{id}\">")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
+    }
+    assert_eq!(page.matches("<svg").count(), 6);
+}
+
+#[test]
+fn the_page_needs_no_network_and_runs_no_script() {
+    let page = page(&Documents::demo());
+    for text in ["http:", "https:", "src=", "url(", "@import", "<script", "<link", "xmlns", "javascript"] {
+        assert!(!page.contains(text), "{text}");
+    }
+    assert!(page.contains("default-src 'none'"));
+}
+
+#[test]
+fn the_same_documents_make_the_same_bytes() {
+    assert_eq!(page(&Documents::demo()), page(&Documents::demo()));
+}
+
+/// Puts a text wherever a campaign, a file or a person can put one.
+fn with_text(text: &str) -> Documents {
+    let mut d = Documents::demo();
+    let t = || text.to_owned();
+    let c = &mut d.campaign;
+    (c.name, c.synthetic, c.notes, c.date) = (t(), Some(t()), Some(t()), Some(t()));
+    (c.operator, c.instrument) = (Some(t()), Some(t()));
+    let message = || Message::error(t()).at(Place::line(t(), 1, t())).expected(t()).hint(t());
+    d.import.messages = vec![message()];
+    for s in &mut d.import.sources {
+        (s.file, s.kind, s.dialect, s.sha256) = (t(), t(), t(), t());
+        s.refused = vec![Refused { line: 1, text: t(), reason: t() }];
+    }
+    d.features.features.iter_mut().for_each(|f| (f.name, f.element) = (t(), t()));
+    d.frames.world.definition = t();
+    let p = &mut d.parameters;
+    (p.robot, p.messages) = (t(), vec![message()]);
+    p.parameters.iter_mut().for_each(|p| (p.name, p.unit, p.confounded_with) = (t(), t(), vec![t()]));
+    (p.observability.scaling, p.solver.method, p.solver.meaning) = (t(), t(), t());
+    (p.provenance.version, p.provenance.inputs) = (t(), [(t(), t())].into());
+    d.accuracy.definition = t();
+    d.accuracy.sets.iter_mut().for_each(|s| s.name = t());
+    d.accuracy.sets.iter_mut().flat_map(|s| &mut s.errors).for_each(|e| (e.quantity, e.unit) = (t(), t()));
+    d.accuracy.limits.iter_mut().for_each(|l| (l.name, l.unit) = (t(), t()));
+    d.errors.iter_mut().for_each(|e| (e.set, e.target) = (t(), t()));
+    d
+}
+
+#[test]
+fn no_text_leaves_its_place() {
+    let tags = page(&with_text("plain")).matches('<').count();
+    let hostile = "</td></script><script>alert(1)</script>&\"'<!--{{ 7*7 }}";
+    let page = page(&with_text(hostile));
+    assert_eq!(page.matches('<').count(), tags);
+    assert!(!page.contains("<script") && !page.contains("<!--") && page.contains("{{ 7*7 }}"));
+    assert!(page.matches("&lt;script&gt;alert(1)").count() > 300);
+}
+
+#[test]
+fn long_and_right_to_left_names_are_kept_apart() {
+    let long = "n".repeat(200);
+    assert!(page(&with_text(&long)).contains(&format!("<h1><bdi>{long}</bdi></h1>")));
+    let hebrew = "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8}";
+    let page = page(&with_text(hebrew));
+    assert!(page.contains(&format!("<h1><bdi>{hebrew}</bdi></h1>")));
+    assert!(page.contains(&format!("cycle 1, \u{2068}{hebrew}\u{2069} (calibration)")));
+}
+
+#[test]
+fn nothing_to_draw_is_said() {
+    let mut documents = Documents::demo();
+    documents.errors.clear();
+    documents.accuracy.sets.clear();
+    documents.import.sources.clear();
+    documents.import.messages.clear();
+    documents.parameters.messages.clear();
+    documents.parameters.parameters.clear();
+    documents.features.features.clear();
+    documents.frames.world.poses.clear();
+    let page = page(&documents);
+    assert!(page.contains("There is no error that could be drawn.") && !page.contains("<svg"));
+    assert!(page.contains("No errors are given.") && page.contains("The campaign fits no features."));
+}
+
+#[test]
+fn numbers_that_are_none_and_lone_points_do_no_harm() {
+    for size in [0.0, 0.3, 1e-12, 1e300, f64::NAN, f64::INFINITY] {
+        for count in [1, 2, 300] {
+            let mut d = Documents::demo();
+            d.errors = vec![point(1, [size; 3], [size; 3], [size; 3]); count];
+            d.errors[0].before_deg = Some(size);
+            d.errors[0].after_deg = Some(size);
+            d.frames.world.planar = false;
+            d.parameters.residuals.rms = size;
+            d.parameters.residuals.uncertainties_enlarged_by = size;
+            d.parameters.observability.condition = size;
+            d.parameters.parameters[0].value = size;
+            d.parameters.parameters[1].standard_uncertainty = Some(size);
+            d.campaign.expanded_uncertainty_um = Some(size);
+            d.features.features[0].direction = [size; 3];
+            d.accuracy.sets[0].errors[0].before = Statistics { mean: size, rms: size, p95: size, max: size };
+            d.accuracy.sets[1].errors[0].after = Statistics { mean: size, rms: size, p95: size, max: size };
+            d.accuracy.limits[0].value = size;
+            let page = page(&d);
+            assert!(!page.contains("NaN") && !page.contains(">inf"), "{size}");
+            assert_eq!(page.contains("<svg"), size.is_finite() && size < 1e7, "{size}");
+        }
+    }
+}
+
+#[test]
+fn spatial_data_are_seen_from_above_and_from_the_side() {
+    let mut documents = Documents::demo();
+    documents.frames.world.planar = false;
+    documents.errors[0].at_mm[2] = 100.0;
+    let page = page(&documents);
+    assert!(page.contains("Position error before calibration, xz plane") && page.contains("z in mm"));
+    assert_eq!(page.matches("<svg").count(), 9);
+}

@@ -1,0 +1,97 @@
+//! Joins by row and by time: what has no partner, or two, is said.
+
+use crate::scratch::{Scratch, copy_sample};
+use etalon::campaign::Campaign;
+use etalon::message::Problems;
+use etalon::pipeline::{self, Outcome};
+
+const DELIMITED: &str = "format = { delimiter = \";\", columns = [\"target\", \"time_s\", \"x\", \"y\", \"z\"] }";
+
+/// The CMM sample with its first cycle in the plane of the world, a time in every row, and a log by time or row.
+fn timed(join: &str, clock_offset_s: f64, drop_log_row: Option<usize>, measured_twice: bool) -> Scratch {
+    let scratch = copy_sample("prexyt-cmm");
+    let campaign = Campaign::read(&scratch.path()).unwrap();
+    let robot = campaign.build_robot().unwrap();
+    let truth = etalon::campaign::read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+    let values: Vec<f64> = robot.parameters().iter().map(value).collect();
+    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    let mut export = String::new();
+    let mut rows = String::from("t,RP1,RP2,RP3\n");
+    // columns of the sample's log are in the order of their keys: cycle, pose, rho1, rho2, rho3
+    for (i, line) in log.lines().skip(1).take(59).enumerate() {
+        let cells: Vec<f64> = line.split(',').map(|c| c.parse().unwrap()).collect();
+        let q = &cells[2..];
+        let time = 10.0 * (i + 1) as f64;
+        for k in 0..2 {
+            let p = robot.position(&values, q, k);
+            export += &format!("{};{};{};{};0\n", robot.targets()[k], time + clock_offset_s + 0.2, p[0], p[1]);
+            if measured_twice && i == 4 && k == 0 {
+                export += &format!("K;{};{};{};0\n", time + clock_offset_s + 0.3, p[0], p[1]);
+            }
+        }
+        if drop_log_row != Some(i) {
+            rows += &format!("{time},{},{},{}\n", q[0], q[1], q[2]);
+        }
+    }
+    std::fs::write(scratch.path().join("exports/poses.txt"), export).unwrap();
+    std::fs::write(scratch.path().join("encoders.csv"), rows).unwrap();
+    let text = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
+    let start = text.find("[join]").unwrap();
+    let poses = "file = \"exports/poses.txt\"\n";
+    let text = format!(
+        "name = \"timed\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 2\ncoverage_factor = 2\n\
+         [[export]]\n{poses}{DELIMITED}\nunit = \"mm\"\n\
+         [log]\nfile = \"encoders.csv\"\ncolumns = {{ time_s = \"t\", rho1_mm = \"RP1\", rho2_mm = \"RP2\", rho3_mm = \"RP3\" }}\n\
+         [join]\n{join}\n[frame.world]\nas_exported = true\n[identify]\ncalibration = \"1-8\"\nvalidation = \"rest\"\n"
+    );
+    assert!(start > 0);
+    std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
+    scratch
+}
+
+fn run(scratch: &Scratch) -> Result<Outcome, Problems> {
+    pipeline::run(&Campaign::read(&scratch.path())?)
+}
+
+#[test]
+fn by_time_with_the_stated_offset() {
+    let outcome =
+        run(&timed("by = \"time\"\nclock_offset_s = 1000.0\ntolerance_s = 1.0", 1000.0, None, false)).unwrap();
+    assert_eq!(outcome.accuracy.sets[0].poses, 8);
+    assert!(outcome.accuracy.sets[1].errors[0].after.max < 1e-9, "{:?}", outcome.accuracy.sets);
+}
+
+#[test]
+fn a_wrong_offset_finds_no_partner() {
+    let problems =
+        run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 1000.0, None, false)).unwrap_err();
+    assert!(problems.to_string().contains("no measured point has a partner"), "{problems}");
+}
+
+#[test]
+fn points_without_a_log_row_are_counted() {
+    let outcome = run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 0.0, Some(20), false)).unwrap();
+    let said =
+        outcome.messages.iter().any(|m| m.what.contains("2 measured points have no row of log `log` within 1 s"));
+    assert!(said, "{:?}", outcome.messages);
+    assert_eq!(outcome.accuracy.sets[1].poses, 50);
+}
+
+#[test]
+fn two_points_for_one_log_row_are_an_error() {
+    let problems = run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 0.0, None, true)).unwrap_err();
+    assert!(problems.to_string().contains("row 5 of log `log` is nearest to 2 points of target `K`"), "{problems}");
+}
+
+#[test]
+fn a_join_by_time_needs_offset_and_tolerance() {
+    let problems = run(&timed("by = \"time\"", 0.0, None, false)).unwrap_err();
+    assert!(problems.to_string().contains("clock_offset_s"), "{problems}");
+}
+
+#[test]
+fn by_row_only_where_the_counts_agree() {
+    let problems = run(&timed("by = \"row\"", 0.0, None, false)).unwrap_err();
+    assert!(problems.to_string().contains("`exports/poses.txt` has 118 rows, log `log` has 59"), "{problems}");
+}
