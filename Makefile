@@ -28,7 +28,7 @@ samples/%/out/report.html: $$(shell find samples/% -type f -not -path '*/out/*')
 	$(ETALON) run --skip-missing samples/$*
 
 test:
-	if command -v cargo-nextest >/dev/null; then cargo nextest run --locked; else cargo test --locked; fi
+	if command -v cargo-nextest >/dev/null; then cargo test --locked --doc && cargo nextest run --locked; else cargo test --locked; fi
 
 bench:
 	cargo bench --locked

@@ -156,7 +156,7 @@ fn check_robot(campaign: &Campaign, robot: &dyn Robot, imported: &Imported, prob
 }
 
 impl Campaign {
-    /// Targets that become observations: those that [join] names, or all that the robot has.
+    /// Targets that become observations: those that `[join]` names, or all that the robot has.
     pub fn targets(&self) -> Vec<String> {
         self.file.join.targets.iter().flatten().map(|t| t.get_ref().clone()).collect()
     }

@@ -84,6 +84,11 @@ impl Campaign {
         Place::span(self.path.as_str(), &self.text, value.span())
     }
 
+    /// `campaign.toml`, without the folder: documents are the same wherever the folder stands.
+    pub fn file_name(&self) -> &str {
+        self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path)
+    }
+
     /// What a report says about the campaign.
     pub fn summary(&self) -> CampaignSummary {
         let file = &self.file;

@@ -16,7 +16,7 @@ pub fn line(points: &[Vector]) -> Result<Fit> {
     line_with(points, &Settings::default())
 }
 
-/// [`line`] with weights or a held direction.
+/// [`line()`] with weights or a held direction.
 pub fn line_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     fit(Element::Line, points, settings)
 }

@@ -134,15 +134,15 @@ fn identify_from(
     start: Vec<f64>,
 ) -> Result<Identification> {
     // a subset of many poses brings the parameters near, all poses then take few steps
-    let mut values = start;
+    let (mut values, mut held) = (start, None);
     if observations.len() > 2 * SUBSET {
         let step = observations.len().div_ceil(SUBSET);
         let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
-        if let Ok(near) = settle(robot, &subset, settings, wanted, values.clone()) {
-            values = near.values;
+        if let Ok(near) = settle(robot, &subset, settings, wanted, values.clone(), None) {
+            (values, held) = (near.values, Some(near.groups.iter().map(|g| g.held).collect()));
         }
     }
-    let settled = settle(robot, observations, settings, wanted, values)?;
+    let settled = settle(robot, observations, settings, wanted, values, held)?;
     let problem = Residuals::new(robot, observations, settings, &settled.free, &settled.values)?;
     Ok(uncertainty::conclude(robot, settings, &problem, wanted, settled))
 }
@@ -159,17 +159,19 @@ struct Settled {
     iterations: usize,
 }
 
+/// Solves with redundant parameters held, until the same are redundant at the solution; `held` is a first guess of them.
 fn settle(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
     wanted: &[usize],
     start: Vec<f64>,
+    held: Option<Vec<usize>>,
 ) -> Result<Settled> {
     let mut values = start;
     let mut iterations = 0;
     let all = Residuals::new(robot, observations, settings, wanted, &values)?;
-    let mut held = Analysis::at(&all, &values).held();
+    let mut held = held.unwrap_or_else(|| Analysis::at(&all, &values).held());
     for _round in 0..5 {
         let free: Vec<usize> = wanted.iter().copied().filter(|i| !held.contains(i)).collect();
         let problem = Residuals::new(robot, observations, settings, &free, &values)?;

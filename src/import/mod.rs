@@ -36,7 +36,7 @@ pub struct Imported {
 pub fn import(campaign: &Campaign) -> Result<Imported> {
     let mut problems = Problems::default();
     let mut sources = vec![
-        statement("campaign", &campaign.path, campaign.text.as_bytes()),
+        statement("campaign", campaign.file_name(), campaign.text.as_bytes()),
         statement("robot", campaign.file.robot.get_ref(), campaign.robot_text.as_bytes()),
     ];
     let mut columns = PointColumns::default();

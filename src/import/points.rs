@@ -112,7 +112,7 @@ impl PointColumns {
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
         let Some(first) = idle.first() else { return Vec::new() };
         let what = format!(
-            "{} points name no target, and no feature or frame uses their labels; the first is `{}`",
+            "labels that name no target and that no feature or frame uses: {}, the first is `{}`",
             idle.len(),
             first.label
         );

@@ -1,18 +1,40 @@
-//! Documents as they are committed.
+//! Documents as they are committed. `ETALON_UPDATE=1 make test` writes them again.
 
+use crate::scratch::copy_sample;
 use std::path::Path;
 
-/// `ETALON_UPDATE=1 make test` writes the schemas again.
+fn compare(path: &str, text: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    if std::env::var_os("ETALON_UPDATE").is_some() {
+        std::fs::write(&path, text).unwrap();
+    }
+    let committed = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(committed == text, "{} is not current: run with ETALON_UPDATE=1 and look at what changed", path.display());
+}
+
 #[test]
 fn committed_schemas_are_current() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("schemas");
-    let update = std::env::var_os("ETALON_UPDATE").is_some();
     for (name, text) in etalon::schema::all() {
-        let path = folder.join(format!("{name}.schema.json"));
-        if update {
-            std::fs::write(&path, &text).unwrap();
-        }
-        let committed = std::fs::read_to_string(&path).unwrap_or_default();
-        assert!(committed == text, "schemas/{name}.schema.json is not what the types say: run with ETALON_UPDATE=1");
+        compare(&format!("schemas/{name}.schema.json"), &text);
+    }
+}
+
+/// Documents that hold no computed number: the same bytes on every machine.
+#[test]
+fn documents_of_the_cmm_sample() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("exports/poses.txt", "K_1_1 ", "K_1_1_x ");
+    let row = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
+    let second = row.lines().nth(1).unwrap().to_owned();
+    scratch.replace("exports/poses.txt", &second, "L_1_1 0.0 0.0 0.0");
+    let program = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        .args(["run", "campaign"])
+        .current_dir(scratch.root())
+        .output()
+        .unwrap();
+    assert!(program.status.success(), "{}", String::from_utf8_lossy(&program.stderr));
+    for name in ["campaign.json", "import.json"] {
+        let text = std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap();
+        compare(&format!("tests/golden/{name}"), &text);
     }
 }
