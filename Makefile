@@ -24,7 +24,7 @@ $(ETALON): $(SOURCES)
 
 # a campaign is run again when one of its files or the program has changed
 .SECONDEXPANSION:
-samples/%/out/report.html: $$(shell find samples/% -type f -not -path '*/out/*') $(ETALON)
+samples/%/out/report.html: $$(shell find samples/$$* -type f -not -path '*/out/*') $(ETALON)
 	$(ETALON) run --skip-missing samples/$*
 
 test:

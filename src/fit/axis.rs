@@ -142,36 +142,6 @@ pub(super) fn refine_axis<S: Axial<N, K>, const N: usize, const K: usize>(
     }
 }
 
-/// `count` directions spread evenly over a hemisphere (Fibonacci lattice: Swinbank & Purser 2006, Q. J. R. Meteorol. Soc. 132, 1769).
-pub(super) fn hemisphere(count: usize) -> impl Iterator<Item = Vector> {
-    let golden_rad = std::f64::consts::PI * (3.0 - 5f64.sqrt());
-    (0..count).map(move |i| {
-        let z = (i as f64 + 0.5) / count as f64;
-        let (sin, cos) = (i as f64 * golden_rad).sin_cos();
-        let r = (1.0 - z * z).sqrt();
-        [r * cos, r * sin, z]
-    })
-}
-
-/// The best of scored starts, lowest first, no two axes of them closer than 15 degrees.
-pub(super) fn best_apart<T>(mut scored: Vec<(f64, Vector, T)>, count: usize) -> Vec<(Vector, T)> {
-    scored.retain(|s| s.0.is_finite());
-    scored.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut chosen: Vec<(Vector, T)> = Vec::new();
-    for (_, axis, start) in scored {
-        if chosen.len() < count && chosen.iter().all(|(c, _)| dot(*c, axis).abs() < 15f64.to_radians().cos()) {
-            chosen.push((axis, start));
-        }
-    }
-    chosen
-}
-
-/// Cost of a start that led somewhere; infinite of one that did not.
-pub(super) fn rank<const N: usize, const K: usize>(refined: &Refined<N, K>) -> f64 {
-    let usable = refined.cost.is_finite() && refined.condition.is_finite();
-    if usable { refined.cost } else { f64::INFINITY }
-}
-
 /// Angles of the points about the axis through `point`, for the coverage of an arc.
 pub(super) fn angles_about(points: &[Vector], chart: &Chart, point: Vector) -> Vec<f64> {
     let angle = |&q: &Vector| {

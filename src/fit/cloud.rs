@@ -95,12 +95,16 @@ impl Cloud {
         self.roots.get(i).copied().unwrap_or(1.0)
     }
 
-    /// At most `limit` of the points, evenly spread over their order: enough to look for a start.
+    /// At most `limit` of the points: enough to look for a start. The golden ratio steps through their order, so that
+    /// no rhythm of the scan (points a ring, rings a scan) is met.
     pub fn thinned(&self, limit: usize) -> Self {
-        let stride = self.points.len().div_ceil(limit.max(1)).max(1);
+        let n = self.points.len();
+        let ratio = (5f64.sqrt() - 1.0) / 2.0;
+        let pick = |i: usize| if n <= limit { i } else { ((i as f64 * ratio).fract() * n as f64) as usize };
+        let chosen = || (0..n.min(limit)).map(pick);
         Self {
-            points: self.points.iter().copied().step_by(stride).collect(),
-            roots: self.roots.iter().copied().step_by(stride).collect(),
+            points: chosen().filter_map(|i| self.points.get(i).copied()).collect(),
+            roots: chosen().filter_map(|i| self.roots.get(i).copied()).collect(),
             ..*self
         }
     }

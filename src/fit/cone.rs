@@ -1,22 +1,16 @@
 //! Circular cone, one nappe.
 
-use super::axis::{Axial, Chart, angles_about, best_apart, hemisphere, rank, refine_axis};
+use super::axis::{Axial, Chart, angles_about, refine_axis};
 use super::cloud::Cloud;
 use super::element::{Element, Settings};
 use super::result::{Fit, QUANTITIES, arc_coverage};
+use super::search::{no_start, rival_warning, search};
 use super::surface::{Refined, Surface};
 use crate::message::{Message, Result};
 use crate::pose::Vector;
 use crate::solve::Options;
 use nalgebra::{Matrix5, Vector5};
 use std::f64::consts::PI;
-
-/// Directions tried over the hemisphere, 7 degrees apart.
-const DIRECTIONS: usize = 400;
-/// Points that the search for a start looks at.
-const SEARCHED: usize = 120;
-/// Starts that are followed to their minimum.
-const FOLLOWED: usize = 8;
 
 /// Fits a cone to at least six points that are not in one plane.
 ///
@@ -31,20 +25,13 @@ pub fn cone_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Cone)?;
     let cloud = Cloud::new(Element::Cone, points, settings)?;
     let free = [true, true, false, held.is_none(), held.is_none(), true, true];
-    let few = cloud.thinned(SEARCHED);
-    let patience = Options { iterations: 80, ..Options::default() };
-    let best = starts(&few, held)
-        .into_iter()
-        .map(|(axis, start)| refine_axis(Funnel { chart: Chart::new(axis) }, &few, start, free, patience))
-        .map(|(funnel, refined)| (widening(&funnel, &refined.x), rank(&refined)))
-        .filter(|((_, x), rank)| x[5] > 0.0 && rank.is_finite())
-        .min_by(|a, b| a.1.total_cmp(&b.1));
-    let (funnel, start) = match best {
-        Some((start, _)) => start,
-        None => (Funnel { chart: Chart::new(held.unwrap_or(cloud.axes[0])) }, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1]),
-    };
-    let (funnel, refined) = refine_axis(funnel, &cloud, start, free, Options::default());
-    finished(&cloud, &funnel, refined)
+    let upright = |funnel, x| Some(widening(funnel, x)).filter(|(_, x): &(Funnel, [f64; 7])| x[5] > 0.0);
+    let found = search(&cloud, held, free, cone_along, upright, |chart| Funnel { chart });
+    let found = found.ok_or_else(|| no_start(Element::Cone))?;
+    let (funnel, refined) = refine_axis(found.surface, &cloud, found.start, free, Options::default());
+    let mut fit = finished(&cloud, &funnel, refined)?;
+    fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cone)));
+    Ok(fit)
 }
 
 fn finished(cloud: &Cloud, funnel: &Funnel, refined: Refined<7, 1>) -> Result<Fit> {
@@ -66,8 +53,7 @@ fn finished(cloud: &Cloud, funnel: &Funnel, refined: Refined<7, 1>) -> Result<Fi
 }
 
 /// The same cone with its axis towards larger radii and its half angle between 0 and a right angle.
-fn widening(funnel: &Funnel, x: &[f64; 7]) -> (Funnel, [f64; 7]) {
-    let (mut funnel, mut x) = funnel.recharted(x);
+fn widening(mut funnel: Funnel, mut x: [f64; 7]) -> (Funnel, [f64; 7]) {
     // ψ - π is the same surface seen from the other side: the distance s changes its sign
     let half_turns = (x[6] / PI).round();
     x[6] -= half_turns * PI;
@@ -84,36 +70,25 @@ fn widening(funnel: &Funnel, x: &[f64; 7]) -> (Funnel, [f64; 7]) {
     (funnel, x)
 }
 
-/// Axes with their cones, the most promising first.
-///
-/// About a given axis a cone is x² + y² = 2 p x + 2 q y + k0 + k1 t + k2 t², linear in all five; the half angle then
-/// comes from the radii about (p, q), regressed on the height.
-fn starts(cloud: &Cloud, held: Option<Vector>) -> Vec<(Vector, [f64; 7])> {
-    let score = |axis: Vector| {
-        let chart = Chart::new(axis);
-        let points: Vec<[f64; 3]> = cloud.points.iter().map(|&q| chart.coordinates(q)).collect();
-        let (mut normal, mut right) = (Matrix5::<f64>::zeros(), Vector5::<f64>::zeros());
-        for &[x, y, t] in &points {
-            let row = Vector5::new(2.0 * x, 2.0 * y, 1.0, t, t * t);
-            normal += row * row.transpose();
-            right += row * (x * x + y * y);
-        }
-        // two circles have two heights only, and t² is then 1 and t again: a little damping chooses
-        normal += Matrix5::identity() * (1e-10 * normal.trace());
-        let Some(solved) = normal.cholesky().map(|c| c.solve(&right)) else {
-            return (f64::INFINITY, axis, [0.0; 7]);
-        };
-        let (p, q) = (solved[0], solved[1]);
-        let radii: Vec<(f64, f64)> = points.iter().map(|&[x, y, t]| ((x - p).hypot(y - q), t)).collect();
-        let (slope, at_zero) = regression(&radii);
-        let cost: f64 = radii.iter().map(|(rho, t)| (rho - at_zero - slope * t).powi(2)).sum();
-        let half_angle = slope.atan();
-        (cost / (1.0 + slope * slope), axis, [p, q, 0.0, 0.0, 0.0, at_zero * half_angle.cos(), half_angle])
-    };
-    match held {
-        Some(axis) => vec![score(axis)].into_iter().map(|(_, axis, start)| (axis, start)).collect(),
-        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).map(score).collect(), FOLLOWED),
+/// The cone about a given axis: x² + y² = 2 p x + 2 q y + k0 + k1 t + k2 t², linear in all five; the half angle
+/// then comes from the radii about (p, q), regressed on the height.
+fn cone_along(cloud: &Cloud, chart: Chart) -> (f64, [f64; 7]) {
+    let points: Vec<[f64; 3]> = cloud.points.iter().map(|&q| chart.coordinates(q)).collect();
+    let (mut normal, mut right) = (Matrix5::<f64>::zeros(), Vector5::<f64>::zeros());
+    for &[x, y, t] in &points {
+        let row = Vector5::new(2.0 * x, 2.0 * y, 1.0, t, t * t);
+        normal += row * row.transpose();
+        right += row * (x * x + y * y);
     }
+    // two circles have two heights only, and t² is then 1 and t again: a little damping chooses
+    normal += Matrix5::identity() * (1e-10 * normal.trace());
+    let Some(solved) = normal.cholesky().map(|c| c.solve(&right)) else { return (f64::INFINITY, [0.0; 7]) };
+    let (p, q) = (solved[0], solved[1]);
+    let radii: Vec<(f64, f64)> = points.iter().map(|&[x, y, t]| ((x - p).hypot(y - q), t)).collect();
+    let (slope, at_zero) = regression(&radii);
+    let cost: f64 = radii.iter().map(|(rho, t)| (rho - at_zero - slope * t).powi(2)).sum();
+    let half_angle = slope.atan();
+    (cost / (1.0 + slope * slope), [p, q, 0.0, 0.0, 0.0, at_zero * half_angle.cos(), half_angle])
 }
 
 /// Slope and intercept of the first of each pair over the second.
@@ -190,7 +165,8 @@ mod tests {
         let q = [0.4, -0.7, 0.9];
         for half_angle in [0.4, -0.4, PI - 0.4, PI + 0.4, FRAC_PI_2 - 0.1] {
             let x = [0.1, 0.2, 0.0, 0.05, -0.03, 0.6, half_angle];
-            let (turned, y) = widening(&funnel, &x);
+            let (upright, y) = funnel.recharted(&x);
+            let (turned, y) = widening(upright, y);
             assert!(y[6] > 0.0 && y[6] < FRAC_PI_2, "{half_angle}: {y:?}");
             let (was, is) = (funnel.distances(&x, q)[0].0, turned.distances(&y, q)[0].0);
             assert!((was.abs() - is.abs()).abs() < 1e-14, "{half_angle}: {was} {is}");

@@ -1,21 +1,15 @@
 //! Circular cylinder.
 
-use super::axis::{Axial, Chart, angles_about, best_apart, hemisphere, rank, refine_axis};
+use super::axis::{Axial, Chart, angles_about, refine_axis};
 use super::ball::taubin;
 use super::cloud::Cloud;
 use super::element::{Element, Settings};
 use super::result::{Fit, QUANTITIES, arc_coverage, largest_component_positive};
+use super::search::{no_start, rival_warning, search};
 use super::surface::Surface;
 use crate::message::Result;
 use crate::pose::Vector;
 use crate::solve::Options;
-
-/// Directions tried over the hemisphere, 7 degrees apart.
-const DIRECTIONS: usize = 400;
-/// Points that the search for a start looks at.
-const SEARCHED: usize = 120;
-/// Starts that are followed to their minimum.
-const FOLLOWED: usize = 6;
 
 /// Fits a cylinder to at least five points that are not in one plane.
 ///
@@ -31,21 +25,20 @@ pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let cloud = Cloud::new(Element::Cylinder, points, settings)?;
     let radius = settings.radius_mm.map(|r| r / cloud.scale_mm);
     let free = [true, true, false, held.is_none(), held.is_none(), radius.is_none()];
-    let few = cloud.thinned(SEARCHED);
-    let patience = Options { iterations: 60, ..Options::default() };
-    let best = starts(&few, held)
-        .into_iter()
-        .map(|(axis, mut start)| {
+    let found = search(
+        &cloud,
+        held,
+        free,
+        |few, chart| {
+            let (cost, mut start) = circle_along(few, &chart);
             start[5] = radius.unwrap_or(start[5]);
-            refine_axis(Tube { chart: Chart::new(axis) }, &few, start, free, patience)
-        })
-        .min_by(|a, b| rank(&a.1).total_cmp(&rank(&b.1)));
-    let (tube, start) = match best {
-        Some((tube, refined)) => tube.recharted(&refined.x),
-        None => (Tube { chart: Chart::new(cloud.axes[0]) }, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
-    };
-    let (tube, mut refined) = refine_axis(tube, &cloud, start, free, Options::default());
-    refined.x[5] = refined.x[5].abs();
+            (cost, start)
+        },
+        |tube, x| (x[5] > 0.0).then_some((tube, x)),
+        |chart| Tube { chart },
+    );
+    let found = found.ok_or_else(|| no_start(Element::Cylinder))?;
+    let (tube, refined) = refine_axis(found.surface, &cloud, found.start, free, Options::default());
     let [a, b, h, u, v, radius] = refined.x;
     let (axis, _) = tube.chart.axis(u, v);
     let foot = tube.chart.point(a, b, h);
@@ -53,27 +46,21 @@ pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     fit.point_along(axis, largest_component_positive(axis));
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.coverage_rad = Some(arc_coverage(angles_about(&cloud.points, &tube.chart, foot)));
+    fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cylinder)));
     Ok(fit.with_warnings())
 }
 
-/// Axes with their circles, the most promising first.
-fn starts(cloud: &Cloud, held: Option<Vector>) -> Vec<(Vector, [f64; 6])> {
-    let score = |axis: Vector| {
-        let chart = Chart::new(axis);
-        let flat = Cloud {
-            points: cloud.points.iter().map(|&q| chart.coordinates(q)).map(|[x, y, _]| [x, y, 0.0]).collect(),
-            roots: Vec::new(),
-            ..*cloud
-        };
-        let (centre, radius) = taubin::<3>(&flat);
-        let off = |q: &Vector| ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius).powi(2);
-        let cost: f64 = flat.points.iter().map(off).sum();
-        (cost, axis, [centre[0], centre[1], 0.0, 0.0, 0.0, radius])
+/// The circle that the points make seen along the axis.
+fn circle_along(cloud: &Cloud, chart: &Chart) -> (f64, [f64; 6]) {
+    let flat = Cloud {
+        points: cloud.points.iter().map(|&q| chart.coordinates(q)).map(|[x, y, _]| [x, y, 0.0]).collect(),
+        roots: Vec::new(),
+        ..*cloud
     };
-    match held {
-        Some(axis) => vec![score(axis)].into_iter().map(|(_, axis, start)| (axis, start)).collect(),
-        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).map(score).collect(), FOLLOWED),
-    }
+    let (centre, radius) = taubin::<3>(&flat);
+    let off = |q: &Vector| ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius).powi(2);
+    let cost = flat.points.iter().map(off).sum();
+    (cost, [centre[0], centre[1], 0.0, 0.0, 0.0, radius])
 }
 
 /// Parameters a, b, h, u, v of the axis (h held at the foot of the centroid) and the radius.

@@ -8,7 +8,6 @@ use crate::solve::symmetric_eigen;
 
 /// A rigid transform fitted by least squares, with what is left.
 #[derive(Clone, Debug, PartialEq)]
-
 pub struct RigidFit {
     /// Pose of the `from` frame in the `to` frame: p_to ≈ to_T_from p_from.
     pub to_T_from: Pose,

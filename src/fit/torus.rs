@@ -1,21 +1,15 @@
 //! Torus: a tube bent along a circle, whole or a piece of it.
 
-use super::axis::{Axial, Chart, angles_about, best_apart, hemisphere, rank, refine_axis};
+use super::axis::{Axial, Chart, angles_about, refine_axis};
 use super::ball::taubin;
 use super::cloud::Cloud;
 use super::element::{Element, Settings};
 use super::result::{Fit, QUANTITIES, arc_coverage, largest_component_positive};
+use super::search::{no_start, rival_warning, search};
 use super::surface::Surface;
 use crate::message::Result;
 use crate::pose::Vector;
 use crate::solve::Options;
-
-/// Directions tried over the hemisphere, 7 degrees apart.
-const DIRECTIONS: usize = 400;
-/// Points that the search for a start looks at.
-const SEARCHED: usize = 150;
-/// Starts that are followed to their minimum.
-const FOLLOWED: usize = 8;
 
 /// Fits a torus to at least seven points that are not in one plane.
 ///
@@ -30,18 +24,10 @@ pub fn torus_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Torus)?;
     let cloud = Cloud::new(Element::Torus, points, settings)?;
     let free = [true, true, true, held.is_none(), held.is_none(), true, true];
-    let few = cloud.thinned(SEARCHED);
-    let patience = Options { iterations: 80, ..Options::default() };
-    let best = starts(&few, held)
-        .into_iter()
-        .map(|(axis, start)| refine_axis(Bend { chart: Chart::new(axis) }, &few, start, free, patience))
-        .filter(|(_, refined)| refined.x[5] > 0.0 && refined.x[6] > 0.0 && rank(refined).is_finite())
-        .min_by(|a, b| rank(&a.1).total_cmp(&rank(&b.1)));
-    let (bend, start) = match best {
-        Some((bend, refined)) => bend.recharted(&refined.x),
-        None => (Bend { chart: Chart::new(held.unwrap_or(cloud.axes[2])) }, [0.0, 0.0, 0.0, 0.0, 0.0, 0.7, 0.3]),
-    };
-    let (bend, refined) = refine_axis(bend, &cloud, start, free, Options::default());
+    let upright = |bend, x: [f64; 7]| (x[5] > 0.0 && x[6] > 0.0).then_some((bend, x));
+    let found = search(&cloud, held, free, torus_along, upright, |chart| Bend { chart });
+    let found = found.ok_or_else(|| no_start(Element::Torus))?;
+    let (bend, refined) = refine_axis(found.surface, &cloud, found.start, free, Options::default());
     let [a, b, h, u, v, radius, minor] = refined.x;
     let (axis, _) = bend.chart.axis(u, v);
     let centre = bend.chart.point(a, b, h);
@@ -50,27 +36,21 @@ pub fn torus_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.minor_radius_mm = Some(minor * cloud.scale_mm);
     fit.coverage_rad = Some(arc_coverage(angles_about(&cloud.points, &bend.chart, centre)));
+    fit.warnings.extend(found.rival.then(|| rival_warning(Element::Torus)));
     Ok(fit.with_warnings())
 }
 
-/// Axes with their tori, the most promising first.
-fn starts(cloud: &Cloud, held: Option<Vector>) -> Vec<(Vector, [f64; 7])> {
+/// A circle through the points seen along the axis gives the centre, a circle through them seen along the tube
+/// gives both radii.
+fn torus_along(cloud: &Cloud, chart: Chart) -> (f64, [f64; 7]) {
     let flat = |points: Vec<Vector>| Cloud { points, roots: Vec::new(), ..*cloud };
-    let score = |axis: Vector| {
-        let chart = Chart::new(axis);
-        let points: Vec<[f64; 3]> = cloud.points.iter().map(|&q| chart.coordinates(q)).collect();
-        let (centre, _) = taubin::<3>(&flat(points.iter().map(|&[x, y, _]| [x, y, 0.0]).collect()));
-        let section = points.iter().map(|&[x, y, t]| [(x - centre[0]).hypot(y - centre[1]), t, 0.0]).collect();
-        let section = flat(section);
-        let ([radius, height, _], minor) = taubin::<3>(&section);
-        let off = |q: &Vector| ((q[0] - radius).hypot(q[1] - height) - minor).powi(2);
-        let cost: f64 = section.points.iter().map(off).sum();
-        (cost, axis, [centre[0], centre[1], height, 0.0, 0.0, radius, minor])
-    };
-    match held {
-        Some(axis) => vec![score(axis)].into_iter().map(|(_, axis, start)| (axis, start)).collect(),
-        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).map(score).collect(), FOLLOWED),
-    }
+    let points: Vec<[f64; 3]> = cloud.points.iter().map(|&q| chart.coordinates(q)).collect();
+    let (centre, _) = taubin::<3>(&flat(points.iter().map(|&[x, y, _]| [x, y, 0.0]).collect()));
+    let section = flat(points.iter().map(|&[x, y, t]| [(x - centre[0]).hypot(y - centre[1]), t, 0.0]).collect());
+    let ([radius, height, _], minor) = taubin::<3>(&section);
+    let off = |q: &Vector| ((q[0] - radius).hypot(q[1] - height) - minor).powi(2);
+    let cost = section.points.iter().map(off).sum();
+    (cost, [centre[0], centre[1], height, 0.0, 0.0, radius, minor])
 }
 
 /// Parameters a, b, h, u, v of the axis through the centre, the radius R and the radius r of the tube: a point has

@@ -123,6 +123,28 @@ impl Factor {
         Some(b)
     }
 
+    /// Solves Rᵀ x = b in place of `b`; `None` where R is singular.
+    pub fn forward_substitute(&self, mut b: Vec<f64>) -> Option<Vec<f64>> {
+        for j in 0..self.n {
+            let known: f64 = (0..j).map(|i| self.r(i, j) * b[i]).sum();
+            b[j] = (b[j] - known) / self.r(j, j);
+            if !b[j].is_finite() {
+                return None;
+            }
+        }
+        Some(b)
+    }
+
+    /// R x.
+    pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.n).map(|i| (i..self.n).map(|j| self.r(i, j) * x[j]).sum()).collect()
+    }
+
+    /// Rᵀ x.
+    pub fn multiply_transposed(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.n).map(|j| (0..=j).map(|i| self.r(i, j) * x[i]).sum()).collect()
+    }
+
     /// The descent step −(RᵀR)⁻¹ Jᵀr for another Jacobian (row by row, columns divided by `scale` as this factor's
     /// were) and its residuals, in unscaled parameters; `None` where R is singular.
     pub fn solve_normal(&self, jacobian: &[f64], residuals: &[f64], scale: &[f64]) -> Option<Vec<f64>> {
@@ -132,10 +154,8 @@ impl Factor {
                 *g -= j * r;
             }
         }
-        for j in 0..self.n {
-            let known: f64 = (0..j).map(|i| self.r(i, j) * g[i]).sum();
-            g[j] = (g[j] / scale[j] - known) / self.r(j, j);
-        }
+        g.iter_mut().zip(scale).for_each(|(g, d)| *g /= d);
+        let g = self.forward_substitute(g)?;
         let mut step = self.back_substitute(g)?;
         step.iter_mut().zip(scale).for_each(|(s, d)| *s /= d);
         Some(step)

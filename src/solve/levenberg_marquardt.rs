@@ -1,7 +1,8 @@
-//! Levenberg-Marquardt with an undamped Gauss-Newton finish.
+//! Levenberg-Marquardt in a trust region, with an undamped Gauss-Newton finish.
 //!
-//! Damping after Nielsen (1999) on scaled columns; a step is accepted by the true sum of squares. Near the minimum
-//! the cost is too flat to judge a step, so the finish looks at the step alone: it stops on step or gradient, never on cost.
+//! The trust region is Moré's (1978, as in MINPACK) on scaled columns; a step is accepted by the true sum of squares.
+//! Near the minimum the cost is too flat to judge a step, so the finish looks at the step alone: it stops on step or
+//! gradient, never on cost.
 
 use super::{Factor, Problem, Termination};
 
@@ -18,7 +19,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { iterations: 200, step: 1e-14, gradient: 1e-15 }
+        Self { iterations: 2000, step: 1e-14, gradient: 1e-15 }
     }
 }
 
@@ -105,17 +106,16 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
     state
 }
 
-/// Evaluates the Jacobian at `state.x` and factors it; an error if a number in it is not finite.
-fn linearise(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64]) -> Result<(), Termination> {
-    problem.jacobian(&state.x, jacobian);
-    refactor(state, jacobian)
-}
-
-/// Factors the Jacobian at hand.
-fn refactor(state: &mut Solution, jacobian: &[f64]) -> Result<(), Termination> {
+/// Factors the Jacobian at hand, with columns divided by their norms or, if `largest` is given, by the largest norms so
+/// far; an error if a number in it is not finite.
+fn factorise(state: &mut Solution, jacobian: &[f64], largest: Option<&mut Vec<f64>>) -> Result<(), Termination> {
     state.scale = column_norms(jacobian, state.x.len());
     if state.scale.iter().any(|s| !s.is_finite()) || !sum_of_squares(&state.residuals).is_finite() {
         return Err(Termination::NotANumber);
+    }
+    if let Some(largest) = largest {
+        largest.iter_mut().zip(&state.scale).for_each(|(kept, now)| *kept = f64::max(*kept, *now));
+        state.scale.clone_from(largest);
     }
     state.factor = Some(Factor::new(jacobian, &state.residuals, &state.scale));
     Ok(())
@@ -132,7 +132,7 @@ fn relative(step: &[f64], x: &[f64], scale: &[f64]) -> f64 {
     scaled(step) / (scaled(x) + f64::MIN_POSITIVE)
 }
 
-/// Damped steps until one is shorter than 1e-8, or shorter than `near` and as good as the linear model predicts.
+/// Steps in a trust region until one is shorter than 1e-8, or shorter than `near`, undamped, and as good as predicted.
 fn damped(
     problem: &impl Problem,
     state: &mut Solution,
@@ -141,57 +141,121 @@ fn damped(
     near: f64,
 ) -> Termination {
     let mut cost = state.cost();
-    let (mut lambda, mut growth) = (1e-4, 2.0);
     let mut trial_residuals = vec![0.0; state.residuals.len()];
-    let mut fresh = false;
+    let mut scale = vec![0.0; state.x.len()];
+    let (mut radius, mut damping, mut fresh) = (f64::NAN, 0.0, false);
     while state.iterations < options.iterations {
-        if cost == 0.0 {
-            return linearise(problem, state, jacobian).err().unwrap_or(Termination::ResidualsZero);
-        }
         if !fresh {
-            if let Err(stopped) = linearise(problem, state, jacobian) {
+            // scales only grow (Moré, eq. 6.1), so that the region does not open where a column fades
+            problem.jacobian(&state.x, jacobian);
+            if let Err(stopped) = factorise(state, jacobian, Some(&mut scale)) {
                 return stopped;
+            }
+            if cost == 0.0 {
+                return Termination::ResidualsZero;
+            }
+            if radius.is_nan() {
+                let start = scaled_norm(&state.x, &scale);
+                radius = if start > 0.0 { start } else { 1.0 };
             }
             fresh = true;
         }
         let Some(factor) = &state.factor else { return Termination::NotANumber };
-        let explained = sum_of_squares(&factor.qtb);
-        if explained.sqrt() <= options.gradient * cost.sqrt() {
+        if sum_of_squares(&factor.qtb).sqrt() <= options.gradient * cost.sqrt() {
             return Termination::GradientVanished;
         }
-        let damped = factor.damped(lambda);
-        let Some(step) = step_of(&damped, &state.scale) else { return Termination::RankDeficient };
-        let size = relative(&step, &state.x, &state.scale);
-        let trial: Vec<f64> = state.x.iter().zip(&step).map(|(x, s)| x + s).collect();
+        let Some((p, used)) = trust_region_step(factor, radius, damping) else { return Termination::RankDeficient };
+        damping = used;
+        let length = sum_of_squares(&p).sqrt();
+        let size = length / (scaled_norm(&state.x, &scale) + f64::MIN_POSITIVE);
+        let trial: Vec<f64> = state.x.iter().zip(&p).zip(&scale).map(|((x, p), d)| x - p / d).collect();
         problem.residuals(&trial, &mut trial_residuals);
         let trial_cost = sum_of_squares(&trial_residuals);
-        // predicted decrease of the linear model: ‖r‖² − ‖r + Js‖² = (explained + rest) − (damped.rest − λ²‖s‖²)
-        let scaled_step: f64 = step.iter().zip(&state.scale).map(|(s, d)| (s * d).powi(2)).sum();
-        let predicted = explained + factor.rest - (damped.rest - lambda * lambda * scaled_step);
-        let ratio = (cost - trial_cost) / predicted;
-        if trial_cost.is_finite() && ratio > 1e-4 {
+        // decrease of the linear model: ‖r‖² − ‖r − J p‖² = ‖R p‖² + 2 λ ‖p‖² for this p (Moré, eq. 4.5)
+        let predicted = sum_of_squares(&factor.multiply(&p)) + 2.0 * damping * length * length;
+        let ratio = if trial_cost.is_finite() { (cost - trial_cost) / predicted } else { f64::NEG_INFINITY };
+        if ratio < 0.25 {
+            let shorten = if trial_cost.is_finite() && trial_cost < 100.0 * cost {
+                // minimum of the parabola through both costs and the slope (MINPACK's choice)
+                let slope = sum_of_squares(&factor.multiply(&p)) + damping * length * length;
+                (if ratio >= 0.0 { 0.5 } else { 0.5 * slope / (slope - 0.5 * (cost - trial_cost)) }).clamp(0.1, 0.5)
+            } else {
+                0.1
+            };
+            radius = shorten * radius.min(10.0 * length);
+            damping /= shorten;
+        } else if damping == 0.0 || ratio >= 0.75 {
+            radius = 2.0 * length;
+            damping *= 0.5;
+        }
+        if ratio > 1e-4 {
             state.iterations += 1;
             state.x = trial;
             std::mem::swap(&mut state.residuals, &mut trial_residuals);
             cost = trial_cost;
             fresh = false;
-            lambda *= (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(1e-2, 1.0);
-            growth = 2.0;
-            if size < 1e-8 || size < near && (ratio - 1.0).abs() < 0.1 {
+            if size < 1e-8 || size < near && used == 0.0 && (ratio - 1.0).abs() < 0.1 {
                 return Termination::StepVanished;
             }
-        } else {
-            if size < 1e-8 || !lambda.is_finite() {
-                return Termination::NoImprovementPossible;
-            }
-            lambda = lambda.max(1e-8) * growth;
-            growth *= 2.0;
+        } else if size < 1e-8 || !radius.is_normal() {
+            return Termination::NoImprovementPossible;
         }
     }
     Termination::LostPatience
 }
 
-/// Undamped Gauss-Newton: goes on while every step is clearly shorter than the one before.
+fn scaled_norm(x: &[f64], scale: &[f64]) -> f64 {
+    x.iter().zip(scale).map(|(x, d)| (x * d).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The scaled step of at most `radius` (to a tenth) that lowers the linear model most, and its damping λ
+/// (Moré 1978, algorithm 5.5); `None` if no damping makes the factor regular.
+fn trust_region_step(factor: &Factor, radius: f64, last_damping: f64) -> Option<(Vec<f64>, f64)> {
+    let norm = |p: &[f64]| sum_of_squares(p).sqrt();
+    let direction = |f: &Factor, p: &[f64], length: f64| {
+        f.forward_substitute(p.iter().map(|p| p / length).collect()).map(|w| sum_of_squares(&w))
+    };
+    let mut lower = 0.0;
+    if let Some(p) = factor.solve() {
+        let length = norm(&p);
+        if length <= 1.1 * radius {
+            return Some((p, 0.0));
+        }
+        if let Some(w) = direction(factor, &p, length) {
+            lower = (length - radius) / radius / w;
+        }
+    }
+    let mut upper = norm(&factor.multiply_transposed(&factor.qtb)) / radius;
+    if upper == 0.0 {
+        upper = f64::MIN_POSITIVE / radius.min(0.1);
+    }
+    let mut damping = last_damping.clamp(lower.min(upper), upper);
+    if damping == 0.0 {
+        damping = (0.001 * upper).max((lower * upper).sqrt());
+    }
+    for attempt in 0..12 {
+        let damped = factor.damped(damping.sqrt());
+        let p = damped.solve()?;
+        let length = norm(&p);
+        let off = length - radius;
+        if off.abs() <= 0.1 * radius || attempt == 11 {
+            return Some((p, damping));
+        }
+        let correction = off / radius / direction(&damped, &p, length)?;
+        if off > 0.0 {
+            lower = f64::max(lower, damping)
+        } else {
+            upper = upper.min(damping)
+        }
+        damping = (damping + correction).max(lower);
+        if damping > upper || damping <= 0.0 {
+            damping = (lower * upper).sqrt().max(0.001 * upper);
+        }
+    }
+    None
+}
+
+/// Undamped Gauss-Newton: goes on while every step is shorter than the one before.
 ///
 /// The gradient is always that of the Jacobian at hand; its factor is taken over from an earlier point as long as steps
 /// shrink tenfold with it.
@@ -199,14 +263,14 @@ fn finish(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], op
     let mut last = f64::INFINITY;
     let mut residuals = vec![0.0; state.residuals.len()];
     let mut termination = Termination::NoImprovementPossible;
-    for _ in 0..40 {
+    for _ in 0..100 {
         problem.jacobian(&state.x, jacobian);
         let taken_over = state.factor.as_ref().filter(|_| last < 1e-3);
         let step = taken_over.and_then(|f| f.solve_normal(jacobian, &state.residuals, &state.scale));
         let step = match step.filter(|step| relative(step, &state.x, &state.scale) < 0.1 * last) {
             Some(step) => step,
             None => {
-                if let Err(stopped) = refactor(state, jacobian) {
+                if let Err(stopped) = factorise(state, jacobian, None) {
                     return stopped;
                 }
                 match state.factor.as_ref().and_then(|f| step_of(f, &state.scale)) {
@@ -216,7 +280,7 @@ fn finish(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], op
             }
         };
         let size = relative(&step, &state.x, &state.scale);
-        if size > 0.5 * last {
+        if size >= last {
             if last < 1e-6 {
                 termination = Termination::StepVanished;
             }
@@ -237,7 +301,7 @@ fn finish(problem: &impl Problem, state: &mut Solution, jacobian: &mut [f64], op
         }
     }
     // the Jacobian at hand is that of the solution, or of a point closer to it than rounding can tell
-    refactor(state, jacobian).err().unwrap_or(termination)
+    factorise(state, jacobian, None).err().unwrap_or(termination)
 }
 
 #[cfg(test)]

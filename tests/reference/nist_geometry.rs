@@ -1,0 +1,241 @@
+//! Fits against NIST's L2 reference pairs (Algorithm Testing System, 152 of 240 pairs), all from our own starts, and
+//! against references of 20 digits for arcs that NIST does not cover.
+
+#![allow(clippy::print_stdout)] // how close each fit comes is worth saying
+
+use etalon::fit::{self, CircleMethod, Fit, Settings};
+use etalon::message::Result;
+use etalon::pose::{Vector, cross, dot, minus, norm};
+use std::path::Path;
+
+/// One reference pair: points and published answer.
+struct Pair {
+    name: String,
+    points: Vec<Vector>,
+    answer: Vec<f64>,
+}
+
+fn numbers(path: &Path) -> Vec<f64> {
+    let text = std::fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    text.split_whitespace().map(|word| word.parse().unwrap_or_else(|_| panic!("{}: {word}", path.display()))).collect()
+}
+
+/// A 20-digit answer less `base` as two doubles would be finer than asked: 1e-13 mm at 1000 mm is enough for 1e-9.
+fn pair(folder: &Path, name: &str) -> Pair {
+    let data = numbers(&folder.join(format!("{name}.ds")));
+    let width = (data.len() - 1) / data[0] as usize;
+    assert_eq!(data.len() - 1, width * data[0] as usize, "{name}");
+    assert_eq!(width, 3, "{name}");
+    let points = data[1..].chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
+    Pair { name: name.to_owned(), points, answer: numbers(&folder.join(format!("{name}.fit"))) }
+}
+
+fn names(folder: &Path, prefix: &str) -> Vec<String> {
+    let mut names: Vec<String> = std::fs::read_dir(folder)
+        .unwrap()
+        .filter_map(|entry| entry.unwrap().file_name().to_str()?.strip_suffix(".ds").map(str::to_owned))
+        .filter(|name| name.starts_with(prefix))
+        .collect();
+    names.sort();
+    names
+}
+
+fn vector(v: &[f64]) -> Vector {
+    [v[0], v[1], v[2]]
+}
+
+/// Angle between directions whose sign is free.
+fn angle_between_lines(a: Vector, b: Vector) -> f64 {
+    norm(cross(a, b)).atan2(dot(a, b).abs())
+}
+
+/// Distance of `p` from the line through `q` along `d`.
+fn off_line(p: Vector, q: Vector, d: Vector) -> f64 {
+    norm(cross(minus(p, q), d)) / norm(d)
+}
+
+/// Errors of one fit: location in mm, size in mm, direction in rad.
+#[derive(Default)]
+struct Errors([f64; 3]);
+
+impl Errors {
+    fn worst(&mut self, name: &str, other: [f64; 3], limit: f64) {
+        for (i, (mine, e)) in self.0.iter_mut().zip(other).enumerate() {
+            assert!(e <= limit, "{name}: {} error {e:.3e}", ["location", "size", "direction"][i]);
+            *mine = mine.max(e);
+        }
+    }
+}
+
+fn against_nist(
+    element: &str,
+    prefix: &str,
+    count: usize,
+    fit: impl Fn(&[Vector]) -> Result<Fit>,
+    errors: impl Fn(&Fit, &[f64]) -> [f64; 3],
+) {
+    let Some(geom) = crate::reference_data("geom") else { return };
+    let folder = geom.join("nist_ats").join(element);
+    let names = names(&folder, prefix);
+    assert_eq!(names.len(), count, "{element}");
+    let mut worst = Errors::default();
+    let mut most = 0;
+    for name in names {
+        let pair = pair(&folder, &name);
+        let fit = fit(&pair.points).unwrap_or_else(|e| panic!("{name}: {e}"));
+        most = most.max(fit.iterations);
+        worst.worst(&pair.name, errors(&fit, &pair.answer), 1e-9);
+    }
+    let [location, size, direction] = worst.0;
+    println!(
+        "{element}: {count} sets, location {location:.1e} mm, size {size:.1e} mm, direction {direction:.1e} rad, {most} iterations at most"
+    );
+}
+
+#[test]
+fn planes() {
+    against_nist("Plane", "pla", 30, fit::plane, |fit, answer| {
+        let (point, normal) = (vector(answer), vector(&answer[3..]));
+        [norm(minus(fit.point_mm, point)), 0.0, angle_between_lines(fit.direction.unwrap(), normal)]
+    });
+}
+
+#[test]
+fn spheres() {
+    against_nist("Sphere", "sph", 30, fit::sphere, |fit, answer| {
+        [norm(minus(fit.point_mm, vector(answer))), (2.0 * fit.radius_mm.unwrap() - answer[3]).abs(), 0.0]
+    });
+}
+
+#[test]
+fn cylinders() {
+    against_nist("Cylinder", "cyl", 30, fit::cylinder, |fit, answer| {
+        let (point, axis) = (vector(answer), vector(&answer[3..]));
+        assert!(norm(minus(fit.point_mm, point)) < 1e-9, "the foot of the centroid");
+        let direction = angle_between_lines(fit.direction.unwrap(), axis);
+        [off_line(fit.point_mm, point, axis), (2.0 * fit.radius_mm.unwrap() - answer[6]).abs(), direction]
+    });
+}
+
+#[test]
+fn cones() {
+    against_nist("Cone", "con", 30, fit::cone, |fit, answer| {
+        let (point, axis) = (vector(answer), vector(&answer[3..]));
+        let half_angle = fit.apex_angle_rad.unwrap() / 2.0;
+        // NIST states the orthogonal distance from the foot of the centroid to the surface
+        assert!(norm(minus(fit.point_mm, point)) < 1e-9, "the foot of the centroid");
+        let size = (fit.radius_mm.unwrap() * half_angle.cos() - answer[6]).abs();
+        let opening = (2.0 * half_angle - answer[7].to_radians()).abs();
+        let direction = norm(cross(fit.direction.unwrap(), axis)).atan2(dot(fit.direction.unwrap(), axis));
+        [off_line(fit.point_mm, point, axis), size, direction.max(opening)]
+    });
+}
+
+/// The plane that a set of NIST's 2-D circles lies in: the axes that vary, and the one that does not.
+fn coordinate_plane(normal: &[f64]) -> (usize, usize, usize) {
+    let k = (0..3).find(|&k| normal[k].abs() == 1.0).unwrap();
+    ((k + 1) % 3, (k + 2) % 3, k)
+}
+
+fn circle_in_its_plane(pair: &Pair) -> (Result<Fit>, [f64; 2]) {
+    let (i, j, _) = coordinate_plane(&pair.answer[3..6]);
+    let flat: Vec<[f64; 2]> = pair.points.iter().map(|p| [p[i], p[j]]).collect();
+    (fit::circle2d(&flat), [pair.answer[i], pair.answer[j]])
+}
+
+#[test]
+fn circles_in_the_plane() {
+    let Some(geom) = crate::reference_data("geom") else { return };
+    let folder = geom.join("nist_ats/Circle2d");
+    let names = names(&folder, "cir2d");
+    assert_eq!(names.len(), 30);
+    let mut worst = Errors::default();
+    for name in names {
+        let pair = pair(&folder, &name);
+        let (fit, centre) = circle_in_its_plane(&pair);
+        let fit = fit.unwrap_or_else(|e| panic!("{name}: {e}"));
+        let location = (fit.point_mm[0] - centre[0]).hypot(fit.point_mm[1] - centre[1]);
+        worst.worst(&name, [location, (2.0 * fit.radius_mm.unwrap() - pair.answer[6]).abs(), 0.0], 1e-9);
+    }
+    println!("Circle2d: 30 sets, location {:.1e} mm, size {:.1e} mm", worst.0[0], worst.0[1]);
+}
+
+#[test]
+fn circles_in_space() {
+    against_nist("Circle3d", "cir", 2, fit::circle3d, |fit, answer| {
+        let direction = angle_between_lines(fit.direction.unwrap(), vector(&answer[3..]));
+        [norm(minus(fit.point_mm, vector(answer))), (2.0 * fit.radius_mm.unwrap() - answer[6]).abs(), direction]
+    });
+}
+
+/// Published digits are exact, the fit is a double: on noisy short arcs the minimum is only as sharp as its curvature.
+fn allowed(stated: Option<f64>) -> f64 {
+    stated.map_or(1e-9, |u| (1e-3 * u).max(1e-9))
+}
+
+#[test]
+fn short_arcs_in_the_plane() {
+    let Some(geom) = crate::reference_data("geom") else { return };
+    let folder = geom.join("derived_short_arc");
+    let names = names(&folder, "circle2d");
+    assert!(names.len() >= 19, "{}", names.len());
+    for name in names {
+        let pair = pair(&folder, &name);
+        let (fit, centre) = circle_in_its_plane(&pair);
+        let fit = fit.unwrap_or_else(|e| panic!("{name}: {e}"));
+        let u = fit.standard_uncertainty();
+        let location = (fit.point_mm[0] - centre[0]).hypot(fit.point_mm[1] - centre[1]);
+        let size = (fit.radius_mm.unwrap() - pair.answer[6] / 2.0).abs();
+        println!(
+            "{name}: {} points, {:.0} deg, centre {location:.1e} mm, radius {size:.1e} mm of {:.6} ± {:.1e}, {} iterations, {} warnings, condition {:.1e}",
+            pair.points.len(),
+            fit.coverage_deg().unwrap(),
+            fit.radius_mm.unwrap(),
+            u.map_or(f64::NAN, |u| u.radius_mm.unwrap()),
+            fit.iterations,
+            fit.warnings.len(),
+            fit.condition
+        );
+        assert!(location <= allowed(u.map(|u| u.point_largest_mm)), "{name}: centre {location:.3e}");
+        assert!(size <= allowed(u.and_then(|u| u.radius_mm)), "{name}: radius {size:.3e}");
+    }
+}
+
+#[test]
+fn short_arcs_in_space_by_both_definitions() {
+    let Some(geom) = crate::reference_data("geom") else { return };
+    let folder = geom.join("derived_short_arc");
+    let names = names(&folder, "circle3d");
+    assert!(names.len() >= 4, "{}", names.len());
+    for name in names {
+        let pair = pair(&folder, &name);
+        let full = numbers(&folder.join(format!("{name}.odr3d.fit")));
+        for (circle, answer) in [(CircleMethod::Projected, &pair.answer), (CircleMethod::Orthogonal, &full)] {
+            let fit = fit::circle3d_with(&pair.points, &Settings { circle, ..Settings::default() }).unwrap();
+            let location = norm(minus(fit.point_mm, vector(answer)));
+            let direction = angle_between_lines(fit.direction.unwrap(), vector(&answer[3..]));
+            let size = (fit.radius_mm.unwrap() - answer[6] / 2.0).abs();
+            println!(
+                "{name} {circle:?}: centre {location:.1e} mm, radius {size:.1e} mm, normal {direction:.1e} rad, {} iterations",
+                fit.iterations
+            );
+            assert!(location < 1e-9 && size < 1e-9 && direction < 1e-9, "{name} {circle:?}");
+        }
+    }
+}
+
+#[test]
+fn lines_in_space() {
+    let Some(geom) = crate::reference_data("geom") else { return };
+    let folder = geom.join("derived_short_arc");
+    let names = names(&folder, "line3d");
+    assert!(!names.is_empty());
+    for name in names {
+        let pair = pair(&folder, &name);
+        let fit = fit::line(&pair.points).unwrap();
+        let (point, axis) = (vector(&pair.answer), vector(&pair.answer[3..]));
+        let (off, direction) = (off_line(fit.point_mm, point, axis), angle_between_lines(fit.direction.unwrap(), axis));
+        println!("{name}: off {off:.1e} mm, direction {direction:.1e} rad");
+        assert!(off < 1e-9 && direction < 1e-9, "{name}: {off:.3e} {direction:.3e}");
+    }
+}
