@@ -158,13 +158,13 @@ impl Fit {
     /// Sets the direction to `wanted`, which is `axis` or its opposite; the covariance was found for `axis`.
     pub(super) fn point_along(&mut self, axis: Vector, wanted: Vector) {
         self.direction = Some(wanted);
-        if dot(axis, wanted) < 0.0 {
-            if let Some(Covariance(c)) = &mut self.covariance {
-                for (i, row) in c.iter_mut().enumerate() {
-                    for (j, v) in row.iter_mut().enumerate() {
-                        if (3..6).contains(&i) != (3..6).contains(&j) {
-                            *v = -*v;
-                        }
+        if dot(axis, wanted) < 0.0
+            && let Some(Covariance(c)) = &mut self.covariance
+        {
+            for (i, row) in c.iter_mut().enumerate() {
+                for (j, v) in row.iter_mut().enumerate() {
+                    if (3..6).contains(&i) != (3..6).contains(&j) {
+                        *v = -*v;
                     }
                 }
             }
