@@ -8,6 +8,7 @@ pub fn all() -> Vec<(&'static str, String)> {
     vec![
         ("accuracy", schema::<AccuracyDocument>()),
         ("campaign", schema::<CampaignSummary>()),
+        ("fit", schema::<FitDocument>()),
         ("features", schema::<FeaturesDocument>()),
         ("frames", schema::<FramesDocument>()),
         ("import", schema::<ImportDocument>()),

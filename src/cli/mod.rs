@@ -5,6 +5,7 @@
 
 mod check;
 mod export;
+mod fit;
 mod formats;
 mod identify;
 mod init;
@@ -38,6 +39,7 @@ enum Command {
     Init(init::Init),
     Check(check::Check),
     Formats(formats::Formats),
+    Fit(fit::Fit),
     Run(run::Run),
     Identify(identify::Identify),
     Report(report::Report),
@@ -58,6 +60,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Init(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Formats(command) => command.run(),
+        Command::Fit(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Identify(command) => command.run(),
         Command::Report(command) => command.run(),

@@ -14,11 +14,12 @@ mod polyworks;
 pub use formats::propose;
 pub use log::is_joint_column;
 
-use crate::campaign::{Campaign, Format};
+use crate::campaign::{Campaign, Format, Unit};
 use crate::document::{ImportDocument, Source};
 use crate::files;
 use crate::message::{Message, Problems, Result};
-use points::PointColumns;
+use crate::pose::Vector;
+use points::{PointColumns, PointRow};
 use polars::prelude::DataFrame;
 
 /// What a campaign's files hold.
@@ -45,11 +46,8 @@ pub fn import(campaign: &Campaign) -> Result<Imported> {
         match read.and_then(|(text, bytes)| {
             let mut source = statement("export", export.file.get_ref(), &bytes);
             source.dialect = format!("{}, unit {}", export.format, export.unit.name());
-            let rows = match &export.format {
-                Format::Polyworks => polyworks::rows(export.file.get_ref(), &text),
-                Format::Delimited(dialect) => delimited::point_rows(export.file.get_ref(), &text, dialect),
-            };
-            columns.add(campaign, export, rows?, &mut source)?;
+            let rows = point_rows(export.file.get_ref(), &text, &export.format)?;
+            columns.add(campaign, export, rows, &mut source)?;
             Ok(source)
         }) {
             Ok(source) => sources.push(source),
@@ -81,6 +79,20 @@ pub fn import(campaign: &Campaign) -> Result<Imported> {
         messages,
     };
     Ok(Imported { points: columns.table()?, logs, document })
+}
+
+/// Labels and points of a file, in millimetres; every row counts, none is refused.
+pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<(String, Vector)>> {
+    let rows = point_rows(file, text, format)?;
+    Ok(rows.into_iter().map(|row| (row.label, row.xyz.map(|v| v * unit.in_mm()))).collect())
+}
+
+/// Rows of an export in the stated format.
+fn point_rows(file: &str, text: &str, format: &Format) -> Result<Vec<PointRow>> {
+    match format {
+        Format::Polyworks => polyworks::rows(file, text),
+        Format::Delimited(dialect) => delimited::point_rows(file, text, dialect),
+    }
 }
 
 fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {

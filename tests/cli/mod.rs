@@ -105,3 +105,38 @@ fn wrong_arguments_are_exit_code_two() {
         assert!(output.stdout.is_empty() && !output.stderr.is_empty(), "{arguments:?}");
     }
 }
+
+#[test]
+fn fit_answers_with_its_unit_and_uncertainty() {
+    let folder = tempfile::tempdir().unwrap();
+    // NPL-like: points of a sphere of radius 2 inch about (1, 2, 3) inch, in inches, with names
+    let mut text = String::new();
+    for i in 0..20 {
+        let (a, b) = (0.7 * f64::from(i), 0.31 * f64::from(i));
+        let p = [1.0 + 2.0 * a.cos() * b.cos(), 2.0 + 2.0 * a.sin() * b.cos(), 3.0 + 2.0 * b.sin()];
+        text += &format!("ball;{:.9};{:.9};{:.9}\n", p[0], p[1], p[2]);
+    }
+    std::fs::write(folder.path().join("s.txt"), &text).unwrap();
+    let options = ["--delimiter", "semicolon", "--columns", "label,x,y,z"];
+    let run = |rest: &[&str]| {
+        let arguments: Vec<&str> = ["fit", "sphere", "s.txt"].iter().chain(&options).chain(rest).copied().collect();
+        etalon(folder.path(), &arguments)
+    };
+    let refused = run(&[]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text_of(&refused).contains("never guessed"));
+    let answered = run(&["--unit", "inch", "--json"]);
+    let document: etalon::document::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    assert_eq!((document.element.as_str(), document.points), ("sphere", 20));
+    assert!((document.radius_mm.unwrap() - 50.8).abs() < 1e-6, "{document:?}");
+    let center = document.center_mm.unwrap();
+    assert!(center.iter().zip([25.4, 50.8, 76.2]).all(|(c, e)| (c - e).abs() < 1e-6), "{center:?}");
+    assert!(document.standard_uncertainty.unwrap().radius_mm.unwrap() < 1e-6);
+    let listed = run(&["--unit", "inch", "--json", "--by-label"]);
+    let documents: Vec<etalon::document::FitDocument> = serde_json::from_slice(&listed.stdout).unwrap();
+    assert_eq!(documents[0].label.as_deref(), Some("ball"));
+}
+
+fn text_of(output: &Output) -> String {
+    text(&output.stderr)
+}

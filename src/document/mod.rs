@@ -2,6 +2,10 @@
 //!
 //! Angles are in degrees, lengths in millimetres; every name carries its unit, every parameter its own.
 
+mod fit;
+
+pub use fit::{FitDocument, FitSolver, FitUncertainty};
+
 use crate::identify::ResidualKind;
 use crate::message::Message;
 use crate::pose::Vector;
