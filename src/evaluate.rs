@@ -4,7 +4,7 @@ use crate::campaign::{Limits, Selection};
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, PointError, Statistics};
 use crate::fit;
 use crate::identify::Observation;
-use crate::message::Result;
+use crate::message::{Message, Result};
 use crate::pose::{Vector, minus, norm};
 use crate::robots::Robot;
 use crate::table::{self, XYZ};
@@ -96,7 +96,7 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
 }
 
 /// Statistics of the errors, and the verdict on the campaign's limits.
-pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> AccuracyDocument {
+pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Result<AccuracyDocument> {
     let planar = robot.dimension() == 2;
     let mut sets = Vec::new();
     for name in ["calibration", "validation"] {
@@ -116,25 +116,30 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Ac
         ("position_rms_mm", limits.position_rms_mm, value("position", |s| s.rms)),
         ("orientation_max_deg", limits.orientation_max_deg, value("orientation", |s| s.max)),
     ];
-    let verdict = |(name, limit, value): (&str, Option<f64>, Option<(f64, String)>)| {
-        let (limit, (value, unit)) = (limit?, value?);
-        Some(LimitVerdict { name: name.to_owned(), unit, limit, value, met: value <= limit })
-    };
+    let mut verdicts = Vec::new();
+    for (name, limit, value) in stated {
+        let Some(limit) = limit else { continue };
+        let (value, unit) = value.ok_or_else(|| {
+            Message::error(format!("the limit `{name}` cannot be judged: these data tell no such error"))
+                .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")
+        })?;
+        verdicts.push(LimitVerdict { name: name.to_owned(), unit, limit, value, met: value <= limit });
+    }
     let point = if planar {
         "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints"
     } else {
         "each target's measured position minus the one that the model predicts from the joints; orientation is the \
          rotation that is left between measured and predicted targets"
     };
-    AccuracyDocument {
+    Ok(AccuracyDocument {
         schema: "etalon/accuracy/1".to_owned(),
         definition: format!(
             "error: {point}; before: nominal parameters of the robot, with only base and targets fitted to the calibration \
              poses; after: all identified parameters; statistics are of sizes, each repeat counted"
         ),
         sets,
-        limits: stated.into_iter().filter_map(verdict).collect(),
-    }
+        limits: verdicts,
+    })
 }
 
 fn accuracy_of(name: &str, errors: &[&PointError], planar: bool) -> AccuracySet {

@@ -2,10 +2,12 @@
 
 use crate::campaign::Campaign;
 use crate::document::*;
+use crate::evaluate::Sets;
 use crate::identify::{Group, Identification, Settings, Status};
 use crate::message::Message;
 use crate::robots::Robot;
 use std::collections::BTreeMap;
+use toml::Spanned;
 
 /// Says what `found` means: `before` is the same robot with only base and targets fitted.
 pub fn parameters_document(
@@ -104,6 +106,21 @@ impl Campaign {
             kind: identify.residuals,
             standard_uncertainty_mm: Some(self.file.instrument.standard_uncertainty_mm()),
             hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),
+        }
+    }
+
+    /// An error where a selection of poses selects none.
+    pub fn refuse_empty(&self, sets: &Sets) -> crate::message::Result<()> {
+        let identify = &self.file.identify;
+        let of = |text: &Spanned<String>, name: &str| {
+            Message::error(format!("`{name}` selects no pose that was measured")).at(self.place(text))
+        };
+        if sets.calibration.is_empty() {
+            return Err(of(&identify.calibration, "calibration").into());
+        }
+        match &identify.validation {
+            Some(text) if sets.validation.is_empty() => Err(of(text, "validation").into()),
+            _ => Ok(()),
         }
     }
 

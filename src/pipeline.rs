@@ -48,6 +48,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
         Ok(evaluate::split(&observations, &calibration, validation.as_ref()))
     };
     let sets = sets_of(&joined.observations[0].1)?;
+    campaign.refuse_empty(&sets)?;
     let settings = campaign.settings();
     let before = identify::fit_frames(robot.as_ref(), &sets.calibration, &settings)?;
     let mut found = identify::identify(robot.as_ref(), &sets.calibration, &settings)?;
@@ -59,7 +60,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
 
     // evaluate: errors before and after
     let errors = evaluate::errors(robot.as_ref(), &sets, &before.values, &found.values);
-    let accuracy = evaluate::evaluate(robot.as_ref(), &errors, &campaign.file.limits);
+    let accuracy = evaluate::evaluate(robot.as_ref(), &errors, &campaign.file.limits)?;
 
     // report and export, from the documents alone
     let summary = campaign.summary();

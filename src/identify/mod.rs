@@ -90,20 +90,23 @@ impl Identification {
 /// group the one that stands last in the model's list is held at its nominal value, so that base and targets, which
 /// come first, take up what cannot be told apart from them.
 pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
-    let wanted = wanted_parameters(robot, settings)?;
+    let wanted = wanted_parameters(robot, observations, settings)?;
     let start = start::start(robot, observations)?;
     identify_from(robot, observations, settings, &wanted, start)
 }
 
 /// The nominal robot with only base and targets fitted: what accuracy is before a calibration.
 pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
-    let wanted = wanted_parameters(robot, settings)?;
+    let wanted = wanted_parameters(robot, observations, settings)?;
     let frames: Vec<usize> = wanted.into_iter().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
     let start = start::start(robot, observations)?;
     identify_from(robot, observations, settings, &frames, start)
 }
 
-fn wanted_parameters(robot: &dyn Robot, settings: &Settings) -> Result<Vec<usize>> {
+fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
+    if observations.is_empty() {
+        return Err(Message::error("there are no observations to identify from").into());
+    }
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in &settings.hold {
         if !names().any(|name| matches_pattern(pattern, name)) {

@@ -171,3 +171,32 @@ fn broken_bytes_do_no_harm() {
         }
     }
 }
+
+#[test]
+fn selections_that_select_nothing() {
+    for (from, to, part) in [
+        ("calibration = \"1-8\"", "calibration = \"100-108\"", "`calibration` selects no pose that was measured"),
+        ("validation = \"9-59\"", "validation = \"90-99\"", "`validation` selects no pose that was measured"),
+        ("calibration = \"1-8\"", "calibration = \"eight\"", "`eight` names no poses"),
+    ] {
+        let scratch = copy_sample("prexyt-cmm");
+        scratch.replace("campaign.toml", from, to);
+        let (code, said) = etalon(&scratch, "run");
+        assert_eq!(code, Some(2));
+        assert!(said.contains(part) && said.contains("campaign.toml:"), "{said}");
+    }
+}
+
+#[test]
+fn too_few_poses_are_said_so() {
+    for (poses, part) in [("1", "fewer equations than parameters"), ("1-2", "fewer equations than parameters")] {
+        let scratch = copy_sample("prexyt-cmm");
+        scratch.replace("campaign.toml", "calibration = \"1-8\"", &format!("calibration = \"{poses}\""));
+        let (code, said) = etalon(&scratch, "run");
+        assert!(code == Some(0) || code == Some(1) || said.contains(part), "{code:?} {said}");
+        assert!(
+            !said.contains("panicked") && (code != Some(0) || said.contains("cannot tell apart")),
+            "{code:?} {said}"
+        );
+    }
+}
