@@ -102,6 +102,9 @@ pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> + Sized {
     /// Whether the point may slide along the axis, and is kept at the foot of the centroid.
     const SLIDES: bool;
 
+    /// Starts that are looked at in the search.
+    const STARTS: usize = 8;
+
     /// The same element in the chart about its own axis.
     fn recharted(&self, x: &[f64; N]) -> (Self, [f64; N]) {
         let old = self.chart();

@@ -26,7 +26,8 @@ pub fn cone_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let cloud = Cloud::new(Element::Cone, points, settings)?;
     let free = [true, true, false, held.is_none(), held.is_none(), true, true];
     let upright = |funnel, x| Some(widening(funnel, x)).filter(|(_, x): &(Funnel, [f64; 7])| x[5] > 0.0);
-    let found = search(&cloud, held, free, cone_along, upright, |chart| Funnel { chart });
+    let found =
+        search(&cloud, held, free, |few, chart| vec![cone_along(few, chart)], upright, |chart| Funnel { chart });
     let found = found.ok_or_else(|| no_start(Element::Cone))?;
     let (funnel, refined) = refine_axis(found.surface, &cloud, found.start, free, Options::default());
     let mut fit = finished(&cloud, &funnel, refined)?;

@@ -32,7 +32,7 @@ pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
         |few, chart| {
             let (cost, mut start) = circle_along(few, &chart);
             start[5] = radius.unwrap_or(start[5]);
-            (cost, start)
+            vec![(cost, start)]
         },
         |tube, x| (x[5] > 0.0).then_some((tube, x)),
         |chart| Tube { chart },

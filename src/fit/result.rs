@@ -158,14 +158,11 @@ impl Fit {
     /// Sets the direction to `wanted`, which is `axis` or its opposite; the covariance was found for `axis`.
     pub(super) fn point_along(&mut self, axis: Vector, wanted: Vector) {
         self.direction = Some(wanted);
-        if dot(axis, wanted) < 0.0
-            && let Some(Covariance(c)) = &mut self.covariance
-        {
-            for (i, row) in c.iter_mut().enumerate() {
-                for (j, v) in row.iter_mut().enumerate() {
-                    if (3..6).contains(&i) != (3..6).contains(&j) {
-                        *v = -*v;
-                    }
+        let turned = self.covariance.iter_mut().filter(|_| dot(axis, wanted) < 0.0);
+        for (i, row) in turned.flat_map(|c| c.0.iter_mut().enumerate()) {
+            for (j, v) in row.iter_mut().enumerate() {
+                if (3..6).contains(&i) != (3..6).contains(&j) {
+                    *v = -*v;
                 }
             }
         }

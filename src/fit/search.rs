@@ -12,12 +12,17 @@ use crate::message::{Message, Problems};
 use crate::pose::{Vector, dot};
 use crate::solve::Options;
 
-/// Directions tried over the hemisphere, 7 degrees apart.
-const DIRECTIONS: usize = 400;
-/// Points that the search looks at.
+/// Directions tried over the hemisphere, 8 degrees apart.
+const DIRECTIONS: usize = 300;
+/// Points that the directions are judged by, and that the starts are followed with.
+const JUDGED: usize = 60;
 const SEARCHED: usize = 120;
-/// Starts that are followed to their minimum.
-const FOLLOWED: usize = 8;
+/// Iterations of the first look.
+const GLANCE: usize = 6;
+/// Residuals this many times those of the best are not followed further.
+const HOPELESS: f64 = 100.0;
+/// Iterations of those that are.
+const PATIENCE: usize = 80;
 
 /// Where the search ended.
 pub(super) struct Found<S, const N: usize> {
@@ -27,40 +32,47 @@ pub(super) struct Found<S, const N: usize> {
     pub rival: bool,
 }
 
-/// Searches over the axes. `about` gives the sum of squares and parameters of the best element about an axis, and
-/// `upright` brings a solution to its one proper form, or refuses it.
+/// Searches over the axes. `about` gives elements about an axis with their sums of squares, and `upright` brings a solution to its one proper form, or refuses it.
 pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
     cloud: &Cloud,
     held: Option<Vector>,
     free: [bool; N],
-    about: impl Fn(&Cloud, Chart) -> (f64, [f64; N]),
+    about: impl Fn(&Cloud, Chart) -> Vec<(f64, [f64; N])>,
     upright: impl Fn(S, [f64; N]) -> Option<(S, [f64; N])>,
     element: impl Fn(Chart) -> S,
 ) -> Option<Found<S, N>> {
     let few = cloud.thinned(SEARCHED);
-    let scored = |axis: Vector| {
-        let (cost, start) = about(&few, Chart::new(axis));
-        (cost, axis, start)
+    let judged = cloud.thinned(JUDGED);
+    let about =
+        |axis: Vector| about(&judged, Chart::new(axis)).into_iter().map(move |(cost, start)| (cost, axis, start));
+    let starts: Vec<(f64, Vector, [f64; N])> = match held {
+        Some(axis) => about(axis).collect(),
+        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).flat_map(about).collect(), S::STARTS),
     };
-    let starts: Vec<(Vector, [f64; N])> = match held {
-        Some(axis) => vec![(axis, scored(axis).2)],
-        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).map(scored).collect(), FOLLOWED),
-    };
-    let patience = Options { iterations: 80, ..Options::default() };
-    let mut ends: Vec<(f64, S, [f64; N])> = Vec::new();
-    for (axis, start) in starts {
-        let (surface, refined) = refine_axis(element(Chart::new(axis)), &few, start, free, patience);
-        let cost = rank(&refined);
-        let (surface, x) = surface.recharted(&refined.x);
-        ends.extend(upright(surface, x).filter(|_| cost.is_finite()).map(|(surface, x)| (cost, surface, x)));
-    }
     // below this, sums of squares of normalised coordinates are rounding: the more promising start decides
     let rounding = 1e-28 * few.points.len() as f64;
-    let best =
-        ends.iter().enumerate().min_by(|a, b| (a.1.0 - rounding).max(0.0).total_cmp(&(b.1.0 - rounding).max(0.0)))?.0;
-    let (cost, surface, x) = ends.swap_remove(best);
-    let rival = ends.iter().any(|(other_cost, other, y)| {
-        *other_cost <= 1.02 * cost + rounding && differ((&surface.chart().d0, &x), (&other.chart().d0, y))
+    let walk = |iterations: usize, surface: S, start: [f64; N]| {
+        let options = Options { iterations, ..Options::default() };
+        let (surface, refined) = refine_axis(surface, &few, start, free, options);
+        let (surface, x) = surface.recharted(&refined.x);
+        ((rank(&refined) - rounding).max(0.0), surface, x)
+    };
+    let settled = |walks: Vec<(f64, S, [f64; N])>| {
+        let proper = walks.into_iter().filter_map(|(cost, surface, x)| upright(surface, x).map(|(s, x)| (cost, s, x)));
+        let mut proper: Vec<_> = proper.filter(|end| end.0.is_finite()).collect();
+        proper.sort_by(|a, b| a.0.total_cmp(&b.0));
+        proper
+    };
+    // a short walk from each start, and only those that may still win go on to their minimum
+    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, element(Chart::new(axis)), start));
+    let mut walked = settled(starts.collect());
+    let best = walked.first().map_or(0.0, |w| w.0);
+    walked.retain(|w| w.0 <= HOPELESS * HOPELESS * best);
+    let ends = settled(walked.into_iter().map(|(_, surface, x)| walk(PATIENCE, surface, x)).collect());
+    let mut ends = ends.into_iter();
+    let (cost, surface, x) = ends.next()?;
+    let rival = ends.any(|(other_cost, other, y)| {
+        other_cost <= 1.02 * cost + rounding && differ((&surface.chart().d0, &x), (&other.chart().d0, &y))
     });
     Some(Found { surface, start: x, rival })
 }
@@ -98,13 +110,14 @@ fn hemisphere(count: usize) -> impl Iterator<Item = Vector> {
 }
 
 /// The best of scored starts, lowest first, no two axes of them closer than 15 degrees.
-fn best_apart<T>(mut scored: Vec<(f64, Vector, T)>, count: usize) -> Vec<(Vector, T)> {
+fn best_apart<const N: usize>(mut scored: Vec<(f64, Vector, [f64; N])>, count: usize) -> Vec<(f64, Vector, [f64; N])> {
     scored.retain(|s| s.0.is_finite());
     scored.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut chosen: Vec<(Vector, T)> = Vec::new();
-    for (_, axis, start) in scored {
-        if chosen.len() < count && chosen.iter().all(|(c, _)| dot(*c, axis).abs() < 15f64.to_radians().cos()) {
-            chosen.push((axis, start));
+    let mut chosen: Vec<(f64, Vector, [f64; N])> = Vec::new();
+    for start in scored {
+        let apart = chosen.iter().all(|c| dot(c.1, start.1).abs() < 15f64.to_radians().cos());
+        if chosen.len() < count && apart {
+            chosen.push(start);
         }
     }
     chosen

@@ -9,7 +9,7 @@ use super::search::{no_start, rival_warning, search};
 use super::surface::Surface;
 use crate::message::Result;
 use crate::pose::Vector;
-use crate::solve::Options;
+use crate::solve::{Options, symmetric_eigen};
 
 /// Fits a torus to at least seven points that are not in one plane.
 ///
@@ -40,17 +40,30 @@ pub fn torus_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     Ok(fit.with_warnings())
 }
 
-/// A circle through the points seen along the axis gives the centre, a circle through them seen along the tube
-/// gives both radii.
-fn torus_along(cloud: &Cloud, chart: Chart) -> (f64, [f64; 7]) {
+/// Distances of the centre from the middle of the points that are tried, to all four sides, in units of the length
+/// of the piece (root mean square): seen along the axis, a short piece of a thick tube is no arc.
+const REACHES: [f64; 10] = [0.7, -0.7, 1.2, -1.2, 2.0, -2.0, 4.0, -4.0, 8.0, -8.0];
+
+/// A circle through the points seen along the axis, or a step square to the tube, gives the centre; a circle through
+/// them seen along the tube then gives both radii.
+fn torus_along(cloud: &Cloud, chart: Chart) -> Vec<(f64, [f64; 7])> {
     let flat = |points: Vec<Vector>| Cloud { points, roots: Vec::new(), ..*cloud };
     let points: Vec<[f64; 3]> = cloud.points.iter().map(|&q| chart.coordinates(q)).collect();
-    let (centre, _) = taubin::<3>(&flat(points.iter().map(|&[x, y, _]| [x, y, 0.0]).collect()));
-    let section = flat(points.iter().map(|&[x, y, t]| [(x - centre[0]).hypot(y - centre[1]), t, 0.0]).collect());
-    let ([radius, height, _], minor) = taubin::<3>(&section);
-    let off = |q: &Vector| ((q[0] - radius).hypot(q[1] - height) - minor).powi(2);
-    let cost = section.points.iter().map(off).sum();
-    (cost, [centre[0], centre[1], height, 0.0, 0.0, radius, minor])
+    let (suggested, _) = taubin::<3>(&flat(points.iter().map(|&[x, y, _]| [x, y, 0.0]).collect()));
+    let sums = points.iter().fold([0.0; 3], |s, [x, y, _]| [s[0] + x * x, s[1] + x * y, s[2] + y * y]);
+    let (values, directions) = symmetric_eigen([[sums[0], sums[1]], [sums[1], sums[2]]]);
+    let length = (values[1] / points.len().max(1) as f64).sqrt();
+    // a piece shorter than it is thick lies across its own length
+    let stepped = directions.into_iter().flat_map(|d| REACHES.map(|reach| d.map(|x| x * reach * length)));
+    let about = |centre: [f64; 2]| {
+        let section = points.iter().map(|&[x, y, t]| [(x - centre[0]).hypot(y - centre[1]), t, 0.0]);
+        let section = flat(section.collect());
+        let ([radius, height, _], minor) = taubin::<3>(&section);
+        let off = |q: &Vector| ((q[0] - radius).hypot(q[1] - height) - minor).powi(2);
+        let cost: f64 = section.points.iter().map(off).sum();
+        (cost, [centre[0], centre[1], height, 0.0, 0.0, radius, minor])
+    };
+    std::iter::once([suggested[0], suggested[1]]).chain(stepped).map(about).collect()
 }
 
 /// Parameters a, b, h, u, v of the axis through the centre, the radius R and the radius r of the tube: a point has
@@ -84,6 +97,9 @@ impl Surface<7, 1> for Bend {
 
 impl Axial<7, 1> for Bend {
     const SLIDES: bool = false;
+
+    // a dozen points on a tube look like many things
+    const STARTS: usize = 24;
 
     fn chart(&self) -> &Chart {
         &self.chart

@@ -1,5 +1,6 @@
 //! Laws that hold without outside data.
 
 mod campaigns;
+mod fits_hostile;
 mod joins;
 mod robots;
