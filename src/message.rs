@@ -151,7 +151,7 @@ impl fmt::Display for Message {
                 write!(f, ":{column}")?;
             }
             if let (Some(line), Some(text)) = (place.line, &place.text) {
-                write!(f, "\n{line:>5} | {}", shown(text))?;
+                write!(f, "\n{line:>5} | {}", one_line(text))?;
                 if let Some(column) = place.column {
                     let marks = "^".repeat(place.width.clamp(1, 60));
                     write!(f, "\n      | {}{marks}", " ".repeat(column.saturating_sub(1).min(200)))?;
@@ -168,22 +168,15 @@ impl fmt::Display for Message {
     }
 }
 
-/// A line fit to be printed: control characters replaced, cut at 200 characters.
-fn shown(text: &str) -> String {
-    let printable = |c: char| {
-        if c == '\t' {
-            ' '
-        } else if c.is_control() {
-            '\u{fffd}'
-        } else {
-            c
-        }
+/// A line fit to be shown: control characters replaced, cut at 200 characters.
+pub fn one_line(text: &str) -> String {
+    let printable = |c: char| match c {
+        '\t' => ' ',
+        c if c.is_control() => '\u{fffd}',
+        c => c,
     };
-    let mut line: String = text.chars().take(200).map(printable).collect();
-    if text.chars().nth(200).is_some() {
-        line.push_str(" ...");
-    }
-    line
+    let cut = if text.chars().nth(200).is_some() { " ..." } else { "" };
+    text.chars().take(200).map(printable).collect::<String>() + cut
 }
 
 /// Everything that is wrong, found in one pass: what a stage returns instead of its document.

@@ -23,6 +23,7 @@ use crate::document::{
     AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, ImportDocument, ParametersDocument,
     PointError, WorldFrame,
 };
+use crate::message::one_line;
 use crate::message::{Message, Result};
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::Serde;
@@ -110,19 +111,4 @@ fn pictures(report: &Report) -> Vec<points::Picture> {
     pictures.extend(histogram::histogram(&errors));
     pictures.extend(by_pose::pictures(&errors));
     pictures
-}
-
-/// Text of an input on one line: control characters replaced, cut at 200 characters.
-fn one_line(text: &str) -> String {
-    let printable = |c: char| {
-        if c == '\t' {
-            ' '
-        } else if c.is_control() {
-            '\u{fffd}'
-        } else {
-            c
-        }
-    };
-    let cut = if text.chars().nth(200).is_some() { " ..." } else { "" };
-    text.chars().take(200).map(printable).collect::<String>() + cut
 }

@@ -110,19 +110,8 @@ fn px(value: f64) -> String {
 
 /// Text as it may stand between tags and in quotes; control characters replaced.
 pub(super) fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            c if c.is_control() => out.push('\u{fffd}'),
-            c => out.push(c),
-        }
-    }
-    out
+    let printable: String = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    quick_xml::escape::escape(printable).into_owned()
 }
 
 #[cfg(test)]
@@ -139,7 +128,7 @@ mod tests {
         svg.mark(Shape::Diamond, "c", (0.0, 0.0), 1.0, "#fff", hostile);
         svg.rect("bar", (0.0, 0.0), (1.0, 1.0), hostile);
         let out = svg.finish();
-        let safe = "&lt;/title&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&#39;\u{fffd}";
+        let safe = "&lt;/title&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&apos;\u{fffd}";
         assert_eq!(out.matches(safe).count(), 7);
         assert!(!out.contains("<script") && !out.contains('\0'));
     }

@@ -80,3 +80,24 @@ impl Joint {
         format!("{}_{}", self.name, self.quantity.unit())
     }
 }
+
+/// What every robot has: its parameters, joints and targets, each in the order in which slices of them come.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Definition {
+    /// The parameters.
+    pub parameters: Vec<Parameter>,
+    /// The joints.
+    pub joints: Vec<Joint>,
+    /// Names of the targets on the moving part.
+    pub targets: Vec<String>,
+}
+
+impl Definition {
+    /// The same definition with other nominal values.
+    pub fn with_nominal(mut self, values: &[f64]) -> Self {
+        for (parameter, value) in self.parameters.iter_mut().zip(values) {
+            parameter.nominal = *value;
+        }
+        self
+    }
+}

@@ -8,7 +8,7 @@ mod prexyt;
 mod serial;
 mod serial_chain;
 
-pub use definition::{Joint, Parameter, Quantity, Role};
+pub use definition::{Definition, Joint, Parameter, Quantity, Role};
 pub use prexyt::{PlanarPose, Prexyt};
 pub use serial::{Serial, SerialJoint};
 
@@ -19,14 +19,23 @@ pub trait Robot: Send + Sync {
     /// Short name of the model: `prexyt`, `serial` ...
     fn model(&self) -> &'static str;
 
+    /// Parameters, joints and targets.
+    fn definition(&self) -> &Definition;
+
     /// The parameters, in the order in which every slice of parameters comes.
-    fn parameters(&self) -> &[Parameter];
+    fn parameters(&self) -> &[Parameter] {
+        &self.definition().parameters
+    }
 
     /// The joints, in the order in which every slice of joint values comes.
-    fn joints(&self) -> &[Joint];
+    fn joints(&self) -> &[Joint] {
+        &self.definition().joints
+    }
 
     /// Names of the targets on the moving part.
-    fn targets(&self) -> &[String];
+    fn targets(&self) -> &[String] {
+        &self.definition().targets
+    }
 
     /// Coordinates measured per target: 2 for planar robots (x, y), 3 in space.
     fn dimension(&self) -> usize;

@@ -3,7 +3,7 @@
 //! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
 //! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
 
-use super::{Joint, Parameter, Quantity, Robot, Role};
+use super::{Definition, Joint, Parameter, Quantity, Robot, Role};
 use crate::scalar::{Dual, Scalar};
 
 /// Position (mm) and orientation (rad) in the plane.
@@ -39,9 +39,7 @@ const COMMON: [(&str, Quantity, Role, f64); 14] = [
 /// The PreXYT with its nominal parameters.
 #[derive(Clone, Debug)]
 pub struct Prexyt {
-    parameters: Vec<Parameter>,
-    joints: Vec<Joint>,
-    targets: Vec<String>,
+    definition: Definition,
     full: bool,
 }
 
@@ -65,14 +63,13 @@ impl Prexyt {
             parameters.push(Parameter::new("h", Quantity::Length, Role::Robot, 0.0));
         }
         let joints = ["rho1", "rho2", "rho3"].map(|name| Joint { name: name.into(), quantity: Quantity::Length });
-        Self { parameters, joints: joints.into(), targets: vec!["K".into(), "L".into()], full }
+        let targets = vec!["K".into(), "L".into()];
+        Self { definition: Definition { parameters, joints: joints.into(), targets }, full }
     }
 
     /// The same robot with other nominal values, names of targets kept.
     pub fn with_nominal(mut self, values: &[f64]) -> Self {
-        for (parameter, value) in self.parameters.iter_mut().zip(values) {
-            parameter.nominal = *value;
-        }
+        self.definition = self.definition.with_nominal(values);
         self
     }
 
@@ -180,14 +177,8 @@ impl Robot for Prexyt {
     fn model(&self) -> &'static str {
         if self.full { "prexyt_full" } else { "prexyt" }
     }
-    fn parameters(&self) -> &[Parameter] {
-        &self.parameters
-    }
-    fn joints(&self) -> &[Joint] {
-        &self.joints
-    }
-    fn targets(&self) -> &[String] {
-        &self.targets
+    fn definition(&self) -> &Definition {
+        &self.definition
     }
     fn dimension(&self) -> usize {
         2

@@ -2,7 +2,7 @@
 //! (Hayati & Mirmirani 1985), joint offsets and gains, optionally bending under gravity and coupling of the wrist.
 
 use super::serial_chain::{Chain, Motion, velocity};
-use super::{Joint, Parameter, Quantity, Robot, Role};
+use super::{Definition, Joint, Parameter, Quantity, Robot, Role};
 use crate::pose::{Pose, Vector, cross, dot, minus, unit};
 use crate::solve;
 
@@ -45,9 +45,7 @@ pub struct Serial {
     coupling: Vec<(usize, usize, usize)>,
     gravity: Vector,
     base_turn_y_rad: f64,
-    parameters: Vec<Parameter>,
-    joints: Vec<Joint>,
-    targets: Vec<String>,
+    definition: Definition,
 }
 
 impl Serial {
@@ -111,17 +109,13 @@ impl Serial {
             coupling,
             gravity,
             base_turn_y_rad: 0.0,
-            joints: names.collect(),
-            parameters,
-            targets: targets.to_vec(),
+            definition: Definition { parameters, joints: names.collect(), targets: targets.to_vec() },
         }
     }
 
     /// The same arm with other nominal values.
     pub fn with_nominal(mut self, values: &[f64]) -> Self {
-        for (parameter, value) in self.parameters.iter_mut().zip(values) {
-            parameter.nominal = *value;
-        }
+        self.definition = self.definition.with_nominal(values);
         self
     }
 
@@ -206,7 +200,7 @@ impl Serial {
     /// The generic form of [`Robot::positions`]: positions of all targets in the world.
     pub fn target_positions<T: crate::scalar::Scalar>(&self, parameters: &[T], q: &[f64]) -> Vec<Vector<T>> {
         let flange = self.chain(q).flange(parameters);
-        (0..self.targets.len())
+        (0..self.targets().len())
             .map(|k| {
                 let place = self.target_place(k);
                 flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]])
@@ -260,14 +254,8 @@ impl Robot for Serial {
     fn model(&self) -> &'static str {
         "serial"
     }
-    fn parameters(&self) -> &[Parameter] {
-        &self.parameters
-    }
-    fn joints(&self) -> &[Joint] {
-        &self.joints
-    }
-    fn targets(&self) -> &[String] {
-        &self.targets
+    fn definition(&self) -> &Definition {
+        &self.definition
     }
     fn dimension(&self) -> usize {
         3
