@@ -145,6 +145,11 @@ pub(super) fn refine_axis<S: Axial<N, K>, const N: usize, const K: usize>(
     }
 }
 
+/// Length of (x, y) in normalised coordinates: nothing overflows, and hypot would be slow.
+pub(super) fn length(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
 /// Angles of the points about the axis through `point`, for the coverage of an arc.
 pub(super) fn angles_about(points: &[Vector], chart: &Chart, point: Vector) -> Vec<f64> {
     let angle = |&q: &Vector| {

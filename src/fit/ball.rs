@@ -3,7 +3,7 @@
 use super::cloud::Cloud;
 use super::result::QUANTITIES;
 use super::surface::Surface;
-use crate::pose::{Vector, minus, norm};
+use crate::pose::{Vector, dot, minus};
 use crate::solve::symmetric_eigen;
 
 /// Parameters x, y, z of the centre and the radius; in the plane z is held at zero.
@@ -12,7 +12,8 @@ pub(super) struct Ball;
 impl Surface<4, 1> for Ball {
     fn distances(&self, x: &[f64; 4], q: Vector) -> [(f64, [f64; 4]); 1] {
         let w = minus(q, [x[0], x[1], x[2]]);
-        let rho = norm(w);
+        // coordinates are of size one: nothing overflows, and hypot would be slow
+        let rho = dot(w, w).sqrt();
         let g = if rho > 0.0 { w.map(|c| c / rho) } else { [0.0; 3] };
         [(rho - x[3], [-g[0], -g[1], -g[2], -1.0])]
     }

@@ -1,6 +1,6 @@
 //! Circular cone, one nappe.
 
-use super::axis::{Axial, Chart, angles_about, refine_axis};
+use super::axis::{Axial, Chart, angles_about, length, refine_axis};
 use super::cloud::Cloud;
 use super::element::{Element, Settings};
 use super::result::{Fit, QUANTITIES, arc_coverage};
@@ -75,17 +75,22 @@ fn widening(mut funnel: Funnel, mut x: [f64; 7]) -> (Funnel, [f64; 7]) {
 /// then comes from the radii about (p, q), regressed on the height.
 fn cone_along(cloud: &Cloud, chart: Chart) -> (f64, [f64; 7]) {
     let points: Vec<[f64; 3]> = cloud.points.iter().map(|&q| chart.coordinates(q)).collect();
-    let (mut normal, mut right) = (Matrix5::<f64>::zeros(), Vector5::<f64>::zeros());
+    let (mut sums, mut right) = ([[0.0; 5]; 5], [0.0; 5]);
     for &[x, y, t] in &points {
-        let row = Vector5::new(2.0 * x, 2.0 * y, 1.0, t, t * t);
-        normal += row * row.transpose();
-        right += row * (x * x + y * y);
+        let row = [2.0 * x, 2.0 * y, 1.0, t, t * t];
+        for (i, factor) in row.iter().enumerate() {
+            right[i] += factor * (x * x + y * y);
+            for (s, other) in sums[i].iter_mut().zip(&row) {
+                *s += factor * other;
+            }
+        }
     }
+    let (mut normal, right) = (Matrix5::from(sums), Vector5::from(right));
     // two circles have two heights only, and t² is then 1 and t again: a little damping chooses
     normal += Matrix5::identity() * (1e-10 * normal.trace());
     let Some(solved) = normal.cholesky().map(|c| c.solve(&right)) else { return (f64::INFINITY, [0.0; 7]) };
     let (p, q) = (solved[0], solved[1]);
-    let radii: Vec<(f64, f64)> = points.iter().map(|&[x, y, t]| ((x - p).hypot(y - q), t)).collect();
+    let radii: Vec<(f64, f64)> = points.iter().map(|&[x, y, t]| (length(x - p, y - q), t)).collect();
     let (slope, at_zero) = regression(&radii);
     let cost: f64 = radii.iter().map(|(rho, t)| (rho - at_zero - slope * t).powi(2)).sum();
     let half_angle = slope.atan();

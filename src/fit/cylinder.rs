@@ -1,6 +1,6 @@
 //! Circular cylinder.
 
-use super::axis::{Axial, Chart, angles_about, refine_axis};
+use super::axis::{Axial, Chart, angles_about, length, refine_axis};
 use super::ball::taubin;
 use super::cloud::Cloud;
 use super::element::{Element, Settings};
@@ -58,7 +58,7 @@ fn circle_along(cloud: &Cloud, chart: &Chart) -> (f64, [f64; 6]) {
         ..*cloud
     };
     let (centre, radius) = taubin::<3>(&flat);
-    let off = |q: &Vector| ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius).powi(2);
+    let off = |q: &Vector| (length(q[0] - centre[0], q[1] - centre[1]) - radius).powi(2);
     let cost = flat.points.iter().map(off).sum();
     (cost, [centre[0], centre[1], 0.0, 0.0, 0.0, radius])
 }

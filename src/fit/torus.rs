@@ -1,6 +1,6 @@
 //! Torus: a tube bent along a circle, whole or a piece of it.
 
-use super::axis::{Axial, Chart, angles_about, refine_axis};
+use super::axis::{Axial, Chart, angles_about, length, refine_axis};
 use super::ball::taubin;
 use super::cloud::Cloud;
 use super::element::{Element, Settings};
@@ -52,14 +52,14 @@ fn torus_along(cloud: &Cloud, chart: Chart) -> Vec<(f64, [f64; 7])> {
     let (suggested, _) = taubin::<3>(&flat(points.iter().map(|&[x, y, _]| [x, y, 0.0]).collect()));
     let sums = points.iter().fold([0.0; 3], |s, [x, y, _]| [s[0] + x * x, s[1] + x * y, s[2] + y * y]);
     let (values, directions) = symmetric_eigen([[sums[0], sums[1]], [sums[1], sums[2]]]);
-    let length = (values[1] / points.len().max(1) as f64).sqrt();
+    let extent = (values[1] / points.len().max(1) as f64).sqrt();
     // a piece shorter than it is thick lies across its own length
-    let stepped = directions.into_iter().flat_map(|d| REACHES.map(|reach| d.map(|x| x * reach * length)));
+    let stepped = directions.into_iter().flat_map(|d| REACHES.map(|reach| d.map(|x| x * reach * extent)));
     let about = |centre: [f64; 2]| {
-        let section = points.iter().map(|&[x, y, t]| [(x - centre[0]).hypot(y - centre[1]), t, 0.0]);
+        let section = points.iter().map(|&[x, y, t]| [length(x - centre[0], y - centre[1]), t, 0.0]);
         let section = flat(section.collect());
         let ([radius, height, _], minor) = taubin::<3>(&section);
-        let off = |q: &Vector| ((q[0] - radius).hypot(q[1] - height) - minor).powi(2);
+        let off = |q: &Vector| (length(q[0] - radius, q[1] - height) - minor).powi(2);
         let cost: f64 = section.points.iter().map(off).sum();
         (cost, [centre[0], centre[1], height, 0.0, 0.0, radius, minor])
     };
@@ -76,7 +76,7 @@ impl Surface<7, 1> for Bend {
     fn distances(&self, x: &[f64; 7], q: Vector) -> [(f64, [f64; 7]); 1] {
         let at = self.chart.cylindrical([x[0], x[1], x[2], x[3], x[4]], q);
         let outward = at.rho - x[5];
-        let from_core = outward.hypot(at.t);
+        let from_core = length(outward, at.t);
         let (g_rho, g_t) = if from_core > 0.0 { (outward / from_core, at.t / from_core) } else { (0.0, 0.0) };
         let mut derivative = [0.0; 7];
         for (d, (rho, t)) in derivative.iter_mut().zip(at.d_rho.iter().zip(&at.d_t)) {

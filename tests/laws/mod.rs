@@ -1,6 +1,7 @@
 //! Laws that hold without outside data.
 
 mod campaigns;
+mod fits;
 mod fits_hostile;
 mod joins;
 mod robots;
