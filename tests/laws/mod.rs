@@ -5,3 +5,4 @@ mod fits;
 mod fits_hostile;
 mod joins;
 mod robots;
+mod serial;

@@ -1,0 +1,74 @@
+//! Serial arms: whatever the place of the tracker, a noise-free identification gives the truth.
+
+use etalon::campaign::read_robot;
+use etalon::identify::{Observation, ResidualKind, Settings, identify};
+use etalon::noise::Noise;
+use etalon::robots::{Robot, Role};
+
+fn robot(targets: usize) -> Box<dyn Robot> {
+    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
+    let names: Vec<String> = (0..targets).map(|k| format!("t{k}")).collect();
+    read_robot(&file).unwrap().build(&names).unwrap()
+}
+
+/// A truth that differs from nominal in every parameter that can be told apart from base and targets.
+fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
+    let absorbed = ["alpha_1", "a_1", "theta_1", "d_1", "theta_6", "d_6"];
+    let value = |p: &etalon::robots::Parameter, noise: &mut Noise| match (p.role, p.name.as_str()) {
+        (Role::Base, "base_x" | "base_y" | "base_z") => noise.uniform(3000.0),
+        (Role::Base, "base_ry") => noise.uniform(1.3),
+        (Role::Base, _) => noise.uniform(3.1),
+        (Role::Target, _) => noise.uniform(120.0),
+        (_, name) if absorbed.contains(&name) => p.nominal,
+        (_, name) if name.starts_with("gain") => 1.0 + noise.uniform(2e-3),
+        (_, name) if name.starts_with("co") || name.starts_with("beta") => noise.uniform(1e-3),
+        (_, name) if name.starts_with('a') && !name.starts_with("alpha") => p.nominal + noise.uniform(0.5),
+        (_, name) if name.starts_with('d') => p.nominal + noise.uniform(0.5),
+        _ => p.nominal + noise.uniform(5e-3),
+    };
+    robot.parameters().iter().map(|p| value(p, noise)).collect()
+}
+
+fn observe(robot: &dyn Robot, truth: &[f64], poses: usize, noise: &mut Noise) -> Vec<Observation> {
+    let observe = |i: usize| {
+        let joints: Vec<f64> = [2.8, 1.3, 1.2, 2.6, 1.9, 3.0].map(|range| noise.uniform(range)).to_vec();
+        let targets = (0..robot.targets().len()).map(|k| Some(robot.position(truth, &joints, k))).collect();
+        Observation { pose: i as i64, cycle: 1, joints, targets }
+    };
+    (0..poses).map(observe).collect()
+}
+
+#[test]
+fn base_and_targets_are_found_from_anywhere() {
+    for (targets, trials) in [(3, 12), (1, 6)] {
+        let robot = robot(targets);
+        for trial in 0..trials {
+            let mut noise = Noise::new(11, trial);
+            let truth = truth(robot.as_ref(), &mut noise);
+            let observations = observe(robot.as_ref(), &truth, 80, &mut noise);
+            let settings =
+                Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.01), hold: Vec::new() };
+            let found = identify(robot.as_ref(), &observations, &settings).unwrap();
+            let fresh = observe(robot.as_ref(), &truth, 20, &mut noise);
+            for o in &fresh {
+                for (k, expected) in o.targets.iter().enumerate() {
+                    let p = robot.position(&found.values, &o.joints, k);
+                    let off = etalon::pose::norm(etalon::pose::minus(p, expected.unwrap()));
+                    assert!(off < 1e-8, "{targets} targets, trial {trial}: off by {off} mm");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_base_that_stands_on_its_side_is_named_with_its_remedy() {
+    let robot = robot(3);
+    let mut noise = Noise::new(12, 0);
+    let mut truth = truth(robot.as_ref(), &mut noise);
+    truth[robot.index("base_ry").unwrap()] = std::f64::consts::FRAC_PI_2;
+    let observations = observe(robot.as_ref(), &truth, 60, &mut noise);
+    let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: None, hold: Vec::new() };
+    let problems = identify(robot.as_ref(), &observations, &settings).unwrap_err();
+    assert!(problems.to_string().contains("base_turn_y_deg = 90"), "{problems}");
+}
