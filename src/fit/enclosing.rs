@@ -37,7 +37,8 @@ pub fn enclosing_sphere(points: &[Vector]) -> Result<Enclosing> {
     Ok(smallest(points, &cloud, 4))
 }
 
-/// Steps in a row that may leave the radius as it is: 106 bits decide nearly everything, and this the rest.
+/// Steps that may leave the radius as it is: 106 bits decide nearly everything, and this the rest. Radii that grow
+/// cannot come back, so it ends.
 const STALLS: usize = 20;
 
 struct Ball {
@@ -65,7 +66,7 @@ fn smallest(points_mm: &[Vector], cloud: &Cloud, most: usize) -> Enclosing {
         }
         ball.support.push(outside);
         let larger = by_subsets(&points, &ball.support, most);
-        stalled = if larger.squared > ball.squared { 0 } else { stalled + 1 };
+        stalled += usize::from(larger.squared <= ball.squared);
         ball = larger;
         iterations += 1;
     }

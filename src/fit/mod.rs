@@ -1,9 +1,9 @@
 //! Geometric elements fitted to points: least squares of orthogonal distances, with uncertainty.
 //!
-//! Every fit goes the same way: points are checked, shifted to their centroid and scaled (`Cloud`); a
-//! start is found from the points alone; the orthogonal distances are minimised with exact derivatives; the
-//! answer ([`Fit`]) carries its residuals, covariance, condition, and how the solver ended. A closed solution is used
-//! where there is one (plane, line, rigid transform). Nothing here knows a file.
+//! Every fit goes the same way: points are checked, shifted to their centroid and scaled; a start is found from the
+//! points alone; the orthogonal distances are minimised with exact derivatives; the answer ([`Fit`]) carries its
+//! residuals, covariance, condition, and how the solver ended. A closed solution is used where there is one (plane,
+//! line, rigid transform). Nothing here knows a file.
 
 mod axis;
 mod ball;

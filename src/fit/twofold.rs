@@ -94,6 +94,8 @@ mod tests {
         let third = Twofold::from(1.0) / Twofold::from(3.0);
         let left = (third * Twofold::from(3.0) - Twofold::from(1.0)).hi;
         assert!(left.abs() < 1e-31, "{left:e}");
+        let ninth = (third * third * Twofold::from(9.0) - Twofold::from(1.0)).hi;
+        assert!(ninth.abs() < 1e-30, "{ninth:e}");
         let small = Twofold::from(1e-20);
         assert_eq!((Twofold::from(1.0) + small - Twofold::from(1.0)).hi, 1e-20);
         let square = (Twofold::from(1.0) + small) * (Twofold::from(1.0) + small);

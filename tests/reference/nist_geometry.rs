@@ -2,6 +2,7 @@
 //! against references of 20 digits for arcs that NIST does not cover.
 
 #![allow(clippy::print_stdout)] // how close each fit comes is worth saying
+#![allow(clippy::excessive_precision)] // digits as published
 
 use etalon::fit::{self, CircleMethod, Fit, Settings};
 use etalon::message::Result;
@@ -238,4 +239,67 @@ fn lines_in_space() {
         println!("{name}: off {off:.1e} mm, direction {direction:.1e} rad");
         assert!(off < 1e-9 && direction < 1e-9, "{name}: {off:.3e} {direction:.3e}");
     }
+}
+
+#[test]
+fn what_a_person_must_know_is_said() {
+    let Some(geom) = crate::reference_data("geom") else { return };
+    let said = |fit: &Fit, words: &str| fit.warnings.iter().any(|w| w.what.contains(words) && w.hint.is_some());
+    // six points: two cones go through all of them, and NIST says that its answer may not be the only one
+    let cone = fit::cone(&pair(&geom.join("nist_ats/Cone"), "con7").points).unwrap();
+    assert!(said(&cone, "a different cone") && said(&cone, "no redundant point"), "{:?}", cone.warnings);
+    assert!(cone.covariance.is_none() && cone.degrees_of_freedom == 0);
+    // ten degrees of arc with 0.8 mm of noise on a radius of 163 mm
+    let arc = circle_in_its_plane(&pair(&geom.join("derived_short_arc"), "circle2d_nist21_10deg")).0.unwrap();
+    assert!(said(&arc, "the radius"), "{:?}", arc.warnings);
+    // and nothing where there is nothing to say
+    for (folder, name) in [("Cone", "con1"), ("Cone", "con30")] {
+        let fit = fit::cone(&pair(&geom.join("nist_ats").join(folder), name).points).unwrap();
+        assert!(fit.warnings.is_empty(), "{name}: {:?}", fit.warnings);
+    }
+    let fit = circle_in_its_plane(&pair(&geom.join("derived_short_arc"), "circle2d_nist22_35deg")).0.unwrap();
+    assert!(fit.warnings.is_empty() && (fit.coverage_deg().unwrap() - 35.0).abs() < 1.0, "{:?}", fit.warnings);
+    let cylinder = fit::cylinder(&pair(&geom.join("nist_ats/Cylinder"), "cyl1").points).unwrap();
+    assert!(cylinder.warnings.is_empty(), "{:?}", cylinder.warnings);
+}
+
+#[test]
+fn published_small_sets() {
+    let Some(geom) = crate::reference_data("geom") else { return };
+    let read = |name: &str| -> Vec<Vec<f64>> {
+        let text = std::fs::read_to_string(geom.join("published_small").join(name)).unwrap();
+        let row = |line: &str| line.split(',').map(|w| w.trim().parse().ok()).collect::<Option<Vec<f64>>>();
+        text.lines().filter_map(row).collect()
+    };
+    let flat = |name: &str| read(name).iter().map(|row| [row[0], row[1]]).collect::<Vec<_>>();
+    // 20-digit minima of classic circles (Gander, Golub & Strebel 1994; Coope 1993; the SciPy cookbook)
+    let circles = [
+        ("GGS6.csv", [4.739_782_410_906_074, 2.983_532_699_292_475_2], 4.714_226_037_792_109_7),
+        ("Coope8.csv", [3.043_238_251_582_542_2, 0.745_678_313_458_604_05], 4.105_855_837_954_331_1),
+        ("scipycookbook6.csv", [10.500_086_213_944_377, 9.659_949_505_836_43], 23.333_527_646_182_877),
+    ];
+    for (name, center, radius) in circles {
+        let fit = fit::circle2d(&flat(name)).unwrap();
+        let off = (fit.point_mm[0] - center[0]).hypot(fit.point_mm[1] - center[1]);
+        let size = (fit.radius_mm.unwrap() - radius).abs();
+        println!("{name}: centre {off:.1e}, radius {size:.1e}");
+        assert!(off < 1e-9 && size < 1e-9, "{name}: {off:e} {size:e}");
+    }
+    // a line of the imagingbook, A x + B y + C = 0
+    let line = fit::line2d(&flat("line2d_burger5.csv")).unwrap();
+    let (p, d) = (line.point_mm, line.direction.unwrap());
+    let (a, b, c) = (-0.496_890_043_790_261_8, -0.867_813_507_835_705_2, 7.244_827_854_073_206);
+    assert!((a * d[0] + b * d[1]).abs() < 1e-12 && (a * p[0] + b * p[1] + c).abs() < 1e-12, "{p:?} {d:?}");
+    // the cylinder on which SciPy ended at R = 69.9 (issue 21720)
+    let points: Vec<Vector> = read("scipy21720_cylinder18.csv").iter().map(|row| vector(row)).collect();
+    let fit = fit::cylinder(&points).unwrap();
+    let axis = [0.240_617_938_604_659_03, -0.874_686_150_287_861_48, 0.420_745_940_106_669_51];
+    let foot = [-69.714_201_690_161_028, -265.575_359_072_883_57, -39.377_789_038_400_328];
+    let errors = [
+        norm(minus(fit.point_mm, foot)),
+        (fit.radius_mm.unwrap() - 90.076_866_678_021_767).abs(),
+        angle_between_lines(fit.direction.unwrap(), axis),
+    ];
+    println!("scipy 21720: {errors:?}");
+    assert!(errors.iter().all(|e| *e < 1e-9), "{errors:?}");
 }
