@@ -28,6 +28,7 @@ samples/%/out/report.html: $$(shell find samples/$$* -type f -not -path '*/out/*
 	$(ETALON) run --skip-missing samples/$*
 
 test:
+	[ -n "$${ETALON_REFERENCE:-}" ] || echo "ETALON_REFERENCE is not set: the tests in tests/reference (NIST, PreXYT, IRB 120) are skipped"
 	if command -v cargo-nextest >/dev/null; then cargo test --locked --doc && cargo nextest run --locked; else cargo test --locked; fi
 
 bench:
