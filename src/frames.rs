@@ -17,7 +17,7 @@ type Key = (i64, i64);
 /// Fits the features of a campaign to the points that bear their labels.
 pub fn fit_features(campaign: &Campaign, points: &DataFrame) -> Result<FeaturesDocument> {
     let labelled = Labelled::new(points)?;
-    let mut features = Vec::new();
+    let (mut features, mut messages) = (Vec::new(), Vec::new());
     for (name, definition) in &campaign.file.features {
         let Some((element, labels)) = definition.element() else { continue };
         let chosen: Vec<Vector> = labels.iter().flat_map(|l| labelled.points(l.get_ref())).collect();
@@ -34,6 +34,14 @@ pub fn fit_features(campaign: &Campaign, points: &DataFrame) -> Result<FeaturesD
             }
             problems
         })?;
+        messages.extend(
+            fitted.warnings.iter().map(|w| Message { what: format!("feature `{name}`: {}", w.what), ..w.clone() }),
+        );
+        let direction_deg = fitted.standard_uncertainty().and_then(|u| u.direction_rad).unwrap_or(0.0).to_degrees();
+        if direction_deg > DIRECTION_POOR_DEG {
+            let what = format!("feature `{name}`: its direction is known to {direction_deg:.2} deg only (k = 1)");
+            messages.push(Message::warning(what).hint("measure points farther apart"));
+        }
         features.push(Feature {
             name: name.clone(),
             element: element.to_owned(),
@@ -47,8 +55,13 @@ pub fn fit_features(campaign: &Campaign, points: &DataFrame) -> Result<FeaturesD
             standard_uncertainty_mm: fitted.standard_uncertainty().map(|u| u.radius_mm.unwrap_or(u.point_largest_mm)),
         });
     }
-    Ok(FeaturesDocument { schema: "etalon/features/1".to_owned(), features })
+    Ok(FeaturesDocument { schema: "etalon/features/1".to_owned(), features, messages })
 }
+
+/// A direction worse known than this spoils a frame: 0.1 deg is 0.5 mm over 300 mm.
+const DIRECTION_POOR_DEG: f64 = 0.1;
+/// `towards` must stand off the axis by this share of its distance from the origin.
+const OFF_AXIS: f64 = 0.01;
 
 /// Makes the world frame of a campaign; `planar` for robots that move in its xy plane.
 pub fn make_frames(
@@ -113,7 +126,9 @@ fn from_plane(
             .expected("two labels, from and to, or one feature with a direction")
     })?;
     let side = minus(towards, origin);
-    let other = unit(minus(side, first.map(|v| v * dot(side, first))))
+    let off_axis = minus(side, first.map(|v| v * dot(side, first)));
+    let other = unit(off_axis)
+        .filter(|_| norm(off_axis) > OFF_AXIS * norm(side))
         .ok_or_else(|| wrong("`towards` lies on the axis: it cannot tell the side of the other one"))?;
     let (x, y) = if axis_name == "x" { (first, other) } else { (other, first) };
     let definition = format!(

@@ -43,7 +43,11 @@ pub fn join(campaign: &Campaign, imported: &Imported, frames: &FramesDocument, r
                 .hint("compare the poses and cycles of exports and log, or choose another key with `by` in [join]")
                 .into());
         }
-        observations.push((name.clone(), tidy(joined, robot)?));
+        let table = tidy(joined, robot)?;
+        if observations.is_empty() {
+            messages.extend(incomplete(&table, robot)?);
+        }
+        observations.push((name.clone(), table));
     }
     Ok(Joined { observations, messages })
 }
@@ -256,6 +260,20 @@ fn tidy(joined: DataFrame, robot: &dyn Robot) -> Result<DataFrame> {
     columns.extend(table::XYZ[..robot.dimension()].iter().map(|c| (*c).to_owned()));
     columns.extend(robot.joints().iter().map(|j| j.column()));
     Ok(sorted.select(columns)?)
+}
+
+/// A warning where some poses lack a target that others have.
+fn incomplete(observations: &DataFrame, robot: &dyn Robot) -> Result<Option<Message>> {
+    let (poses, cycles) = (table::integers(observations, "pose")?, table::integers(observations, "cycle")?);
+    let mut seen: BTreeMap<(i64, i64), usize> = BTreeMap::new();
+    for key in poses.into_iter().zip(cycles) {
+        *seen.entry(key).or_default() += 1;
+    }
+    let lacking = |(_, n): &(&(i64, i64), &usize)| **n < robot.targets().len();
+    let poses: BTreeSet<i64> = seen.iter().filter(lacking).map(|(key, _)| key.0).collect();
+    let what = format!("poses that lack a target: {}", listed(&poses));
+    let hint = "their other targets still count; a pose or an orientation needs all of them";
+    Ok((!poses.is_empty()).then(|| Message::warning(what).hint(hint)))
 }
 
 fn listed(numbers: &BTreeSet<i64>) -> String {

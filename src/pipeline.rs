@@ -39,6 +39,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
 
     // join: measurements meet joint values
     let joined = join::join(campaign, &imported, &frames, robot.as_ref())?;
+    imported.document.messages.extend(features.messages.clone());
     imported.document.messages.extend(joined.messages.clone());
 
     // identify: observations become parameters

@@ -134,7 +134,9 @@ fn check_robot(campaign: &Campaign, robot: &dyn Robot, imported: &Imported, prob
             problems.0.push(message.at(campaign.place(pattern)).hint_names(pattern.get_ref(), names()));
         }
     }
-    let measured: BTreeSet<String> = table::texts(&imported.points, "target").unwrap_or_default().into_iter().collect();
+    let mut measured: BTreeSet<String> =
+        table::texts(&imported.points, "target").unwrap_or_default().into_iter().collect();
+    measured.remove("");
     for target in robot.targets() {
         if !measured.contains(target) {
             let what = format!("no export brings the target `{target}` of this robot");

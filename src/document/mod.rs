@@ -67,6 +67,8 @@ pub struct FeaturesDocument {
     pub schema: String,
     /// One per feature of the campaign.
     pub features: Vec<Feature>,
+    /// Warnings of the fits.
+    pub messages: Vec<Message>,
 }
 
 /// One fitted element, in the coordinates of the exports.

@@ -39,6 +39,11 @@ impl<'a> Residuals<'a> {
         free: &[usize],
         values: &[f64],
     ) -> Result<Self> {
+        if free.is_empty() {
+            return Err(Message::error("no parameter is left to identify")
+                .hint("hold fewer parameters, and check that nominal values and joint values give positions that are numbers")
+                .into());
+        }
         let planar = match settings.kind {
             ResidualKind::Targets => None,
             ResidualKind::Pose => Some(robot.planar().ok_or_else(|| {

@@ -69,6 +69,7 @@ pub fn import(campaign: &Campaign) -> Result<Imported> {
             Err(more) => problems.0.extend(more.0),
         }
     }
+    problems.0.extend(columns.measured_twice());
     problems.check()?;
     let mut messages = blunders::refuse(campaign, &mut columns, &mut sources);
     messages.extend(columns.unused_labels(campaign));

@@ -97,6 +97,24 @@ impl PointColumns {
         problems.check().map(|_| ())
     }
 
+    /// Errors about points that bear the same target, pose and cycle as one before them.
+    pub fn measured_twice(&self) -> Vec<Message> {
+        let mut first = std::collections::BTreeMap::new();
+        let mut errors = Vec::new();
+        for point in &self.points {
+            let (Some(target), Some(pose)) = (&point.target, point.pose) else { continue };
+            let before = *first.entry((target, pose, point.cycle)).or_insert(point);
+            if !std::ptr::eq(before, point) {
+                let cycle = point.cycle.map(|c| format!(", cycle {c}")).unwrap_or_default();
+                let what = format!("target `{target}` is there twice at pose {pose}{cycle}");
+                let hint =
+                    format!("the first is {}:{}; number repeats as cycles, or remove one", before.export, before.line);
+                errors.push(Message::error(what).at(Place::line(&point.export, point.line, &point.text)).hint(hint));
+            }
+        }
+        errors
+    }
+
     /// Warnings about labels that name no target and that no feature or frame uses.
     pub fn unused_labels(&self, campaign: &Campaign) -> Vec<Message> {
         let world = campaign.file.frame.world.get_ref();

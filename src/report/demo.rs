@@ -168,7 +168,7 @@ fn features() -> FeaturesDocument {
         standard_uncertainty_mm: Some(0.0006),
     };
     let features = vec![feature("rails", "plane", None), feature("R_home", "circle", Some(19.05))];
-    FeaturesDocument { schema: "etalon/features/1".to_owned(), features }
+    FeaturesDocument { schema: "etalon/features/1".to_owned(), features, messages: Vec::new() }
 }
 
 fn frames() -> FramesDocument {

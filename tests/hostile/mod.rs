@@ -200,3 +200,52 @@ fn too_few_poses_are_said_so() {
         );
     }
 }
+
+#[test]
+fn a_target_measured_twice_points_at_both_rows() {
+    let scratch = copy_sample("prexyt-cmm");
+    let path = scratch.path().join("exports/poses.txt");
+    let poses = std::fs::read_to_string(&path).unwrap();
+    let first = poses.lines().next().unwrap().to_owned();
+    std::fs::write(&path, poses + &first + "\n").unwrap();
+    let (code, said) = etalon(&scratch, "check");
+    assert_eq!(code, Some(2));
+    for part in ["target `K` is there twice at pose 1, cycle 1", "exports/poses.txt:591", "exports/poses.txt:1;"] {
+        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+    }
+}
+
+#[test]
+fn a_pose_that_lacks_a_ball_is_said_so() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("exports/poses.txt", "L_3_2 ", "spoiled_3_2_x ");
+    let (code, said) = etalon(&scratch, "run");
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("poses that lack a target: 3"), "{said}");
+}
+
+#[test]
+fn nothing_left_to_identify_is_an_error_and_not_a_panic() {
+    for (file, from, to) in [
+        ("campaign.toml", "validation = \"9-59\"", "validation = \"9-59\"\nhold = [\"*\"]"),
+        ("robot.toml", "\ns = 394.0", "\ns = 0.0"),
+        ("campaign.toml", "expanded_uncertainty_um = 2.7", "expanded_uncertainty_um = 1e-300"),
+    ] {
+        let scratch = copy_sample("prexyt-cmm");
+        scratch.replace(file, from, to);
+        let (code, said) = etalon(&scratch, "run");
+        assert!(code == Some(2) && said.starts_with("error: ") && !said.contains("panicked"), "{code:?} {said}");
+    }
+}
+
+#[test]
+fn a_frame_that_its_points_cannot_carry_is_refused_or_warned_of() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "towards = \"rail3_a\"", "towards = \"R_end\"");
+    let (code, said) = etalon(&scratch, "run");
+    assert!(code == Some(2) && said.contains("lies on the axis"), "{code:?} {said}");
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "[\"rail2_a\", \"rail2_b\", \"rail3_a\"]", "[\"rail2_a\"]");
+    let (_, said) = etalon(&scratch, "run");
+    assert!(said.contains("feature `rails`: its direction is known to"), "{said}");
+}
