@@ -4,6 +4,7 @@ use super::{Verdict, print, say};
 use crate::campaign::read_robot;
 use crate::document::{ParameterStatus, ParametersDocument};
 use crate::identify::{Observation, ResidualKind, Settings, fit_frames, identify};
+use crate::message::{Message, Problems};
 use crate::parameters::parameters_document;
 use crate::{files, output, table};
 use std::collections::BTreeMap;
@@ -35,6 +36,12 @@ pub struct Identify {
 
 impl Identify {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        if self.standard_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
+            let message = Message::error("--standard-uncertainty-um must be positive");
+            return Err(
+                Problems::from(message.hint("expanded uncertainty over coverage factor, per coordinate")).into()
+            );
+        }
         let robot_file = read_robot(&self.robot)?;
         let observed = table::read_csv(&self.observations)?;
         let mut targets: Vec<String> = Vec::new();
