@@ -50,7 +50,7 @@ impl Campaign {
         let text = files::read_text(&path)?;
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
-        let file: CampaignFile = toml_problems::parse(&name, &text)?;
+        let file: CampaignFile = toml_problems::parse(&name, &text, &types::REQUIRED)?;
         let robot_path = paths::resolve(&folder, file.robot.get_ref())
             .map_err(|m| m.at(Place::span(name.as_str(), &text, file.robot.span())))?;
         let robot_text = files::read_text(&robot_path).map_err(|mut problems| {
@@ -59,7 +59,7 @@ impl Campaign {
             }
             problems
         })?;
-        let robot = toml_problems::parse(&robot_path.display().to_string(), &robot_text)?;
+        let robot = toml_problems::parse(&robot_path.display().to_string(), &robot_text, &["model"])?;
         Ok(Self { file, robot, folder, path: name, text, robot_text })
     }
 
@@ -117,10 +117,10 @@ impl Campaign {
 
 /// Reads a robot file on its own.
 pub fn read_robot(path: &Path) -> Result<RobotFile> {
-    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?)
+    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?, &["model"])
 }
 
 /// Reads the truth of a simulation.
 pub fn read_truth(path: &Path) -> Result<crate::simulate::Truth> {
-    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?)
+    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?, &[])
 }

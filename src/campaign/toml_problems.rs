@@ -6,14 +6,17 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
-/// Reads `text` as a `T`, or reports everything in it that does not fit.
-pub(super) fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
+/// Reads `text` as a `T`, or reports everything in it that does not fit. Keys of the top level that are `required` are all
+/// missed at once; serde would stop at the first.
+pub(super) fn parse<T: DeserializeOwned>(file: &str, text: &str, required: &[&str]) -> Result<T> {
     let (mut root, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
         return Err(Problems(syntax.iter().map(|e| message(file, text, e, None)).collect()));
     }
-    let mut problems = Problems::default();
-    let mut removed: Vec<String> = Vec::new();
+    let missing = required.iter().filter(|key| !root.get_ref().contains_key(**key)).copied();
+    let say = |key| Message::error(format!("the key `{key}` is missing")).at(Place::file(file));
+    let mut removed: Vec<String> = missing.clone().map(str::to_owned).collect();
+    let mut problems = Problems(missing.map(say).collect());
     loop {
         let error = match T::deserialize(Deserializer::from(root.clone())) {
             Ok(value) if problems.0.is_empty() => return Ok(value),
@@ -139,7 +142,7 @@ mod tests {
     #[test]
     fn all_problems_at_once_with_their_places() {
         let text = "nmae = \"x\"\n[part]\nlength = \"long\"\nunit = 3\ncolour = 1\n[[list]]\nlength = 1.0\n";
-        let problems = parse::<Outer>("f.toml", text).unwrap_err();
+        let problems = parse::<Outer>("f.toml", text, &["name", "part"]).unwrap_err();
         let said: Vec<String> =
             problems.0.iter().map(|m| format!("{} {:?}", m.what, m.place.as_ref().and_then(|p| p.line))).collect();
         for part in [
@@ -157,7 +160,7 @@ mod tests {
 
     #[test]
     fn syntax_errors_have_places() {
-        let problems = parse::<Outer>("f.toml", "name = \n[part\nlength 3\n").unwrap_err();
+        let problems = parse::<Outer>("f.toml", "name = \n[part\nlength 3\n", &[]).unwrap_err();
         assert!(!problems.0.is_empty() && problems.0.iter().all(|m| m.place.is_some()));
     }
 }

@@ -249,3 +249,15 @@ fn a_frame_that_its_points_cannot_carry_is_refused_or_warned_of() {
     let (_, said) = etalon(&scratch, "run");
     assert!(said.contains("feature `rails`: its direction is known to"), "{said}");
 }
+
+#[test]
+fn an_empty_campaign_misses_every_key_at_once() {
+    let scratch = copy_sample("prexyt-cmm");
+    std::fs::write(scratch.path().join("campaign.toml"), "temperature = 20\n").unwrap();
+    let (code, said) = etalon(&scratch, "check");
+    assert_eq!(code, Some(2));
+    for key in ["name", "robot", "instrument", "export", "log", "join", "frame", "identify"] {
+        assert!(said.contains(&format!("the key `{key}` is missing")), "{key}:\n{said}");
+    }
+    assert!(said.contains("unknown key `temperature`") && said.contains("did you mean `temperature_c`?"), "{said}");
+}
