@@ -13,7 +13,7 @@ use toml::Spanned;
 pub fn parameters_document(
     robot: &dyn Robot,
     settings: &Settings,
-    before: &Identification,
+    before: &[f64],
     found: &Identification,
     inputs: &BTreeMap<String, String>,
 ) -> ParametersDocument {
@@ -31,7 +31,7 @@ pub fn parameters_document(
         name: p.name.clone(),
         unit: p.quantity.unit().to_owned(),
         nominal: p.quantity.outward(p.nominal),
-        before: p.quantity.outward(before.values[i]),
+        before: p.quantity.outward(before[i]),
         value: p.quantity.outward(found.values[i]),
         standard_uncertainty: found.standard_uncertainty(i).map(|u| p.quantity.outward(u)),
         status: match found.status[i] {

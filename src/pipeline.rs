@@ -60,7 +60,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     let parameters = parameters_document(robot.as_ref(), &settings, &before, &found, &imported.document.inputs());
 
     // evaluate: errors before and after
-    let errors = evaluate::errors(robot.as_ref(), &sets, &before.values, &found.values);
+    let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
     let accuracy = evaluate::evaluate(robot.as_ref(), &errors, &campaign.file.limits)?;
 
     // report and export, from the documents alone

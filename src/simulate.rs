@@ -99,6 +99,11 @@ pub struct Circle {
 
 /// Writes every export and log that `campaign` names; gives their names.
 pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
+    if campaign.file.synthetic.is_none() {
+        return Err(Message::error("the campaign does not say that it is synthetic: its files may be measured ones")
+            .hint("state `synthetic = \"how the data are made\"` in campaign.toml: every report repeats it")
+            .into());
+    }
     let robot = campaign.build_robot()?;
     let mut values = robot.nominal();
     for (name, value) in &truth.parameters {

@@ -1,6 +1,6 @@
 //! Everything that is wrong with a campaign, found at once and without computing.
 
-use super::{Campaign, JoinBy};
+use super::{Campaign, Format, JoinBy, Role};
 use crate::import::Imported;
 use crate::message::{Message, Problems};
 use crate::robots::Robot;
@@ -143,7 +143,27 @@ fn check_robot(campaign: &Campaign, robot: &dyn Robot, imported: &Imported, prob
             problems.0.push(Message::error(what).hint_names(target, measured.iter().map(String::as_str)));
         }
     }
+    for export in &campaign.file.exports {
+        let Format::Delimited(dialect) = &export.format else { continue };
+        for role in [Role::Label, Role::Target, Role::Pose, Role::Cycle, Role::X, Role::Y, Role::Z, Role::TimeS] {
+            if dialect.columns.iter().filter(|r| **r == role).count() > 1 {
+                let what = format!("`columns` names {role:?} twice");
+                problems.0.push(Message::error(what).at(campaign.place(&export.file)));
+            }
+        }
+        if robot.dimension() == 3 && !dialect.columns.contains(&Role::Z) {
+            let what = "`columns` has no z, which a robot in space needs";
+            problems.0.push(Message::error(what).at(campaign.place(&export.file)));
+        }
+    }
     for log in &campaign.file.logs {
+        let named = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+        let same = campaign.file.logs.iter().filter(|l| l.name == log.name).count();
+        if log.name.is_empty() || !log.name.chars().all(named) || same > 1 {
+            let what = format!("`{}` cannot be the name of a log", log.name);
+            let message = Message::error(what).at(campaign.place(&log.file));
+            problems.0.push(message.expected("letters, digits, `_` and `-`, another name for each log"));
+        }
         for joint in robot.joints() {
             let column = joint.column();
             if !log.columns.keys().any(|k| import::is_joint_column(k.get_ref(), joint)) {

@@ -91,21 +91,31 @@ impl Identification {
 /// come first, take up what cannot be told apart from them.
 pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
     let wanted = wanted_parameters(robot, observations, settings)?;
-    let start = start::start(robot, observations)?;
+    let start = start::start(robot, observations, &wanted)?;
     identify_from(robot, observations, settings, &wanted, start)
 }
 
-/// The nominal robot with only base and targets fitted: what accuracy is before a calibration.
-pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
+/// Parameters of the nominal robot with only base and targets fitted: what accuracy is before a calibration.
+pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<f64>> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     let frames: Vec<usize> = wanted.into_iter().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
-    let start = start::start(robot, observations)?;
-    identify_from(robot, observations, settings, &frames, start)
+    if frames.is_empty() {
+        return Ok(robot.nominal());
+    }
+    let start = start::start(robot, observations, &frames)?;
+    Ok(identify_from(robot, observations, settings, &frames, start)?.values)
 }
 
 fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
     if observations.is_empty() {
         return Err(Message::error("there are no observations to identify from").into());
+    }
+    if settings.kind == ResidualKind::Pose && settings.standard_uncertainty_mm.is_none() {
+        return Err(Message::error(
+            "pose residuals mix mm and rad: they need the standard uncertainty of a coordinate",
+        )
+        .hint("state it (--standard-uncertainty-um), or compare targets")
+        .into());
     }
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in &settings.hold {
@@ -177,6 +187,9 @@ fn settle(
     let mut held = held.unwrap_or_else(|| Analysis::at(&all, &values).held());
     for _round in 0..5 {
         let free: Vec<usize> = wanted.iter().copied().filter(|i| !held.contains(i)).collect();
+        for &i in &held {
+            values[i] = robot.parameters()[i].nominal;
+        }
         let problem = Residuals::new(robot, observations, settings, &free, &values)?;
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
         let solution = solve::solve(&problem, &x, Options::default());

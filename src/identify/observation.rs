@@ -26,6 +26,9 @@ impl Observation {
         let cycles = table::integers(table, "cycle")?;
         let names = table::texts(table, "target")?;
         let xyz = table::coordinates(table)?;
+        if robot.dimension() == 3 && table::numbers(table, table::XYZ[2])?.iter().any(|z| z.is_nan()) {
+            return Err(Message::error("observations of a robot in space lack `z_mm`").into());
+        }
         let mut joints = Vec::new();
         for joint in robot.joints() {
             let column = table::numbers(table, &joint.column())?;

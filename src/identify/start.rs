@@ -3,6 +3,7 @@
 //! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube are tried in closed
 //! form, the best few refined on a subset of the poses, and the best of those taken.
 
+use super::identifiability::Analysis;
 use super::residuals::Residuals;
 use super::{Observation, ResidualKind, Settings};
 use crate::message::{Message, Result};
@@ -13,14 +14,18 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 const SUBSET: usize = 24;
 const REFINED: usize = 4;
+/// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by millimetres.
+const UNEXPLAINED: f64 = 0.1;
 
 /// Starting values of all parameters: nominal, for serial arms with base and targets found from the observations.
-pub(super) fn start(robot: &dyn Robot, observations: &[Observation]) -> Result<Vec<f64>> {
+/// Those not in `wanted` keep their nominal values.
+pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[usize]) -> Result<Vec<f64>> {
     let nominal = robot.nominal();
     let Some(serial) = robot.serial() else { return Ok(nominal) };
     let places: Vec<usize> = (0..nominal.len()).filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
-    if places.iter().any(|&i| nominal[i] != 0.0) {
-        return Ok(nominal); // the robot file states where base and targets are
+    // the robot file states where base and targets are, or the user holds some of them
+    if places.iter().any(|&i| nominal[i] != 0.0 || !wanted.contains(&i)) {
+        return Ok(nominal);
     }
     let step = observations.len().div_ceil(SUBSET);
     let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
@@ -30,8 +35,11 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation]) -> Result<V
     let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: None, hold: Vec::new() };
     let mut best: Option<(f64, Vec<f64>)> = None;
     for (_, values) in candidates.into_iter().take(REFINED) {
-        let problem = Residuals::new(robot, &subset, &settings, &places, &values)?;
-        let x: Vec<f64> = places.iter().map(|&i| values[i]).collect();
+        let all = Residuals::new(robot, &subset, &settings, &places, &values)?;
+        let held = Analysis::at(&all, &values).held();
+        let free: Vec<usize> = places.iter().copied().filter(|i| !held.contains(i)).collect();
+        let problem = Residuals::new(robot, &subset, &settings, &free, &values)?;
+        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
         let solution = solve::solve(&problem, &x, Options { step: 1e-6, ..Options::default() });
         if solution.termination.is_success() && best.as_ref().is_none_or(|b| solution.cost() < b.0) {
             best = Some((solution.cost(), problem.all(&solution.x)));
@@ -42,11 +50,21 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation]) -> Result<V
             }
         }
     }
-    let (_, mut values) = best.ok_or_else(|| {
+    let (cost, mut values) = best.ok_or_else(|| {
         Message::error("base and targets cannot be found from these poses")
             .expected("at least four poses in which the arm moves in all directions")
             .hint("measure more poses, or state base_x .. base_rz and the targets under [nominal] in the robot file")
     })?;
+    let rms_mm = (cost / (3 * subset.iter().flat_map(|o| o.targets.iter().flatten()).count()) as f64).sqrt();
+    let spread = spread_mm(&subset);
+    if rms_mm > UNEXPLAINED * spread {
+        let what = format!(
+            "no place of base and targets explains the measurements: {rms_mm:.1} mm are left of {spread:.1} mm"
+        );
+        return Err(Message::error(what)
+            .hint("check units, order, signs and offsets of the joints, and the nominal parameters of the robot")
+            .into());
+    }
     for angle in &mut values[3..6] {
         *angle -= (*angle / TAU).round() * TAU;
     }
@@ -101,7 +119,8 @@ fn linear_start(serial: &Serial, subset: &[Observation], nominal: &[f64], base: 
         }
     }
     let factor = Factor::new(&a, &b, &vec![1.0; columns]);
-    let x = factor.solve()?;
+    // where base and targets cannot be told apart, the shortest solution
+    let x = factor.damped(1e-6).solve()?;
     let mut values = nominal.to_vec();
     values[..3].copy_from_slice(&world_T_turned.then(base).rotate([x[0], x[1], x[2]]));
     values[3..6].copy_from_slice(&base.rpy_rad());

@@ -47,6 +47,16 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
     source.rows_read = all.len();
     let mut problems = Problems::default();
     let lines: Vec<&str> = text.lines().collect();
+    let width = header.as_ref().unwrap_or(&all[0]).fields.len();
+    for row in all.iter().filter(|r| r.fields.len() != width) {
+        let shown = lines.get(row.line - 1).copied().unwrap_or("");
+        problems.0.push(
+            Message::error(format!("the row has {} fields", row.fields.len()))
+                .at(Place::line(file, row.line, shown))
+                .expected(format!("{width}, as the first row"))
+                .hint("a decimal comma in a file separated by commas? then state `delimiter` and `decimal`"),
+        );
+    }
     let count = all.len();
     let counted = |name: &str, f: &dyn Fn(usize, &Row) -> i64| {
         Series::new(name.into(), all.iter().enumerate().map(|(i, r)| f(i, r)).collect::<Vec<i64>>()).into()

@@ -49,6 +49,10 @@ fn base_and_targets_are_found_from_anywhere() {
             let settings =
                 Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.01), hold: Vec::new() };
             let found = identify(robot.as_ref(), &observations, &settings).unwrap();
+            for (i, p) in robot.parameters().iter().enumerate() {
+                let identified = found.status[i] == etalon::identify::Status::Identified;
+                assert!(identified || found.values[i] == p.nominal, "{} is not held at its nominal value", p.name);
+            }
             let fresh = observe(robot.as_ref(), &truth, 20, &mut noise);
             for o in &fresh {
                 for (k, expected) in o.targets.iter().enumerate() {
