@@ -174,10 +174,17 @@ fn from_targets(
     if names.len() < 3 {
         return Err(wrong("a frame needs three targets or more".to_owned()).into());
     }
-    let mut seen = measured(points, &names)?;
-    if !each {
-        seen = BTreeMap::from([((0, 0), (0..names.len()).map(|k| centroid(&all_of(&seen, k))).collect())]);
-    }
+    let seen = if each {
+        measured(points, &names)?
+    } else {
+        // measured once or often, with or without a pose: the mean of all points of that name
+        let (labelled, targets) = (Labelled::new(points)?, table::texts(points, "target")?);
+        let of = |name: &&str| {
+            let bears = |i: &usize| targets[*i] == *name || labelled.labels[*i] == *name;
+            centroid(&(0..targets.len()).filter(bears).map(|i| labelled.xyz[i]).collect::<Vec<_>>())
+        };
+        BTreeMap::from([((0, 0), names.iter().map(of).collect())])
+    };
     let whole: BTreeMap<Key, Vec<Vector>> =
         seen.into_iter().filter_map(|(key, places)| Some((key, places.into_iter().collect::<Option<_>>()?))).collect();
     let local = |p: &Vec<Vector>| {
@@ -216,10 +223,6 @@ fn from_targets(
     })
 }
 
-fn all_of(seen: &BTreeMap<Key, Vec<Option<Vector>>>, k: usize) -> Vec<Vector> {
-    seen.values().filter_map(|places| places[k]).collect()
-}
-
 /// Where each of the named targets was, by pose and cycle.
 pub fn measured(points: &DataFrame, names: &[&str]) -> Result<BTreeMap<Key, Vec<Option<Vector>>>> {
     let (targets, xyz) = (table::texts(points, "target")?, table::coordinates(points)?);
@@ -249,9 +252,4 @@ impl Labelled {
         let bears = |(label, p): (&String, &Vector)| matches_pattern(name, label).then_some(*p);
         self.labels.iter().zip(&self.xyz).filter_map(bears).collect()
     }
-}
-
-/// Mean distance between two lists of points.
-pub fn mean_distance(a: &[Vector], b: &[Vector]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| norm(minus(*a, *b))).sum::<f64>() / a.len().max(1) as f64
 }

@@ -119,8 +119,12 @@ fn check_labels(campaign: &Campaign, imported: &Imported, problems: &mut Problem
     {
         want(name, &[&labels, &features], "point or feature is called");
     }
+    for name in world.targets.iter().flatten() {
+        let among: &[&BTreeSet<String>] = if world.each.is_some() { &[&targets] } else { &[&targets, &labels] };
+        want(name, among, "export brings the target");
+    }
     let rigid = file.rigid.iter().flat_map(|r| &r.targets);
-    for name in world.targets.iter().flatten().chain(rigid).chain(file.join.targets.iter().flatten()) {
+    for name in rigid.chain(file.join.targets.iter().flatten()) {
         want(name, &[&targets], "export brings the target");
     }
 }

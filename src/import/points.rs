@@ -64,6 +64,9 @@ impl PointColumns {
                 .into());
         }
         source.rows_read = rows.len();
+        // targets that carry a world frame measured once need no pose
+        let world = campaign.file.frame.world.get_ref();
+        let frame_targets = world.targets.as_deref().filter(|_| world.each.is_none()).unwrap_or_default();
         let mut problems = Problems::default();
         for (i, row) in rows.into_iter().enumerate() {
             let zero = row.xyz == [0.0; 3];
@@ -75,7 +78,8 @@ impl PointColumns {
             let named = pattern.as_ref().and_then(|p| p.read(&row.label)).unwrap_or_default();
             let target = row.target.or(named.target).or_else(|| export.target.clone());
             let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|_| i as i64 + 1));
-            if target.is_some() && pose.is_none() && row.time_s.is_none() {
+            let in_frame = |t: &String| frame_targets.iter().any(|f| f.get_ref() == t);
+            if target.is_some() && pose.is_none() && row.time_s.is_none() && !target.as_ref().is_some_and(in_frame) {
                 let message = Message::error("the row names a target but no pose");
                 let hint = "name the pose in the label, or state `pose = \"row\"` for this export";
                 problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
@@ -123,6 +127,7 @@ impl PointColumns {
         let used: Vec<&str> = features
             .chain(world.origin.iter())
             .chain(world.towards.iter())
+            .chain(world.targets.iter().flatten())
             .chain(axes)
             .map(|l| l.get_ref().as_str())
             .collect();

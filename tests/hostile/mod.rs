@@ -284,3 +284,18 @@ fn an_empty_campaign_misses_every_key_at_once() {
     }
     assert!(said.contains("unknown key `temperature`") && said.contains("did you mean `temperature_c`?"), "{said}");
 }
+
+#[test]
+fn a_world_frame_from_three_targets_measured_once() {
+    let scratch = copy_sample("prexyt-cmm");
+    let text = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
+    let (head, rest) = text.split_once("[frame.world]").unwrap();
+    let (_, tail) = rest.split_once("[identify]").unwrap();
+    let frame = "[frame.world]\ntargets = [\"rail2_a\", \"rail3_a\", \"rail2_b\"]\n\n[identify]";
+    std::fs::write(scratch.path().join("campaign.toml"), format!("{head}{frame}{tail}")).unwrap();
+    let (code, said) = etalon(&scratch, "check");
+    assert_eq!(code, Some(0), "{said}");
+    etalon(&scratch, "run");
+    let frames = std::fs::read_to_string(scratch.path().join("out/frames.json")).unwrap();
+    assert!(frames.contains("best fit of the targets rail2_a, rail3_a, rail2_b"), "{frames}");
+}
