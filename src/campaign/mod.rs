@@ -42,6 +42,12 @@ impl Campaign {
     ///
     /// Every wrong key and value of both files is reported, not only the first.
     pub fn read(path: &Path) -> Result<Self> {
+        let (campaign, problems) = Self::recover(path)?;
+        campaign.filter(|_| problems.0.is_empty()).ok_or(problems)
+    }
+
+    /// The campaign that is left when everything that does not fit is taken away, and what that is.
+    pub fn recover(path: &Path) -> Result<(Option<Self>, Problems)> {
         let path = if path.is_dir() { path.join("campaign.toml") } else { path.to_owned() };
         if !path.is_file() {
             let what = format!("there is no campaign `{}`", path.display());
@@ -50,7 +56,8 @@ impl Campaign {
         let text = files::read_text(&path)?;
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
-        let file: CampaignFile = toml_problems::parse(&name, &text, &types::REQUIRED)?;
+        let (file, mut problems) = toml_problems::recover::<CampaignFile>(&name, &text, &types::REQUIRED);
+        let Some(file) = file else { return Ok((None, problems)) };
         let robot_path = paths::resolve(&folder, file.robot.get_ref())
             .map_err(|m| m.at(Place::span(name.as_str(), &text, file.robot.span())))?;
         let robot_text = files::read_text(&robot_path).map_err(|mut problems| {
@@ -59,8 +66,9 @@ impl Campaign {
             }
             problems
         })?;
-        let robot = toml_problems::parse(&robot_path.display().to_string(), &robot_text, &["model"])?;
-        Ok(Self { file, robot, folder, path: name, text, robot_text })
+        let (robot, more) = toml_problems::recover(&robot_path.display().to_string(), &robot_text, &["model"]);
+        problems.0.extend(more.0);
+        Ok((robot.map(|robot| Self { file, robot, folder, path: name, text, robot_text }), problems))
     }
 
     /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.

@@ -9,9 +9,15 @@ use toml::de::{DeTable, DeValue, Deserializer, Error};
 /// Reads `text` as a `T`, or reports everything in it that does not fit. Keys of the top level that are `required` are all
 /// missed at once; serde would stop at the first.
 pub(super) fn parse<T: DeserializeOwned>(file: &str, text: &str, required: &[&str]) -> Result<T> {
+    let (value, problems) = recover(file, text, required);
+    value.filter(|_| problems.0.is_empty()).ok_or(problems)
+}
+
+/// The same, with the value that is left when everything that does not fit is taken away.
+pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, required: &[&str]) -> (Option<T>, Problems) {
     let (mut root, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
-        return Err(Problems(syntax.iter().map(|e| message(file, text, e, None)).collect()));
+        return (None, Problems(syntax.iter().map(|e| message(file, text, e, None)).collect()));
     }
     let missing = required.iter().filter(|key| !root.get_ref().contains_key(**key)).copied();
     let say = |key| Message::error(format!("the key `{key}` is missing")).at(Place::file(file));
@@ -19,8 +25,7 @@ pub(super) fn parse<T: DeserializeOwned>(file: &str, text: &str, required: &[&st
     let mut problems = Problems(missing.map(say).collect());
     loop {
         let error = match T::deserialize(Deserializer::from(root.clone())) {
-            Ok(value) if problems.0.is_empty() => return Ok(value),
-            Ok(_) => return Err(problems),
+            Ok(value) => return (Some(value), problems),
             Err(error) => error,
         };
         // a key that was removed because its value is wrong is missing only because of that
@@ -34,7 +39,7 @@ pub(super) fn parse<T: DeserializeOwned>(file: &str, text: &str, required: &[&st
         }
         match key {
             Some(key) => removed.push(key),
-            None => return Err(problems),
+            None => return (None, problems),
         }
     }
 }

@@ -16,8 +16,16 @@ pub struct Check {
 
 impl Check {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let campaign = Campaign::read(&self.campaign)?;
-        let imported = check(&campaign)?;
+        let (campaign, mut problems) = Campaign::recover(&self.campaign)?;
+        let Some(campaign) = campaign else { return Err(problems.into()) };
+        let imported = match check(&campaign) {
+            Ok(imported) if problems.0.is_empty() => imported,
+            Ok(_) => return Err(problems.into()),
+            Err(more) => {
+                problems.0.extend(more.0);
+                return Err(problems.into());
+            }
+        };
         let document = &imported.document;
         for message in &document.messages {
             say(format_args!("{message}\n"));

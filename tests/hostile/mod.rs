@@ -299,3 +299,16 @@ fn a_world_frame_from_three_targets_measured_once() {
     let frames = std::fs::read_to_string(scratch.path().join("out/frames.json")).unwrap();
     assert!(frames.contains("best fit of the targets rail2_a, rail3_a, rail2_b"), "{frames}");
 }
+
+#[test]
+fn a_wrong_key_does_not_hide_a_wrong_label_or_file() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "[identify]", "[identify]\ncolour = 1\nhold = [\"gama\"]");
+    scratch.replace("campaign.toml", "\"rail2_a\",", "\"rail2_x\",");
+    scratch.replace("robot.toml", "model = \"prexyt\"", "model = \"prexyt\"\nsize = 3");
+    let (code, said) = etalon(&scratch, "check");
+    assert_eq!(code, Some(2));
+    for part in ["unknown key `colour`", "unknown key `size`", "`rail2_x`", "`gama` is no parameter"] {
+        assert!(said.contains(part), "{part}:\n{said}");
+    }
+}
