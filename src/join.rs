@@ -131,9 +131,7 @@ fn by_keys(
         }
     };
     report("measured keys are beside log", measured.keys().filter(|k| !logged.contains_key(*k)).collect());
-    if keys != ["row"] {
-        report("keys of log", logged.keys().filter(|k| !measured.contains_key(*k)).collect());
-    }
+    report("keys of log", logged.keys().filter(|k| !measured.contains_key(*k)).collect());
     let mut right = log.clone();
     for column in ["row", "line", "pose", "cycle", "time_s"] {
         if !keys.contains(&column) && right.column(column).is_ok() {
@@ -212,6 +210,18 @@ fn by_time(
         let what = format!("times of log `{name}` do not increase at its row {}", i + 2);
         return Err(Message::error(what).hint("sort the log by time, and remove rows with equal times").into());
     }
+    let tolerance_ns = (tolerance_s * 1e9).round() as i64;
+    let within = |t: &i64| {
+        let first = log_times.partition_point(|l| *l < t.saturating_sub(tolerance_ns));
+        log_times.partition_point(|l| *l <= t.saturating_add(tolerance_ns)) - first
+    };
+    let ambiguous = times.iter().filter(|t| within(t) > 1).count();
+    if ambiguous > 0 {
+        let what = format!(
+            "{ambiguous} measured points have several rows of log `{name}` within {tolerance_s} s: the nearest counts"
+        );
+        messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
+    }
     let group = |n: usize| Column::new("all".into(), vec![1i64; n]);
     let mut left = points.clone();
     left.with_column(Column::new("t_ns".into(), times))?.with_column(group(points.height()))?;
@@ -224,7 +234,7 @@ fn by_time(
             right = right.drop(column)?;
         }
     }
-    let tolerance = AnyValue::Int64((tolerance_s * 1e9).round() as i64);
+    let tolerance = AnyValue::Int64(tolerance_ns);
     let (by, nearest) = (["all"], AsofStrategy::Nearest);
     let joined = left.join_asof_by(&right, "t_ns", "t_ns", by, by, nearest, Some(tolerance), true, false)?;
     let log_rows = table::optional_integers(&joined, "log_row")?;
@@ -240,6 +250,11 @@ fn by_time(
         if let Some(row) = row {
             *used.entry((*row, target)).or_default() += 1;
         }
+    }
+    let rows_used: BTreeSet<i64> = used.keys().map(|(row, _)| *row).collect();
+    if rows_used.len() < log.height() {
+        let what = format!("{} rows of log `{name}` have no measured point", log.height() - rows_used.len());
+        messages.push(Message::warning(what));
     }
     if let Some(((row, target), n)) = used.iter().find(|(_, n)| **n > 1) {
         let what = format!("row {row} of log `{name}` is nearest to {n} points of target `{target}`");

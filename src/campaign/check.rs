@@ -43,7 +43,8 @@ fn check_statements(campaign: &Campaign, problems: &mut Problems) {
         }
     }
     let instrument = &file.instrument;
-    if !(instrument.expanded_uncertainty_um > 0.0 && instrument.coverage_factor > 0.0) {
+    let uncertainty_mm = instrument.standard_uncertainty_mm();
+    if !(instrument.coverage_factor > 0.0 && uncertainty_mm > 0.0 && uncertainty_mm.is_finite()) {
         problems.0.push(
             Message::error("the instrument's uncertainty and coverage factor must be positive")
                 .hint("take both from its calibration certificate"),
@@ -55,6 +56,12 @@ fn check_statements(campaign: &Campaign, problems: &mut Problems) {
                 "add `clock_offset_s` (time of the measurement minus time of the log) and `tolerance_s` to [join]",
             ),
         );
+    }
+    let odd = |v: Option<f64>| v.is_some_and(|v| !v.is_finite());
+    if odd(file.join.clock_offset_s) || odd(file.join.tolerance_s) || file.join.tolerance_s.is_some_and(|t| t < 0.0) {
+        problems
+            .0
+            .push(Message::error("`clock_offset_s` and `tolerance_s` must be numbers, the tolerance not negative"));
     }
     for (name, feature) in &file.features {
         if feature.element().is_none() {
