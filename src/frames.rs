@@ -224,7 +224,7 @@ fn from_targets(
 }
 
 /// Where each of the named targets was, by pose and cycle.
-pub fn measured(points: &DataFrame, names: &[&str]) -> Result<BTreeMap<Key, Vec<Option<Vector>>>> {
+fn measured(points: &DataFrame, names: &[&str]) -> Result<BTreeMap<Key, Vec<Option<Vector>>>> {
     let (targets, xyz) = (table::texts(points, "target")?, table::coordinates(points)?);
     let (poses, cycles) = (table::optional_integers(points, "pose")?, table::optional_integers(points, "cycle")?);
     let mut seen: BTreeMap<Key, Vec<Option<Vector>>> = BTreeMap::new();

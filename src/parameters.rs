@@ -99,16 +99,6 @@ impl ImportDocument {
 }
 
 impl Campaign {
-    /// What the campaign identifies from which residuals.
-    pub fn settings(&self) -> Settings {
-        let identify = &self.file.identify;
-        Settings {
-            kind: identify.residuals,
-            standard_uncertainty_mm: Some(self.file.instrument.standard_uncertainty_mm()),
-            hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),
-        }
-    }
-
     /// An error where a selection of poses selects none.
     pub fn refuse_empty(&self, sets: &Sets) -> crate::message::Result<()> {
         let identify = &self.file.identify;
@@ -122,10 +112,5 @@ impl Campaign {
             Some(text) if sets.validation.is_empty() => Err(of(text, "validation").into()),
             _ => Ok(()),
         }
-    }
-
-    /// The robot that the campaign measured.
-    pub fn build_robot(&self) -> crate::message::Result<Box<dyn Robot>> {
-        self.robot.build(&self.targets())
     }
 }

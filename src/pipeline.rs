@@ -3,7 +3,7 @@
 use crate::campaign::{Campaign, check};
 use crate::document::*;
 use crate::evaluate::{self, Sets};
-use crate::identify::{self, Observation, Settings};
+use crate::identify::{self, Identification, Observation};
 use crate::message::{Message, Result};
 use crate::output::Output;
 use crate::parameters::parameters_document;
@@ -54,8 +54,11 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     let before = identify::fit_frames(robot.as_ref(), &sets.calibration, &settings)?;
     let mut found = identify::identify(robot.as_ref(), &sets.calibration, &settings)?;
     for (name, table) in joined.observations.iter().skip(1) {
-        let others = sets_of(table)?;
-        found.warnings.extend(compare_logs(campaign, robot.as_ref(), &settings, &sets, (name, &others))?);
+        let (used, others) = (campaign.file.logs[0].name.as_str(), sets_of(table)?);
+        let theirs = identify::identify(robot.as_ref(), &others.calibration, &settings)?;
+        let (this, that) = ((used, &sets, &found), (name.as_str(), &others, &theirs));
+        let said = [compare_logs(robot.as_ref(), this, that, used), compare_logs(robot.as_ref(), that, this, used)];
+        found.warnings.extend(said.into_iter().flatten());
     }
     let parameters = parameters_document(robot.as_ref(), &settings, &before, &found, &imported.document.inputs());
 
@@ -100,32 +103,26 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     Ok(Outcome { written: out.write()?, parameters, accuracy, messages })
 }
 
-/// Says so when another log explains the residuals of this one, or the other way round.
-fn compare_logs(
-    campaign: &Campaign,
-    robot: &dyn Robot,
-    settings: &Settings,
-    sets: &Sets,
-    (name, others): (&str, &Sets),
-) -> Result<Vec<Message>> {
-    let used = &campaign.file.logs[0].name;
-    let mut messages = Vec::new();
-    for (this, here, that, there) in [(used.as_str(), sets, name, others), (name, others, used.as_str(), sets)] {
-        let found = identify::identify(robot, &here.calibration, settings)?;
-        let compared = identify::compare_logs(robot, &found.values, &here.calibration, &there.calibration);
-        let Some(compared) = compared.filter(|c| c.correlation > 0.3) else { continue };
-        let other = identify::identify(robot, &there.calibration, settings)?;
-        let what = format!(
-            "with log `{this}`, residuals correlate with the difference of the two logs, r = {:.2}: their root mean square is \
-             {:.3} mm, with log `{that}` {:.3} mm",
-            compared.correlation, found.rms, other.rms
-        );
-        let hint = if this == used {
-            format!("identify with log `{that}`: name it first")
-        } else {
-            format!("log `{that}` is the one to use, as this campaign does")
-        };
-        messages.push(Message::warning(what).hint(hint));
+/// A log by its name, its observations and what they identify.
+type Logged<'a> = (&'a str, &'a Sets, &'a Identification);
+
+/// Says so when residuals with one log correlate with its difference from another; `used` is the campaign's choice.
+fn compare_logs(robot: &dyn Robot, this: Logged, that: Logged, used: &str) -> Option<Message> {
+    let (name, here, found) = this;
+    let (other, there, others) = that;
+    let compared = identify::compare_logs(robot, &found.values, &here.calibration, &there.calibration)?;
+    if compared.correlation <= 0.3 {
+        return None;
     }
-    Ok(messages)
+    let what = format!(
+        "with log `{name}`, residuals correlate with the difference of the two logs, r = {:.2}: their root mean square \
+         is {:.3} mm, with log `{other}` {:.3} mm",
+        compared.correlation, found.rms, others.rms
+    );
+    let hint = if name == used {
+        format!("identify with log `{other}`: name it first")
+    } else {
+        format!("log `{other}` is the one to use, as this campaign does")
+    };
+    Some(Message::warning(what).hint(hint))
 }

@@ -16,7 +16,9 @@ pub use types::*;
 
 use crate::document::CampaignSummary;
 use crate::files;
+use crate::identify::Settings;
 use crate::message::{Message, Place, Problems, Result};
+use crate::robots::Robot;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
@@ -95,6 +97,21 @@ impl Campaign {
     /// `campaign.toml`, without the folder: documents are the same wherever the folder stands.
     pub fn file_name(&self) -> &str {
         self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path)
+    }
+
+    /// What the campaign identifies from which residuals.
+    pub fn settings(&self) -> Settings {
+        let identify = &self.file.identify;
+        Settings {
+            kind: identify.residuals,
+            standard_uncertainty_mm: Some(self.file.instrument.standard_uncertainty_mm()),
+            hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),
+        }
+    }
+
+    /// The robot that the campaign measured.
+    pub fn build_robot(&self) -> Result<Box<dyn Robot>> {
+        self.robot.build(&self.targets())
     }
 
     /// What a report says about the campaign.
