@@ -43,9 +43,9 @@ pub fn parameters_document(
     });
     let n = found.free.len();
     let factor = |k: usize| robot.parameters()[found.free[k]].quantity.outward(1.0);
-    let covariance =
-        (0..n).map(|i| (0..n).map(|j| found.covariance[i * n + j] * factor(i) * factor(j)).collect()).collect();
-    let [o1, o2, o3, o4, o5] = found.observability.indices;
+    let outward =
+        |c: &Vec<f64>| (0..n).map(|i| (0..n).map(|j| c[i * n + j] * factor(i) * factor(j)).collect()).collect();
+    let covariance = found.covariance.as_ref().map(outward).unwrap_or_default();
     let mut messages = found.warnings.clone();
     if !found.groups.is_empty() {
         messages.push(
@@ -66,20 +66,24 @@ pub fn parameters_document(
             degrees_of_freedom: found.degrees_of_freedom,
             stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
             chi_square: found.chi_square,
-            uncertainties_enlarged_by: found.model_factor.sqrt(),
+            uncertainties_from: found.uncertainty_from,
+            uncertainties_enlarged_by: found.enlarged_by,
         },
-        observability: ObservabilitySummary {
-            o1,
-            o2,
-            o3,
-            o4,
-            o5,
-            condition: found.observability.condition,
-            rank: found.observability.rank,
-            scaling:
-                "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms"
-                    .to_owned(),
-        },
+        observability: found.observability.as_ref().map(|o| {
+            let [o1, o2, o3, o4, o5] = o.indices;
+            let scaling =
+                "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms";
+            ObservabilitySummary {
+                o1,
+                o2,
+                o3,
+                o4,
+                o5,
+                condition: o.condition,
+                rank: o.rank,
+                scaling: scaling.to_owned(),
+            }
+        }),
         solver: SolverSummary {
             method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),
             iterations: found.iterations,

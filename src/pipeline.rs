@@ -52,7 +52,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     campaign.refuse_empty(&sets)?;
     let settings = campaign.settings();
     let before = identify::fit_frames(robot.as_ref(), &sets.calibration, &settings)?;
-    let mut found = identify::identify(robot.as_ref(), &sets.calibration, &settings)?;
+    let mut found = identify::identify_from(robot.as_ref(), &sets.calibration, &settings, &before)?;
     for (name, table) in joined.observations.iter().skip(1) {
         let (used, others) = (campaign.file.logs[0].name.as_str(), sets_of(table)?);
         let theirs = identify::identify(robot.as_ref(), &others.calibration, &settings)?;

@@ -3,7 +3,7 @@
 use super::{Verdict, print, say};
 use crate::campaign::read_robot;
 use crate::document::{ParameterStatus, ParametersDocument};
-use crate::identify::{Observation, ResidualKind, Settings, fit_frames, identify};
+use crate::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
 use crate::message::{Message, Problems};
 use crate::parameters::parameters_document;
 use crate::{files, output, table};
@@ -58,7 +58,7 @@ impl Identify {
             hold: self.hold,
         };
         let before = fit_frames(robot.as_ref(), &observations, &settings)?;
-        let found = identify(robot.as_ref(), &observations, &settings)?;
+        let found = identify_from(robot.as_ref(), &observations, &settings, &before)?;
         let mut inputs = BTreeMap::new();
         for path in [&self.robot, &self.observations] {
             inputs.insert(path.display().to_string(), files::sha256(&files::read(path)?));
@@ -92,6 +92,9 @@ fn as_text(document: &ParametersDocument) -> String {
         "residuals: rms {:.6} mm, max {:.6} mm, {} degrees of freedom",
         r.rms, r.max, r.degrees_of_freedom
     );
-    let _ = writeln!(text, "condition {:.1}; {}", document.observability.condition, document.solver.meaning);
+    if let Some(observability) = &document.observability {
+        let _ = write!(text, "condition {:.1}; ", observability.condition);
+    }
+    let _ = writeln!(text, "{}", document.solver.meaning);
     text
 }

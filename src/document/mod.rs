@@ -6,7 +6,7 @@ mod fit;
 
 pub use fit::{FitDocument, FitSolver, FitUncertainty};
 
-use crate::identify::ResidualKind;
+use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;
 use crate::pose::Vector;
 use crate::solve::Termination;
@@ -147,12 +147,12 @@ pub struct ParametersDocument {
     pub robot: String,
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
-    /// Covariance of the identified parameters, in their order and units.
+    /// Covariance of the identified parameters, in their order and units; empty where nothing tells it.
     pub covariance: Vec<Vec<f64>>,
     /// How well they fit.
     pub residuals: ResidualSummary,
-    /// What the poses can tell.
-    pub observability: ObservabilitySummary,
+    /// What the poses can tell; absent where it is not a number.
+    pub observability: Option<ObservabilitySummary>,
     /// How the solver ended.
     pub solver: SolverSummary,
     /// Rules and remarks that a reader must know: which parameters were held and why, warnings with remedies.
@@ -213,7 +213,10 @@ pub struct ResidualSummary {
     pub stated_standard_uncertainty_mm: Option<f64>,
     /// Chi-square against it.
     pub chi_square: Option<f64>,
-    /// Standard uncertainties were enlarged by this factor because chi-square rejects the model; 1 if it does not.
+    /// What standard uncertainties rest on.
+    pub uncertainties_from: UncertaintyFrom,
+    /// By how much standard uncertainties are larger than the instrument's alone makes them (median); 1 where chi-square
+    /// does not reject the model, or no uncertainty is stated.
     pub uncertainties_enlarged_by: f64,
 }
 

@@ -37,9 +37,10 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             degrees_of_freedom: 0,
             stated_standard_uncertainty_mm: None,
             chi_square: None,
+            uncertainties_from: crate::identify::UncertaintyFrom::Instrument,
             uncertainties_enlarged_by: 1.0,
         },
-        observability: ObservabilitySummary {
+        observability: Some(ObservabilitySummary {
             o1: 0.0,
             o2: 0.0,
             o3: 0.0,
@@ -48,7 +49,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             condition: 1.0,
             rank: 0,
             scaling: String::new(),
-        },
+        }),
         solver: SolverSummary { method: "lm".to_owned(), iterations: 3, termination, meaning: termination.to_string() },
         messages: vec![],
         provenance: Provenance {

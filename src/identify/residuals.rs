@@ -3,7 +3,7 @@
 use super::{Observation, Settings};
 use crate::message::{Message, Result};
 use crate::robots::{Prexyt, Robot};
-use crate::solve::Problem;
+use crate::solve::{Problem, Solution};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +27,8 @@ pub(super) struct Residuals<'a> {
     planar: Option<&'a Prexyt>,
     /// residuals are divided by this
     pub unit: f64,
+    /// standard deviation of a residual so divided, as the instrument states it
+    stated_noise: Option<f64>,
     values: Vec<f64>,
     rows: Vec<usize>,
 }
@@ -62,6 +64,7 @@ impl<'a> Residuals<'a> {
             observations,
             planar,
             unit,
+            stated_noise: settings.standard_uncertainty_mm.map(|u| u / unit),
             values: values.to_vec(),
             rows: rows.collect(),
         })
@@ -76,8 +79,22 @@ impl<'a> Residuals<'a> {
         values
     }
 
-    /// Poses that bring at least one residual.
-    pub fn pose_count(&self) -> usize {
+    /// Standard deviation of a residual: as stated, or as `solution` shows it where that is more; 0 where neither tells.
+    pub fn noise(&self, solution: Option<&Solution>) -> f64 {
+        let shown = |s: &Solution| {
+            let dof = self.residual_count().saturating_sub(s.x.len());
+            if dof > 0 { (s.cost() / dof as f64).sqrt() } else { 0.0 }
+        };
+        self.stated_noise.unwrap_or(0.0).max(solution.map_or(0.0, shown))
+    }
+
+    /// The pose of each residual.
+    pub fn poses(&self) -> Vec<i64> {
+        self.observations.iter().zip(&self.rows).flat_map(|(o, &rows)| std::iter::repeat_n(o.pose, rows)).collect()
+    }
+
+    /// Observations that bring at least one residual: poses, each as often as it was repeated.
+    pub fn observation_count(&self) -> usize {
         self.rows.iter().filter(|&&rows| rows > 0).count()
     }
 

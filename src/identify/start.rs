@@ -1,7 +1,7 @@
 //! Starting values: a tracker stands anywhere, so base and targets of a serial arm are found, not assumed.
 //!
-//! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube are tried in closed
-//! form, the best few refined on a subset of the poses, and the best of those taken.
+//! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube, and the nominal one,
+//! are tried in closed form, the best few refined on a subset of the poses, and the best of those taken.
 
 use super::identifiability::Analysis;
 use super::residuals::Residuals;
@@ -10,33 +10,31 @@ use crate::message::{Message, Result};
 use crate::pose::{Pose, centroid, minus, norm};
 use crate::robots::{Robot, Role, Serial};
 use crate::solve::{self, Factor, Options};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 const SUBSET: usize = 24;
 const REFINED: usize = 4;
 /// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by millimetres.
 const UNEXPLAINED: f64 = 0.1;
 
-/// Starting values of all parameters: nominal, for serial arms with base and targets found from the observations.
-/// Those not in `wanted` keep their nominal values.
+/// Starting values of all parameters: nominal, for serial arms with those of base and targets that are `wanted` found
+/// from the observations.
 pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[usize]) -> Result<Vec<f64>> {
     let nominal = robot.nominal();
     let Some(serial) = robot.serial() else { return Ok(nominal) };
-    let places: Vec<usize> = (0..nominal.len()).filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
-    // the robot file states where base and targets are, or the user holds some of them
-    if places.iter().any(|&i| nominal[i] != 0.0 || !wanted.contains(&i)) {
-        return Ok(nominal);
-    }
+    let places: Vec<usize> = wanted.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
     let step = observations.len().div_ceil(SUBSET);
     let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
-    let mut candidates: Vec<(f64, Vec<f64>)> =
-        cube_rotations().iter().filter_map(|base| linear_start(serial, &subset, &nominal, base)).collect();
+    let mut candidates: Vec<(f64, Vec<f64>)> = rotations(&nominal, &places)
+        .iter()
+        .filter_map(|r| linear_start(serial, &subset, &nominal, &places, *r))
+        .collect();
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
     let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: None, hold: Vec::new() };
     let mut best: Option<(f64, Vec<f64>)> = None;
     for (_, values) in candidates.into_iter().take(REFINED) {
         let all = Residuals::new(robot, &subset, &settings, &places, &values)?;
-        let held = Analysis::at(&all, &values).held();
+        let held = Analysis::at(&all, &values, 0.0).held();
         let free: Vec<usize> = places.iter().copied().filter(|i| !held.contains(i)).collect();
         let problem = Residuals::new(robot, &subset, &settings, &free, &values)?;
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
@@ -65,8 +63,10 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[u
             .hint("check units, order, signs and offsets of the joints, and the nominal parameters of the robot")
             .into());
     }
-    for angle in &mut values[3..6] {
-        *angle -= (*angle / TAU).round() * TAU;
+    // the same rotation by angles of which the middle one is at most a right angle
+    if (3..6).all(|i| places.contains(&i)) {
+        let turned = Pose::identity().turn_z(values[5]).turn_y(values[4]).turn_x(values[3]);
+        values[3..6].copy_from_slice(&turned.rpy_rad());
     }
     if (values[4].abs() - FRAC_PI_2).abs() < 0.1 {
         return Err(Message::error(
@@ -85,45 +85,67 @@ fn spread_mm(observations: &[Observation]) -> f64 {
     (all.iter().map(|p| norm(minus(*p, mean)).powi(2)).sum::<f64>() / all.len().max(1) as f64).sqrt()
 }
 
-/// The 24 rotations that bring a cube to itself.
-fn cube_rotations() -> Vec<Pose> {
-    let mut all = Vec::new();
+/// Angles of the base to try: those of the 24 rotations that bring a cube to itself, and the nominal ones; held angles
+/// keep their nominal values in all.
+fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
+    let held = |mut angles: [f64; 3]| {
+        for (k, angle) in angles.iter_mut().enumerate().filter(|(k, _)| !places.contains(&(3 + k))) {
+            *angle = nominal[3 + k];
+        }
+        angles
+    };
+    let mut all = vec![[nominal[3], nominal[4], nominal[5]]];
     for up in 0..6 {
         let tilted = match up {
             0..4 => Pose::identity().turn_x(f64::from(up) * FRAC_PI_2),
             _ => Pose::identity().turn_y(if up == 4 { FRAC_PI_2 } else { -FRAC_PI_2 }),
         };
-        all.extend((0..4).map(|k| tilted.turn_z(f64::from(k) * FRAC_PI_2)));
+        all.extend((0..4).map(|k| held(tilted.turn_z(f64::from(k) * FRAC_PI_2).rpy_rad())));
     }
+    all.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+    all.dedup();
     all
 }
 
-/// With `base` as rotation of the base: R_bᵀ p = c + R_i r_k + t_i is linear in c and the targets r_k.
-fn linear_start(serial: &Serial, subset: &[Observation], nominal: &[f64], base: &Pose) -> Option<(f64, Vec<f64>)> {
-    let world_T_turned = Pose::identity().turn_y(serial.base_turn_y_rad());
-    let columns = 3 + 3 * serial.targets().len();
+/// With the rotation of the base given by its angles: p = b + R (R_i r_k + t_i) is linear in the place b of the base and
+/// the targets r_k; those of them not in `places` keep their nominal values. Gives the cost and all parameters.
+fn linear_start(
+    serial: &Serial,
+    subset: &[Observation],
+    nominal: &[f64],
+    places: &[usize],
+    angles: [f64; 3],
+) -> Option<(f64, Vec<f64>)> {
+    let mut values = nominal.to_vec();
+    values[..3].fill(0.0);
+    values[3..6].copy_from_slice(&angles);
+    let free: Vec<usize> = places.iter().copied().filter(|i| !(3..6).contains(i)).collect();
     let (mut a, mut b) = (Vec::new(), Vec::new());
-    let back = world_T_turned.then(base).inverse();
     for o in subset {
-        let base_T_flange = world_T_turned.inverse().then(&serial.direct(nominal, &o.joints));
+        let flange = serial.direct(&values, &o.joints);
         for (k, measured) in o.targets.iter().enumerate() {
             let Some(measured) = measured else { continue };
-            let p_base = back.rotate(*measured);
-            for (i, p) in p_base.iter().enumerate() {
-                let mut row = vec![0.0; columns];
-                row[i] = 1.0;
-                row[3 + 3 * k..][..3].copy_from_slice(&base_T_flange.rotation[i]);
-                a.extend(row);
-                b.push(p - base_T_flange.translation_mm[i]);
+            let place = serial.target_place(k);
+            for (i, p) in measured.iter().enumerate() {
+                let coefficient = |j: usize| match j {
+                    0..3 => f64::from(u8::from(i == j)),
+                    _ if (place..place + 3).contains(&j) => flange.rotation[i][j - place],
+                    _ => 0.0,
+                };
+                let known = (0..3).chain(place..place + 3).filter(|j| !free.contains(j));
+                let stated: f64 = known.map(|j| coefficient(j) * nominal[j]).sum();
+                a.extend(free.iter().map(|&j| coefficient(j)));
+                b.push(p - flange.translation_mm[i] - stated);
             }
         }
     }
-    let factor = Factor::new(&a, &b, &vec![1.0; columns]);
-    // where base and targets cannot be told apart, the shortest solution
-    let x = factor.damped(1e-6).solve()?;
-    let mut values = nominal.to_vec();
-    values[..3].copy_from_slice(&world_T_turned.then(base).rotate([x[0], x[1], x[2]]));
-    values[3..6].copy_from_slice(&base.rpy_rad());
-    values[6..3 + columns].copy_from_slice(&x[3..]);
+    values[..3].copy_from_slice(&nominal[..3]);
+    let factor = Factor::new(&a, &b, &vec![1.0; free.len()]);
+    if !free.is_empty() {
+        // where base and targets cannot be told apart, the shortest solution
+        for (&j, x) in free.iter().zip(factor.damped(1e-6).solve()?) {
+            values[j] = x;
+        }
+    }
     Some((factor.rest, values))
 }

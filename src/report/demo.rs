@@ -225,9 +225,10 @@ fn parameters() -> ParametersDocument {
             degrees_of_freedom: 149,
             stated_standard_uncertainty_mm: Some(0.001_35),
             chi_square: Some(212.4),
+            uncertainties_from: crate::identify::UncertaintyFrom::Instrument,
             uncertainties_enlarged_by: 1.194,
         },
-        observability: ObservabilitySummary {
+        observability: Some(ObservabilitySummary {
             o1: 12.31,
             o2: 0.0213,
             o3: 0.801,
@@ -236,7 +237,7 @@ fn parameters() -> ParametersDocument {
             condition: 46.9,
             rank: 11,
             scaling: "columns in mm and degrees, as the parameters are".to_owned(),
-        },
+        }),
         solver: SolverSummary {
             method: "Levenberg-Marquardt".to_owned(),
             iterations: 6,

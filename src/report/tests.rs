@@ -23,7 +23,7 @@ fn the_demo_page_tells_what_a_reader_needs() {
         "held: the data cannot tell it apart",
         "arrows enlarged ",
         "is not a number (column y)",
-        "enlarged by a factor of 1.19",
+        "1.19 times what the instrument alone",
     ];
     for text in needed {
         assert!(page.contains(text), "{text}");
@@ -66,7 +66,8 @@ fn with_text(text: &str) -> Documents {
     let p = &mut d.parameters;
     (p.robot, p.messages) = (t(), vec![message()]);
     p.parameters.iter_mut().for_each(|p| (p.name, p.unit, p.confounded_with) = (t(), t(), vec![t()]));
-    (p.observability.scaling, p.solver.method, p.solver.meaning) = (t(), t(), t());
+    (p.solver.method, p.solver.meaning) = (t(), t());
+    p.observability.iter_mut().for_each(|o| o.scaling = t());
     (p.provenance.version, p.provenance.inputs) = (t(), [(t(), t())].into());
     d.accuracy.definition = t();
     d.accuracy.sets.iter_mut().for_each(|s| s.name = t());
@@ -123,7 +124,7 @@ fn numbers_that_are_none_and_lone_points_do_no_harm() {
             d.frames.world.planar = false;
             d.parameters.residuals.rms = size;
             d.parameters.residuals.uncertainties_enlarged_by = size;
-            d.parameters.observability.condition = size;
+            d.parameters.observability.iter_mut().for_each(|o| o.condition = size);
             d.parameters.parameters[0].value = size;
             d.parameters.parameters[1].standard_uncertainty = Some(size);
             d.campaign.expanded_uncertainty_um = Some(size);

@@ -179,9 +179,13 @@ impl Serial {
         }
         let mut frames = Vec::with_capacity(self.nominal.len());
         let mut pose = Pose::identity();
-        for (j, &q) in self.nominal.iter().zip(q) {
+        let nominal = |i: usize| self.definition.parameters[i].nominal;
+        for ((j, place), &q) in self.nominal.iter().zip(&self.places).zip(q) {
             let (turn, slide) = if j.prismatic { (0.0, q) } else { (q, 0.0) };
-            pose = pose.turn_x(j.alpha_rad).shift(0, j.a_mm).turn_z(j.theta_rad + turn).shift(2, j.d_mm + slide);
+            let (beta, d) =
+                if j.parallel { (nominal(place.beta_or_d), j.d_mm) } else { (0.0, nominal(place.beta_or_d)) };
+            pose = pose.turn_x(nominal(place.alpha)).shift(0, nominal(place.a)).turn_y(beta);
+            pose = pose.turn_z(nominal(place.theta) + turn).shift(2, d + slide);
             frames.push(pose);
         }
         let lever = |&(joint, link, _): &(usize, usize, usize)| {

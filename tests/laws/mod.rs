@@ -1,5 +1,6 @@
 //! Laws that hold without outside data.
 
+mod arms;
 mod campaigns;
 mod fits;
 mod fits_hostile;

@@ -1,7 +1,7 @@
 //! Serial arms: whatever the place of the tracker, a noise-free identification gives the truth.
 
 use etalon::campaign::read_robot;
-use etalon::identify::{Observation, ResidualKind, Settings, identify};
+use etalon::identify::{Observation, ResidualKind, Settings, UncertaintyFrom, identify};
 use etalon::noise::Noise;
 use etalon::robots::{Robot, Role};
 
@@ -66,6 +66,36 @@ fn base_and_targets_are_found_from_anywhere() {
 }
 
 #[test]
+fn what_the_robot_file_states_is_kept_where_held_and_only_a_start_where_not() {
+    let arm = robot(2);
+    let mut noise = Noise::new(13, 0);
+    let truth = truth(arm.as_ref(), &mut noise);
+    let observations = observe(arm.as_ref(), &truth, 60, &mut noise);
+    let place = |name: &str| arm.index(name).unwrap();
+    for (stated, hold) in [
+        (vec![("base_z", 0.0), ("base_rx", 0.0), ("t0_y", 0.0)], vec!["base_z", "base_rx", "t0_y"]),
+        (vec![("base_rx", 0.0), ("base_ry", 0.0), ("base_rz", 0.0)], vec!["base_r*"]),
+        // a start that is metres and radians off
+        (vec![("base_x", 4000.0), ("base_rz", 2.0), ("t1_z", 300.0)], vec![]),
+    ] {
+        let mut nominal = arm.nominal();
+        stated.iter().for_each(|(name, off)| nominal[place(name)] = truth[place(name)] + off);
+        let arm = arm.serial().unwrap().clone().with_nominal(&nominal);
+        let hold: Vec<String> = hold.into_iter().map(str::to_owned).collect();
+        let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.01), hold };
+        let found = identify(&arm, &observations, &settings).unwrap();
+        for (name, off) in stated.iter().filter(|s| s.1 == 0.0) {
+            assert_eq!(found.values[place(name)], truth[place(name)] + off, "{name}");
+        }
+        for (o, k) in observations.iter().flat_map(|o| [(o, 0), (o, 1)]) {
+            let p = arm.position(&found.values, &o.joints, k);
+            let off = etalon::pose::norm(etalon::pose::minus(p, o.targets[k].unwrap()));
+            assert!(off < 1e-8, "{stated:?}: off by {off} mm");
+        }
+    }
+}
+
+#[test]
 fn a_base_that_stands_on_its_side_is_named_with_its_remedy() {
     let robot = robot(3);
     let mut noise = Noise::new(12, 0);
@@ -75,4 +105,39 @@ fn a_base_that_stands_on_its_side_is_named_with_its_remedy() {
     let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: None, hold: Vec::new() };
     let problems = identify(robot.as_ref(), &observations, &settings).unwrap_err();
     assert!(problems.to_string().contains("base_turn_y_deg = 90"), "{problems}");
+}
+
+#[test]
+fn errors_common_to_a_pose_are_in_the_uncertainty() {
+    let arm = robot(3);
+    const SEEDS: u64 = 24;
+    let mut squares = vec![(0.0, 0); arm.parameters().len()];
+    for seed in 0..SEEDS {
+        let mut noise = Noise::new(14, seed);
+        let truth = truth(arm.as_ref(), &mut noise);
+        // the robot stops beside where its log says: all three targets of a pose, and both its repeats, are off together
+        let mut observations = Vec::new();
+        for mut o in observe(arm.as_ref(), &truth, 200, &mut noise) {
+            let stops: Vec<f64> = o.joints.iter().map(|q| q + noise.gaussian(2e-4)).collect();
+            for cycle in 1..=2 {
+                let seen = |k| arm.position(&truth, &stops, k).map(|v| v + noise.gaussian(0.01));
+                o.targets = (0..3).map(seen).map(Some).collect();
+                observations.push(Observation { cycle, ..o.clone() });
+            }
+        }
+        let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.01), hold: Vec::new() };
+        let found = identify(arm.as_ref(), &observations, &settings).unwrap();
+        assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByPose);
+        for &i in &found.free {
+            let pull = (found.values[i] - truth[i]) / found.standard_uncertainty(i).unwrap();
+            squares[i].0 += pull * pull;
+            squares[i].1 += 1;
+        }
+    }
+    let spread: Vec<f64> = squares.iter().filter(|s| s.1 > 0).map(|s| (s.0 / f64::from(s.1)).sqrt()).collect();
+    let pooled = (spread.iter().map(|s| s * s).sum::<f64>() / spread.len() as f64).sqrt();
+    println!("spread over uncertainty: pooled {pooled:.3}, {spread:.2?}");
+    // taken as independent, the same residuals make uncertainties about half of what they are
+    assert!((pooled - 1.0).abs() < 0.1, "{pooled}");
+    assert!(spread.iter().all(|s| (s - 1.0).abs() < 0.5), "{spread:.2?}");
 }
