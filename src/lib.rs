@@ -86,6 +86,7 @@ pub mod noise;
 pub mod output;
 pub mod parameters;
 pub mod pipeline;
+pub mod plausible;
 pub mod pose;
 pub mod report;
 pub mod robots;

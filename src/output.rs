@@ -12,7 +12,8 @@ use std::path::PathBuf;
 #[derive(Debug)]
 pub struct Output {
     folder: PathBuf,
-    files: Vec<(String, Vec<u8>)>,
+    /// name and bytes; without bytes the file is removed
+    files: Vec<(String, Option<Vec<u8>>)>,
 }
 
 /// A document as JSON text with a line end.
@@ -31,7 +32,12 @@ impl Output {
 
     /// Adds a file.
     pub fn bytes(&mut self, name: &str, bytes: Vec<u8>) {
-        self.files.push((name.to_owned(), bytes));
+        self.files.push((name.to_owned(), Some(bytes)));
+    }
+
+    /// Removes a file of an earlier run.
+    pub fn remove(&mut self, name: &str) {
+        self.files.push((name.to_owned(), None));
     }
 
     /// Adds a document.
@@ -61,11 +67,19 @@ impl Output {
         if first { stem.to_owned() } else { format!("{stem}-{name}") }
     }
 
-    /// Writes all files, each whole or not at all; gives their names.
+    /// Writes all files, each whole or not at all, and removes what is to go; gives the names of those written.
     pub fn write(self) -> Result<Vec<String>> {
-        self.files
-            .into_iter()
-            .map(|(name, bytes)| files::write(&self.folder.join(&name), &bytes).map(|()| name))
-            .collect()
+        let mut written = Vec::new();
+        for (name, bytes) in self.files {
+            let path = self.folder.join(&name);
+            match bytes {
+                Some(bytes) => {
+                    files::write(&path, &bytes)?;
+                    written.push(name);
+                }
+                None => files::remove(&path)?,
+            }
+        }
+        Ok(written)
     }
 }

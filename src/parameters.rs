@@ -4,7 +4,7 @@ use crate::campaign::Campaign;
 use crate::document::*;
 use crate::evaluate::Sets;
 use crate::identify::{Group, Identification, Settings, Status};
-use crate::message::Message;
+use crate::message::{Message, Severity};
 use crate::robots::Robot;
 use std::collections::BTreeMap;
 use toml::Spanned;
@@ -92,6 +92,13 @@ pub fn parameters_document(
         },
         messages,
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs: inputs.clone(), seed: None },
+    }
+}
+
+impl ParametersDocument {
+    /// Whether they may reach a controller: no error is among the messages.
+    pub fn is_plausible(&self) -> bool {
+        self.messages.iter().all(|m| m.severity != Severity::Error)
     }
 }
 

@@ -7,6 +7,7 @@ use crate::identify::{self, Identification, Observation};
 use crate::message::{Message, Result};
 use crate::output::Output;
 use crate::parameters::parameters_document;
+use crate::plausible::implausible;
 use crate::robots::Robot;
 use crate::{export, frames, join, report};
 
@@ -60,10 +61,10 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
         let said = [compare_logs(robot.as_ref(), this, that, used), compare_logs(robot.as_ref(), that, this, used)];
         found.warnings.extend(said.into_iter().flatten());
     }
-    let parameters = parameters_document(robot.as_ref(), &settings, &before, &found, &imported.document.inputs());
-
     // evaluate: errors before and after
     let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
+    found.warnings.extend(implausible(robot.as_ref(), &found.values, &errors));
+    let parameters = parameters_document(robot.as_ref(), &settings, &before, &found, &imported.document.inputs());
     let accuracy = evaluate::evaluate(robot.as_ref(), &errors, &campaign.file.limits)?;
 
     // report and export, from the documents alone
@@ -93,9 +94,10 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     out.json("parameters.json", &parameters)?;
     out.table("residuals", &mut evaluate::to_table(&errors)?)?;
     out.json("accuracy.json", &accuracy)?;
-    for name in &campaign.file.controllers {
-        if let Some(exporter) = export::by_name(name.get_ref()) {
-            out.bytes(exporter.file_name(), exporter.write(&parameters)?);
+    for exporter in campaign.file.controllers.iter().filter_map(|name| export::by_name(name.get_ref())) {
+        match parameters.is_plausible() {
+            true => out.bytes(exporter.file_name(), exporter.write(&parameters)?),
+            false => out.remove(exporter.file_name()),
         }
     }
     out.bytes("report.html", html.into_bytes());

@@ -3,9 +3,11 @@
 use super::{Verdict, print, say};
 use crate::campaign::read_robot;
 use crate::document::{ParameterStatus, ParametersDocument};
+use crate::evaluate::{self, Sets};
 use crate::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
 use crate::message::{Message, Problems};
 use crate::parameters::parameters_document;
+use crate::plausible::implausible;
 use crate::{files, output, table};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -58,7 +60,10 @@ impl Identify {
             hold: self.hold,
         };
         let before = fit_frames(robot.as_ref(), &observations, &settings)?;
-        let found = identify_from(robot.as_ref(), &observations, &settings, &before)?;
+        let mut found = identify_from(robot.as_ref(), &observations, &settings, &before)?;
+        let sets = Sets { calibration: observations, validation: Vec::new() };
+        let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
+        found.warnings.extend(implausible(robot.as_ref(), &found.values, &errors));
         let mut inputs = BTreeMap::new();
         for path in [&self.robot, &self.observations] {
             inputs.insert(path.display().to_string(), files::sha256(&files::read(path)?));
@@ -72,7 +77,7 @@ impl Identify {
             }
             print(as_text(&document))?;
         }
-        Ok(Verdict::Met)
+        Ok(if document.is_plausible() { Verdict::Met } else { Verdict::LimitNotMet })
     }
 }
 

@@ -1,7 +1,7 @@
 //! The command line: one file per command.
 //!
-//! stdout is for data, stderr for talk. Exit codes: 0 done; 1 done, but a limit that the campaign states is not met;
-//! 2 could not run.
+//! stdout is for data, stderr for talk. Exit codes: 0 done; 1 done, but a limit that the campaign states is not met, or the
+//! result cannot be a robot; 2 could not run.
 
 mod check;
 mod export;
@@ -28,7 +28,8 @@ use std::process::ExitCode;
   etalon run my-campaign                exports and logs in, parameters and report out
   etalon identify --robot robot.toml --observations observations.csv --json
 
-Exit codes: 0 done; 1 done, but a limit that the campaign states is not met; 2 could not run.")]
+Exit codes: 0 done; 1 done, but a limit that the campaign states is not met, or the result cannot be a robot; \
+2 could not run.")]
 pub struct Arguments {
     #[command(subcommand)]
     command: Command,

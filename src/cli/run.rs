@@ -44,7 +44,11 @@ impl Run {
             let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
             print(text)?;
         }
-        let met = outcome.accuracy.limits.iter().all(|l| l.met);
+        let plausible = outcome.parameters.is_plausible();
+        if !plausible {
+            say("no controller file is written: this result cannot be the robot");
+        }
+        let met = plausible && outcome.accuracy.limits.iter().all(|l| l.met);
         Ok(if met { Verdict::Met } else { Verdict::LimitNotMet })
     }
 }

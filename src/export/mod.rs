@@ -1,7 +1,7 @@
 //! Files that a controller loads: one format a file, each a pure function of `parameters.json`.
 //!
 //! All of them write numbers that read back bit for bit, and refuse what must not reach a machine: a value that is not
-//! a number, two parameters of one name, parameters of a solver that did not converge.
+//! a number, two parameters of one name, parameters of a solver that did not converge or that cannot be a robot.
 
 mod c_header;
 mod csv;
@@ -10,7 +10,7 @@ mod json;
 mod tests;
 
 use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Problems, Result, Severity};
 use std::collections::BTreeSet;
 
 /// One controller format.
@@ -42,6 +42,7 @@ fn check(document: &ParametersDocument) -> Result<()> {
         let what = format!("the parameters are not fit for a controller: {}", document.solver.termination);
         problems.0.push(Message::error(what).hint("identify again before exporting"));
     }
+    problems.0.extend(document.messages.iter().filter(|m| m.severity == Severity::Error).cloned());
     let mut seen = BTreeSet::new();
     for p in &document.parameters {
         let numbers = [Some(p.value), Some(p.nominal), p.standard_uncertainty];

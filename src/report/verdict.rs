@@ -46,8 +46,12 @@ pub(super) fn verdict(report: &Report) -> Verdict {
         (n, m) => ("bad", format!("{m} of {n} limits of the campaign {} not met.", if m == 1 { "is" } else { "are" })),
     };
     let termination = report.parameters.solver.termination;
-    let converged = termination.is_success();
-    let alarm = if converged { String::new() } else { format!("The identification failed: {termination}.") };
+    let converged = termination.is_success() && report.parameters.is_plausible();
+    let alarm = match termination.is_success() {
+        true if converged => String::new(),
+        true => "These parameters cannot be those of the robot: they must not be loaded.".to_owned(),
+        false => format!("The identification failed: {termination}."),
+    };
     let set = headline_set(report.accuracy);
     Verdict {
         class: if converged { class } else { "bad" },

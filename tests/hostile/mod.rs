@@ -160,6 +160,34 @@ fn a_limit_that_is_not_met_is_exit_code_one() {
 }
 
 #[test]
+fn a_result_that_cannot_be_the_robot_reaches_no_controller() {
+    let scratch = copy_sample("prexyt-cmm");
+    assert_eq!(etalon(&scratch, "run").0, Some(0));
+    assert!(scratch.path().join("out/controller.json").exists());
+    // y runs the other way, so does x
+    scratch.replace("campaign.toml", "y_axis = [\"R_home\", \"R_end\"]", "y_axis = [\"R_end\", \"R_home\"]");
+    let (code, said) = etalon(&scratch, "run");
+    assert_eq!(code, Some(1), "{said}");
+    assert!(said.contains("`delta2` = -0.9996 is no error of a robot") && said.contains("hint: check sign"), "{said}");
+    assert!(said.contains("no controller file is written"), "{said}");
+    assert!(!scratch.path().join("out/controller.json").exists(), "the file of the run before is still there");
+    let report = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+    assert!(report.contains("must not be loaded"));
+    let export = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        .args(["export", "campaign/out/parameters.json"])
+        .current_dir(scratch.root())
+        .output()
+        .unwrap();
+    assert_eq!(export.status.code(), Some(2));
+
+    // the joints in another order
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "rho1_mm = \"RP1\", rho2_mm = \"RP2\"", "rho1_mm = \"RP2\", rho2_mm = \"RP1\"");
+    let (code, said) = etalon(&scratch, "run");
+    assert!(code == Some(1) && said.contains("the model does not describe this robot"), "{said}");
+}
+
+#[test]
 fn broken_bytes_do_no_harm() {
     for bytes in [&b"\xff\xfe\x00"[..], b"", b"\x00\x00\x00", b"K_1_1 1 2 3\x00", b"a b c d e f g h\n"] {
         for file in ["exports/poses.txt", "encoders.csv", "campaign.toml", "robot.toml"] {
