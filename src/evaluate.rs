@@ -126,10 +126,11 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
         verdicts.push(LimitVerdict { name: name.to_owned(), unit, limit, value, met: value <= limit });
     }
     let point = if planar {
-        "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints"
+        "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints; \
+         positions are those of C in the base frame"
     } else {
         "each target's measured position minus the one that the model predicts from the joints; orientation is the \
-         rotation that is left between measured and predicted targets"
+         rotation that is left between measured and predicted targets; positions are those of the targets in the world"
     };
     Ok(AccuracyDocument {
         schema: "etalon/accuracy/1".to_owned(),

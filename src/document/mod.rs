@@ -376,7 +376,7 @@ pub struct PointError {
     pub cycle: i64,
     /// Target, or `C` for the centre of a planar platform.
     pub target: String,
-    /// Where it was measured, in the world or the base frame.
+    /// Where it was measured: a target in the world, or `C` in the base frame with the identified parameters.
     pub at_mm: Vector,
     /// Measured minus predicted, before.
     pub before_mm: Vector,
