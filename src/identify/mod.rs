@@ -94,8 +94,9 @@ impl Identification {
 /// group the one that stands last in the model's list is held at its nominal value, so that base and targets, which
 /// come first, take up what cannot be told apart from them.
 pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
-    let before = fit_frames(robot, observations, settings)?;
-    identify_from(robot, observations, settings, &before)
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    let start = start::start(robot, observations, &wanted)?;
+    identify_from(robot, observations, settings, &start)
 }
 
 /// [`identify`] from starting values of all parameters, for instance those of [`fit_frames`].

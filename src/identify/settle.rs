@@ -141,7 +141,7 @@ fn anchored(
     let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
     let weights = free.iter().map(|&i| ANCHOR_MM / residuals.unit / useless_beyond(&robot.parameters()[i])).collect();
     let problem = Anchored { residuals, start: x.clone(), weights };
-    let solution = solve::solve(&problem, &x, Options { step: 1e-6, ..Options::default() });
+    let solution = solve::solve(&problem, &x, Options { step: 1e-3, ..Options::default() });
     if !solution.termination.is_success() {
         return Ok((start.to_vec(), analysis.groups));
     }

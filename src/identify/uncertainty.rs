@@ -177,10 +177,17 @@ fn by_pose(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option
     if poses < POSES_PER_PARAMETER * n {
         return None;
     }
-    let all: Vec<f64> = gradients.into_values().flatten().collect();
-    let spread = DMatrix::from_row_slice(poses, n, &all) * DMatrix::from_row_slice(n, n, &solution.covariance()?);
+    let inverse = solution.covariance()?;
     let factor = poses as f64 / (poses - n) as f64;
-    Some((spread.tr_mul(&spread) * factor).as_slice().to_vec())
+    let mut covariance = vec![0.0; n * n];
+    for gradient in gradients.values() {
+        let moved = |row: &[f64]| row.iter().zip(gradient).map(|(a, g)| a * g).sum::<f64>();
+        let step: Vec<f64> = inverse.chunks_exact(n).map(moved).collect(); // A⁻¹ gₚ
+        for (row, a) in covariance.chunks_exact_mut(n).zip(&step) {
+            row.iter_mut().zip(&step).for_each(|(c, b)| *c += factor * a * b);
+        }
+    }
+    Some(covariance)
 }
 
 /// Covariance of unweighted pose residuals whose noise comes from the balls: A⁻¹ (Σ Jᵀ S Sᵀ J u²) A⁻¹ with A = JᵀJ; and
