@@ -63,7 +63,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     }
     // evaluate: errors before and after
     let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
-    found.warnings.extend(implausible(robot.as_ref(), &found.values, &errors));
+    found.warnings.splice(0..0, implausible(robot.as_ref(), &found.values, &errors));
     let parameters = parameters_document(robot.as_ref(), &settings, &before, &found, &imported.document.inputs());
     let accuracy = evaluate::evaluate(robot.as_ref(), &errors, &campaign.file.limits)?;
 

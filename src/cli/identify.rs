@@ -63,7 +63,7 @@ impl Identify {
         let mut found = identify_from(robot.as_ref(), &observations, &settings, &before)?;
         let sets = Sets { calibration: observations, validation: Vec::new() };
         let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
-        found.warnings.extend(implausible(robot.as_ref(), &found.values, &errors));
+        found.warnings.splice(0..0, implausible(robot.as_ref(), &found.values, &errors));
         let mut inputs = BTreeMap::new();
         for path in [&self.robot, &self.observations] {
             inputs.insert(path.display().to_string(), files::sha256(&files::read(path)?));

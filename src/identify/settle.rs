@@ -92,7 +92,7 @@ fn rounds(
         values = problem.all(&solution.x);
         if !solution.termination.is_success() {
             return Err(Message::error(format!("the identification ended without a result: {}", solution.termination))
-                .hint("`etalon check` lists what each pose and target brings; `hold` in [identify] holds parameters")
+                .hint("check units, order and signs of the joints and the nominal parameters; `hold` in [identify] holds parameters")
                 .into());
         }
         wanted.retain(|&i| useless.iter().all(|g| g.held != i));

@@ -182,7 +182,7 @@ fn a_result_that_cannot_be_the_robot_reaches_no_controller() {
 
     // the joints in another order
     let scratch = copy_sample("prexyt-cmm");
-    scratch.replace("campaign.toml", "rho1_mm = \"RP1\", rho2_mm = \"RP2\"", "rho1_mm = \"RP2\", rho2_mm = \"RP1\"");
+    scratch.replace("campaign.toml", "rho2_mm = \"RP2\", rho3_mm = \"RP3\"", "rho2_mm = \"RP3\", rho3_mm = \"RP2\"");
     let (code, said) = etalon(&scratch, "run");
     assert!(code == Some(1) && said.contains("the model does not describe this robot"), "{said}");
 }
