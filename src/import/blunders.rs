@@ -3,17 +3,49 @@
 use super::points::{Point, PointColumns};
 use crate::campaign::{Campaign, Rigid};
 use crate::document::{Refused, Source};
-use crate::message::{Message, Place};
+use crate::message::{Message, Place, Problems, Result};
 use crate::pose::{minus, norm};
 use std::collections::{BTreeMap, BTreeSet};
 
-type Key = (Option<i64>, Option<i64>);
+/// Points that were measured together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Together {
+    /// Pose (perhaps the number of the row) and cycle.
+    Pose(i64, Option<i64>),
+    /// The same time stamp, as the bits of its seconds.
+    Time(u64),
+}
+
+/// With fewer distances of a pair the median cannot tell which one is wrong.
+const FEWEST: usize = 3;
+
+impl Together {
+    fn of(point: &Point) -> Option<Self> {
+        match (point.pose, point.time_s) {
+            (Some(pose), _) => Some(Self::Pose(pose, point.cycle)),
+            // 0.0 and -0.0 are the same time
+            (None, Some(time_s)) => Some(Self::Time((time_s + 0.0).to_bits())),
+            (None, None) => None,
+        }
+    }
+}
+
+/// Indices of the targets measured together, in the order of the rule.
+type Groups = BTreeMap<Together, Vec<Option<usize>>>;
 
 /// Refuses points whose distances to the others of their rigid part leave the median by more than the tolerance.
-pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &mut [Source]) -> Vec<Message> {
-    let mut messages = Vec::new();
+pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &mut [Source]) -> Result<Vec<Message>> {
+    let mut problems = Problems::default();
     for rigid in &campaign.file.rigid {
-        let refused = violations(rigid, &columns.points);
+        let groups = match stated(campaign, rigid).and_then(|()| group(campaign, rigid, &columns.points)) {
+            Ok(groups) => groups,
+            Err(message) => {
+                problems.0.push(message);
+                continue;
+            }
+        };
+        problems.0.extend(too_few(campaign, rigid, &groups));
+        let refused = violations(rigid, &columns.points, &groups);
         for (&i, reason) in &refused {
             let point = &columns.points[i];
             let reason = match coincident(point, &columns.points, rigid.tolerance_mm) {
@@ -22,7 +54,7 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
             };
             let target = point.target.as_deref().unwrap_or("");
             let what = format!("row {}: `{target}` is refused: {reason}", point.row);
-            messages.push(Message::warning(what).at(Place::line(&point.export, point.line, &point.text)));
+            problems.0.push(Message::warning(what).at(Place::line(&point.export, point.line, &point.text)));
             if let Some(source) = sources.iter_mut().find(|s| s.file == point.export) {
                 source.refused.push(Refused { line: point.line, text: point.text.clone(), reason });
                 source.refused.sort_by_key(|r| r.line);
@@ -31,30 +63,95 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
         let mut index = 0..;
         columns.points.retain(|_| index.next().is_some_and(|i| !refused.contains_key(&i)));
     }
-    messages
+    problems.check()
+}
+
+/// Where the campaign states the rule.
+fn place(campaign: &Campaign, rigid: &Rigid) -> Place {
+    rigid.targets.first().map_or_else(|| Place::file(campaign.path.as_str()), |target| campaign.place(target))
+}
+
+/// A rule that says something: two targets or more, each once, and a tolerance that some distances exceed.
+fn stated(campaign: &Campaign, rigid: &Rigid) -> std::result::Result<(), Message> {
+    let wrong = |what: &str| Err(Message::error(what).at(place(campaign, rigid)));
+    let names: BTreeSet<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
+    if names.len() < 2 || names.len() < rigid.targets.len() {
+        return wrong("a rigid part needs two or more targets, each named once");
+    }
+    if !(rigid.tolerance_mm > 0.0 && rigid.tolerance_mm.is_finite()) {
+        return wrong("`tolerance_mm` of a rigid part must be a positive number").map_err(|m: Message| {
+            m.expected("how far a distance may leave its median, some times its scatter, e.g. 0.1")
+        });
+    }
+    Ok(())
+}
+
+/// The targets of a rigid part as they were measured together; an error about the first row that cannot be told.
+fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::Result<Groups, Message> {
+    let names: Vec<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
+    let mut groups = Groups::new();
+    let mut measured = BTreeSet::new();
+    for (i, point) in points.iter().enumerate() {
+        let Some(k) = point.target.as_deref().and_then(|t| names.iter().position(|n| *n == t)) else { continue };
+        let at = || Place::line(&point.export, point.line, &point.text);
+        let key = Together::of(point).ok_or_else(|| {
+            let what = format!("[[rigid]] names `{}`, and its row says neither pose nor time", names[k]);
+            Message::error(what).at(at()).hint("name the pose in label or columns, or take the target out of [[rigid]]")
+        })?;
+        let slot = &mut groups.entry(key).or_insert_with(|| vec![None; names.len()])[k];
+        if let Some(first) = slot.map(|first: usize| points[first].line) {
+            let what = format!("[[rigid]] names `{}`, and two of its rows bear the same time", names[k]);
+            return Err(Message::error(what)
+                .at(at())
+                .hint(format!("the first is line {first}; name the pose as well")));
+        }
+        *slot = Some(i);
+        measured.insert(k);
+    }
+    let together = groups.values().any(|seen| seen.iter().flatten().count() > 1);
+    // a target that no export brings is told by the check of names
+    if !together && measured.len() == names.len() {
+        let what = format!("[[rigid]]: {} are never measured together", names.join(", "));
+        return Err(Message::error(what)
+            .at(place(campaign, rigid))
+            .expected("rows with the same pose and cycle, or with the same time stamp")
+            .hint("name the pose in label or columns; `pose = \"row\"` numbers rows for files with one target each"));
+    }
+    Ok(groups)
+}
+
+/// The distances of all pairs of targets.
+fn pairs(rigid: &Rigid) -> Vec<(usize, usize)> {
+    (0..rigid.targets.len()).flat_map(|i| (0..i).map(move |j| (j, i))).collect()
+}
+
+/// A warning about pairs that are seen too rarely to have a median that means something.
+fn too_few(campaign: &Campaign, rigid: &Rigid, groups: &Groups) -> Option<Message> {
+    let seen = |p: &(usize, usize)| groups.values().filter(|s| s[p.0].is_some() && s[p.1].is_some()).count();
+    let (a, b) = *pairs(rigid).iter().find(|p| (1..FEWEST).contains(&seen(p)))?;
+    let what = format!(
+        "[[rigid]] refuses nothing by the distance of `{}` and `{}`: they are measured together {} time(s)",
+        rigid.targets[a].get_ref(),
+        rigid.targets[b].get_ref(),
+        seen(&(a, b))
+    );
+    Some(Message::warning(what).at(place(campaign, rigid)).expected(format!("{FEWEST} times or more")))
 }
 
 /// Indices of the points to refuse, and why.
-fn violations(rigid: &Rigid, points: &[Point]) -> BTreeMap<usize, String> {
+fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usize, String> {
     let names: Vec<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
-    let mut poses: BTreeMap<Key, Vec<Option<usize>>> = BTreeMap::new();
-    for (i, point) in points.iter().enumerate() {
-        if let Some(k) = point.target.as_deref().and_then(|t| names.iter().position(|n| *n == t)) {
-            poses.entry((point.pose, point.cycle)).or_insert_with(|| vec![None; names.len()])[k] = Some(i);
-        }
-    }
-    let pairs: Vec<(usize, usize)> = (0..names.len()).flat_map(|i| (0..i).map(move |j| (j, i))).collect();
     let distance = |seen: &[Option<usize>], (a, b): (usize, usize)| {
         Some(norm(minus(points[seen[a]?].xyz_mm, points[seen[b]?].xyz_mm)))
     };
-    let medians: Vec<f64> =
-        pairs.iter().map(|&p| median(poses.values().filter_map(|s| distance(s, p)).collect())).collect();
+    let median_of = |pair| median(groups.values().filter_map(|seen| distance(seen, pair)).collect());
+    let medians: Vec<((usize, usize), f64)> =
+        pairs(rigid).into_iter().filter_map(|pair| Some((pair, median_of(pair)?))).collect();
     let mut refused = BTreeMap::new();
-    for seen in poses.values() {
-        let off: Vec<(usize, usize, f64)> = pairs
+    for seen in groups.values() {
+        let off: Vec<(usize, usize, f64)> = medians
             .iter()
-            .zip(&medians)
-            .filter_map(|(&p, m)| distance(seen, p).map(|d| (p.0, p.1, d - m)))
+            .filter_map(|&(pair, median)| distance(seen, pair).map(|d| (pair.0, pair.1, d - median)))
             .filter(|(_, _, d)| d.abs() > rigid.tolerance_mm)
             .collect();
         if off.is_empty() {
@@ -78,14 +175,16 @@ fn violations(rigid: &Rigid, points: &[Point]) -> BTreeMap<usize, String> {
     refused
 }
 
-/// Another target of the same pose within the tolerance of `point`.
+/// Another target measured together with `point` within the tolerance of it.
 fn coincident<'a>(point: &Point, points: &'a [Point], tolerance_mm: f64) -> Option<&'a str> {
-    let other = |p: &&Point| p.pose == point.pose && p.cycle == point.cycle && p.target != point.target;
+    let together = Together::of(point);
+    let other = |p: &&Point| p.target != point.target && Together::of(p) == together;
     let near = |p: &&Point| norm(minus(p.xyz_mm, point.xyz_mm)) <= tolerance_mm;
     points.iter().filter(other).find(near).and_then(|p| p.target.as_deref())
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+/// The median of distances, if there are enough for one to mean something.
+fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+    values.get(values.len() / 2).copied().filter(|_| values.len() >= FEWEST)
 }

@@ -24,7 +24,7 @@ pub fn is_joint_column(key: &str, joint: &Joint) -> bool {
 }
 
 /// What a key of `columns` becomes: the name of the column in the table, and the factor of its values.
-fn meaning(key: &str) -> Option<(String, f64)> {
+pub(crate) fn meaning(key: &str) -> Option<(String, f64)> {
     match key {
         "pose" | "cycle" | "time_s" => Some((key.to_owned(), 1.0)),
         _ => {

@@ -13,8 +13,10 @@ mod polyworks;
 
 pub use formats::propose;
 pub use log::is_joint_column;
+pub(crate) use log::meaning as log_column;
+pub(crate) use points::Point;
 
-use crate::campaign::{Campaign, Format, Unit};
+use crate::campaign::{Campaign, Export, Format, Log, Unit};
 use crate::document::{ImportDocument, Source};
 use crate::files;
 use crate::message::{Message, Problems, Result};
@@ -71,7 +73,7 @@ pub fn import(campaign: &Campaign) -> Result<Imported> {
     }
     problems.0.extend(columns.measured_twice());
     problems.check()?;
-    let mut messages = blunders::refuse(campaign, &mut columns, &mut sources);
+    let mut messages = blunders::refuse(campaign, &mut columns, &mut sources)?;
     messages.extend(columns.unused_labels(campaign));
     let document = ImportDocument {
         schema: "etalon/import/1".to_owned(),
@@ -80,6 +82,19 @@ pub fn import(campaign: &Campaign) -> Result<Imported> {
         messages,
     };
     Ok(Imported { points: columns.table()?, logs, document })
+}
+
+/// The points that an export brings if this is its text, before rules about blunders.
+pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
+    let mut columns = PointColumns::default();
+    let file = export.file.get_ref();
+    columns.add(campaign, export, point_rows(file, text, &export.format)?, &mut statement("export", file, b""))?;
+    Ok(columns.points)
+}
+
+/// The table of a log if this is its text.
+pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<DataFrame> {
+    log::read(campaign, stated, text, &mut statement("log", stated.file.get_ref(), b""))
 }
 
 /// Labels and points of a file, in millimetres; every row counts, none is refused.

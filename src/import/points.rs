@@ -25,7 +25,7 @@ pub(super) struct PointRow {
 
 /// A point in millimetres.
 #[derive(Clone, Debug)]
-pub(super) struct Point {
+pub(crate) struct Point {
     pub export: String,
     /// Number among the data rows of its export, from 1, refused ones counted.
     pub row: i64,

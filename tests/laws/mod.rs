@@ -1,7 +1,9 @@
 //! Laws that hold without outside data.
 
 mod arms;
+mod blunders;
 mod campaigns;
+mod dialects;
 mod fits;
 mod fits_hostile;
 mod joins;

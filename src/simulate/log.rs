@@ -1,0 +1,97 @@
+//! A log with the columns that the campaign reads.
+
+use super::{Scene, Turn, text};
+use crate::campaign::{Column, JoinBy, Log};
+use crate::import;
+use crate::message::{Message, Result};
+
+/// A campaign may number columns, but not without end.
+const MOST_COLUMNS: usize = 1000;
+
+/// What stands in a column.
+enum Content {
+    Pose,
+    Cycle,
+    Time,
+    /// Index of the joint, factor from the column's unit to mm or deg, digits after the mark.
+    Joint(usize, f64, usize),
+}
+
+/// The text of a log; an error where import would not read it.
+pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
+    let places = places(log).map_err(|m| m.at(scene.campaign.place(&log.file)))?;
+    let width = places.iter().map(|p| p.1 + 1).max().unwrap_or(0);
+    let mut header: Vec<String> = (1..=width).map(|n| format!("column_{n}")).collect();
+    let mut contents: Vec<Option<Content>> = (0..width).map(|_| None).collect();
+    for (key, at, name) in places {
+        contents[at] = Some(content(scene, key.get_ref()).map_err(|m| m.at(scene.campaign.place(key)))?);
+        if let Some(name) = name {
+            header[at].clone_from(name);
+        }
+    }
+    let line = |fields: &[String]| text::line(fields, log.delimiter, None);
+    let mut all = if log.header { line(&header)? } else { String::new() };
+    // a join by pose alone wants one row for all rounds
+    let once = scene.campaign.file.join.by == JoinBy::Pose;
+    for turn in scene.turns(if once { 1 } else { scene.truth.cycles }) {
+        let fields: Vec<String> = contents.iter().map(|c| field(scene, log, c.as_ref(), turn)).collect();
+        all += &line(&fields)?;
+    }
+    import::log_of(scene.campaign, log, &all)?;
+    Ok(all)
+}
+
+type Placed<'a> = (&'a toml::Spanned<String>, usize, Option<&'a String>);
+
+/// Index and name of each column: numbered ones stand where they say, named ones fill the gaps in their order.
+fn places(log: &Log) -> std::result::Result<Vec<Placed<'_>>, Message> {
+    let number = |column: &Column| if let Column::Number(n) = column { Some(n - 1) } else { None };
+    let taken: Vec<usize> = log.columns.values().filter_map(number).collect();
+    let mut free = (0..).filter(|i| !taken.contains(i));
+    let mut places: Vec<Placed> = Vec::new();
+    for (key, column) in &log.columns {
+        let (at, name) = match column {
+            Column::Number(n) => (n - 1, None),
+            Column::Name(name) => (free.next().unwrap_or(0), Some(name)),
+        };
+        let twice = places.iter().any(|p| p.1 == at || name.is_some() && p.2 == name);
+        if twice || at >= MOST_COLUMNS {
+            return Err(Message::error(format!("the column of `{}` cannot be simulated", key.get_ref()))
+                .expected(format!("a column of its own for each key, at most {MOST_COLUMNS} of them")));
+        }
+        places.push((key, at, name));
+    }
+    Ok(places)
+}
+
+/// What a key of `columns` brings.
+fn content(scene: &Scene, key: &str) -> std::result::Result<Content, Message> {
+    let unknown = || {
+        Message::error(format!("a simulated log cannot bring `{key}`"))
+            .expected("`pose`, `cycle`, `time_s` and the joints with their units")
+    };
+    match key {
+        "pose" => return Ok(Content::Pose),
+        "cycle" => return Ok(Content::Cycle),
+        "time_s" => return Ok(Content::Time),
+        _ => {}
+    }
+    let joint = scene.robot.joints().iter().position(|j| import::is_joint_column(key, j)).ok_or_else(unknown)?;
+    let (_, factor) = import::log_column(key).ok_or_else(unknown)?;
+    // as fine as 1e-6 mm or deg; radians, in which no round angle ends, finer than any position tells
+    let digits = if key.ends_with("_rad") { 14 } else { (6.0 + factor.log10()).round().max(0.0) as usize };
+    Ok(Content::Joint(joint, factor, digits))
+}
+
+fn field(scene: &Scene, log: &Log, content: Option<&Content>, turn: Turn) -> String {
+    match content {
+        None => "-".to_owned(),
+        Some(Content::Pose) => turn.pose.to_string(),
+        Some(Content::Cycle) => turn.cycle.to_string(),
+        Some(Content::Time) => text::number(turn.time_s(), 6, log.decimal),
+        Some(Content::Joint(joint, factor, digits)) => {
+            let q = scene.joints[turn.pose as usize - 1][*joint];
+            text::number(scene.robot.joints()[*joint].quantity.outward(q) / factor, *digits, log.decimal)
+        }
+    }
+}

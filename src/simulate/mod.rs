@@ -1,0 +1,106 @@
+//! Exports and logs of a robot with known parameters and stated noise, in the formats that a campaign reads.
+
+mod export;
+mod log;
+mod text;
+mod truth;
+
+pub use truth::{Circle, LabelledPoint, Placement, Poses, Truth};
+
+use crate::campaign::Campaign;
+use crate::files;
+use crate::message::{Message, Result};
+use crate::pose::{Pose, Vector};
+use crate::robots::Robot;
+
+/// Between two poses of the log.
+const INTERVAL_S: f64 = 10.0;
+/// Digits after the decimal mark that a double can fill.
+const MOST_DECIMALS: usize = 17;
+
+/// A robot with its true parameters, and where it goes.
+struct Scene<'a> {
+    campaign: &'a Campaign,
+    truth: &'a Truth,
+    robot: &'a dyn Robot,
+    /// True parameters, in mm, rad and 1.
+    values: Vec<f64>,
+    /// Joint values of each pose, in mm and rad.
+    joints: Vec<Vec<f64>>,
+    export_T_world: Pose,
+}
+
+/// One of the measurements: repeats follow each other as whole rounds of all poses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Turn {
+    pose: i64,
+    cycle: i64,
+    /// Counted from 1 over all rounds.
+    number: i64,
+}
+
+impl Turn {
+    /// Time of the log.
+    fn time_s(self) -> f64 {
+        INTERVAL_S * self.number as f64
+    }
+}
+
+impl Scene<'_> {
+    /// The measurement with this number, from 1.
+    fn turn(&self, number: i64) -> Turn {
+        let poses = (self.joints.len() as i64).max(1);
+        Turn { pose: (number - 1) % poses + 1, cycle: (number - 1) / poses + 1, number }
+    }
+
+    /// All measurements of `cycles` rounds.
+    fn turns(&self, cycles: i64) -> impl Iterator<Item = Turn> + '_ {
+        (1..=cycles.saturating_mul(self.joints.len() as i64)).map(|number| self.turn(number))
+    }
+
+    /// Where a target is in the world at a pose.
+    fn target(&self, turn: Turn, target: usize) -> Vector {
+        let q = &self.joints[turn.pose as usize - 1];
+        let mut p = self.robot.position(&self.values, q, target);
+        p[2] += self.truth.target_height_mm;
+        p
+    }
+}
+
+/// Writes every export and log that `campaign` names, when all of them read back as they are meant; gives their names.
+pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
+    if campaign.file.synthetic.is_none() {
+        return Err(Message::error("the campaign does not say that it is synthetic: its files may be measured ones")
+            .hint(
+                "state `synthetic = \"how the data are made\"` in campaign.toml: every report repeats it; \
+                 `etalon init --synthetic FOLDER` writes such a campaign with a truth",
+            )
+            .into());
+    }
+    if truth.decimals > MOST_DECIMALS {
+        let what = format!("{} decimals are more than a number has", truth.decimals);
+        return Err(Message::error(what).expected(format!("0 to {MOST_DECIMALS}")).into());
+    }
+    let robot = campaign.build_robot()?;
+    let placed = &truth.export_T_world;
+    let scene = Scene {
+        campaign,
+        truth,
+        robot: robot.as_ref(),
+        values: truth.values(robot.as_ref())?,
+        joints: truth.joint_values(robot.as_ref())?,
+        export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),
+    };
+    let mut texts = Vec::new();
+    for (stream, stated) in campaign.file.exports.iter().enumerate() {
+        // one stream of noise per file: adding a file changes no other
+        texts.push((&stated.file, export::write(&scene, stated, stream as u64)?));
+    }
+    for stated in &campaign.file.logs {
+        texts.push((&stated.file, log::write(&scene, stated)?));
+    }
+    for (file, text) in &texts {
+        files::write(&campaign.resolve(file)?, text.as_bytes())?;
+    }
+    Ok(texts.iter().map(|(file, _)| file.get_ref().clone()).collect())
+}

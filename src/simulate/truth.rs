@@ -1,0 +1,145 @@
+//! What is true in a simulation, and what is measured.
+
+use crate::message::{Message, Result};
+use crate::pose::Vector;
+use crate::robots::{PlanarPose, Robot};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// `truth.toml`: what is true, and what is measured.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Truth {
+    /// Seed of the noise.
+    pub seed: u64,
+    /// Repeats of every pose.
+    pub cycles: i64,
+    /// Gaussian noise of one coordinate (one standard deviation); by default the instrument's standard uncertainty.
+    pub noise_um: Option<f64>,
+    /// Digits after the decimal mark in the exports.
+    #[serde(default = "six")]
+    pub decimals: usize,
+    /// Height of the targets of a planar robot above the plane.
+    #[serde(default)]
+    pub target_height_mm: f64,
+    /// Where the world stands in the coordinates of the exports.
+    pub export_T_world: Placement,
+    /// True parameters by name, in mm, deg and 1; those not given are nominal.
+    pub parameters: BTreeMap<String, f64>,
+    /// Points of features, in the world.
+    #[serde(default, rename = "point")]
+    pub points: Vec<LabelledPoint>,
+    /// Poses, numbered from 1 in the order given.
+    pub poses: Vec<Poses>,
+}
+
+fn six() -> usize {
+    6
+}
+
+/// Position and orientation (Rz Ry Rx).
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Placement {
+    /// Position.
+    pub xyz_mm: Vector,
+    /// Angles about x, y, z.
+    pub rpy_deg: Vector,
+}
+
+/// A point of a feature.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LabelledPoint {
+    /// Its label.
+    pub label: String,
+    /// The export it goes to.
+    pub export: String,
+    /// Where it is in the world.
+    pub at_mm: Vector,
+    /// How often it is measured.
+    #[serde(default = "once")]
+    pub repeats: usize,
+}
+
+fn once() -> usize {
+    1
+}
+
+/// A set of poses.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Poses {
+    /// Joint values in mm or deg.
+    #[serde(default)]
+    pub joints: Vec<Vec<f64>>,
+    /// Circles of platform positions in the base frame, commanded through the nominal inverse kinematics.
+    #[serde(default)]
+    pub circles: Vec<Circle>,
+    /// Orientations at each of those positions.
+    #[serde(default)]
+    pub theta_deg: Vec<f64>,
+}
+
+/// Positions spread evenly on a circle, from its +x side counterclockwise.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Circle {
+    /// Centre.
+    pub center_mm: [f64; 2],
+    /// Diameter.
+    pub diameter_mm: f64,
+    /// Number of positions.
+    pub count: usize,
+}
+
+impl Truth {
+    /// True values of all parameters of `robot`, in mm, rad and 1.
+    pub(super) fn values(&self, robot: &dyn Robot) -> Result<Vec<f64>> {
+        let mut values = robot.nominal();
+        for (name, value) in &self.parameters {
+            let names = robot.parameters().iter().map(|p| p.name.as_str());
+            let i = robot.index(name).ok_or_else(|| {
+                Message::error(format!("[parameters] names `{name}`, which is no parameter of this robot"))
+                    .hint_names(name, names)
+            })?;
+            values[i] = robot.parameters()[i].quantity.inward(*value);
+        }
+        Ok(values)
+    }
+
+    /// Joint values of all poses, in mm and rad.
+    pub(super) fn joint_values(&self, robot: &dyn Robot) -> Result<Vec<Vec<f64>>> {
+        let mut all = Vec::new();
+        for poses in &self.poses {
+            for q in &poses.joints {
+                if q.len() != robot.joints().len() {
+                    let what =
+                        format!("a pose has {} joint values, the robot {} joints", q.len(), robot.joints().len());
+                    return Err(Message::error(what).into());
+                }
+                all.push(q.iter().zip(robot.joints()).map(|(q, j)| j.quantity.inward(*q)).collect());
+            }
+            for circle in &poses.circles {
+                let planar = robot
+                    .planar()
+                    .ok_or_else(|| Message::error("`circles` are for planar robots").hint("use `joints`"))?;
+                for i in 0..circle.count {
+                    let angle = std::f64::consts::TAU * i as f64 / circle.count as f64;
+                    let radius = 0.5 * circle.diameter_mm;
+                    for theta in &poses.theta_deg {
+                        let pose = PlanarPose {
+                            x_mm: circle.center_mm[0] + radius * angle.cos(),
+                            y_mm: circle.center_mm[1] + radius * angle.sin(),
+                            theta_rad: theta.to_radians(),
+                        };
+                        // what a controller logs: rounded to 0.1 um
+                        let q = planar.inverse(&robot.nominal(), pose);
+                        all.push(q.iter().map(|q| (q * 1e4).round() / 1e4).collect());
+                    }
+                }
+            }
+        }
+        Ok(all)
+    }
+}

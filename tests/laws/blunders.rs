@@ -1,0 +1,131 @@
+//! The rule about rigid parts works however rows are grouped, and says so where they cannot be.
+
+use crate::scratch::copy_sample;
+use etalon::campaign::Campaign;
+use etalon::import::{Imported, import};
+use etalon::message::Problems;
+
+const RIGID: &str = "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = 0.1\n";
+const THREE: &str = "[[rigid]]\ntargets = [\"K\", \"L\", \"M\"]\ntolerance_mm = 0.1\n";
+
+/// Imports exports with these texts; the first export is `a.txt`, the second `b.txt` ...
+fn imported(exports: &[(&str, String)], rigid: &str) -> Result<Imported, Problems> {
+    let scratch = copy_sample("prexyt-cmm");
+    let mut text = "name = \"b\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 2\n\
+                    coverage_factor = 2\n[log]\nfile = \"encoders.csv\"\ncolumns = { pose = \"pose\", rho1_mm = \"RP1\" }\n\
+                    [join]\nby = \"pose\"\n[frame.world]\nas_exported = true\n[identify]\ncalibration = \"all\"\n"
+        .to_owned();
+    for ((stated, rows), name) in exports.iter().zip(["a.txt", "b.txt", "c.txt"]) {
+        std::fs::write(scratch.path().join(name), rows).unwrap();
+        text += &format!("[[export]]\nfile = \"{name}\"\nunit = \"mm\"\n{stated}\n");
+    }
+    std::fs::write(scratch.path().join("campaign.toml"), text + rigid).unwrap();
+    import(&Campaign::read(&scratch.path())?)
+}
+
+/// Where target `k` is at a pose: a rigid triangle that moves, but for M at pose 4.
+fn place(k: usize, pose: usize) -> String {
+    let [x, y] = [[0.0, 0.0], [30.0, 40.0], [0.0, 90.0]][k];
+    let off = if k == 2 && pose == 4 { 1.5 } else { 0.0 };
+    format!("{} {} 7.5", x + 10.0 * pose as f64 + off, y - 3.0 * pose as f64 + off)
+}
+
+fn rows(poses: usize, row: impl Fn(usize, usize) -> Option<String>) -> String {
+    let all = (1..=poses).flat_map(|pose| (0..3).map(move |k| (k, pose)));
+    all.filter_map(|(k, pose)| row(k, pose)).map(|row| row + "\n").collect()
+}
+
+const NAMES: [&str; 3] = ["K", "L", "M"];
+
+/// Name, what each export states and its text, file and line that must be refused.
+type Case<'a> = (&'a str, Vec<(&'a str, String)>, (&'a str, usize));
+
+#[test]
+fn the_blunder_is_found_by_label_by_column_by_row_and_by_time() {
+    let label = rows(6, |k, pose| Some(format!("{}_{pose}_1 {}", NAMES[k], place(k, pose))));
+    let column = rows(6, |k, pose| Some(format!("{pose} {} {}", NAMES[k], place(k, pose))));
+    let time = rows(6, |k, pose| Some(format!("{}.25 {} {}", 100 * pose, NAMES[k], place(k, pose))));
+    let one = |target: usize| rows(6, |k, pose| (k == target).then(|| place(k, pose)));
+    let by_row = |name: &str| format!("format = \"polyworks\"\ntarget = \"{name}\"\npose = \"row\"");
+    let by_row = NAMES.map(by_row);
+    let blank = |role: &str| {
+        format!("format = {{ delimiter = \"blank\", columns = [\"{role}\", \"target\", \"x\", \"y\", \"z\"] }}")
+    };
+    let (by_pose, by_time) = (blank("pose"), blank("time_s"));
+    let cases: [Case; 4] = [
+        ("label", vec![("format = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"", label)], ("a.txt", 12)),
+        ("column", vec![(by_pose.as_str(), column)], ("a.txt", 12)),
+        ("time", vec![(by_time.as_str(), time)], ("a.txt", 12)),
+        ("row", by_row.iter().enumerate().map(|(k, stated)| (stated.as_str(), one(k))).collect(), ("c.txt", 4)),
+    ];
+    for (name, exports, expected) in cases {
+        let document = imported(&exports, THREE).unwrap_or_else(|e| panic!("{name}: {e}")).document;
+        let refused = document.sources.iter().flat_map(|s| s.refused.iter().map(|r| (s.file.as_str(), r.line)));
+        assert_eq!(refused.collect::<Vec<_>>(), [expected], "{name}");
+        // hypot(1.5, 91.5) - 90
+        let reason = &document.sources.iter().find_map(|s| s.refused.first()).unwrap().reason;
+        assert!(reason.contains("off by +1.512 mm (K-M, tolerance 0.1 mm)"), "{reason}");
+    }
+}
+
+#[test]
+fn rows_that_cannot_be_grouped_are_an_error_with_its_place() {
+    // one file with both targets: the number of the row tells no pose that they share
+    let both = rows(4, |k, pose| (k < 2).then(|| format!("{} {}", NAMES[k], place(k, pose))));
+    let stated = "format = { delimiter = \"blank\", columns = [\"target\", \"x\", \"y\", \"z\"] }\npose = \"row\"";
+    let said = imported(&[(stated, both)], RIGID).unwrap_err().to_string();
+    for part in ["K, L are never measured together", "campaign.toml:", "targets = [\"K\", \"L\"]", "hint: "] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    // the same time for two rows of one target
+    let time = rows(4, |k, pose| (k < 2).then(|| format!("{} {} {}", pose / 4, NAMES[k], place(k, pose))));
+    let stated = "format = { delimiter = \"blank\", columns = [\"time_s\", \"target\", \"x\", \"y\", \"z\"] }";
+    let said = imported(&[(stated, time)], RIGID).unwrap_err().to_string();
+    assert!(said.contains("two of its rows bear the same time") && said.contains("a.txt:3"), "{said}");
+}
+
+#[test]
+fn a_frame_target_without_pose_or_time_cannot_be_grouped() {
+    let text = rows(1, |k, pose| Some(format!("{} {}", NAMES[k], place(k, pose))));
+    let stated = "format = { delimiter = \"blank\", columns = [\"target\", \"x\", \"y\", \"z\"] }";
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace(
+        "campaign.toml",
+        "plane = \"rails\"\norigin = \"R_home\"\ny_axis = [\"R_home\", \"R_end\"]\ntowards = \"rail3_a\"",
+        "targets = [\"K\", \"L\", \"M\"]",
+    );
+    scratch.replace(
+        "campaign.toml",
+        "format = \"polyworks\"\nunit = \"mm\"\n\n# balls",
+        &format!("unit = \"mm\"\n{stated}\n{THREE}\n# balls"),
+    );
+    std::fs::write(scratch.path().join("exports/world.txt"), text).unwrap();
+    let campaign = Campaign::read(&scratch.path()).unwrap();
+    // the balls K and L of the sample have poses: the rule trips over the first row that has none
+    let said = import(&campaign).unwrap_err().to_string();
+    assert!(said.contains("says neither pose nor time") && said.contains("exports/world.txt:1"), "{said}");
+}
+
+#[test]
+fn a_tolerance_or_targets_that_mean_nothing_are_refused() {
+    let label = rows(6, |k, pose| Some(format!("{}_{pose}_1 {}", NAMES[k], place(k, pose))));
+    let exports = [("format = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"", label)];
+    for (from, to, part) in [
+        ("0.1", "nan", "must be a positive number"),
+        ("0.1", "inf", "must be a positive number"),
+        ("0.1", "-0.1", "must be a positive number"),
+        ("\"L\"", "\"K\"", "two or more targets"),
+        ("\"K\", \"L\"", "", "two or more targets"),
+    ] {
+        let said = imported(&exports, &RIGID.replace(from, to)).unwrap_err().to_string();
+        assert!(said.contains(part) && said.contains("campaign.toml"), "{to}: {said}");
+    }
+}
+
+#[test]
+fn too_few_poses_for_a_median_are_said() {
+    let label = rows(2, |k, pose| Some(format!("{}_{pose}_1 {}", NAMES[k], place(k, pose))));
+    let found = imported(&[("format = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"", label)], RIGID).unwrap();
+    let said = found.document.messages.iter().any(|m| m.what.contains("measured together 2 time(s)"));
+    assert!(said, "{:?}", found.document.messages);
+}

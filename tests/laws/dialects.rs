@@ -1,0 +1,248 @@
+//! Whatever dialect a campaign states, `simulate` writes it and `import` reads the same points and joints back.
+
+use crate::scratch::{Scratch, copy_sample};
+use etalon::campaign::{Campaign, read_truth};
+use etalon::import::import;
+use etalon::message::Problems;
+use etalon::pose::Pose;
+use etalon::simulate::{LabelledPoint, Truth, simulate};
+use etalon::table;
+use std::collections::BTreeMap;
+
+const CYCLES: i64 = 2;
+const DIGITS: usize = 7;
+const LOG: &str = "columns = { pose = \"pose\", cycle = \"run\", rho1_mm = \"A\", rho2_mm = \"B\", rho3_mm = \"C\" }";
+const BY_POSE: &str = "by = [\"pose\", \"cycle\"]";
+
+/// Name, lines of the export, mm in its unit, whether it bears fixed points, lines of the log, mm in its unit, join.
+type Case = (&'static str, &'static str, f64, bool, &'static str, f64, &'static str);
+
+const CASES: [Case; 9] = [
+    (
+        "polyworks",
+        "format = \"polyworks\"\nunit = \"mm\"\nlabel = \"{target}_{pose}_{cycle}\"",
+        1.0,
+        true,
+        LOG,
+        1.0,
+        BY_POSE,
+    ),
+    (
+        "semicolons, decimal comma, a header row",
+        "format = { delimiter = \";\", decimal = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"] }\n\
+         unit = \"mm\"\nlabel = \"{target}_{pose}_{cycle}\"",
+        1.0,
+        true,
+        "delimiter = \";\"\ndecimal = \",\"\n\
+         columns = { cycle = \"run no.\", pose = \"the pose\", rho3_m = \"C\", rho2_m = \"B\", rho1_m = \"A\" }",
+        1000.0,
+        BY_POSE,
+    ),
+    (
+        "tabs, three header rows, comments, every role in another order",
+        "format = { delimiter = \"tab\", header = 3, comment = \"#\", \
+         columns = [\"z\", \"-\", \"cycle\", \"y\", \"target\", \"x\", \"pose\", \"-\"] }\nunit = \"m\"",
+        1000.0,
+        true,
+        "delimiter = \"tab\"\nheader = false\ncolumns = { rho1_mm = 2, rho2_mm = 4, rho3_mm = 3, pose = 7, cycle = 1 }",
+        1.0,
+        BY_POSE,
+    ),
+    (
+        "commas twice",
+        "format = { delimiter = \",\", decimal = \",\", columns = [\"label\", \"x\", \"y\", \"z\"] }\n\
+         unit = \"inch\"\nlabel = \"P{pose}, {cycle}: {target}\"",
+        25.4,
+        true,
+        "delimiter = \",\"\ndecimal = \",\"\ncolumns = { pose = \"pose\", cycle = 1, rho1_um = \"A\", rho2_um = \"B\", rho3_um = \"C\" }",
+        0.001,
+        BY_POSE,
+    ),
+    (
+        "blanks, and rows that start like a comment",
+        "format = { delimiter = \"blank\", header = 2, comment = \"K\", columns = [\"label\", \"-\", \"x\", \"y\", \"z\", \"-\"] }\n\
+         unit = \"um\"\nlabel = \"{target} {pose} {cycle}\"",
+        0.001,
+        true,
+        "delimiter = \"blank\"\ncolumns = { pose = 3, cycle = \"the run\", rho1_mm = \"A\", rho2_mm = \"B\", rho3_mm = \"C\" }",
+        1.0,
+        BY_POSE,
+    ),
+    (
+        "tabs and a label that says pose and cycle alone",
+        "format = { delimiter = \"tab\", header = 1, columns = [\"target\", \"label\", \"x\", \"y\", \"z\"] }\n\
+         unit = \"mm\"\nlabel = \"{cycle}/{pose}\"",
+        1.0,
+        false,
+        LOG,
+        1.0,
+        BY_POSE,
+    ),
+    (
+        "by time",
+        "format = { delimiter = \";\", decimal = \",\", header = 1, columns = [\"time_s\", \"target\", \"x\", \"y\", \"z\"] }\n\
+         unit = \"mm\"",
+        1.0,
+        false,
+        "columns = { time_s = \"t\", rho1_mm = \"A\", rho2_mm = \"B\", rho3_mm = \"C\" }",
+        1.0,
+        "by = \"time\"\nclock_offset_s = -3.25\ntolerance_s = 0.5",
+    ),
+    (
+        "by row, one target a file",
+        "format = { delimiter = \"blank\", columns = [\"x\", \"y\", \"z\"] }\nunit = \"mm\"\ntarget = \"K\"\npose = \"row\"\n\
+         [[export]]\nfile = \"exports/l.txt\"\nformat = \"polyworks\"\nunit = \"mm\"\ntarget = \"L\"\npose = \"row\"",
+        1.0,
+        false,
+        "header = false\npose = \"row\"\ncolumns = { rho1_mm = 1, rho2_mm = 2, rho3_mm = 3 }",
+        1.0,
+        "by = \"row\"",
+    ),
+    (
+        "by pose: one row of the log for all cycles",
+        "format = \"polyworks\"\nunit = \"mm\"\nlabel = \"{target}{pose}.{cycle}\"",
+        1.0,
+        false,
+        "columns = { pose = \"pose\", rho1_mm = \"A\", rho2_mm = \"B\", rho3_mm = \"C\" }",
+        1.0,
+        "by = [\"pose\"]",
+    ),
+];
+
+/// The sample in another dialect, and its truth without noise.
+fn campaign(export: &str, log: &str, join: &str, with_points: bool) -> (Scratch, Campaign, Truth) {
+    let scratch = copy_sample("prexyt-cmm");
+    let text = format!(
+        "name = \"d\"\nrobot = \"robot.toml\"\nsynthetic = \"yes\"\n[instrument]\nname = \"i\"\n\
+         expanded_uncertainty_um = 2\ncoverage_factor = 2\n[[export]]\nfile = \"exports/poses.txt\"\n{export}\n\
+         [log]\nfile = \"encoders.csv\"\n{log}\n[join]\n{join}\n[frame.world]\nas_exported = true\n\
+         [identify]\ncalibration = \"all\"\n"
+    );
+    std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
+    let mut truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    (truth.noise_um, truth.decimals, truth.cycles) = (Some(0.0), DIGITS, CYCLES);
+    truth.points.clear();
+    if with_points {
+        let (label, export) = ("ball N".to_owned(), "exports/poses.txt".to_owned());
+        truth.points.push(LabelledPoint { label, export, at_mm: [1.5, -20.25, 3.0], repeats: 3 });
+    }
+    let campaign = Campaign::read(&scratch.path()).unwrap();
+    (scratch, campaign, truth)
+}
+
+/// The value that is read where `value_mm` was written in a unit with so many digits.
+fn written(value_mm: f64, in_mm: f64, digits: usize) -> f64 {
+    format!("{:.digits$}", value_mm / in_mm).parse::<f64>().unwrap() * in_mm
+}
+
+#[test]
+fn every_dialect_reads_back_bit_for_bit() {
+    for (name, export, export_mm, with_points, log, log_mm, join) in CASES {
+        let (_scratch, campaign, truth) = campaign(export, log, join, with_points);
+        simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let imported = import(&campaign).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let robot = campaign.build_robot().unwrap();
+        let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+        let values: Vec<f64> = robot.parameters().iter().map(value).collect();
+        let rpy = truth.export_T_world.rpy_deg.map(f64::to_radians);
+        let placed = Pose::from_xyz_rpy(truth.export_T_world.xyz_mm, rpy);
+
+        let table = &imported.logs[0].1;
+        let column = |name| table::numbers(table, name).unwrap();
+        let joints = [column("rho1_mm"), column("rho2_mm"), column("rho3_mm")];
+        // 8 corners, and 17 positions with three orientations each
+        let (poses, once) = (59, join == "by = [\"pose\"]");
+        assert_eq!(table.height() as i64, poses * if once { 1 } else { CYCLES }, "{name}");
+        let commanded = [170.0, 300.0, 44.0];
+        let digits = (6.0 + log_mm.log10()).round() as usize;
+        for (joint, expected) in joints.iter().zip(commanded) {
+            assert_eq!(joint[6].to_bits(), written(expected, log_mm, digits).to_bits(), "{name}");
+        }
+
+        let points = &imported.points;
+        let targets = table::texts(points, "target").unwrap();
+        let (p, c) =
+            (table::optional_integers(points, "pose").unwrap(), table::optional_integers(points, "cycle").unwrap());
+        let times = table::numbers(points, "time_s").unwrap();
+        let mut seen = BTreeMap::new();
+        for (i, xyz) in table::coordinates(points).unwrap().into_iter().enumerate() {
+            // numbers of rows and times go on from one round to the next
+            let number = match p[i] {
+                Some(pose) => (c[i].unwrap() - 1) * poses + pose,
+                None => ((times[i] + 3.25) / 10.0) as i64,
+            };
+            let fixed = table::texts(points, "label").unwrap()[i] == "ball N" || targets[i] == "ball N";
+            let (key, truly) = if fixed {
+                (("ball N".to_owned(), i as i64), [1.5, -20.25, 3.0])
+            } else {
+                let row = ((number - 1) % poses) as usize;
+                let q = [joints[0][row], joints[1][row], joints[2][row]];
+                let mut truly = robot.position(&values, &q, usize::from(targets[i] == "L"));
+                truly[2] += truth.target_height_mm;
+                ((targets[i].clone(), number), truly)
+            };
+            assert!(seen.insert(key, ()).is_none(), "{name}: row {i} is there twice");
+            for (axis, (read, truly)) in xyz.iter().zip(placed.apply(truly)).enumerate() {
+                let expected = written(truly, export_mm, DIGITS);
+                assert_eq!(read.to_bits(), expected.to_bits(), "{name}: row {i}, axis {axis}, {read} {expected}");
+            }
+        }
+        let fixed = if with_points { 3 } else { 0 };
+        assert_eq!(seen.len() as i64, fixed + 2 * poses * CYCLES, "{name}");
+    }
+}
+
+#[test]
+fn joints_in_radians_read_back_to_1e_12_deg() {
+    let scratch = copy_sample("abb-irb120");
+    let text = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
+    let start = text.find("# three 1.5 inch").unwrap();
+    let text = text[..start].replace("notes", "synthetic = \"yes\"\nnotes")
+        + "[[export]]\nfile = \"e.txt\"\nformat = \"polyworks\"\nunit = \"mm\"\nlabel = \"{target}_{pose}\"\n\
+           [log]\nfile = \"l.txt\"\npose = \"row\"\ncolumns = { q6_rad = \"f\", q5_rad = \"e\", q4_deg = \"d\", q3_rad = \"c\", \
+           q2_rad = \"b\", q1_rad = \"a\" }\n[join]\nby = \"pose\"\ntargets = [\"T\"]\n[frame.world]\nas_exported = true\n\
+           [identify]\ncalibration = \"all\"\n";
+    std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
+    let truth = "seed = 1\ncycles = 1\n[export_T_world]\nxyz_mm = [0, 0, 0]\nrpy_deg = [0, 0, 0]\n[parameters]\n\
+                 [[poses]]\njoints = [[10, -20.123456, 30, 40.5, 150, -179.9], [1, 2, 3, 4, 5, 6]]\n";
+    std::fs::write(scratch.path().join("truth.toml"), truth).unwrap();
+    let campaign = Campaign::read(&scratch.path()).unwrap();
+    simulate(&campaign, &read_truth(&scratch.path().join("truth.toml")).unwrap()).unwrap();
+    let imported = import(&campaign).unwrap();
+    for (name, expected) in [("q1_deg", 10.0), ("q2_deg", -20.123456), ("q4_deg", 40.5), ("q6_deg", -179.9)] {
+        let read = table::numbers(&imported.logs[0].1, name).unwrap();
+        assert!((read[0] - expected).abs() < 1e-12, "{name}: {}", read[0]);
+    }
+}
+
+/// What `simulate` says of an export that cannot say what is meant; nothing may be written.
+fn refused(export: &str, join: &str, change: fn(&mut Truth)) -> Problems {
+    let (scratch, campaign, mut truth) = campaign(export, LOG, join, false);
+    change(&mut truth);
+    let before = std::fs::read(scratch.path().join("exports/poses.txt")).unwrap();
+    let problems = simulate(&campaign, &truth).expect_err(export);
+    assert!(before == std::fs::read(scratch.path().join("exports/poses.txt")).unwrap(), "something was written");
+    problems
+}
+
+/// Lines of the export, change of the truth, what must be said.
+type Refusal = (String, fn(&mut Truth), &'static str);
+
+#[test]
+fn what_a_dialect_cannot_say_is_refused_and_not_written_otherwise() {
+    let polyworks = |label: &str| format!("format = \"polyworks\"\nunit = \"mm\"\nlabel = \"{label}\"");
+    let cases: [Refusal; 5] = [
+        (polyworks("{target}_{pose}"), |_| {}, "line 119 is `K`, pose 1, cycle 2"),
+        (polyworks("{target}{pose}{cycle}"), |_| {}, "would not be read as it is meant"),
+        (polyworks("{pose}_{cycle}"), |_| {}, "would not be read as it is meant"),
+        (polyworks("{target}_{pose}_{cycle}"), |t| t.decimals = 100_000, "decimals"),
+        (polyworks("{target}\\\" {pose}"), |t| t.cycles = 1, "the row has 5 fields"),
+    ];
+    for (export, change, part) in cases {
+        let said = refused(&export, BY_POSE, change).to_string();
+        assert!(said.contains(part), "{export}: {said}");
+    }
+    let comment = "format = { delimiter = \";\", comment = \"\", columns = [\"label\", \"x\", \"y\", \"z\"] }\nunit = \"mm\"\n\
+                   label = \"{target}_{pose}_{cycle}\"";
+    assert!(refused(comment, BY_POSE, |_| {}).to_string().contains("would read as a comment"));
+}
