@@ -8,11 +8,14 @@ pub fn all() -> Vec<(&'static str, String)> {
     vec![
         ("accuracy", schema::<AccuracyDocument>()),
         ("campaign", schema::<CampaignSummary>()),
+        ("check", schema::<CheckDocument>()),
         ("fit", schema::<FitDocument>()),
         ("features", schema::<FeaturesDocument>()),
+        ("formats", schema::<FormatsDocument>()),
         ("frames", schema::<FramesDocument>()),
         ("import", schema::<ImportDocument>()),
         ("parameters", schema::<ParametersDocument>()),
+        ("written", schema::<WrittenDocument>()),
     ]
 }
 

@@ -2,43 +2,59 @@
 
 use super::{Verdict, print, say};
 use crate::campaign::{Campaign, check};
-use std::path::PathBuf;
+use crate::document::{CheckDocument, ImportDocument};
+use crate::message::{Message, Problems};
+use std::path::{Path, PathBuf};
 
 /// Find everything that is wrong with a campaign, without computing
 #[derive(Debug, clap::Args)]
 pub struct Check {
     /// Folder of the campaign, or its campaign.toml
     campaign: PathBuf,
-    /// Print what was read and refused as JSON
+    /// Print errors, warnings and what was read as JSON
     #[arg(long)]
     json: bool,
 }
 
 impl Check {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let (campaign, mut problems) = Campaign::recover(&self.campaign)?;
-        let Some(campaign) = campaign else { return Err(problems.into()) };
-        let imported = match check(&campaign) {
-            Ok(imported) if problems.0.is_empty() => imported,
-            Ok(_) => return Err(problems.into()),
-            Err(more) => {
-                problems.0.extend(more.0);
-                return Err(problems.into());
-            }
+        let (imported, problems) = find(&self.campaign);
+        if self.json {
+            let (messages, sources) = imported.map(|i| (i.messages, i.sources)).unwrap_or_default();
+            let messages: Vec<Message> = problems.0.into_iter().chain(messages).collect();
+            let document = CheckDocument::new(self.campaign.display().to_string(), &messages, sources);
+            print(crate::output::to_json(&document)?)?;
+            return Ok(if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun });
+        }
+        let document = match imported {
+            Some(document) if problems.0.is_empty() => document,
+            _ => return Err(problems.into()),
         };
-        let document = &imported.document;
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }
-        if self.json {
-            print(crate::output::to_json(document)?)?;
-        } else {
-            for source in document.sources.iter().filter(|s| s.rows_read > 0) {
-                let refused = source.refused.len();
-                print(format!("{}: {} rows, {refused} refused ({})\n", source.file, source.rows_read, source.dialect))?;
-            }
-            print(format!("{}: nothing is wrong\n", campaign.path))?;
+        for source in document.sources.iter().filter(|s| s.rows_read > 0) {
+            let refused = source.refused.len();
+            print(format!("{}: {} rows, {refused} refused ({})\n", source.file, source.rows_read, source.dialect))?;
         }
+        let path = if self.campaign.is_dir() { self.campaign.join("campaign.toml") } else { self.campaign };
+        print(format!("{}: nothing is wrong\n", path.display()))?;
         Ok(Verdict::Met)
+    }
+}
+
+/// What the campaign's files hold, and everything that is wrong.
+fn find(path: &Path) -> (Option<ImportDocument>, Problems) {
+    let (campaign, mut problems) = match Campaign::recover(path) {
+        Ok(found) => found,
+        Err(problems) => return (None, problems),
+    };
+    match campaign.as_ref().map(check) {
+        Some(Ok(imported)) => (Some(imported.document), problems),
+        Some(Err(more)) => {
+            problems.0.extend(more.0);
+            (None, problems)
+        }
+        None => (None, problems),
     }
 }

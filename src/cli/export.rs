@@ -1,7 +1,7 @@
 //! `etalon export`
 
 use super::report::document;
-use super::{Verdict, print};
+use super::{Verdict, print_written};
 use crate::document::ParametersDocument;
 use crate::message::{Message, Problems};
 use crate::{export, files};
@@ -18,6 +18,9 @@ pub struct Export {
     /// Folder to write to; the one of parameters.json by default
     #[arg(long, value_name = "FOLDER")]
     to: Option<PathBuf>,
+    /// Print the names of the files written as JSON
+    #[arg(long)]
+    json: bool,
 }
 
 impl Export {
@@ -28,6 +31,7 @@ impl Export {
         let wanted =
             if self.format.is_empty() { export::names().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
         let to = self.to.unwrap_or(folder);
+        let mut written = Vec::new();
         for name in wanted {
             let exporter = export::by_name(&name).ok_or_else(|| {
                 Problems::from(
@@ -36,8 +40,9 @@ impl Export {
             })?;
             let path = to.join(exporter.file_name());
             files::write(&path, &exporter.write(&parameters)?)?;
-            print(format!("{}\n", path.display()))?;
+            written.push(path.display().to_string());
         }
+        print_written(written, self.json)?;
         Ok(Verdict::Met)
     }
 }

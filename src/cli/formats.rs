@@ -8,12 +8,20 @@ use std::path::PathBuf;
 pub struct Formats {
     /// The file
     file: PathBuf,
+    /// Print all readings as JSON
+    #[arg(long)]
+    json: bool,
 }
 
 impl Formats {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let text = crate::files::read_text(&self.file)?;
-        print(crate::import::propose(&self.file.display().to_string(), &text))?;
+        let document = crate::import::propose(&self.file.display().to_string(), &text);
+        if self.json {
+            print(crate::output::to_json(&document)?)?;
+        } else {
+            print(document.toml)?;
+        }
         Ok(Verdict::Met)
     }
 }

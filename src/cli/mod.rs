@@ -14,6 +14,7 @@ mod run;
 mod schema;
 mod simulate;
 
+use crate::document::WrittenDocument;
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
 use std::io::Write;
@@ -53,6 +54,8 @@ enum Command {
 enum Verdict {
     Met,
     LimitNotMet,
+    /// Errors, which the answer on stdout tells.
+    NotRun,
 }
 
 /// Runs one command; says on stderr what went wrong.
@@ -72,6 +75,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
     match result {
         Ok(Verdict::Met) => ExitCode::SUCCESS,
         Ok(Verdict::LimitNotMet) => ExitCode::from(1),
+        Ok(Verdict::NotRun) => ExitCode::from(2),
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             match error.downcast_ref::<crate::message::Problems>() {
@@ -94,6 +98,14 @@ fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
     out.write_all(data.as_ref())?;
     out.flush()?;
     Ok(())
+}
+
+/// Says which files were written, as lines or as JSON.
+fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
+    if json {
+        return print(crate::output::to_json(&WrittenDocument::new(files))?);
+    }
+    print(files.iter().map(|file| format!("{file}\n")).collect::<String>())
 }
 
 /// Talk for stderr; a closed stderr is no error.

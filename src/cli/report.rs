@@ -1,6 +1,6 @@
 //! `etalon report`
 
-use super::{Verdict, print};
+use super::{Verdict, print_written};
 use crate::message::{Message, Result};
 use crate::{evaluate, files, report, table};
 use serde::de::DeserializeOwned;
@@ -11,6 +11,9 @@ use std::path::{Path, PathBuf};
 pub struct Report {
     /// Folder that `etalon run` wrote
     folder: PathBuf,
+    /// Print the names of the files written as JSON
+    #[arg(long)]
+    json: bool,
 }
 
 impl Report {
@@ -28,7 +31,7 @@ impl Report {
         })?;
         let path = folder.join("report.html");
         files::write(&path, html.as_bytes())?;
-        print(format!("{}\n", path.display()))?;
+        print_written(vec![path.display().to_string()], self.json)?;
         Ok(Verdict::Met)
     }
 }

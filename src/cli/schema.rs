@@ -8,6 +8,9 @@ use crate::message::{Message, Problems};
 pub struct Schema {
     /// Name of the document, e.g. parameters
     document: String,
+    /// Change nothing: a schema is JSON
+    #[arg(long)]
+    json: bool,
 }
 
 impl Schema {

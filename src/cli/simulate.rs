@@ -1,6 +1,6 @@
 //! `etalon simulate`
 
-use super::{Verdict, print};
+use super::{Verdict, print_written};
 use crate::campaign::{Campaign, read_truth};
 use std::path::PathBuf;
 
@@ -15,6 +15,9 @@ pub struct Simulate {
     /// Seed of the noise instead of the one in the truth
     #[arg(long)]
     seed: Option<u64>,
+    /// Print the names of the files written as JSON
+    #[arg(long)]
+    json: bool,
 }
 
 impl Simulate {
@@ -22,9 +25,7 @@ impl Simulate {
         let campaign = Campaign::read(&self.campaign)?;
         let mut truth = read_truth(&self.truth.unwrap_or_else(|| campaign.folder.join("truth.toml")))?;
         truth.seed = self.seed.unwrap_or(truth.seed);
-        for file in crate::simulate::simulate(&campaign, &truth)? {
-            print(format!("{file}\n"))?;
-        }
+        print_written(crate::simulate::simulate(&campaign, &truth)?, self.json)?;
         Ok(Verdict::Met)
     }
 }

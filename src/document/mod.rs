@@ -2,8 +2,10 @@
 //!
 //! Angles are in degrees, lengths in millimetres; every name carries its unit, every parameter its own.
 
+mod answer;
 mod fit;
 
+pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitDocument, FitSolver, FitUncertainty};
 
 use crate::identify::{ResidualKind, UncertaintyFrom};

@@ -2,6 +2,7 @@
 
 use super::delimited::{number, rows};
 use crate::campaign::{Decimal, Delimiter};
+use crate::document::{FormatsDocument, Reading};
 use std::fmt::Write;
 
 /// How a file could be read.
@@ -16,28 +17,49 @@ struct Guess {
     numeric: Vec<bool>,
 }
 
-/// Proposes `[[export]]` lines for a delimited text, as TOML with comments. What the file cannot say is asked.
-pub fn propose(file: &str, text: &str) -> String {
+/// Proposes readings of a delimited text, the first also as `[[export]]` lines. What the file cannot say is asked.
+pub fn propose(file: &str, text: &str) -> FormatsDocument {
     let mut guesses: Vec<Guess> = [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Comma, Delimiter::Blank]
         .into_iter()
         .flat_map(|delimiter| [Decimal::Point, Decimal::Comma].map(|decimal| guess(file, text, delimiter, decimal)))
         .flatten()
         .collect();
     guesses.sort_by(|a, b| b.share.total_cmp(&a.share));
+    let best = guesses.first().map_or(0.0, |g| g.share);
+    guesses.retain(|g| g.share > 0.99 * best);
+    FormatsDocument {
+        schema: "etalon/formats/1".to_owned(),
+        file: file.to_owned(),
+        readings: guesses.iter().map(reading).collect(),
+        toml: to_toml(file, &guesses),
+    }
+}
+
+fn reading(guess: &Guess) -> Reading {
+    Reading {
+        delimiter: guess.delimiter.name().to_owned(),
+        decimal: guess.decimal.name().to_owned(),
+        header: guess.header,
+        columns: roles(guess).into_iter().map(str::to_owned).collect(),
+        share: guess.share,
+    }
+}
+
+/// The best reading as TOML, with comments on the others.
+fn to_toml(file: &str, guesses: &[Guess]) -> String {
     let mut out = String::new();
     let Some(best) = guesses.first() else {
         return format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
     };
-    let doubts = guesses.iter().filter(|g| g.share > 0.99 * best.share).count();
     let _ = writeln!(
         out,
         "# proposed for `{file}`: {:.0} % of its rows read this way, {} columns",
         100.0 * best.share,
         best.columns
     );
-    if doubts > 1 {
-        let _ = writeln!(out, "# DOUBT: {} other readings explain it as well; check a row by eye:", doubts - 1);
-        for g in guesses.iter().skip(1).take(doubts - 1) {
+    if guesses.len() > 1 {
+        let _ = writeln!(out, "# DOUBT: {} other readings explain it as well; check a row by eye:", guesses.len() - 1);
+        for g in guesses.iter().skip(1) {
             let _ = writeln!(
                 out,
                 "#   delimiter \"{}\", decimal \"{}\", {} columns",
@@ -54,7 +76,7 @@ pub fn propose(file: &str, text: &str) -> String {
         best.delimiter.name(),
         best.decimal.name(),
         best.header,
-        roles(best).join(", ")
+        roles(best).iter().map(|role| format!("{role:?}")).collect::<Vec<_>>().join(", ")
     );
     out.push_str("# the file cannot say these; they are never guessed:\n");
     out.push_str("unit = \"?\"                 # mm, m, um or inch\n");
@@ -84,16 +106,16 @@ fn guess(file: &str, text: &str, delimiter: Delimiter, decimal: Decimal) -> Opti
 }
 
 /// Roles by position: a leading text is the label, the first numbers after it x, y, z.
-fn roles(guess: &Guess) -> Vec<String> {
-    let mut axes = ["\"x\"", "\"y\"", "\"z\""].into_iter();
+fn roles(guess: &Guess) -> Vec<&'static str> {
+    let mut axes = ["x", "y", "z"].into_iter();
     let mut labelled = false;
     guess
         .numeric
         .iter()
         .map(|numeric| match numeric {
-            true => axes.next().unwrap_or("\"-\"").to_owned(),
-            false if !std::mem::replace(&mut labelled, true) => "\"label\"".to_owned(),
-            false => "\"-\"".to_owned(),
+            true => axes.next().unwrap_or("-"),
+            false if !std::mem::replace(&mut labelled, true) => "label",
+            false => "-",
         })
         .collect()
 }
@@ -104,13 +126,13 @@ mod tests {
 
     #[test]
     fn delimiter_and_decimal_are_proposed_and_the_unit_is_asked() {
-        let text = propose("p.txt", "Name;X;Y;Z\nA;1,25;2,5;-3,75\nB;4,125;5,5;6,25\n");
+        let text = propose("p.txt", "Name;X;Y;Z\nA;1,25;2,5;-3,75\nB;4,125;5,5;6,25\n").toml;
         assert!(
             text.contains("delimiter = \";\", decimal = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"]"),
             "{text}"
         );
         assert!(text.contains("unit = \"?\""));
-        let text = propose("p.txt", "1.25 2.5 3.5\n4.5 5.5 6.5\n");
+        let text = propose("p.txt", "1.25 2.5 3.5\n4.5 5.5 6.5\n").toml;
         assert!(
             text.contains("delimiter = \"blank\", decimal = \".\", header = 0, columns = [\"x\", \"y\", \"z\"]"),
             "{text}"
@@ -119,8 +141,8 @@ mod tests {
 
     #[test]
     fn comma_and_comma_is_a_doubt() {
-        let text = propose("p.txt", "1,25\t2,50\t3,75\n");
+        let text = propose("p.txt", "1,25\t2,50\t3,75\n").toml;
         assert!(text.contains("decimal = \",\""), "{text}");
-        assert!(propose("p.txt", "no numbers here\n").contains("no reading"));
+        assert!(propose("p.txt", "no numbers here\n").toml.contains("no reading"));
     }
 }

@@ -35,6 +35,97 @@ fn init_writes_a_campaign_that_only_lacks_its_files() {
 }
 
 #[test]
+fn a_synthetic_campaign_simulates_checks_and_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = |arguments: &[&str]| {
+        let output = etalon(folder.path(), arguments);
+        assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    assert_eq!(done(&["init", "--synthetic", "mine"]), "mine/campaign.toml\nmine/robot.toml\nmine/truth.toml\n");
+    assert_eq!(done(&["simulate", "mine"]), "exports/world.txt\nexports/poses.txt\nencoders.csv\n");
+    // the template's dialect: a header row, and 29 poses of K and L in 3 repeats below it
+    let checked = done(&["check", "mine"]);
+    assert!(checked.contains("exports/poses.txt: 174 rows, 0 refused (delimited by `;`, decimal `,`, 1 header rows"));
+    let ran = done(&["run", "mine"]);
+    assert!(ran.contains("limit position_max_mm: met") && ran.contains("calibration: 8 poses, 24 errors"), "{ran}");
+    // what `formats` proposes for the simulated file is what the campaign states
+    let proposed = done(&["formats", "mine/exports/poses.txt"]);
+    let stated =
+        "format = { delimiter = \";\", decimal = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"] }";
+    assert!(proposed.contains(stated), "{proposed}");
+}
+
+#[test]
+fn simulate_writes_over_no_measured_campaign() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(etalon(folder.path(), &["init", "mine"]).status.success());
+    std::fs::copy("samples/prexyt-cmm/truth.toml", folder.path().join("mine/truth.toml")).unwrap();
+    let refused = etalon(folder.path(), &["simulate", "mine"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text_of(&refused).contains("its files may be measured ones"));
+    assert!(!folder.path().join("mine/encoders.csv").exists());
+}
+
+/// What a command answers with `--json`, as the document that its schema describes.
+fn answer<T: serde::de::DeserializeOwned>(folder: &Path, arguments: &[&str], code: i32) -> T {
+    let output = etalon(folder, arguments);
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{arguments:?}: {e}: {}", text(&output.stdout)))
+}
+
+#[test]
+fn every_command_that_answers_does_so_in_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let files = |arguments: &[&str]| answer::<etalon::document::WrittenDocument>(at, arguments, 0).files;
+    assert_eq!(files(&["init", "--synthetic", "c", "--json"]), ["c/campaign.toml", "c/robot.toml", "c/truth.toml"]);
+    assert_eq!(files(&["simulate", "c", "--json"]), ["exports/world.txt", "exports/poses.txt", "encoders.csv"]);
+    answer::<etalon::document::AccuracyDocument>(at, &["run", "c", "--json"], 0);
+    assert_eq!(files(&["report", "c/out", "--json"]), ["c/out/report.html"]);
+    let exported = files(&["export", "c/out/parameters.json", "--format", "csv", "--to", "k", "--json"]);
+    assert_eq!(exported, ["k/controller.csv"]);
+    let formats: etalon::document::FormatsDocument = answer(at, &["formats", "c/exports/poses.txt", "--json"], 0);
+    let best = &formats.readings[0];
+    assert_eq!((best.delimiter.as_str(), best.decimal.as_str(), best.header), (";", ",", 1));
+    assert_eq!(best.columns, ["label", "x", "y", "z"]);
+    assert!(formats.toml.contains("unit = \"?\""));
+    let schema: serde_json::Value = answer(at, &["schema", "check", "--json"], 0);
+    assert_eq!(schema["title"], "CheckDocument");
+}
+
+#[test]
+fn check_answers_in_json_what_is_right_and_what_is_wrong() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("exports/world.txt", "rail2_b ", "rail2_z ");
+    let check =
+        |code| answer::<etalon::document::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], code);
+    let found = check(2);
+    let [error] = &found.errors[..] else { panic!("{found:?}") };
+    assert_eq!(error.what, "no point bears the label `rail2_b`");
+    assert_eq!(error.file.as_deref(), Some("campaign/campaign.toml"));
+    assert_eq!((error.line, error.column), (Some(31), Some(21)));
+    assert_eq!(error.text.as_deref(), Some("plane = [\"rail2_a\", \"rail2_b\", \"rail3_a\"]"));
+    assert!(error.hint.as_deref().is_some_and(|h| h.starts_with("did you mean `rail2_")), "{error:?}");
+    // errors of the TOML file and of its data together
+    scratch.replace("campaign.toml", "coverage_factor = 2", "coverage_factor = \"two\"");
+    let found = check(2);
+    let wrong = found.errors.iter().find(|e| e.line == Some(8)).unwrap();
+    assert_eq!(wrong.expected.as_deref(), Some("a number"));
+    // a label that nothing uses is a warning
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("exports/poses.txt", "K_1_1 ", "K_1_1_x ");
+    let found = answer::<etalon::document::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], 0);
+    assert!(found.errors.is_empty());
+    let [warning] = &found.warnings[..] else { panic!("{found:?}") };
+    assert_eq!((warning.file.as_deref(), warning.line), (Some("exports/poses.txt"), Some(1)));
+    assert_eq!(found.sources.iter().map(|s| s.rows_read).collect::<Vec<_>>(), [0, 0, 25, 590, 295]);
+    // no campaign at all is an answer too
+    let found = answer::<etalon::document::CheckDocument>(scratch.root(), &["check", "nowhere", "--json"], 2);
+    assert!(found.errors[0].what.contains("there is no campaign"), "{found:?}");
+}
+
+#[test]
 fn formats_proposes_and_asks() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("p.txt"), "Name;X;Y;Z\nK_1_1;1,25;2,5;-3,75\n").unwrap();
