@@ -4,6 +4,7 @@ mod arms;
 mod blunders;
 mod campaigns;
 mod dialects;
+mod features;
 mod fits;
 mod fits_hostile;
 mod joins;
