@@ -5,7 +5,8 @@
 
 #![allow(clippy::print_stdout)] // a benchmark prints
 
-use etalon::campaign::{Campaign, check};
+use etalon::campaign::Campaign;
+use etalon::check::check;
 use etalon::identify::{Observation, Settings, identify};
 use etalon::{evaluate, frames, join, table};
 use std::path::Path;
@@ -26,7 +27,8 @@ fn main() {
     let mut joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");
     let observations = Observation::from_table(robot.as_ref(), &joined.observations[0].1).expect("observations");
     let (calibration, validation) = campaign.selections().expect("selections");
-    let sets = evaluate::split(&observations, &calibration, validation.as_ref());
+    let poses = evaluate::poses(&observations);
+    let sets = evaluate::split(&observations, &poses, &calibration, validation.as_ref());
     let folder = tempfile::tempdir().expect("folder");
     let csv = folder.path().join("observations.csv");
     std::fs::write(&csv, table::to_csv(&mut joined.observations[0].1).expect("csv")).expect("csv");

@@ -9,6 +9,7 @@ use crate::pose::{Vector, minus, norm};
 use crate::robots::Robot;
 use crate::table::{self, XYZ};
 use polars::prelude::{Column, DataFrame};
+use std::collections::BTreeSet;
 
 /// Observations split into those to identify on and those to test on.
 #[derive(Clone, Debug, Default)]
@@ -19,9 +20,18 @@ pub struct Sets {
     pub validation: Vec<Observation>,
 }
 
-/// Splits observations; indices of poses count from 0 over the poses that remain, in their order.
-pub fn split(observations: &[Observation], calibration: &Selection, validation: Option<&Selection>) -> Sets {
-    let poses: std::collections::BTreeSet<i64> = observations.iter().map(|o| o.pose).collect();
+/// Numbers of the poses of these observations.
+pub fn poses(observations: &[Observation]) -> BTreeSet<i64> {
+    observations.iter().map(|o| o.pose).collect()
+}
+
+/// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log that is identified.
+pub fn split(
+    observations: &[Observation],
+    poses: &BTreeSet<i64>,
+    calibration: &Selection,
+    validation: Option<&Selection>,
+) -> Sets {
     let index = |pose: i64| poses.range(..pose).count();
     let mut sets = Sets::default();
     for o in observations {
@@ -144,7 +154,7 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
 }
 
 fn accuracy_of(name: &str, errors: &[&PointError], planar: bool) -> AccuracySet {
-    let poses: std::collections::BTreeSet<i64> = errors.iter().map(|e| e.pose).collect();
+    let poses: BTreeSet<i64> = errors.iter().map(|e| e.pose).collect();
     let mut quantities = vec![statistics("position", "mm", errors, &|v, _| Some(norm(v)))];
     for (axis, quantity) in ["x", "y", "z"].into_iter().enumerate().take(if planar { 2 } else { 3 }) {
         quantities.push(statistics(quantity, "mm", errors, &move |v, _| Some(v[axis].abs())));

@@ -4,7 +4,7 @@ use crate::campaign::{Campaign, WorldDefinition};
 use crate::document::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
 use crate::fit;
 use crate::identify::matches_pattern;
-use crate::message::{Message, Result};
+use crate::message::{Message, Problems, Result};
 use crate::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
 use crate::table;
 use polars::prelude::DataFrame;
@@ -17,28 +17,36 @@ type Key = (i64, i64);
 /// Fits the features of a campaign to the points that bear their labels.
 pub fn fit_features(campaign: &Campaign, points: &DataFrame) -> Result<FeaturesDocument> {
     let labelled = Labelled::new(points)?;
-    let (mut features, mut messages) = (Vec::new(), Vec::new());
+    let (mut features, mut messages, mut problems) = (Vec::new(), Vec::new(), Problems::default());
     for (name, definition) in &campaign.file.features {
         let Some((element, labels)) = definition.element() else { continue };
         let chosen: Vec<Vector> = labels.iter().flat_map(|l| labelled.points(l.get_ref())).collect();
-        let fitted = match element {
+        let found = match element {
             "plane" => fit::plane(&chosen),
             "line" => fit::line(&chosen),
             "circle" => fit::circle3d(&chosen),
             _ => fit::cylinder(&chosen),
-        }
-        .map_err(|mut problems| {
-            for message in &mut problems.0 {
-                message.what = format!("feature `{name}`: {}", message.what);
-                message.place = labels.first().map(|l| Box::new(campaign.place(l)));
+        };
+        let fitted = match found {
+            Ok(fitted) => fitted,
+            Err(more) => {
+                let place = labels.first().map(|l| Box::new(campaign.place(l)));
+                let named =
+                    |m: Message| Message { what: format!("feature `{name}`: {}", m.what), place: place.clone(), ..m };
+                problems.0.extend(more.0.into_iter().map(named));
+                continue;
             }
-            problems
-        })?;
+        };
         messages.extend(
             fitted.warnings.iter().map(|w| Message { what: format!("feature `{name}`: {}", w.what), ..w.clone() }),
         );
         let direction_deg = fitted.standard_uncertainty().and_then(|u| u.direction_rad).unwrap_or(0.0).to_degrees();
-        if direction_deg > DIRECTION_POOR_DEG {
+        if direction_deg > DIRECTION_UNKNOWN_DEG {
+            let what =
+                format!("feature `{name}`: its points do not tell its direction ({direction_deg:.0} deg, k = 1)");
+            let message = Message::error(what).hint("measure points farther apart, not all on one line");
+            problems.0.push(labels.first().map_or(message.clone(), |l| message.at(campaign.place(l))));
+        } else if direction_deg > DIRECTION_POOR_DEG {
             let what = format!("feature `{name}`: its direction is known to {direction_deg:.2} deg only (k = 1)");
             messages.push(Message::warning(what).hint("measure points farther apart"));
         }
@@ -55,11 +63,14 @@ pub fn fit_features(campaign: &Campaign, points: &DataFrame) -> Result<FeaturesD
             standard_uncertainty_mm: fitted.standard_uncertainty().map(|u| u.radius_mm.unwrap_or(u.point_largest_mm)),
         });
     }
+    problems.check()?;
     Ok(FeaturesDocument { schema: "etalon/features/1".to_owned(), features, messages })
 }
 
 /// A direction worse known than this spoils a frame: 0.1 deg is 0.5 mm over 300 mm.
 const DIRECTION_POOR_DEG: f64 = 0.1;
+/// A direction worse known than this is none.
+const DIRECTION_UNKNOWN_DEG: f64 = 3.0;
 /// `towards` must stand off the axis by this share of its distance from the origin.
 const OFF_AXIS: f64 = 0.01;
 

@@ -71,6 +71,7 @@
 #![allow(non_snake_case)] // world_T_base: frames in names
 
 pub mod campaign;
+pub mod check;
 pub mod cli;
 pub mod document;
 pub mod evaluate;

@@ -190,6 +190,19 @@ impl Problems {
     }
 }
 
+impl Problems {
+    /// The same messages, about this file where they name none.
+    pub fn in_file(mut self, file: &str) -> Self {
+        for message in &mut self.0 {
+            let place = message.place.get_or_insert_default();
+            if place.file.is_empty() {
+                place.file = file.to_owned();
+            }
+        }
+        self
+    }
+}
+
 impl From<Message> for Problems {
     fn from(message: Message) -> Self {
         Self(vec![message])

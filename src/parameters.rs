@@ -1,13 +1,10 @@
 //! The document of an identification: parameters with all that is needed to trust them.
 
-use crate::campaign::Campaign;
 use crate::document::*;
-use crate::evaluate::Sets;
 use crate::identify::{Group, Identification, Settings, Status};
 use crate::message::{Message, Severity};
 use crate::robots::Robot;
 use std::collections::BTreeMap;
-use toml::Spanned;
 
 /// Says what `found` means: `before` is the same robot with only base and targets fitted.
 pub fn parameters_document(
@@ -106,22 +103,5 @@ impl ImportDocument {
     /// SHA-256 of every input by its name.
     pub fn inputs(&self) -> BTreeMap<String, String> {
         self.sources.iter().map(|s| (s.file.clone(), s.sha256.clone())).collect()
-    }
-}
-
-impl Campaign {
-    /// An error where a selection of poses selects none.
-    pub fn refuse_empty(&self, sets: &Sets) -> crate::message::Result<()> {
-        let identify = &self.file.identify;
-        let of = |text: &Spanned<String>, name: &str| {
-            Message::error(format!("`{name}` selects no pose that was measured")).at(self.place(text))
-        };
-        if sets.calibration.is_empty() {
-            return Err(of(&identify.calibration, "calibration").into());
-        }
-        match &identify.validation {
-            Some(text) if sets.validation.is_empty() => Err(of(text, "validation").into()),
-            _ => Ok(()),
-        }
     }
 }

@@ -1,6 +1,7 @@
 //! The hallway: every stage is a function from the documents before it to the document after it.
 
-use crate::campaign::{Campaign, check};
+use crate::campaign::Campaign;
+use crate::check::{check, selections};
 use crate::document::*;
 use crate::evaluate::{self, Sets};
 use crate::identify::{self, Identification, Observation};
@@ -45,17 +46,17 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
 
     // identify: observations become parameters
     let (calibration, validation) = campaign.selections()?;
-    let sets_of = |table| -> Result<Sets> {
-        let observations = Observation::from_table(robot.as_ref(), table)?;
-        Ok(evaluate::split(&observations, &calibration, validation.as_ref()))
-    };
-    let sets = sets_of(&joined.observations[0].1)?;
-    campaign.refuse_empty(&sets)?;
+    let observations = Observation::from_table(robot.as_ref(), &joined.observations[0].1)?;
+    let poses = evaluate::poses(&observations);
+    let sets = evaluate::split(&observations, &poses, &calibration, validation.as_ref());
+    selections(campaign, &poses)?;
     let settings = campaign.settings();
     let before = identify::fit_frames(robot.as_ref(), &sets.calibration, &settings)?;
     let mut found = identify::identify_from(robot.as_ref(), &sets.calibration, &settings, &before)?;
     for (name, table) in joined.observations.iter().skip(1) {
-        let (used, others) = (campaign.file.logs[0].name.as_str(), sets_of(table)?);
+        let observations = Observation::from_table(robot.as_ref(), table)?;
+        let others = evaluate::split(&observations, &poses, &calibration, validation.as_ref());
+        let used = campaign.file.logs[0].name.as_str();
         let theirs = identify::identify(robot.as_ref(), &others.calibration, &settings)?;
         let (this, that) = ((used, &sets, &found), (name.as_str(), &others, &theirs));
         let said = [compare_logs(robot.as_ref(), this, that, used), compare_logs(robot.as_ref(), that, this, used)];

@@ -23,9 +23,14 @@ pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
 
 /// A column of whole numbers without gaps.
 pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
-    let column = column(table, name)?.strict_cast(&DataType::Int64);
-    let column =
-        column.map_err(|_| Message::error(format!("column `{name}` holds something that is no whole number")))?;
+    let wrong = || Message::error(format!("column `{name}` holds something that is no whole number"));
+    let column = column(table, name)?;
+    // a cast would cut 1.5 and 1e300
+    let cut = |v: Option<f64>| v.is_some_and(|v| v.fract() != 0.0 || v.abs() > 9e15);
+    if column.dtype().is_float() && column.cast(&DataType::Float64)?.f64()?.iter().any(cut) {
+        return Err(wrong().into());
+    }
+    let column = column.strict_cast(&DataType::Int64).map_err(|_| wrong())?;
     let whole = |v: Option<i64>| v.ok_or_else(|| Message::error(format!("column `{name}` has an empty cell")).into());
     column.i64()?.iter().map(whole).collect()
 }

@@ -1,6 +1,5 @@
 //! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
 
-mod check;
 mod dialect;
 mod paths;
 mod robot_file;
@@ -8,7 +7,6 @@ mod selection;
 mod toml_problems;
 mod types;
 
-pub use check::check;
 pub use dialect::{Column, Decimal, Delimiter, Dialect, Format, Role, Unit};
 pub use robot_file::RobotFile;
 pub use selection::Selection;
@@ -68,7 +66,7 @@ impl Campaign {
             }
             problems
         })?;
-        let (robot, more) = toml_problems::recover(&robot_path.display().to_string(), &robot_text, &["model"]);
+        let (robot, more) = RobotFile::recover(&robot_path.display().to_string(), &robot_text);
         problems.0.extend(more.0);
         Ok((robot.map(|robot| Self { file, robot, folder, path: name, text, robot_text }), problems))
     }
@@ -94,6 +92,12 @@ impl Campaign {
         Place::span(self.path.as_str(), &self.text, value.span())
     }
 
+    /// Where the value of a key stands in `campaign.toml`, given by the keys that lead to it; the file where it does not.
+    pub fn place_of(&self, path: &[&str]) -> Place {
+        let span = toml_problems::find(&self.text, path);
+        span.map_or_else(|| Place::file(self.path.as_str()), |span| Place::span(self.path.as_str(), &self.text, span))
+    }
+
     /// `campaign.toml`, without the folder: documents are the same wherever the folder stands.
     pub fn file_name(&self) -> &str {
         self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path)
@@ -107,6 +111,11 @@ impl Campaign {
             standard_uncertainty_mm: Some(self.file.instrument.standard_uncertainty_mm()),
             hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),
         }
+    }
+
+    /// Targets that become observations: those that `[join]` names, or all that the robot has.
+    pub fn targets(&self) -> Vec<String> {
+        self.file.join.targets.iter().flatten().map(|t| t.get_ref().clone()).collect()
     }
 
     /// The robot that the campaign measured.
@@ -142,7 +151,8 @@ impl Campaign {
 
 /// Reads a robot file on its own.
 pub fn read_robot(path: &Path) -> Result<RobotFile> {
-    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?, &["model"])
+    let (robot, problems) = RobotFile::recover(&path.display().to_string(), &files::read_text(path)?);
+    robot.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
 /// Reads the truth of a simulation.

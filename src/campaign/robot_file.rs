@@ -1,6 +1,7 @@
 //! The keys of `robot.toml`, and the robot they describe.
 
-use crate::message::{Message, Result};
+use super::toml_problems;
+use crate::message::{Message, Place, Problems, Result};
 use crate::robots::{Prexyt, Robot, Serial, SerialJoint};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -34,6 +35,9 @@ pub struct RobotFile {
     /// base_rx, base_ry, base_rz are counted after this turn about the world's y axis.
     #[serde(default)]
     pub base_turn_y_deg: f64,
+    /// The file as the user named it, and its text.
+    #[serde(skip)]
+    source: (String, String),
 }
 
 fn down() -> [f64; 3] {
@@ -71,11 +75,37 @@ pub struct JointDefinition {
     pub parallel: Option<bool>,
 }
 
+/// Keys that only a serial arm has.
+const SERIAL_ONLY: [&str; 5] = ["joint", "gravity", "bending", "coupling", "base_turn_y_deg"];
+
 impl RobotFile {
+    /// The robot file that is left when everything that does not fit is taken away, and what that is.
+    pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
+        let (robot, problems) = toml_problems::recover::<Self>(name, text, &["model"]);
+        (robot.map(|robot| Self { source: (name.to_owned(), text.to_owned()), ..robot }), problems)
+    }
+
+    /// Where the value of a key stands, if it does.
+    fn stated(&self, path: &[&str]) -> Option<Place> {
+        let (name, text) = &self.source;
+        Some(Place::span(name.as_str(), text, toml_problems::find(text, path)?))
+    }
+
+    /// The place of a key; the file where the key is not there.
+    fn place(&self, path: &[&str]) -> Place {
+        self.stated(path).unwrap_or_else(|| Place::file(self.source.0.as_str()))
+    }
+
     /// The robot with these targets (serial arms; others have their own).
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
         let robot: Box<dyn Robot> = match self.model {
             Model::Prexyt | Model::PrexytFull => {
+                let odd = |key: &&str| {
+                    let message = Message::error(format!("`{key}` means nothing for this model"));
+                    Some(message.at(self.stated(&[key])?).hint("it belongs to `model = \"serial\"`"))
+                };
+                let problems: Vec<Message> = SERIAL_ONLY.iter().filter_map(odd).collect();
+                Problems(problems).check()?;
                 let robot = Prexyt::new(self.model == Model::PrexytFull);
                 let nominal = self.nominal_of(&robot)?;
                 Box::new(robot.with_nominal(&nominal))
@@ -93,13 +123,32 @@ impl RobotFile {
         let n = self.joints.len();
         if n == 0 {
             return Err(Message::error("a serial arm needs its joints")
+                .at(self.place(&["joint"]))
                 .hint("add one [[joint]] with alpha_deg, a_mm, theta_deg, d_mm per joint, from the base")
                 .into());
         }
-        let numbers = self.bending.iter().copied().chain(self.coupling.iter().flat_map(|&(a, b)| [a, b]));
-        if let Some(wrong) = numbers.into_iter().find(|&j| j == 0 || j > n) {
-            return Err(Message::error(format!("there is no joint {wrong}")).expected(format!("1 to {n}")).into());
+        let mut problems = Problems::default();
+        let mut wrong = |key: &str, i: usize, what: String| {
+            let message = Message::error(what).at(self.place(&[key, &i.to_string()]));
+            problems.0.push(message.expected(format!("joints from 1 to {n}, each once")));
+        };
+        for (i, &j) in self.bending.iter().enumerate() {
+            if j == 0 || j > n {
+                wrong("bending", i, format!("there is no joint {j}"));
+            } else if self.bending[..i].contains(&j) {
+                wrong("bending", i, format!("joint {j} is there twice"));
+            }
         }
+        for (i, pair) in self.coupling.iter().enumerate() {
+            if let Some(j) = [pair.0, pair.1].into_iter().find(|&j| j == 0 || j > n) {
+                wrong("coupling", i, format!("there is no joint {j}"));
+            } else if pair.0 == pair.1 {
+                wrong("coupling", i, format!("joint {} is coupled with itself: that is its gain", pair.0));
+            } else if self.coupling[..i].contains(pair) {
+                wrong("coupling", i, format!("the pair {}, {} is there twice", pair.0, pair.1));
+            }
+        }
+        problems.check()?;
         if targets.is_empty() {
             return Err(Message::error("a serial arm needs at least one target").into());
         }
@@ -121,7 +170,9 @@ impl RobotFile {
             })
             .collect();
         let gravity = crate::pose::unit(self.gravity).ok_or_else(|| {
-            Message::error("`gravity` has no direction").expected("a direction in the base, e.g. [0, 0, -1]")
+            Message::error("`gravity` has no direction")
+                .at(self.place(&["gravity"]))
+                .expected("a direction in the base, e.g. [0, 0, -1]")
         })?;
         let serial = Serial::new(&joints, targets, gravity, &self.bending, &self.coupling);
         Ok(serial.with_base_turn_y(self.base_turn_y_deg.to_radians()))
@@ -130,14 +181,17 @@ impl RobotFile {
     /// Nominal values of `robot` with those of the file in their places.
     fn nominal_of(&self, robot: &dyn Robot) -> Result<Vec<f64>> {
         let mut values = robot.nominal();
+        let mut problems = Problems::default();
         for (name, value) in &self.nominal {
             let Some(i) = robot.index(name) else {
                 let names = robot.parameters().iter().map(|p| p.name.as_str());
                 let what = format!("[nominal] names `{name}`, which is no parameter of this robot");
-                return Err(Message::error(what).hint_names(name, names).into());
+                problems.0.push(Message::error(what).at(self.place(&["nominal", name])).hint_names(name, names));
+                continue;
             };
             values[i] = robot.parameters()[i].quantity.inward(*value);
         }
+        problems.check()?;
         Ok(values)
     }
 }

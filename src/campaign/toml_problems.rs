@@ -19,10 +19,16 @@ pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, required: &[&
     if !syntax.is_empty() {
         return (None, Problems(syntax.iter().map(|e| message(file, text, e, None)).collect()));
     }
+    let mut odd = Vec::new();
+    root.get_ref().values().for_each(|value| not_finite(value, &mut odd));
     let missing = required.iter().filter(|key| !root.get_ref().contains_key(**key)).copied();
     let say = |key| Message::error(format!("the key `{key}` is missing")).at(Place::file(file));
     let mut removed: Vec<String> = missing.clone().map(str::to_owned).collect();
     let mut problems = Problems(missing.map(say).collect());
+    problems.0.extend(odd.into_iter().map(|span| {
+        let what = format!("`{}` is no measured value", text.get(span.clone()).unwrap_or(""));
+        Message::error(what).at(Place::span(file, text, span)).expected("a finite number")
+    }));
     loop {
         let error = match T::deserialize(Deserializer::from(root.clone())) {
             Ok(value) => return (Some(value), problems),
@@ -42,6 +48,31 @@ pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, required: &[&
             None => return (None, problems),
         }
     }
+}
+
+/// Where `value` holds a number that is not finite: TOML knows `nan` and `inf`, a measurement does not.
+fn not_finite(value: &Spanned<DeValue>, odd: &mut Vec<Range<usize>>) {
+    match value.get_ref() {
+        DeValue::Float(number) if number.as_str().contains(['n', 'i']) => odd.push(value.span()),
+        DeValue::Array(array) => array.iter().for_each(|v| not_finite(v, odd)),
+        DeValue::Table(table) => table.values().for_each(|v| not_finite(v, odd)),
+        _ => {}
+    }
+}
+
+/// Where the value of a key stands, given by the keys that lead to it; a number among them counts tables of an array.
+pub(super) fn find(text: &str, path: &[&str]) -> Option<Range<usize>> {
+    let (root, _) = DeTable::parse_recoverable(text);
+    let (first, rest) = path.split_first()?;
+    let mut value = root.get_ref().get(*first)?;
+    for key in rest {
+        value = match value.get_ref() {
+            DeValue::Table(table) => table.get(*key)?,
+            DeValue::Array(array) => array.get(key.parse::<usize>().ok()?)?,
+            _ => return None,
+        };
+    }
+    Some(value.span())
 }
 
 /// Removes the innermost entry whose key or value covers `span`; gives its key.

@@ -316,6 +316,18 @@ pub struct Limits {
     pub orientation_max_deg: Option<f64>,
 }
 
+impl Limits {
+    /// Keys and values.
+    pub fn stated(&self) -> [(&'static str, Option<f64>); 4] {
+        [
+            ("position_max_mm", self.position_max_mm),
+            ("position_mean_mm", self.position_mean_mm),
+            ("position_rms_mm", self.position_rms_mm),
+            ("orientation_max_deg", self.orientation_max_deg),
+        ]
+    }
+}
+
 /// A table, or an array of tables.
 fn one_or_many<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Log>, D::Error> {
     struct OneOrMany;

@@ -1,7 +1,8 @@
 //! `etalon check`
 
 use super::{Verdict, print, say};
-use crate::campaign::{Campaign, check};
+use crate::campaign::Campaign;
+use crate::check::everything;
 use crate::document::{CheckDocument, ImportDocument};
 use crate::message::{Message, Problems};
 use std::path::{Path, PathBuf};
@@ -26,10 +27,7 @@ impl Check {
             print(crate::output::to_json(&document)?)?;
             return Ok(if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun });
         }
-        let document = match imported {
-            Some(document) if problems.0.is_empty() => document,
-            _ => return Err(problems.into()),
-        };
+        let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }
@@ -38,7 +36,12 @@ impl Check {
             print(format!("{}: {} rows, {refused} refused ({})\n", source.file, source.rows_read, source.dialect))?;
         }
         let path = if self.campaign.is_dir() { self.campaign.join("campaign.toml") } else { self.campaign };
-        print(format!("{}: nothing is wrong\n", path.display()))?;
+        let verdict = match document.messages.len() {
+            0 => "nothing is wrong".to_owned(),
+            1 => "no errors, 1 warning".to_owned(),
+            n => format!("no errors, {n} warnings"),
+        };
+        print(format!("{}: {verdict}\n", path.display()))?;
         Ok(Verdict::Met)
     }
 }
@@ -49,12 +52,8 @@ fn find(path: &Path) -> (Option<ImportDocument>, Problems) {
         Ok(found) => found,
         Err(problems) => return (None, problems),
     };
-    match campaign.as_ref().map(check) {
-        Some(Ok(imported)) => (Some(imported.document), problems),
-        Some(Err(more)) => {
-            problems.0.extend(more.0);
-            (None, problems)
-        }
-        None => (None, problems),
-    }
+    let Some(campaign) = campaign else { return (None, problems) };
+    let (imported, more) = everything(&campaign);
+    problems.0.extend(more.0);
+    (Some(imported.document), problems)
 }

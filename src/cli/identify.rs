@@ -46,14 +46,15 @@ impl Identify {
         }
         let robot_file = read_robot(&self.robot)?;
         let observed = table::read_csv(&self.observations)?;
+        let here = |problems: Problems| problems.in_file(&self.observations.display().to_string());
         let mut targets: Vec<String> = Vec::new();
-        for name in table::texts(&observed, "target")? {
+        for name in table::texts(&observed, "target").map_err(here)? {
             if !targets.contains(&name) {
                 targets.push(name);
             }
         }
         let robot = robot_file.build(&targets)?;
-        let observations = Observation::from_table(robot.as_ref(), &observed)?;
+        let observations = Observation::from_table(robot.as_ref(), &observed).map_err(here)?;
         let settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),

@@ -1,6 +1,6 @@
 //! Observations: where the targets were, and what the joints said.
 
-use crate::message::{Message, Result};
+use crate::message::{Message, Place, Result};
 use crate::pose::Vector;
 use crate::robots::Robot;
 use crate::table;
@@ -36,15 +36,18 @@ impl Observation {
         }
         let mut observations: Vec<Self> = Vec::new();
         let mut place = std::collections::BTreeMap::new();
+        // the table has a header in line 1
+        let line = |row: usize| Place { line: Some(row + 2), ..Place::default() };
         for row in 0..table.height() {
             let what = || format!("pose {} cycle {} of the observations", poses[row], cycles[row]);
             let target = robot.targets().iter().position(|t| *t == names[row]).ok_or_else(|| {
                 let message = Message::error(format!("{}: `{}` is no target of this robot", what(), names[row]));
-                message.hint_names(&names[row], robot.targets().iter().map(String::as_str))
+                message.at(line(row)).hint_names(&names[row], robot.targets().iter().map(String::as_str))
             })?;
             let here: Vec<f64> = joints.iter().map(|j| j[row]).collect();
             if here.iter().chain(&xyz[row]).any(|v| !v.is_finite()) {
-                return Err(Message::error(format!("{}: a value is missing or not a number", what())).into());
+                let message = Message::error(format!("{}: a value is missing or not a number", what()));
+                return Err(message.at(line(row)).into());
             }
             let k = *place.entry((poses[row], cycles[row])).or_insert_with(|| {
                 observations.push(Self {
@@ -56,10 +59,12 @@ impl Observation {
                 observations.len() - 1
             });
             if observations[k].joints != here {
-                return Err(Message::error(format!("{}: its rows disagree on the joint values", what())).into());
+                let message = Message::error(format!("{}: its rows disagree on the joint values", what()));
+                return Err(message.at(line(row)).into());
             }
             if observations[k].targets[target].replace(xyz[row]).is_some() {
                 return Err(Message::error(format!("{}: target `{}` occurs twice", what(), names[row]))
+                    .at(line(row))
                     .hint("number repeats in the column `cycle`")
                     .into());
             }

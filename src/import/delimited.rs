@@ -57,6 +57,17 @@ pub(super) fn blank_fields(line: &str) -> Vec<String> {
     fields
 }
 
+/// The column at which each field stands in its line, in characters from 1.
+pub(super) fn columns_of(line: &str, fields: &[String]) -> Vec<usize> {
+    let mut from = 0;
+    let place = |field: &String| {
+        let at = line[from..].find(field.as_str()).map_or(from, |byte| from + byte);
+        from = (at + field.len()).min(line.len());
+        line[..at].chars().count() + 1
+    };
+    fields.iter().map(place).collect()
+}
+
 /// A number in the stated decimal mark, nothing else around it.
 pub(super) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
     let wrong = || {
@@ -80,19 +91,23 @@ pub(super) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, 
     text.parse().ok().filter(|v: &f64| digits && v.is_finite()).ok_or_else(wrong)
 }
 
-/// Points of a delimited export.
-pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect) -> Result<Vec<PointRow>> {
+/// Points of a delimited export, and what does not read.
+pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect) -> (Vec<PointRow>, Problems) {
     let mut problems = Problems::default();
     for role in [Role::X, Role::Y] {
         if !dialect.columns.contains(&role) {
-            return Err(Message::error(format!("the format of `{file}` has no column for {role:?}"))
-                .expected("`columns` that name at least x and y")
-                .into());
+            let message = Message::error(format!("the format of `{file}` has no column for {role:?}"));
+            problems.0.push(message.expected("`columns` that name at least x and y"));
         }
     }
+    let all = match rows(file, text, dialect.delimiter, dialect.comment.as_deref()) {
+        Ok(all) if problems.0.is_empty() => all,
+        Ok(_) => return (Vec::new(), problems),
+        Err(more) => return (Vec::new(), more),
+    };
     let lines: Vec<&str> = text.lines().collect();
     let mut points = Vec::new();
-    for row in rows(file, text, dialect.delimiter, dialect.comment.as_deref())?.into_iter().skip(dialect.header) {
+    for row in all.into_iter().skip(dialect.header) {
         let shown = lines.get(row.line - 1).copied().unwrap_or("");
         let surplus = row.fields.iter().skip(dialect.columns.len()).any(|f| !f.is_empty());
         if surplus || row.fields.len() < dialect.columns.iter().rposition(|r| *r != Role::Skip).map_or(0, |i| i + 1) {
@@ -104,45 +119,45 @@ pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect) -> Result<Ve
             );
             continue;
         }
-        match point(&row, dialect, file, shown) {
-            Ok(point) => points.push(point),
-            Err(message) => problems.0.push(message),
-        }
+        points.push(point(&row, dialect, file, shown, &mut problems));
     }
-    problems.check()?;
-    Ok(points)
+    (points, problems)
 }
 
-fn point(row: &Row, dialect: &Dialect, file: &str, shown: &str) -> std::result::Result<PointRow, Message> {
+/// One point; numbers that do not read are reported and left as no numbers.
+fn point(row: &Row, dialect: &Dialect, file: &str, shown: &str, problems: &mut Problems) -> PointRow {
     let mut point = PointRow { line: row.line, text: shown.to_owned(), ..PointRow::default() };
     let coordinate = |role: &Role| matches!(role, Role::X | Role::Y | Role::Z);
     let pairs = || dialect.columns.iter().zip(&row.fields);
     let unmeasured = pairs().filter(|(r, _)| coordinate(r)).all(|(_, f)| f.is_empty());
-    for (role, field) in pairs() {
-        let place = || {
-            let column = shown.find(field.as_str()).map_or(1, |b| shown[..b].chars().count() + 1);
-            Place::line(file, row.line, shown).at(column, field.chars().count())
+    let before = problems.0.len();
+    for ((role, field), column) in pairs().zip(columns_of(shown, &row.fields)) {
+        let mut wrong = |m: Message| {
+            problems.0.push(m.at(Place::line(file, row.line, shown).at(column, field.chars().count())));
         };
-        let value = || number(field, dialect.decimal).map_err(|m| m.at(place()));
-        let whole =
-            || field.parse::<i64>().map_err(|_| Message::error(format!("`{field}` is no whole number")).at(place()));
+        let mut value = || number(field, dialect.decimal).map_err(&mut wrong).unwrap_or(f64::NAN);
         match role {
             Role::Label => point.label.clone_from(field),
             Role::Target => point.target = Some(field.clone()),
-            Role::Pose => point.pose = Some(whole()?),
-            Role::Cycle => point.cycle = Some(whole()?),
-            Role::TimeS => point.time_s = Some(value()?),
+            Role::TimeS => point.time_s = Some(value()),
             Role::Skip => {}
             Role::X | Role::Y | Role::Z if unmeasured => {}
-            Role::X => point.xyz[0] = value()?,
-            Role::Y => point.xyz[1] = value()?,
-            Role::Z => point.xyz[2] = value()?,
+            Role::X => point.xyz[0] = value(),
+            Role::Y => point.xyz[1] = value(),
+            Role::Z => point.xyz[2] = value(),
+            Role::Pose | Role::Cycle => {
+                let whole = field.parse().map_err(|_| wrong(Message::error(format!("`{field}` is no whole number"))));
+                *(if *role == Role::Pose { &mut point.pose } else { &mut point.cycle }) = whole.ok();
+            }
         }
     }
     if unmeasured {
         point.refused = Some("not measured: no coordinates".to_owned());
     }
-    Ok(point)
+    if problems.0.len() > before {
+        point.xyz = [f64::NAN; 3];
+    }
+    point
 }
 
 #[cfg(test)]

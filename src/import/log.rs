@@ -1,6 +1,6 @@
 //! Encoder logs as CSV: pose, cycle or time, and the joints with the units that the campaign states.
 
-use super::delimited::{Row, number, rows};
+use super::delimited::{Row, columns_of, number, rows};
 use crate::campaign::{Campaign, Column, Log};
 use crate::document::Source;
 use crate::message::{Message, Place, Problems, Result};
@@ -57,6 +57,19 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
                 .hint("a decimal comma in a file separated by commas? then state `delimiter` and `decimal`"),
         );
     }
+    let named = log.columns.values().filter(|c| matches!(c, Column::Name(_))).count();
+    if width == 1 && named > 1 {
+        let first = all.first().map_or("", |row| row.fields[0].as_str());
+        let message = Message::error(format!("log `{file}` has one column, of which the campaign names {named}"));
+        return Err(message
+            .at(Place::line(file, 1, lines.first().copied().unwrap_or("")))
+            .expected(format!("columns separated by `{}`, decimal `{}`", log.delimiter.name(), log.decimal.name()))
+            .hint(format!(
+                "state `delimiter` and `decimal` of the log, as its rows have them: {}",
+                crate::message::one_line(first)
+            ))
+            .into());
+    }
     let count = all.len();
     let counted = |name: &str, f: &dyn Fn(usize, &Row) -> i64| {
         Series::new(name.into(), all.iter().enumerate().map(|(i, r)| f(i, r)).collect::<Vec<i64>>()).into()
@@ -75,6 +88,13 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
             );
             continue;
         };
+        if columns.iter().any(|c: &polars::prelude::Column| c.name() == name.as_str()) {
+            let message = Message::error(format!("`{}` states `{name}` once more", key.get_ref()));
+            problems
+                .0
+                .push(message.at(at()).hint("a joint has one column, and `pose = \"row\"` needs none for the pose"));
+            continue;
+        }
         let index = match place_of(column, header.as_ref()) {
             Ok(index) => index,
             Err(message) => {
@@ -88,23 +108,32 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
             let cell = row.fields.get(index).map(String::as_str).unwrap_or("");
             match number(cell, log.decimal) {
                 Ok(value) => values.push(value * factor),
-                Err(message) => problems.0.push(message.at(Place::line(file, row.line, shown))),
+                Err(message) => problems.0.push(message.at(cell_place(file, row, shown, index))),
             }
         }
         if name == "pose" || name == "cycle" {
-            if let Some(i) = values.iter().position(|v| v.fract() != 0.0) {
-                problems
-                    .0
-                    .push(Message::error(format!("{name} {} of log `{file}` is no whole number", values[i])).at(at()));
+            for (value, row) in values.iter().zip(&all).filter(|(v, _)| v.fract() != 0.0 || v.abs() > WHOLE) {
+                let shown = lines.get(row.line - 1).copied().unwrap_or("");
+                let message = Message::error(format!("{name} {value} is no whole number"));
+                problems.0.push(message.at(cell_place(file, row, shown, index)));
             }
-            columns
-                .push(Series::new(name.as_str().into(), values.iter().map(|v| *v as i64).collect::<Vec<i64>>()).into());
+            let whole: Vec<i64> = values.iter().map(|v| *v as i64).collect();
+            columns.push(Series::new(name.as_str().into(), whole).into());
         } else {
             columns.push(Series::new(name.as_str().into(), values).into());
         }
     }
     problems.check()?;
     Ok(DataFrame::new(count, columns)?)
+}
+
+/// Whole numbers up to here are exact.
+const WHOLE: f64 = 9e15;
+
+fn cell_place(file: &str, row: &Row, shown: &str, index: usize) -> Place {
+    let width = row.fields.get(index).map_or(1, |f| f.chars().count());
+    let column = columns_of(shown, &row.fields).get(index).copied().unwrap_or(1);
+    Place::line(file, row.line, shown).at(column, width)
 }
 
 /// Index of a column, by its number or by its name in the header.

@@ -14,7 +14,7 @@ mod polyworks;
 pub use formats::propose;
 pub use log::is_joint_column;
 pub(crate) use log::meaning as log_column;
-pub(crate) use points::Point;
+pub(crate) use points::{Point, used_labels};
 
 use crate::campaign::{Campaign, Export, Format, Log, Unit};
 use crate::document::{ImportDocument, Source};
@@ -37,6 +37,14 @@ pub struct Imported {
 
 /// Reads all exports and logs of a campaign.
 pub fn import(campaign: &Campaign) -> Result<Imported> {
+    let (imported, problems) = recover(campaign);
+    problems.check()?;
+    Ok(imported)
+}
+
+/// Reads what can be read of all exports and logs of a campaign, and tells everything that is wrong with them. Points
+/// with a coordinate that does not read are there without it.
+pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
     let mut problems = Problems::default();
     let mut sources = vec![
         statement("campaign", campaign.file_name(), campaign.text.as_bytes()),
@@ -45,14 +53,13 @@ pub fn import(campaign: &Campaign) -> Result<Imported> {
     let mut columns = PointColumns::default();
     for export in &campaign.file.exports {
         let read = campaign.resolve(&export.file).and_then(|path| read_text(&path, campaign.place(&export.file)));
-        match read.and_then(|(text, bytes)| {
-            let mut source = statement("export", export.file.get_ref(), &bytes);
-            source.dialect = format!("{}, unit {}", export.format, export.unit.name());
-            let rows = point_rows(export.file.get_ref(), &text, &export.format)?;
-            columns.add(campaign, export, rows, &mut source)?;
-            Ok(source)
-        }) {
-            Ok(source) => sources.push(source),
+        match read {
+            Ok((text, bytes)) => {
+                let mut source = statement("export", export.file.get_ref(), &bytes);
+                source.dialect = format!("{}, unit {}", export.format, export.unit.name());
+                problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
+                sources.push(source);
+            }
             Err(more) => problems.0.extend(more.0),
         }
     }
@@ -72,23 +79,30 @@ pub fn import(campaign: &Campaign) -> Result<Imported> {
         }
     }
     problems.0.extend(columns.measured_twice());
-    problems.check()?;
-    let mut messages = blunders::refuse(campaign, &mut columns, &mut sources)?;
-    messages.extend(columns.unused_labels(campaign));
+    let mut messages = columns.unused_labels(campaign);
+    if problems.0.is_empty() {
+        match blunders::refuse(campaign, &mut columns, &mut sources) {
+            Ok(said) => messages.splice(0..0, said).for_each(drop),
+            Err(more) => problems.0.extend(more.0),
+        }
+    }
     let document = ImportDocument {
         schema: "etalon/import/1".to_owned(),
         campaign: campaign.file.name.clone(),
         sources,
         messages,
     };
-    Ok(Imported { points: columns.table()?, logs, document })
+    let points = columns.table().unwrap_or_else(|more| {
+        problems.0.extend(more.0);
+        DataFrame::empty()
+    });
+    (Imported { points, logs, document }, problems)
 }
 
 /// The points that an export brings if this is its text, before rules about blunders.
 pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
     let mut columns = PointColumns::default();
-    let file = export.file.get_ref();
-    columns.add(campaign, export, point_rows(file, text, &export.format)?, &mut statement("export", file, b""))?;
+    columns.read(campaign, export, text, &mut statement("export", export.file.get_ref(), b"")).check()?;
     Ok(columns.points)
 }
 
@@ -99,12 +113,13 @@ pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<Da
 
 /// Labels and points of a file, in millimetres; every row counts, none is refused.
 pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<(String, Vector)>> {
-    let rows = point_rows(file, text, format)?;
+    let (rows, problems) = point_rows(file, text, format);
+    problems.check()?;
     Ok(rows.into_iter().map(|row| (row.label, row.xyz.map(|v| v * unit.in_mm()))).collect())
 }
 
-/// Rows of an export in the stated format.
-fn point_rows(file: &str, text: &str, format: &Format) -> Result<Vec<PointRow>> {
+/// Rows of an export in the stated format, and what does not read.
+fn point_rows(file: &str, text: &str, format: &Format) -> (Vec<PointRow>, Problems) {
     match format {
         Format::Polyworks => polyworks::rows(file, text),
         Format::Delimited(dialect) => delimited::point_rows(file, text, dialect),

@@ -46,28 +46,29 @@ pub(super) struct PointColumns {
 }
 
 impl PointColumns {
-    /// Adds the rows of an export; rows that were not measured go to the source's list of refused ones.
-    pub fn add(
-        &mut self,
-        campaign: &Campaign,
-        export: &Export,
-        rows: Vec<PointRow>,
-        source: &mut Source,
-    ) -> Result<()> {
-        let pattern = match &export.label {
-            Some(text) => Some(Pattern::parse(text.get_ref()).map_err(|m| m.at(campaign.place(text)))?),
-            None => None,
-        };
-        if rows.is_empty() {
-            return Err(Message::error(format!("`{}` holds no points", export.file.get_ref()))
-                .at(campaign.place(&export.file))
-                .into());
+    /// Adds what can be read of the text of an export; gives what is wrong with it.
+    pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &str, source: &mut Source) -> Problems {
+        let file = export.file.get_ref();
+        let (rows, mut problems) = super::point_rows(file, text, &export.format);
+        if rows.is_empty() && problems.0.is_empty() {
+            problems.0.push(Message::error(format!("`{file}` holds no points")).at(campaign.place(&export.file)));
         }
+        problems.0.extend(self.add(campaign, export, rows, source).0);
+        problems
+    }
+
+    /// Adds the rows of an export; rows that were not measured go to the source's list of refused ones. Gives what is
+    /// wrong with the rest.
+    fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<PointRow>, source: &mut Source) -> Problems {
+        let mut problems = Problems::default();
+        let pattern = export.label.as_ref().and_then(|text| {
+            let wrong = |m: Message| problems.0.push(m.at(campaign.place(text)));
+            Pattern::parse(text.get_ref()).map_err(wrong).ok()
+        });
         source.rows_read = rows.len();
         // targets that carry a world frame measured once need no pose
         let world = campaign.file.frame.world.get_ref();
         let frame_targets = world.targets.as_deref().filter(|_| world.each.is_none()).unwrap_or_default();
-        let mut problems = Problems::default();
         for (i, row) in rows.into_iter().enumerate() {
             let zero = row.xyz == [0.0; 3];
             let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
@@ -78,8 +79,10 @@ impl PointColumns {
             let named = pattern.as_ref().and_then(|p| p.read(&row.label)).unwrap_or_default();
             let target = row.target.or(named.target).or_else(|| export.target.clone());
             let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|_| i as i64 + 1));
+            let unreadable = row.xyz.iter().any(|v| v.is_nan());
             let in_frame = |t: &String| frame_targets.iter().any(|f| f.get_ref() == t);
-            if target.is_some() && pose.is_none() && row.time_s.is_none() && !target.as_ref().is_some_and(in_frame) {
+            let placed = pose.is_some() || row.time_s.is_some() || unreadable;
+            if target.is_some() && !placed && !target.as_ref().is_some_and(in_frame) {
                 let message = Message::error("the row names a target but no pose");
                 let hint = "name the pose in the label, or state `pose = \"row\"` for this export";
                 problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
@@ -98,7 +101,7 @@ impl PointColumns {
                 xyz_mm: row.xyz.map(|v| v * export.unit.in_mm()),
             });
         }
-        problems.check().map(|_| ())
+        problems
     }
 
     /// Errors about points that bear the same target, pose and cycle as one before them.
@@ -121,16 +124,7 @@ impl PointColumns {
 
     /// Warnings about labels that name no target and that no feature or frame uses.
     pub fn unused_labels(&self, campaign: &Campaign) -> Vec<Message> {
-        let world = campaign.file.frame.world.get_ref();
-        let features = campaign.file.features.values().filter_map(|f| f.element()).flat_map(|(_, labels)| labels);
-        let axes = world.x_axis.iter().flatten().chain(world.y_axis.iter().flatten());
-        let used: Vec<&str> = features
-            .chain(world.origin.iter())
-            .chain(world.towards.iter())
-            .chain(world.targets.iter().flatten())
-            .chain(axes)
-            .map(|l| l.get_ref().as_str())
-            .collect();
+        let used = used_labels(campaign);
         let idle = |p: &&Point| p.target.is_none() && !used.iter().any(|u| matches_pattern(u, &p.label));
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
         let Some(first) = idle.first() else { return Vec::new() };
@@ -175,4 +169,18 @@ impl PointColumns {
             ],
         )?)
     }
+}
+
+/// Labels that features and the world frame use.
+pub(crate) fn used_labels(campaign: &Campaign) -> Vec<&str> {
+    let world = campaign.file.frame.world.get_ref();
+    let features = campaign.file.features.values().filter_map(|f| f.element()).flat_map(|(_, labels)| labels);
+    let axes = world.x_axis.iter().flatten().chain(world.y_axis.iter().flatten());
+    features
+        .chain(world.origin.iter())
+        .chain(world.towards.iter())
+        .chain(world.targets.iter().flatten())
+        .chain(axes)
+        .map(|l| l.get_ref().as_str())
+        .collect()
 }

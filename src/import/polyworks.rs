@@ -1,12 +1,12 @@
 //! PolyWorks point text: `[name] x y z [i j k]`, blank-separated, no header, decimal point.
 
-use super::delimited::{blank_fields, number};
+use super::delimited::{blank_fields, columns_of, number};
 use super::points::PointRow;
 use crate::campaign::Decimal;
-use crate::message::{Message, Place, Problems, Result};
+use crate::message::{Message, Place, Problems};
 
-/// Points of a PolyWorks text; directions are not read.
-pub(super) fn rows(file: &str, text: &str) -> Result<Vec<PointRow>> {
+/// Points of a PolyWorks text, and what does not read; directions are not read.
+pub(super) fn rows(file: &str, text: &str) -> (Vec<PointRow>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     for (i, line) in text.lines().enumerate() {
@@ -15,9 +15,9 @@ pub(super) fn rows(file: &str, text: &str) -> Result<Vec<PointRow>> {
         }
         let place = || Place::line(file, i + 1, line);
         let fields = blank_fields(line);
-        let (label, numbers) = match fields.len() {
-            3 | 6 => ("", &fields[..]),
-            4 | 7 => (fields[0].as_str(), &fields[1..]),
+        let named = match fields.len() {
+            3 | 6 => 0,
+            4 | 7 => 1,
             n => {
                 problems.0.push(
                     Message::error(format!("the row has {n} fields"))
@@ -28,21 +28,22 @@ pub(super) fn rows(file: &str, text: &str) -> Result<Vec<PointRow>> {
                 continue;
             }
         };
-        let parsed: std::result::Result<Vec<f64>, Message> =
-            numbers.iter().map(|f| number(f, Decimal::Point)).collect();
-        match parsed {
-            Ok(n) => points.push(PointRow {
-                line: i + 1,
-                text: line.to_owned(),
-                label: label.to_owned(),
-                xyz: [n[0], n[1], n[2]],
-                ..PointRow::default()
-            }),
-            Err(message) => problems.0.push(message.at(place())),
+        let mut numbers = Vec::new();
+        for (field, column) in fields.iter().zip(columns_of(line, &fields)).skip(named) {
+            numbers.push(number(field, Decimal::Point).unwrap_or_else(|message| {
+                problems.0.push(message.at(place().at(column, field.chars().count())));
+                f64::NAN
+            }));
         }
+        points.push(PointRow {
+            line: i + 1,
+            text: line.to_owned(),
+            label: if named == 1 { fields[0].clone() } else { String::new() },
+            xyz: [numbers[0], numbers[1], numbers[2]],
+            ..PointRow::default()
+        });
     }
-    problems.check()?;
-    Ok(points)
+    (points, problems)
 }
 
 #[cfg(test)]
@@ -51,15 +52,18 @@ mod tests {
 
     #[test]
     fn names_and_directions_are_optional() {
-        let points = rows("f", "K_1_2 1.5 -2 3e1\n4 5 6 0 0 1\r\n\n\"ball N\" 7 8 9 1 0 0\n").unwrap();
+        let (points, problems) = rows("f", "K_1_2 1.5 -2 3e1\n4 5 6 0 0 1\r\n\n\"ball N\" 7 8 9 1 0 0\n");
+        assert!(problems.0.is_empty());
         let found: Vec<(&str, [f64; 3], usize)> = points.iter().map(|p| (p.label.as_str(), p.xyz, p.line)).collect();
         assert_eq!(found, [("K_1_2", [1.5, -2.0, 30.0], 1), ("", [4.0, 5.0, 6.0], 2), ("ball N", [7.0, 8.0, 9.0], 4)]);
     }
 
     #[test]
     fn every_wrong_row_is_reported() {
-        let problems = rows("f", "K 1 2\nL 1,5 2 3\nM 1 2 3\n1 2\n").unwrap_err();
+        let (points, problems) = rows("f", "1 1 2\nL 1,5 2 3\nM 1 2 3,5\n1 2\n");
         let lines: Vec<_> = problems.0.iter().map(|m| m.place.as_ref().and_then(|p| p.line)).collect();
-        assert_eq!(lines, [Some(1), Some(2), Some(4)]);
+        assert_eq!(lines, [Some(2), Some(3), Some(4)]);
+        assert_eq!(problems.0[1].place.as_ref().and_then(|p| p.column), Some(7));
+        assert_eq!(points.iter().map(|p| p.label.as_str()).collect::<Vec<_>>(), ["", "L", "M"]);
     }
 }

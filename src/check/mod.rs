@@ -1,0 +1,112 @@
+//! Everything that is wrong with a campaign, found at once and without identifying anything.
+
+mod names;
+mod statements;
+
+pub use statements::selections;
+
+use crate::campaign::Campaign;
+use crate::identify::matches_pattern;
+use crate::import::{self, Imported};
+use crate::message::{Problems, Result};
+use crate::robots::Robot;
+use crate::{frames, join, table};
+use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
+use std::collections::BTreeSet;
+
+/// Checks what the stages cannot: statements, files, labels, targets and names. Gives what was imported, with warnings, or
+/// every error.
+pub fn check(campaign: &Campaign) -> Result<Imported> {
+    let found = find(campaign);
+    found.problems.check()?;
+    Ok(found.imported)
+}
+
+/// Checks all that a run would stumble over before it identifies: what was imported, with all warnings, and every error.
+///
+/// A stage is tried on what is left of its input; where what it needs is wrong already, it is left out.
+pub fn everything(campaign: &Campaign) -> (Imported, Problems) {
+    let mut found = find(campaign);
+    let (points, unreadable) = match readable(&found.imported.points) {
+        Ok(parted) => parted,
+        Err(more) => {
+            found.problems.0.extend(more.0);
+            return (found.imported, found.problems);
+        }
+    };
+    let used = import::used_labels(campaign);
+    let touched = unreadable.iter().any(|label| used.iter().any(|u| matches_pattern(u, label)));
+    let mut world = None;
+    if found.named && !touched {
+        let planar = found.robot.as_ref().is_some_and(|r| r.dimension() == 2);
+        let made = frames::fit_features(campaign, &points).and_then(|features| {
+            found.imported.document.messages.extend(features.messages.clone());
+            frames::make_frames(campaign, &points, &features, planar)
+        });
+        world = made.map_err(|more| found.problems.0.extend(more.0)).ok();
+    }
+    let mut poses = poses(&points).unwrap_or_default();
+    if let (Some(world), Some(robot), true) = (world, &found.robot, found.read) {
+        match join::join(campaign, &found.imported, &world, robot.as_ref()) {
+            Ok(joined) => {
+                found.imported.document.messages.extend(joined.messages);
+                let first = joined.observations.first().and_then(|(_, table)| table::integers(table, "pose").ok());
+                poses = first.into_iter().flatten().collect();
+            }
+            Err(more) => found.problems.0.extend(more.0),
+        }
+    }
+    // a join by time may find no pose before the log is read
+    if found.read || !poses.is_empty() {
+        found.problems.0.extend(selections(campaign, &poses).err().into_iter().flat_map(|p| p.0));
+    }
+    (found.imported, found.problems)
+}
+
+struct Found {
+    imported: Imported,
+    problems: Problems,
+    /// all files read
+    read: bool,
+    /// features and frames are stated, and every label they name is borne
+    named: bool,
+    robot: Option<Box<dyn Robot>>,
+}
+
+fn find(campaign: &Campaign) -> Found {
+    let mut problems = Problems::default();
+    statements::check(campaign, &mut problems);
+    let before = problems.0.len();
+    statements::frames(campaign, &mut problems);
+    let (imported, more) = import::recover(campaign);
+    let read = more.0.is_empty();
+    // a label that nothing bears may be borne by a file that is not there
+    let opened = imported.document.sources.iter().filter(|s| s.kind == "export").count();
+    let complete = opened == campaign.file.exports.len();
+    if complete {
+        names::labels(campaign, &imported, &mut problems);
+    }
+    let named = complete && problems.0.len() == before;
+    problems.0.extend(more.0);
+    let robot = campaign.build_robot().map_err(|more| problems.0.extend(more.0)).ok();
+    if let Some(robot) = &robot {
+        names::robot(campaign, robot.as_ref(), &mut problems);
+        if complete {
+            names::targets(robot.as_ref(), &imported, &mut problems);
+        }
+    }
+    Found { imported, problems, read, named, robot }
+}
+
+/// The points whose coordinates read, and the labels of the others.
+fn readable(points: &DataFrame) -> Result<(DataFrame, BTreeSet<String>)> {
+    let whole: Vec<bool> = table::coordinates(points)?.iter().map(|p| p.iter().all(|v| v.is_finite())).collect();
+    let labels = table::texts(points, "label")?;
+    let unreadable = labels.into_iter().zip(&whole).filter(|(_, whole)| !**whole).map(|(label, _)| label).collect();
+    Ok((points.filter(&BooleanChunked::from_slice("whole".into(), &whole))?, unreadable))
+}
+
+/// Poses of the points that name one.
+fn poses(points: &DataFrame) -> Result<BTreeSet<i64>> {
+    Ok(table::optional_integers(points, "pose")?.into_iter().flatten().collect())
+}

@@ -1,0 +1,121 @@
+//! What `etalon check` finds: everything at once, each with its place.
+
+use super::{broken, etalon};
+use crate::scratch::copy_sample;
+
+#[test]
+fn unreadable_rows_hide_nothing() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("exports/poses.txt", "K_1_1 ", "K_1_1 1,5x");
+    scratch.replace("encoders.csv", "\n1,1,", "\n1,one,");
+    scratch.replace("campaign.toml", "\"rail3_a\"]", "\"rail3_b\"]");
+    scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"1001-1008\"");
+    scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = -1.0");
+    scratch.replace("robot.toml", "[nominal]", "bending = [2]\n\n[nominal]\nseven = 7.0");
+    let (code, said) = etalon(&scratch, "check");
+    assert_eq!(code, Some(2), "{said}");
+    for part in [
+        "is no number",
+        "exports/poses.txt:1:7",
+        "`one` is no number",
+        "encoders.csv:2:3",
+        "no point bears the label `rail3_b`",
+        "`calibration` selects no pose that was measured",
+        "the limit `position_max_mm` must be positive",
+        "`bending` means nothing for this model",
+    ] {
+        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+    }
+}
+
+#[test]
+fn what_only_a_run_used_to_find_is_found_by_check() {
+    broken("campaign.toml", "\"1-8\"", "\"1-12\"", &["4 poses are in both calibration and validation, from 9 to 12"]);
+    let axis = "y_axis = [\"R_home\", \"R_end\"]";
+    broken("campaign.toml", axis, "y_axis = [\"R_home\"]", &["the axis of the world frame has no direction"]);
+    let rails = "plane = [\"rail2_a\", \"rail2_b\", \"rail3_a\"]";
+    broken("campaign.toml", rails, "plane = [\"R_home\"]", &["feature `rails`", "campaign.toml:3"]);
+    broken(
+        "campaign.toml",
+        "by = [\"pose\", \"cycle\"]",
+        "by = \"row\"",
+        &["`exports/poses.txt` has 590 rows, log `log` has 295", "equal counts for a join by row"],
+    );
+}
+
+#[test]
+fn statements_that_mean_nothing_or_contradict_are_refused() {
+    let robot = |to: &str, parts: &[&str]| broken("robot.toml", "[nominal]", to, parts);
+    robot("[nominal]\nbetta = 1.0", &["[nominal] names `betta`", "robot.toml:", "betta = 1.0", "did you mean `beta`?"]);
+    robot("gravity = [0, 0, -1]\n[nominal]", &["`gravity` means nothing for this model", "robot.toml:"]);
+    broken("robot.toml", "l_kl = 146.0", "l_kl = nan", &["`nan` is no measured value", "robot.toml:"]);
+    let campaign = |from: &str, to: &str, parts: &[&str]| broken("campaign.toml", from, to, parts);
+    campaign(
+        "coverage_factor = 2",
+        "coverage_factor = 0",
+        &["`coverage_factor` must be positive", "campaign.toml:8:19"],
+    );
+    campaign("position_max_mm = 0.044", "position_max_mm = inf", &["`inf` is no measured value", "campaign.toml:"]);
+    campaign("towards = \"rail3_a\"", "towards = \"rail3_a\"\neach = \"pose\"", &["`each` means nothing"]);
+    campaign(
+        "\"cycle\"]",
+        "\"cycle\"]\ntargets = [\"K\", \"M\"]",
+        &["`M` is no target of this robot", "campaign.toml:"],
+    );
+    campaign(
+        "robot = \"robot.toml\"",
+        "robot = \"robot.toml\"\noutput = \"exports\"",
+        &["the output folder holds an input"],
+    );
+    campaign("rho3_mm = \"RP3\"", "rho3_mm = \"RP3\", rho3_m = \"RP1\"", &["`rho3_mm` states `rho3_mm` once more"]);
+    let arm = |from: &str, to: &str, parts: &[&str]| {
+        if crate::reference_data("robots/irb120_faro_ets").is_none() {
+            return;
+        }
+        let scratch = copy_sample("abb-irb120");
+        scratch.replace("robot.toml", from, to);
+        let (code, said) = etalon(&scratch, "check");
+        assert_eq!(code, Some(2), "{said}");
+        for part in parts {
+            assert!(said.contains(part), "{part:?} is not said:\n{said}");
+        }
+    };
+    arm(
+        "bending = [2, 3]",
+        "bending = [2, 3, 2, 9]",
+        &["joint 2 is there twice", "there is no joint 9", "robot.toml:"],
+    );
+}
+
+#[test]
+fn logs_that_do_not_look_as_stated() {
+    let scratch = copy_sample("prexyt-cmm");
+    let text = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    std::fs::write(scratch.path().join("encoders.csv"), text.replace(',', ";")).unwrap();
+    let (code, said) = etalon(&scratch, "check");
+    assert!(code == Some(2) && said.contains("has one column, of which the campaign names 5"), "{said}");
+    assert!(said.contains("state `delimiter` and `decimal` of the log"), "{said}");
+    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["is no whole number", "encoders.csv:2:1"]);
+}
+
+#[test]
+fn a_table_of_observations_is_refused_with_file_and_line() {
+    let scratch = copy_sample("prexyt-cmm");
+    let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
+    for (text, parts) in [
+        (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "is missing or not a number"]),
+        (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "is no whole number"]),
+        (head.replace("rho2_mm", "rho2") + "1,1,K,1,2,3,4,5\n", ["observations.csv", "no column `rho2_mm`"]),
+        (format!("{head}1,1,K,1,2,3,4,5\n1,1,K,1,2,3,4,5\n"), ["observations.csv:3", "occurs twice"]),
+    ] {
+        std::fs::write(scratch.root().join("observations.csv"), text).unwrap();
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+            .args(["identify", "--robot", "campaign/robot.toml", "--observations", "observations.csv"])
+            .current_dir(scratch.root())
+            .output()
+            .unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(parts.iter().all(|part| said.contains(part)), "{parts:?}:\n{said}");
+    }
+}
