@@ -31,13 +31,13 @@ impl Export {
         let wanted =
             if self.format.is_empty() { export::names().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
         let to = self.to.unwrap_or(folder);
+        let exporter = |name: &String| {
+            let wrong = || Message::error(format!("`{name}` is no controller format"));
+            export::by_name(name).ok_or_else(|| Problems::from(wrong().hint_names(name, export::names())))
+        };
+        let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
         let mut written = Vec::new();
-        for name in wanted {
-            let exporter = export::by_name(&name).ok_or_else(|| {
-                Problems::from(
-                    Message::error(format!("`{name}` is no controller format")).hint_names(&name, export::names()),
-                )
-            })?;
+        for exporter in exporters {
             let path = to.join(exporter.file_name());
             files::write(&path, &exporter.write(&parameters)?)?;
             written.push(path.display().to_string());
