@@ -17,7 +17,7 @@ impl Surface<4, 1> for Ball {
         let w = less(q, [x[0], x[1], x[2]]);
         let rho = square(w).sqrt();
         let inverse = rho.inverse_or_zero();
-        let [gx, gy, gz] = w.map(|w| w * inverse);
+        let [gx, gy, gz] = [w[0] * inverse, w[1] * inverse, w[2] * inverse];
         [(rho - x[3], [-gx, -gy, -gz, Lanes::all(-1.0)])]
     }
 

@@ -2,11 +2,12 @@
 //!
 //! At 1 m from the origin a double has 1e-13 mm left; squares of such coordinates would have lost everything below
 //! 1e-5 mm. The scale is a power of two, so scaling rounds nothing. No copy of the points is made: every sum over them
-//! goes through [`Cloud::sum`], block by block in parallel and put together in the order of the blocks, so that it has
+//! goes through [`Cloud::gather`], block by block in parallel and put together in the order of the blocks, so that it has
 //! the same bytes for any number of threads and needs the same memory for any number of points.
 
 use super::element::{Element, Settings, refuse};
-use super::lanes::{Lanes, along};
+use super::lanes::{Lanes, Points, along};
+use super::stream::Gather;
 use crate::message::Result;
 use crate::pose::{Vector, cross, dot, unit};
 use crate::solve::symmetric_eigen;
@@ -82,7 +83,7 @@ impl<'a> Cloud<'a> {
         let weights = weights.map(Cow::Borrowed);
         let (scale_mm, spread) = (1.0, [0.0; 3]);
         let mut cloud = Self { source, weights, weight_unit, centre_mm: first, scale_mm, spread, axes };
-        let [low, high, sum] = cloud.bounds();
+        let [low, high, sum] = cloud.gather(Bounds::default());
         // a coordinate that is not a number is in no bounds, but in the sum
         let outside = |x: f64| x.is_nan() || x.abs() > LARGEST_MM;
         let finite = (0..3).all(|k| !outside(first[k] + low[k]) && !outside(first[k] + high[k]) && !sum[k].is_nan());
@@ -105,49 +106,13 @@ impl<'a> Cloud<'a> {
         Ok(cloud)
     }
 
-    /// Smallest and largest coordinates and weighted sum of them, all as differences from `centre_mm`.
-    fn bounds(&self) -> [Vector; 3] {
-        self.sum(
-            [[Lanes::all(f64::INFINITY); 3], [Lanes::all(f64::NEG_INFINITY); 3], [Lanes::default(); 3]],
-            |[low, high, sum], q, w| {
-                for k in 0..3 {
-                    low[k] = low[k].min(q[k]);
-                    high[k] = high[k].max(q[k]);
-                    sum[k] = sum[k] + w * q[k];
-                }
-            },
-            |[low, high, sum]| [low.map(Lanes::least), high.map(Lanes::most), sum.map(Lanes::sum)],
-            |[a, b, c], [low, high, sum]| {
-                let each = |f: fn(f64, f64) -> f64, x: Vector, y: Vector| [0, 1, 2].map(|k| f(x[k], y[k]));
-                [each(f64::min, a, low), each(f64::max, b, high), each(|x, y| x + y, c, sum)]
-            },
-        )
-    }
-
     /// Principal directions from the moments of the points, found again along the directions just found: a spread that
     /// is small against another is then a sum of squares of small numbers, and right to rounding (a graded matrix has
     /// its eigenvalues from Jacobi's rotations to relative accuracy: Demmel & Veselić 1992).
     fn find_axes(&mut self) {
         for round in 0..3 {
             let axes = self.axes;
-            let moments = self.sum(
-                ([[Lanes::default(); 3]; 3], [Lanes::default(); 3]),
-                |(moments, sum), q, w| {
-                    let q = axes.map(|d| along(q, d));
-                    for i in 0..3 {
-                        let wq = w * q[i];
-                        sum[i] = sum[i] + wq;
-                        for j in i..3 {
-                            moments[i][j] = moments[i][j] + wq * q[j];
-                        }
-                    }
-                },
-                |(moments, sum)| (moments.map(|row| row.map(Lanes::sum)), sum.map(Lanes::sum)),
-                |a, b| {
-                    let moments = [0, 1, 2].map(|i| [0, 1, 2].map(|j| a.0[i][j] + b.0[i][j]));
-                    (moments, [0, 1, 2].map(|i| a.1[i] + b.1[i]))
-                },
-            );
+            let moments = self.gather(Moments { axes, products: Default::default(), sum: Default::default() });
             self.take_up(moments);
             let off = |i: usize, j: usize| moments.0[i][j].abs() > 1e-7 * self.spread[0] * self.spread[1];
             let turned = round == 0 || off(0, 1) || off(0, 2) || off(1, 2);
@@ -259,4 +224,75 @@ fn weight_unit(name: &str, count: usize, weights: Option<&[f64]>) -> Result<[f64
         ));
     }
     Ok([largest, weights.iter().map(|w| w / largest).sum::<f64>() / count as f64])
+}
+
+/// Smallest and largest coordinates and weighted sum of them, all as differences from `centre_mm`.
+#[derive(Clone)]
+struct Bounds {
+    low: Points,
+    high: Points,
+    sum: Points,
+}
+
+impl Default for Bounds {
+    fn default() -> Self {
+        let (low, high) = ([Lanes::all(f64::INFINITY); 3], [Lanes::all(f64::NEG_INFINITY); 3]);
+        Self { low, high, sum: Points::default() }
+    }
+}
+
+impl Gather for Bounds {
+    type Sum = [Vector; 3];
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        for (k, q) in q.into_iter().enumerate() {
+            self.low[k] = self.low[k].min(q);
+            self.high[k] = self.high[k].max(q);
+            self.sum[k] = self.sum[k] + w * q;
+        }
+    }
+
+    fn close(self) -> Self::Sum {
+        [self.low.map(Lanes::least), self.high.map(Lanes::most), self.sum.map(Lanes::sum)]
+    }
+
+    fn join([a, b, c]: Self::Sum, [low, high, sum]: Self::Sum) -> Self::Sum {
+        let each = |f: fn(f64, f64) -> f64, x: Vector, y: Vector| [0, 1, 2].map(|k| f(x[k], y[k]));
+        [each(f64::min, a, low), each(f64::max, b, high), each(|x, y| x + y, c, sum)]
+    }
+}
+
+/// Weighted sums of coordinates along `axes` and of their products.
+#[derive(Clone)]
+struct Moments {
+    axes: [Vector; 3],
+    products: [[Lanes; 3]; 3],
+    sum: [Lanes; 3],
+}
+
+impl Gather for Moments {
+    type Sum = ([[f64; 3]; 3], Vector);
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        let [a, b, c] = self.axes;
+        let q = [along(q, a), along(q, b), along(q, c)];
+        for i in 0..3 {
+            let weighted = w * q[i];
+            self.sum[i] = self.sum[i] + weighted;
+            for (product, other) in self.products[i][i..].iter_mut().zip(&q[i..]) {
+                *product = *product + weighted * *other;
+            }
+        }
+    }
+
+    fn close(self) -> Self::Sum {
+        (self.products.map(|row| row.map(Lanes::sum)), self.sum.map(Lanes::sum))
+    }
+
+    fn join(a: Self::Sum, b: Self::Sum) -> Self::Sum {
+        let products = [0, 1, 2].map(|i| [0, 1, 2].map(|j| a.0[i][j] + b.0[i][j]));
+        (products, [0, 1, 2].map(|i| a.1[i] + b.1[i]))
+    }
 }

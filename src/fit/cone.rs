@@ -118,7 +118,11 @@ impl Surface<7, 1> for Funnel {
     fn distances(&self, x: &[f64; 7], q: Points) -> [(Lanes, [Lanes; 7]); 1] {
         let at = self.chart.cylindrical([x[0], x[1], x[2]], q);
         let (sin, cos) = x[6].sin_cos();
-        let [a, b, h, u, v] = std::array::from_fn(|i| at.d_rho[i] * cos - at.d_t[i] * sin);
+        let mut d = at.d_rho;
+        for (rho, t) in d.iter_mut().zip(at.d_t) {
+            *rho = *rho * cos - t * sin;
+        }
+        let [a, b, h, u, v] = d;
         let turn = -(at.rho * sin + at.t * cos);
         [(at.rho * cos - at.t * sin - x[5], [a, b, h, u, v, Lanes::all(-1.0), turn])]
     }

@@ -2,7 +2,8 @@
 
 use super::axis::Chart;
 use super::cloud::Cloud;
-use super::lanes::{Lanes, less, square};
+use super::lanes::{Lanes, Points, less, square};
+use super::stream::Gather;
 use crate::pose::{Vector, unit};
 use std::f64::consts::TAU;
 
@@ -15,27 +16,7 @@ const SECTORS: usize = 1024;
 /// x / (|x| + |y|), which grows and falls with the angle.
 pub(super) fn arc_coverage(cloud: &Cloud, chart: &Chart, point: Vector) -> f64 {
     let centre = chart.coordinates(point);
-    let sectors = cloud.sum(
-        [[f64::INFINITY, f64::NEG_INFINITY]; SECTORS],
-        |sectors, q, _| {
-            let [x, y, _] = chart.seen(q, centre);
-            let part = x * (x.abs() + y.abs()).inverse_or_zero();
-            for (part, y) in part.0.into_iter().zip(y.0) {
-                let turn = if y < 0.0 { 3.0 + part } else { 1.0 - part };
-                let index = (turn * (SECTORS / 4) as f64) as usize;
-                let [first, last] = &mut sectors[index.min(SECTORS - 1)];
-                *first = first.min(turn);
-                *last = last.max(turn);
-            }
-        },
-        |sectors| sectors,
-        |mut a, b| {
-            for (a, b) in a.iter_mut().zip(b) {
-                *a = [a[0].min(b[0]), a[1].max(b[1])];
-            }
-            a
-        },
-    );
+    let sectors = cloud.gather(Sectors { chart, centre, ends: [[f64::INFINITY, f64::NEG_INFINITY]; SECTORS] });
     let angle = |turn: f64| {
         let x = if turn <= 2.0 { 1.0 - turn } else { turn - 3.0 };
         let y = (1.0 - x.abs()).copysign(2.0 - turn);
@@ -49,30 +30,106 @@ pub(super) fn arc_coverage(cloud: &Cloud, chart: &Chart, point: Vector) -> f64 {
     TAU - taken.iter().zip(taken.iter().skip(1)).fold(around, |gap, (a, b)| gap.max(b[0] - a[1]))
 }
 
+/// First and last point of each sector.
+#[derive(Clone)]
+struct Sectors<'a> {
+    chart: &'a Chart,
+    centre: Vector,
+    ends: [[f64; 2]; SECTORS],
+}
+
+impl Gather for Sectors<'_> {
+    type Sum = [[f64; 2]; SECTORS];
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, _: Lanes) {
+        let [x, y, _] = self.chart.seen(q, self.centre);
+        let part = x * (x.abs() + y.abs()).inverse_or_zero();
+        for (part, y) in part.0.into_iter().zip(y.0) {
+            let turn = if y < 0.0 { 3.0 + part } else { 1.0 - part };
+            let index = (turn * (SECTORS / 4) as f64) as usize;
+            let [first, last] = &mut self.ends[index.min(SECTORS - 1)];
+            *first = first.min(turn);
+            *last = last.max(turn);
+        }
+    }
+
+    fn close(self) -> Self::Sum {
+        self.ends
+    }
+
+    fn join(mut first: Self::Sum, next: Self::Sum) -> Self::Sum {
+        for (a, b) in first.iter_mut().zip(next) {
+            *a = [a[0].min(b[0]), a[1].max(b[1])];
+        }
+        first
+    }
+}
+
 /// Full angle of the cap about the mean direction that holds all directions from `centre`.
 pub(super) fn cap_coverage(cloud: &Cloud, centre: Vector) -> f64 {
-    let directions = |q| {
-        let w = less(q, centre);
-        let inverse = square(w).sqrt().inverse_or_zero();
-        w.map(|x| x * inverse)
-    };
-    let sum = cloud.sum(
-        [Lanes::default(); 3],
-        |sum, q, w| {
-            for (sum, g) in sum.iter_mut().zip(directions(q)) {
-                *sum = *sum + w.presence() * g;
-            }
-        },
-        |sum| sum.map(Lanes::sum),
-        |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]],
-    );
-    let Some(mean) = unit(sum) else { return TAU };
-    let chord = cloud.sum(
-        Lanes::default(),
-        |chord, q, _| *chord = chord.max(square(less(directions(q), mean))),
-        Lanes::most,
-        f64::max,
-    );
+    let mean = cloud.gather(Directions { centre, sum: Points::default() });
+    let Some(mean) = unit(mean) else { return TAU };
+    let chord = cloud.gather(Chord { centre, mean, square: Lanes::default() });
     // half the angle between two directions has half their distance for its sine
     4.0 * (chord.sqrt() / 2.0).min(1.0).asin()
+}
+
+/// Unit vectors from `centre` to points.
+#[inline(always)]
+fn directions(q: Points, centre: Vector) -> Points {
+    let [x, y, z] = less(q, centre);
+    let inverse = square([x, y, z]).sqrt().inverse_or_zero();
+    [x * inverse, y * inverse, z * inverse]
+}
+
+/// Sum of the directions from `centre`.
+#[derive(Clone)]
+struct Directions {
+    centre: Vector,
+    sum: Points,
+}
+
+impl Gather for Directions {
+    type Sum = Vector;
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        for (sum, g) in self.sum.iter_mut().zip(directions(q, self.centre)) {
+            *sum = *sum + w.presence() * g;
+        }
+    }
+
+    fn close(self) -> Vector {
+        self.sum.map(Lanes::sum)
+    }
+
+    fn join(a: Vector, b: Vector) -> Vector {
+        [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+    }
+}
+
+/// Largest squared distance of a direction from their mean.
+#[derive(Clone)]
+struct Chord {
+    centre: Vector,
+    mean: Vector,
+    square: Lanes,
+}
+
+impl Gather for Chord {
+    type Sum = f64;
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, _: Lanes) {
+        self.square = self.square.max(square(less(directions(q, self.centre), self.mean)));
+    }
+
+    fn close(self) -> f64 {
+        self.square.most()
+    }
+
+    fn join(a: f64, b: f64) -> f64 {
+        a.max(b)
+    }
 }

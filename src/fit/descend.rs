@@ -9,7 +9,8 @@
 //! the middle of its chart (as NPL's LSGE turns the axis to z in each iteration).
 
 use super::cloud::Cloud;
-use super::lanes::{LANES, Lanes};
+use super::lanes::{LANES, Lanes, Points};
+use super::stream::Gather;
 use super::surface::Surface;
 use crate::solve::{Factor, Termination, trust_region_step};
 
@@ -21,7 +22,7 @@ const THINNED: usize = 32;
 /// Below this pivot of the scaled normal equations a step from them has fewer than six digits.
 const LEAST_PIVOT: f64 = 1e-9;
 /// Step, relative to the parameters, below which they no longer change.
-const STEP: f64 = 1e-16;
+const STEP: f64 = f64::EPSILON;
 /// Cosine between residuals and Jacobian below which they are orthogonal.
 const GRADIENT: f64 = 1e-15;
 /// Iterations of a fit; a search looks at its starts with fewer.
@@ -169,11 +170,40 @@ fn norm(v: &[f64]) -> f64 {
 }
 
 /// Sums over the points of the products of derivatives, of derivative and distance, and of distances.
-#[derive(Clone, Copy)]
-struct Normal<T, const N: usize> {
-    products: [[T; N]; N],
-    right: [T; N],
-    squares: T,
+#[derive(Clone)]
+struct Normal<'a, S, const N: usize, const K: usize> {
+    surface: &'a S,
+    x: [f64; N],
+    products: [[Lanes; N]; N],
+    right: [Lanes; N],
+    squares: Lanes,
+}
+
+impl<S: Surface<N, K>, const N: usize, const K: usize> Gather for Normal<'_, S, N, K> {
+    type Sum = ([[f64; N]; N], [f64; N], f64);
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        for (distance, row) in self.surface.distances(&self.x, q) {
+            for i in 0..N {
+                let weighted = w * row[i];
+                for (product, other) in self.products[i][i..].iter_mut().zip(&row[i..]) {
+                    *product = *product + weighted * *other;
+                }
+                self.right[i] = self.right[i] + weighted * distance;
+            }
+            self.squares = self.squares + w * distance * distance;
+        }
+    }
+
+    fn close(self) -> Self::Sum {
+        (self.products.map(|row| row.map(Lanes::sum)), self.right.map(Lanes::sum), self.squares.sum())
+    }
+
+    fn join(a: Self::Sum, b: Self::Sum) -> Self::Sum {
+        let products = std::array::from_fn(|i| std::array::from_fn(|j| a.0[i][j] + b.0[i][j]));
+        (products, std::array::from_fn(|i| a.1[i] + b.1[i]), a.2 + b.2)
+    }
 }
 
 /// Sum of squares at `x`, and the factor of the Jacobian by the free parameters with the norms of its columns; no factor
@@ -185,43 +215,20 @@ fn linearise<S: Surface<N, K>, const N: usize, const K: usize>(
     free: &[usize],
 ) -> (f64, (Option<Factor>, Vec<f64>)) {
     let zero = Lanes::default();
-    let sums = cloud.sum(
-        Normal { products: [[zero; N]; N], right: [zero; N], squares: zero },
-        |sums, q, w| {
-            for (distance, row) in surface.distances(x, q) {
-                for (i, (products, right)) in sums.products.iter_mut().zip(&mut sums.right).enumerate() {
-                    let weighted = w * row[i];
-                    for (product, other) in products[i..].iter_mut().zip(&row[i..]) {
-                        *product = *product + weighted * *other;
-                    }
-                    *right = *right + weighted * distance;
-                }
-                sums.squares = sums.squares + w * distance * distance;
-            }
-        },
-        |sums| Normal {
-            products: sums.products.map(|row| row.map(Lanes::sum)),
-            right: sums.right.map(Lanes::sum),
-            squares: sums.squares.sum(),
-        },
-        |a, b| Normal {
-            products: std::array::from_fn(|i| std::array::from_fn(|j| a.products[i][j] + b.products[i][j])),
-            right: std::array::from_fn(|i| a.right[i] + b.right[i]),
-            squares: a.squares + b.squares,
-        },
-    );
-    let product = |i: usize, j: usize| sums.products[i.min(j)][i.max(j)];
+    let (products, right, squares) =
+        cloud.gather(Normal { surface, x: *x, products: [[zero; N]; N], right: [zero; N], squares: zero });
+    let product = |i: usize, j: usize| products[i.min(j)][i.max(j)];
     let column = |&i: &usize| if product(i, i) > 0.0 { product(i, i).sqrt() } else { 1.0 };
     let scale: Vec<f64> = free.iter().map(column).collect();
     let normal: Vec<f64> =
         free.iter().flat_map(|&i| free.iter().map(move |&j| (i, j))).map(|(i, j)| product(i, j)).collect();
-    let right: Vec<f64> = free.iter().map(|&i| sums.right[i]).collect();
+    let right: Vec<f64> = free.iter().map(|&i| right[i]).collect();
     if !normal.iter().chain(&right).all(|v| v.is_finite()) {
-        return (sums.squares, (None, scale));
+        return (squares, (None, scale));
     }
-    let factor = Factor::from_normal(&normal, &right, sums.squares, &scale, LEAST_PIVOT);
+    let factor = Factor::from_normal(&normal, &right, squares, &scale, LEAST_PIVOT);
     let factor = factor.unwrap_or_else(|| orthogonal_factor(surface, x, cloud, free, &scale));
-    (sums.squares, (Some(factor), scale))
+    (squares, (Some(factor), scale))
 }
 
 /// The factor by Householder reflections, block by block of the points.
@@ -232,16 +239,36 @@ fn orthogonal_factor<S: Surface<N, K>, const N: usize, const K: usize>(
     free: &[usize],
     scale: &[f64],
 ) -> Factor {
-    cloud.sum(
-        (Vec::new(), Vec::new()),
-        |(rows, right), q, w| {
-            let root = w.sqrt();
-            for (distance, row) in surface.distances(x, q) {
-                right.extend((root * distance).0);
-                rows.extend((0..LANES).flat_map(|k| free.iter().map(move |&j| root.0[k] * row[j].0[k])));
-            }
-        },
-        |(rows, right)| Factor::new(&rows, &right, scale),
-        Factor::stack,
-    )
+    cloud.gather(Rows { surface, x: *x, free, scale, rows: Vec::new(), right: Vec::new() })
+}
+
+/// The rows of the Jacobian of a block, weighted, and the distances.
+#[derive(Clone)]
+struct Rows<'a, S, const N: usize, const K: usize> {
+    surface: &'a S,
+    x: [f64; N],
+    free: &'a [usize],
+    scale: &'a [f64],
+    rows: Vec<f64>,
+    right: Vec<f64>,
+}
+
+impl<S: Surface<N, K>, const N: usize, const K: usize> Gather for Rows<'_, S, N, K> {
+    type Sum = Factor;
+
+    fn take(&mut self, q: Points, w: Lanes) {
+        let root = w.sqrt();
+        for (distance, row) in self.surface.distances(&self.x, q) {
+            self.right.extend((root * distance).0);
+            self.rows.extend((0..LANES).flat_map(|k| self.free.iter().map(move |&j| root.0[k] * row[j].0[k])));
+        }
+    }
+
+    fn close(self) -> Factor {
+        Factor::new(&self.rows, &self.right, self.scale)
+    }
+
+    fn join(first: Factor, next: Factor) -> Factor {
+        first.stack(next)
+    }
 }

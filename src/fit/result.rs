@@ -3,6 +3,7 @@
 use super::cloud::Cloud;
 use super::element::Element;
 use super::lanes::{Lanes, Points};
+use super::stream::Gather;
 use crate::message::Message;
 use crate::pose::{Vector, cross, dot, minus, norm};
 use crate::solve::Termination;
@@ -50,22 +51,9 @@ pub struct Residuals {
 impl Residuals {
     /// Of all points, by their `K` distances; the first of these is the residual.
     pub(super) fn of<const K: usize>(cloud: &Cloud, distances: impl Fn(Points) -> [Lanes; K] + Sync) -> Self {
-        let zero = Lanes::default();
-        let start = [zero, zero, Lanes::all(f64::INFINITY), Lanes::all(f64::NEG_INFINITY)];
-        let [squares, plain, least, most] = cloud.sum(
-            start,
-            |[squares, plain, least, most], q, w| {
-                let distances = distances(q);
-                for d in distances {
-                    *squares = *squares + w * d * d;
-                }
-                *plain = *plain + w.presence() * distances[0] * distances[0];
-                *least = least.min(distances[0]);
-                *most = most.max(distances[0]);
-            },
-            |[squares, plain, least, most]| [squares.sum(), plain.sum(), least.least(), most.most()],
-            |a, b| [a[0] + b[0], a[1] + b[1], a[2].min(b[2]), a[3].max(b[3])],
-        );
+        let (zero, least, most) = (Lanes::default(), Lanes::all(f64::INFINITY), Lanes::all(f64::NEG_INFINITY));
+        let [squares, plain, least, most] =
+            cloud.gather(Remaining { distances: &distances, squares: zero, plain: zero, least, most });
         Self { rms: (plain / cloud.len() as f64).sqrt(), least, most, squares }
     }
 
@@ -76,6 +64,44 @@ impl Residuals {
             most: self.most * scale,
             squares: self.squares * scale * scale,
         }
+    }
+}
+
+/// Weighted squares of all distances of a point, and squares, smallest and largest of the first.
+struct Remaining<'a, F> {
+    distances: &'a F,
+    squares: Lanes,
+    plain: Lanes,
+    least: Lanes,
+    most: Lanes,
+}
+
+impl<F> Clone for Remaining<'_, F> {
+    fn clone(&self) -> Self {
+        Self { ..*self }
+    }
+}
+
+impl<const K: usize, F: Fn(Points) -> [Lanes; K] + Sync> Gather for Remaining<'_, F> {
+    type Sum = [f64; 4];
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        let distances = (self.distances)(q);
+        for d in distances {
+            self.squares = self.squares + w * d * d;
+        }
+        self.plain = self.plain + w.presence() * distances[0] * distances[0];
+        self.least = self.least.min(distances[0]);
+        self.most = self.most.max(distances[0]);
+    }
+
+    fn close(self) -> [f64; 4] {
+        [self.squares.sum(), self.plain.sum(), self.least.least(), self.most.most()]
+    }
+
+    fn join(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        [a[0] + b[0], a[1] + b[1], a[2].min(b[2]), a[3].max(b[3])]
     }
 }
 

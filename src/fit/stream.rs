@@ -2,7 +2,6 @@
 
 use super::cloud::{Cloud, Source};
 use super::lanes::{LANES, Lanes, Points};
-use crate::pose::Vector;
 use rayon::prelude::*;
 
 /// Points that one thread sums up: fixed, so that sums do not depend on the number of threads.
@@ -10,78 +9,68 @@ const BLOCK: usize = 4096;
 /// Blocks whose sums are held at a time.
 const BLOCKS: usize = 256;
 
+/// What is gathered from the points of a block, and how the sums of blocks are joined.
+pub(super) trait Gather: Clone + Sync {
+    /// What a block comes to.
+    type Sum: Send;
+
+    /// Takes up eight points with their weights. The last eight may be filled up with copies of a point that weigh
+    /// nothing. To be inlined, so that what is gathered stays in registers.
+    fn take(&mut self, q: Points, w: Lanes);
+
+    fn close(self) -> Self::Sum;
+
+    fn join(first: Self::Sum, next: Self::Sum) -> Self::Sum;
+}
+
 impl Cloud<'_> {
-    /// Lets `each` take up the normalised points, eight at a time with their weights, into a copy of `start` for each
-    /// block; `close` makes the sum of a block and `merge` joins them in the order of the points.
-    ///
-    /// The last eight may be filled up with copies of a point that weigh nothing.
-    pub fn sum<A: Clone + Sync, B: Send>(
-        &self,
-        start: A,
-        each: impl Fn(&mut A, Points, Lanes) + Sync,
-        close: impl Fn(A) -> B + Sync,
-        merge: impl Fn(B, B) -> B,
-    ) -> B {
+    /// Gathers over all normalised points, from a copy of `start` for each block, joined in the order of the points.
+    pub fn gather<G: Gather>(&self, start: G) -> G::Sum {
         let block = |k: usize| {
-            let mut sums = start.clone();
             let range = k * BLOCK..self.len().min((k + 1) * BLOCK);
             match &self.source {
-                Source::Space(points) => self.pass(range.start, &points[range], |p| *p, |q, w| each(&mut sums, q, w)),
-                Source::Plane(points) => {
-                    self.pass(range.start, &points[range], |p| [p[0], p[1], 0.0], |q, w| each(&mut sums, q, w));
-                }
+                Source::Space(points) => self.pass(range.start, &points[range], start.clone()),
+                Source::Plane(points) => self.pass(range.start, &points[range], start.clone()),
             }
-            close(sums)
         };
         let blocks = self.len().div_ceil(BLOCK);
         if blocks <= 1 {
             return block(0);
         }
         let joined = (0..blocks).step_by(BLOCKS).filter_map(|from| {
-            let sums: Vec<B> = (from..blocks.min(from + BLOCKS)).into_par_iter().map(block).collect();
-            sums.into_iter().reduce(&merge)
+            let sums: Vec<G::Sum> = (from..blocks.min(from + BLOCKS)).into_par_iter().map(block).collect();
+            sums.into_iter().reduce(G::join)
         });
-        joined.reduce(&merge).unwrap_or_else(|| close(start.clone()))
+        joined.reduce(G::join).unwrap_or_else(|| start.clone().close())
     }
 
-    /// Normalises `points`, of which the first is number `first`, and gives them on eight by eight.
-    #[inline(always)]
-    fn pass<P>(
-        &self,
-        first: usize,
-        points: &[P],
-        coordinates: impl Fn(&P) -> Vector,
-        mut each: impl FnMut(Points, Lanes),
-    ) {
+    /// Normalises `points` (in the plane or in space), of which the first is number `first`, eight by eight.
+    fn pass<G: Gather, const D: usize>(&self, first: usize, points: &[[f64; D]], mut gathered: G) -> G::Sum {
         let (centre, factor) = (self.centre_mm, 1.0 / self.scale_mm);
-        let normalised = |p: &P| {
-            let p = coordinates(p);
-            [0, 1, 2].map(|k| (p[k] - centre[k]) * factor)
-        };
         // without weights a multiplication by one is none
         let plain = if self.weights.is_some() { 0 } else { points.len() / LANES * LANES };
         for eight in points[..plain].as_chunks::<LANES>().0 {
             let mut group = Points::default();
             for (i, p) in eight.iter().enumerate() {
-                let q = normalised(p);
-                for k in 0..3 {
-                    group[k].0[i] = q[k];
+                for k in 0..D {
+                    group[k].0[i] = (p[k] - centre[k]) * factor;
                 }
             }
-            each(group, Lanes::all(1.0));
+            gathered.take(group, Lanes::all(1.0));
         }
         for from in (plain..points.len()).step_by(LANES) {
             let (mut group, mut weights) = (Points::default(), Lanes::default());
             for i in 0..LANES {
-                let q = normalised(&points[(from + i).min(points.len() - 1)]);
-                for k in 0..3 {
-                    group[k].0[i] = q[k];
+                let p = points[(from + i).min(points.len() - 1)];
+                for k in 0..D {
+                    group[k].0[i] = (p[k] - centre[k]) * factor;
                 }
                 if from + i < points.len() {
                     weights.0[i] = self.weight(first + from + i);
                 }
             }
-            each(group, weights);
+            gathered.take(group, weights);
         }
+        gathered.close()
     }
 }

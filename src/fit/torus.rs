@@ -83,7 +83,11 @@ impl Surface<7, 1> for Bend {
         let from_core = (outward * outward + at.t * at.t).sqrt();
         let inverse = from_core.inverse_or_zero();
         let (g_rho, g_t) = (outward * inverse, at.t * inverse);
-        let [a, b, h, u, v] = std::array::from_fn(|i| g_rho * at.d_rho[i] + g_t * at.d_t[i]);
+        let mut d = at.d_rho;
+        for (rho, t) in d.iter_mut().zip(at.d_t) {
+            *rho = g_rho * *rho + g_t * t;
+        }
+        let [a, b, h, u, v] = d;
         [(from_core - x[6], [a, b, h, u, v, -g_rho, Lanes::all(-1.0)])]
     }
 
