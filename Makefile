@@ -1,6 +1,7 @@
 # make         run every sample campaign (each writes samples/NAME/out/report.html)
 # make test    run the tests
 # make bench   compare with a peer, side by side in the same run (needs Python with numpy and scipy)
+# make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make samples make the synthetic samples again from their truth
 # make help    this text
 SHELL := /bin/bash
@@ -16,7 +17,9 @@ SOURCES := Cargo.toml Cargo.lock $(shell find src -type f)
 CAMPAIGNS := $(patsubst samples/%/campaign.toml,%,$(sort $(wildcard samples/*/campaign.toml)))
 SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth.toml)))
 
-.PHONY: all test bench samples help clean
+SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
+
+.PHONY: all test bench bench-fit samples help clean
 all: $(CAMPAIGNS:%=samples/%/out/report.html)
 
 $(ETALON): $(SOURCES)
@@ -33,6 +36,16 @@ test:
 
 bench:
 	cargo bench --locked
+
+# peers that are not there are left out, and nothing is installed with root
+bench-fit:
+	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv
+	$(SHARED)/venv/bin/pip install --quiet numpy scipy || echo "NumPy and SciPy could not be installed: left out"
+	if [ -f /usr/include/ceres/ceres.h ]; then \
+	    c++ -O3 -I/usr/include/eigen3 benches/fit/ceres.cpp -o $(SHARED)/ceres_fit -lceres -lglog; \
+	else echo "Ceres is not installed (libceres-dev of Debian): left out"; fi
+	CARGO_TARGET_DIR=$(SHARED) CERES_FIT=$(SHARED)/ceres_fit PYTHON=$(SHARED)/venv/bin/python \
+	    cargo run --release --locked --manifest-path benches/fit/Cargo.toml
 
 samples: $(ETALON)
 	for name in $(SYNTHETIC); do $(ETALON) simulate samples/$$name; done

@@ -109,7 +109,7 @@ impl FitDocument {
             schema: "etalon/fit/1".to_owned(),
             element: fit.element.name().to_owned(),
             label,
-            points: fit.residuals_mm.len(),
+            points: fit.points,
             center_mm: centred.then_some(fit.point_mm),
             point_mm: (!centred).then_some(fit.point_mm),
             apex_mm: fit.apex_mm(),

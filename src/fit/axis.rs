@@ -1,14 +1,13 @@
 //! What circle, cylinder, cone and torus share: an axis through a point, in a local chart.
 //!
 //! The axis is d0 + u e1 + v e2 with (e1, e2, d0) a right-handed frame, so u = v = 0 is the middle of the chart and
-//! no direction is singular; when the solver has moved away, the chart is laid again about where it ended
+//! no direction is singular; after each step the chart is laid again about where it ended
 //! (Shakarji 1998, J. Res. NIST 103, 633, uses the same local freedom: two for a direction, two for its place).
 
-use super::cloud::Cloud;
+use super::lanes::{Lanes, Points, along};
 use super::result::QUANTITIES;
-use super::surface::{Refined, Surface, refine};
-use crate::pose::{Vector, cross, dot, minus, unit};
-use crate::solve::Options;
+use super::surface::Surface;
+use crate::pose::{Vector, cross, dot, unit};
 
 /// A right-handed frame about a direction.
 #[derive(Clone, Copy)]
@@ -19,14 +18,14 @@ pub(super) struct Chart {
     pub e2: Vector,
 }
 
-/// Where a point lies about an axis, with derivatives by (a, b, h, u, v).
+/// Where points lie about an axis, with derivatives by (a, b, h, u, v) in the middle of the chart.
 pub(super) struct Cylindrical {
     /// Distance from the axis.
-    pub rho: f64,
+    pub rho: Lanes,
     /// Height along the axis.
-    pub t: f64,
-    pub d_rho: [f64; 5],
-    pub d_t: [f64; 5],
+    pub t: Lanes,
+    pub d_rho: [Lanes; 5],
+    pub d_t: [Lanes; 5],
 }
 
 impl Chart {
@@ -51,30 +50,39 @@ impl Chart {
         [dot(p, self.e1), dot(p, self.e2), dot(p, self.d0)]
     }
 
-    /// The unit axis at (u, v), and the length that it was divided by.
-    pub fn axis(&self, u: f64, v: f64) -> (Vector, f64) {
-        let length = (1.0 + u * u + v * v).sqrt();
-        (self.point(u, v, 1.0).map(|x| x / length), length)
+    /// A point as it is seen along d0.
+    pub fn flat(&self, p: Vector) -> Vector {
+        [dot(p, self.e1), dot(p, self.e2), 0.0]
     }
 
-    /// Distance from the axis and height along it, of q, for the axis x = (a, b, h, u, v).
-    pub fn cylindrical(&self, x: [f64; 5], q: Vector) -> Cylindrical {
-        let [a, b, h, u, v] = x;
-        let (d, length) = self.axis(u, v);
-        let w = minus(q, self.point(a, b, h));
-        let t = dot(w, d);
-        let across = [w[0] - t * d[0], w[1] - t * d[1], w[2] - t * d[2]];
-        let rho = dot(across, across).sqrt();
-        // on the axis itself the distance has no derivative; zero keeps the step finite
-        let g = if rho > 0.0 { across.map(|c| c / rho) } else { [0.0; 3] };
-        let (g, w, d) = (self.coordinates(g), self.coordinates(w), self.coordinates(d));
-        Cylindrical {
-            rho,
-            t,
-            // d rho = -g dp - t g dd, d t = -d dp + w dd, and dd/du = (e1 - (e1 d) d) / length
-            d_rho: [-g[0], -g[1], -g[2], -t * g[0] / length, -t * g[1] / length],
-            d_t: [-d[0], -d[1], -d[2], (w[0] - t * d[0]) / length, (w[1] - t * d[1]) / length],
+    /// Coordinates of points along e1, e2 and d0 from (a, b, h).
+    #[inline(always)]
+    pub fn seen(&self, q: Points, [a, b, h]: Vector) -> Points {
+        [along(q, self.e1) - a, along(q, self.e2) - b, along(q, self.d0) - h]
+    }
+
+    /// Distance from the axis through (a, b, h) and height along it.
+    #[inline(always)]
+    pub fn cylindrical(&self, point: Vector, q: Points) -> Cylindrical {
+        let [x, y, t] = self.seen(q, point);
+        let rho = (x * x + y * y).sqrt();
+        let inverse = rho.inverse_or_zero();
+        let (gx, gy) = (x * inverse, y * inverse);
+        let (zero, less) = (Lanes::default(), Lanes::all(-1.0));
+        // d rho = -g dp - t g dd, d t = -d dp + w dd, with dd = e1 du + e2 dv
+        Cylindrical { rho, t, d_rho: [-gx, -gy, zero, -(t * gx), -(t * gy)], d_t: [zero, zero, less, x, y] }
+    }
+
+    /// The chart about the axis x = (a, b, h, u, v, ...), and x in it.
+    pub fn moved<const N: usize>(&self, x: &[f64; N]) -> (Self, [f64; N]) {
+        let mut x = *x;
+        if x[3] == 0.0 && x[4] == 0.0 {
+            return (*self, x);
         }
+        let chart = Self::new(self.point(x[3], x[4], 1.0));
+        let [a, b, h] = chart.coordinates(self.point(x[0], x[1], x[2]));
+        x[..5].copy_from_slice(&[a, b, h, 0.0, 0.0]);
+        (chart, x)
     }
 
     /// How point and direction move with (a, b, h, u, v) in the middle of the chart.
@@ -89,72 +97,15 @@ impl Chart {
 }
 
 /// A surface about an axis, its first parameters (a, b, h, u, v).
-pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> + Sized {
+pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> {
     /// The chart that the parameters are in.
     fn chart(&self) -> &Chart;
 
-    /// The same element in another chart; `foot` is the foot of the centroid on the axis.
-    fn with_chart(&self, chart: Chart) -> Self;
-
-    /// The other parameters after the point moved by `slid` along the axis to the foot of the centroid.
-    fn slide(_x: &mut [f64; N], _slid: f64) {}
-
-    /// Whether the point may slide along the axis, and is kept at the foot of the centroid.
-    const SLIDES: bool;
-
     /// Starts that are looked at in the search.
     const STARTS: usize = 8;
-
-    /// The same element in the chart about its own axis.
-    fn recharted(&self, x: &[f64; N]) -> (Self, [f64; N]) {
-        let old = self.chart();
-        let (d, _) = old.axis(x[3], x[4]);
-        let point = old.point(x[0], x[1], x[2]);
-        let chart = Chart::new(d);
-        let mut x = *x;
-        let [a, b, h] = chart.coordinates(point);
-        x[..5].copy_from_slice(&[a, b, h, 0.0, 0.0]);
-        if Self::SLIDES {
-            Self::slide(&mut x, -h);
-            x[2] = 0.0;
-        }
-        (self.with_chart(chart), x)
-    }
-}
-
-/// [`refine`], with the chart laid again until its middle is the answer.
-pub(super) fn refine_axis<S: Axial<N, K>, const N: usize, const K: usize>(
-    mut surface: S,
-    cloud: &Cloud,
-    mut start: [f64; N],
-    free: [bool; N],
-    options: Options,
-) -> (S, Refined<N, K>) {
-    let mut iterations = 0;
-    let mut round = 0;
-    loop {
-        let mut refined = refine(&surface, cloud, start, free, options);
-        iterations += refined.iterations;
-        round += 1;
-        let tilt = refined.x[3].hypot(refined.x[4]);
-        if !refined.termination.is_success() || tilt < 1e-7 || round == 8 {
-            refined.iterations = iterations;
-            return (surface, refined);
-        }
-        (surface, start) = surface.recharted(&refined.x);
-    }
 }
 
 /// Length of (x, y) in normalised coordinates: nothing overflows, and hypot would be slow.
 pub(super) fn length(x: f64, y: f64) -> f64 {
     (x * x + y * y).sqrt()
-}
-
-/// Angles of the points about the axis through `point`, for the coverage of an arc.
-pub(super) fn angles_about(points: &[Vector], chart: &Chart, point: Vector) -> Vec<f64> {
-    let angle = |&q: &Vector| {
-        let [x, y, _] = chart.coordinates(minus(q, point));
-        y.atan2(x)
-    };
-    points.iter().map(angle).collect()
 }

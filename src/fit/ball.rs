@@ -1,30 +1,65 @@
 //! Circle in the plane and sphere: the distance of a point from a centre, less the radius.
 
-use super::cloud::Cloud;
+use super::axis::Chart;
+use super::lanes::{Lanes, Points, less, square};
 use super::result::QUANTITIES;
 use super::surface::Surface;
-use crate::pose::{Vector, dot, minus};
+use crate::pose::{Vector, minus};
 use crate::solve::symmetric_eigen;
 
-/// Parameters x, y, z of the centre and the radius; in the plane z is held at zero.
+/// Sphere: parameters x, y, z of the centre and the radius.
+#[derive(Clone, Copy)]
 pub(super) struct Ball;
 
 impl Surface<4, 1> for Ball {
-    fn distances(&self, x: &[f64; 4], q: Vector) -> [(f64, [f64; 4]); 1] {
-        let w = minus(q, [x[0], x[1], x[2]]);
-        // coordinates are of size one: nothing overflows, and hypot would be slow
-        let rho = dot(w, w).sqrt();
-        let g = if rho > 0.0 { w.map(|c| c / rho) } else { [0.0; 3] };
-        [(rho - x[3], [-g[0], -g[1], -g[2], -1.0])]
+    #[inline(always)]
+    fn distances(&self, x: &[f64; 4], q: Points) -> [(Lanes, [Lanes; 4]); 1] {
+        let w = less(q, [x[0], x[1], x[2]]);
+        let rho = square(w).sqrt();
+        let inverse = rho.inverse_or_zero();
+        let [gx, gy, gz] = [w[0] * inverse, w[1] * inverse, w[2] * inverse];
+        [(rho - x[3], [-gx, -gy, -gz, Lanes::all(-1.0)])]
+    }
+
+    fn recharted(&self, x: &[f64; 4]) -> (Self, [f64; 4]) {
+        (*self, *x)
     }
 
     fn quantities(&self, _x: &[f64; 4]) -> [[f64; QUANTITIES]; 4] {
-        let mut by_parameter = [[0.0; QUANTITIES]; 4];
-        for (row, quantity) in by_parameter.iter_mut().zip([0, 1, 2, 6]) {
-            row[quantity] = 1.0;
-        }
-        by_parameter
+        one_to_one([0, 1, 2, 6])
     }
+}
+
+/// Circle in the plane of `chart`, that is of points seen along its axis: parameters a, b of the centre and the radius.
+#[derive(Clone, Copy)]
+pub(super) struct Disc {
+    pub chart: Chart,
+}
+
+impl Surface<3, 1> for Disc {
+    #[inline(always)]
+    fn distances(&self, x: &[f64; 3], q: Points) -> [(Lanes, [Lanes; 3]); 1] {
+        let [u, v, _] = self.chart.seen(q, [x[0], x[1], 0.0]);
+        let rho = (u * u + v * v).sqrt();
+        let inverse = rho.inverse_or_zero();
+        [(rho - x[2], [-(u * inverse), -(v * inverse), Lanes::all(-1.0)])]
+    }
+
+    fn recharted(&self, x: &[f64; 3]) -> (Self, [f64; 3]) {
+        (*self, *x)
+    }
+
+    fn quantities(&self, _x: &[f64; 3]) -> [[f64; QUANTITIES]; 3] {
+        one_to_one([0, 1, 6])
+    }
+}
+
+fn one_to_one<const N: usize>(quantities: [usize; N]) -> [[f64; QUANTITIES]; N] {
+    quantities.map(|quantity| {
+        let mut row = [0.0; QUANTITIES];
+        row[quantity] = 1.0;
+        row
+    })
 }
 
 /// Taubin's algebraic circle (`M` = 3) or sphere (`M` = 4): centre and radius.
@@ -32,8 +67,7 @@ impl Surface<4, 1> for Ball {
 /// Taubin 1991, IEEE Trans. PAMI 13, 1115, in the form of Chernov 2010, "Circular and linear regression", 5.9-5.10:
 /// the smallest eigenvector of the moments of ((z - z̄)/(2√z̄), x, y), z = x² + y². Unlike Kasa's it is hardly biased on
 /// short arcs.
-pub(super) fn taubin<const M: usize>(cloud: &Cloud) -> (Vector, f64) {
-    let points = &cloud.points;
+pub(super) fn taubin<const M: usize>(points: &[Vector]) -> (Vector, f64) {
     let square = |q: &Vector| q.iter().take(M - 1).map(|x| x * x).sum::<f64>();
     let (mut total, mut centre) = (0.0, [0.0; 3]);
     for q in points {

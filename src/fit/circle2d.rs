@@ -1,14 +1,14 @@
 //! Circle in the plane.
 
-use super::axis::{Chart, angles_about};
-use super::ball::{Ball, taubin};
-use super::cloud::Cloud;
+use super::axis::Chart;
+use super::ball::{Disc, taubin};
+use super::cloud::{Cloud, Source};
+use super::coverage::arc_coverage;
+use super::descend::{Refined, SAMPLE, refine};
 use super::element::{Element, Settings};
-use super::result::{Fit, arc_coverage};
-use super::surface::{Refined, refine};
+use super::result::Fit;
 use crate::message::Result;
 use crate::pose::Vector;
-use crate::solve::Options;
 
 /// Fits a circle in the plane to at least three points that are not on one line; z of its centre is zero.
 ///
@@ -20,21 +20,21 @@ pub fn circle2d(points: &[[f64; 2]]) -> Result<Fit> {
 /// [`circle2d`] with weights or a held radius.
 pub fn circle2d_with(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
     settings.check(Element::Circle2d)?;
-    let lifted: Vec<Vector> = points.iter().map(|p| [p[0], p[1], 0.0]).collect();
-    let cloud = Cloud::new(Element::Circle2d, &lifted, settings)?;
-    let refined = refine_circle(&cloud, settings);
-    let [x, y, _, radius] = refined.x;
-    let mut fit = refined.into_fit(Element::Circle2d, &Ball, &cloud, [x, y, 0.0])?;
-    fit.radius_mm = Some(radius * cloud.scale_mm);
+    let cloud = Cloud::new(Element::Circle2d, Source::Plane(points), settings)?;
     let chart = Chart { d0: [0.0, 0.0, 1.0], e1: [1.0, 0.0, 0.0], e2: [0.0, 1.0, 0.0] };
-    fit.coverage_rad = Some(arc_coverage(angles_about(&cloud.points, &chart, [x, y, 0.0])));
+    let refined = refine_circle(&cloud, chart, settings);
+    let [x, y, radius] = refined.x;
+    let mut fit = refined.to_fit(Element::Circle2d, &cloud, [x, y, 0.0])?;
+    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.coverage_rad = Some(arc_coverage(&cloud, &chart, [x, y, 0.0]));
     Ok(fit.with_warnings())
 }
 
-/// The circle through x and y of the points of `cloud`.
-pub(super) fn refine_circle(cloud: &Cloud, settings: &Settings) -> Refined<4, 1> {
-    let (centre, radius) = taubin::<3>(cloud);
+/// The circle through the points of `cloud` seen along the axis of `chart`.
+pub(super) fn refine_circle(cloud: &Cloud, chart: Chart, settings: &Settings) -> Refined<Disc, 3> {
+    let few: Vec<Vector> = cloud.thinned(SAMPLE).points().map(|q| chart.flat(q)).collect();
+    let (centre, radius) = taubin::<3>(&few);
     let held = settings.radius_mm.map(|r| r / cloud.scale_mm);
-    let start = [centre[0], centre[1], 0.0, held.unwrap_or(radius)];
-    refine(&Ball, cloud, start, [true, true, false, held.is_none()], Options::default())
+    let start = [centre[0], centre[1], held.unwrap_or(radius)];
+    refine(Disc { chart }, cloud, start, [true, true, held.is_none()])
 }

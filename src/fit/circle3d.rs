@@ -3,17 +3,18 @@
 //! NIST's reference pairs and most CMM software fit the plane, project the points onto it and fit the circle there.
 //! The full orthogonal distance to the curve differs: by 0.9 µrad in the normal on NIST's own set 25.
 
-use super::axis::{Axial, Chart, angles_about, refine_axis};
-use super::ball::Ball;
+use super::axis::Chart;
 use super::circle2d::refine_circle;
-use super::cloud::Cloud;
+use super::cloud::{Cloud, Source};
+use super::coverage::arc_coverage;
+use super::descend::refine;
 use super::element::{CircleMethod, Element, Settings};
+use super::lanes::{Lanes, Points, along};
 use super::plane::{diagonal_matrix, plane_variances};
-use super::result::{Covariance, Fit, QUANTITIES, arc_coverage, largest_component_positive};
+use super::result::{Covariance, Fit, QUANTITIES, Residuals, largest_component_positive};
 use super::surface::{Surface, propagate};
 use crate::message::Result;
 use crate::pose::Vector;
-use crate::solve::Options;
 
 /// Fits a circle in space to at least three points that are not on one line: plane, projection, circle.
 pub fn circle3d(points: &[Vector]) -> Result<Fit> {
@@ -23,38 +24,33 @@ pub fn circle3d(points: &[Vector]) -> Result<Fit> {
 /// [`circle3d`] with weights, a held radius or normal, or by full orthogonal distance.
 pub fn circle3d_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Circle3d)?;
-    let cloud = Cloud::new(Element::Circle3d, points, settings)?;
+    let cloud = Cloud::new(Element::Circle3d, Source::Space(points.into()), settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
-    let (chart, variances) = plane_variances(&cloud, normal, held.is_some());
-    let inside = Cloud {
-        points: cloud.points.iter().map(|&q| chart.coordinates(q)).map(|[x, y, _]| [x, y, 0.0]).collect(),
-        roots: cloud.roots.clone(),
-        ..cloud
-    };
-    let circle = refine_circle(&inside, settings);
+    let heights = Residuals::of(&cloud, |q| [along(q, normal)]);
+    let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), heights.squares);
+    let circle = refine_circle(&cloud, chart, settings);
+    let [a, b, radius] = circle.x;
     if settings.circle == CircleMethod::Orthogonal {
-        let [a, b, _, radius] = circle.x;
         return orthogonal(&cloud, chart, [a, b, 0.0, 0.0, 0.0, radius], held.is_some(), settings);
     }
-    let [a, b, _, radius] = circle.x;
-    let local = circle.covariance;
     let centre = chart.point(a, b, 0.0);
-    let mut fit = circle.into_fit(Element::Circle3d, &Ball, &inside, centre)?;
+    let mut fit = circle.to_fit(Element::Circle3d, &cloud, centre)?;
+    let local = circle.covariance(fit.degrees_of_freedom);
     fit.covariance = variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, a, b, cloud.scale_mm));
-    fit.out_of_plane_mm = cloud.points.iter().map(|&q| chart.coordinates(q)[2] * cloud.scale_mm).collect();
+    fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
     fit.method = "least-squares plane, projection, circle in the plane by orthogonal distance";
     fit.direction = Some(normal);
     Ok(finished(fit, &cloud, &chart, centre, radius))
 }
 
-/// Covariance of plane (a, b, h, u, v) and circle (x, y, z, r), which share no residual, taken together.
-fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 4]; 4], a: f64, b: f64, scale_mm: f64) -> Covariance {
+/// Covariance of plane (a, b, h, u, v) and circle (a, b, r), which share no residual, taken together.
+fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], a: f64, b: f64, scale_mm: f64) -> Covariance {
     let mut local = [[0.0; 6]; 6];
     for (row, p) in local.iter_mut().zip(diagonal_matrix(plane)) {
         row[..5].copy_from_slice(&p);
     }
-    for (i, k) in [(0, 0), (1, 1), (3, 5)] {
-        for (j, l) in [(0, 0), (1, 1), (3, 5)] {
+    for (i, k) in [(0, 0), (1, 1), (2, 5)] {
+        for (j, l) in [(0, 0), (1, 1), (2, 5)] {
             local[k][l] = circle[i][j];
         }
     }
@@ -70,15 +66,22 @@ fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 4]; 4], a: f64, b: f64, s
 }
 
 /// Parameters a, b, h, u, v of the axis and the radius; two distances a point: in the plane and from it.
+#[derive(Clone, Copy)]
 pub(super) struct Ring {
     pub(super) chart: Chart,
 }
 
 impl Surface<6, 2> for Ring {
-    fn distances(&self, x: &[f64; 6], q: Vector) -> [(f64, [f64; 6]); 2] {
-        let at = self.chart.cylindrical([x[0], x[1], x[2], x[3], x[4]], q);
-        let widen = |d: [f64; 5], radius: f64| [d[0], d[1], d[2], d[3], d[4], radius];
+    #[inline(always)]
+    fn distances(&self, x: &[f64; 6], q: Points) -> [(Lanes, [Lanes; 6]); 2] {
+        let at = self.chart.cylindrical([x[0], x[1], x[2]], q);
+        let widen = |d: [Lanes; 5], radius: f64| [d[0], d[1], d[2], d[3], d[4], Lanes::all(radius)];
         [(at.rho - x[5], widen(at.d_rho, -1.0)), (at.t, widen(at.d_t, 0.0))]
+    }
+
+    fn recharted(&self, x: &[f64; 6]) -> (Self, [f64; 6]) {
+        let (chart, x) = self.chart.moved(x);
+        (Self { chart }, x)
     }
 
     fn quantities(&self, _x: &[f64; 6]) -> [[f64; QUANTITIES]; 6] {
@@ -88,40 +91,26 @@ impl Surface<6, 2> for Ring {
     }
 }
 
-impl Axial<6, 2> for Ring {
-    const SLIDES: bool = false;
-
-    fn chart(&self) -> &Chart {
-        &self.chart
-    }
-
-    fn with_chart(&self, chart: Chart) -> Self {
-        Self { chart }
-    }
-}
-
 fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, settings: &Settings) -> Result<Fit> {
     let mut start = start;
     if let Some(radius) = settings.radius_mm {
         start[5] = radius / cloud.scale_mm;
     }
     let free = [true, true, true, !axis_held, !axis_held, settings.radius_mm.is_none()];
-    let (ring, refined) = refine_axis(Ring { chart }, cloud, start, free, Options::default());
-    let [a, b, h, u, v, radius] = refined.x;
-    let (axis, _) = ring.chart.axis(u, v);
-    let centre = ring.chart.point(a, b, h);
-    let heights: Vec<f64> = refined.distances.iter().map(|d| d[1]).collect();
-    let mut fit = refined.into_fit(Element::Circle3d, &ring, cloud, centre)?;
+    let refined = refine(Ring { chart }, cloud, start, free);
+    let chart = refined.surface.chart;
+    let [a, b, h, _, _, radius] = refined.x;
+    let centre = chart.point(a, b, h);
+    let mut fit = refined.to_fit(Element::Circle3d, cloud, centre)?;
     // the largest component positive, whichever way the chart lies
-    let normal = largest_component_positive(axis);
-    fit.point_along(axis, normal);
-    let turned = crate::pose::dot(normal, axis);
-    fit.out_of_plane_mm = heights.iter().map(|t| t * turned.signum() * cloud.scale_mm).collect();
-    Ok(finished(fit, cloud, &Chart::new(normal), centre, radius))
+    fit.point_along(chart.d0, largest_component_positive(chart.d0));
+    let heights = Residuals::of(cloud, |q| [chart.seen(q, [a, b, h])[2]]);
+    fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
+    Ok(finished(fit, cloud, &chart, centre, radius))
 }
 
 fn finished(mut fit: Fit, cloud: &Cloud, chart: &Chart, centre: Vector, radius: f64) -> Fit {
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    fit.coverage_rad = Some(arc_coverage(angles_about(&cloud.points, chart, centre)));
+    fit.coverage_rad = Some(arc_coverage(cloud, chart, centre));
     fit.with_warnings()
 }

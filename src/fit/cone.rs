@@ -1,14 +1,16 @@
 //! Circular cone, one nappe.
 
-use super::axis::{Axial, Chart, angles_about, length, refine_axis};
-use super::cloud::Cloud;
+use super::axis::{Axial, Chart, length};
+use super::cloud::{Cloud, Source};
+use super::coverage::arc_coverage;
+use super::descend::{Refined, refine};
 use super::element::{Element, Settings};
-use super::result::{Fit, QUANTITIES, arc_coverage};
+use super::lanes::{Lanes, Points};
+use super::result::{Fit, QUANTITIES};
 use super::search::{no_start, rival_warning, search};
-use super::surface::{Refined, Surface};
+use super::surface::Surface;
 use crate::message::{Message, Result};
 use crate::pose::Vector;
-use crate::solve::Options;
 use nalgebra::{Matrix5, Vector5};
 use std::f64::consts::PI;
 
@@ -23,28 +25,26 @@ pub fn cone(points: &[Vector]) -> Result<Fit> {
 /// [`cone`] with weights or a held axis.
 pub fn cone_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Cone)?;
-    let cloud = Cloud::new(Element::Cone, points, settings)?;
+    let cloud = Cloud::new(Element::Cone, Source::Space(points.into()), settings)?;
     let free = [true, true, false, held.is_none(), held.is_none(), true, true];
     let upright = |funnel, x| Some(widening(funnel, x)).filter(|(_, x): &(Funnel, [f64; 7])| x[5] > 0.0);
     let found =
         search(&cloud, held, free, |few, chart| vec![cone_along(few, chart)], upright, |chart| Funnel { chart });
     let found = found.ok_or_else(|| no_start(Element::Cone))?;
-    let (funnel, refined) = refine_axis(found.surface, &cloud, found.start, free, Options::default());
-    let mut fit = finished(&cloud, &funnel, refined)?;
+    let mut fit = finished(&cloud, &refine(found.surface, &cloud, found.start, free))?;
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cone)));
     Ok(fit)
 }
 
-fn finished(cloud: &Cloud, funnel: &Funnel, refined: Refined<7, 1>) -> Result<Fit> {
-    let [a, b, h, u, v, distance, half_angle] = refined.x;
-    let (axis, _) = funnel.chart.axis(u, v);
-    let foot = funnel.chart.point(a, b, h);
-    let mut fit = refined.into_fit(Element::Cone, funnel, cloud, foot)?;
-    let wider = if half_angle < 0.0 { axis.map(|x| -x) } else { axis };
-    fit.point_along(axis, wider);
+fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>) -> Result<Fit> {
+    let chart = refined.surface.chart;
+    let [a, b, h, _, _, distance, half_angle] = refined.x;
+    let foot = chart.point(a, b, h);
+    let mut fit = refined.to_fit(Element::Cone, cloud, foot)?;
+    fit.point_along(chart.d0, if half_angle < 0.0 { chart.d0.map(|x| -x) } else { chart.d0 });
     fit.radius_mm = Some(distance / half_angle.cos() * cloud.scale_mm);
     fit.apex_angle_rad = Some(2.0 * half_angle.abs());
-    fit.coverage_rad = Some(arc_coverage(angles_about(&cloud.points, &funnel.chart, foot)));
+    fit.coverage_rad = Some(arc_coverage(cloud, &chart, foot));
     let uncertain = fit.standard_uncertainty().and_then(|u| u.apex_angle_rad);
     if uncertain.is_some_and(|u| u > half_angle.abs()) {
         let what = "the apex angle of the cone cannot be told from zero (k = 2)";
@@ -73,8 +73,8 @@ fn widening(mut funnel: Funnel, mut x: [f64; 7]) -> (Funnel, [f64; 7]) {
 
 /// The cone about a given axis: x² + y² = 2 p x + 2 q y + k0 + k1 t + k2 t², linear in all five; the half angle
 /// then comes from the radii about (p, q), regressed on the height.
-fn cone_along(cloud: &Cloud, chart: Chart) -> (f64, [f64; 7]) {
-    let points: Vec<[f64; 3]> = cloud.points.iter().map(|&q| chart.coordinates(q)).collect();
+fn cone_along(points: &[Vector], chart: Chart) -> (f64, [f64; 7]) {
+    let points: Vec<[f64; 3]> = points.iter().map(|&q| chart.coordinates(q)).collect();
     let (mut sums, mut right) = ([[0.0; 5]; 5], [0.0; 5]);
     for &[x, y, t] in &points {
         let row = [2.0 * x, 2.0 * y, 1.0, t, t * t];
@@ -108,21 +108,31 @@ fn regression(pairs: &[(f64, f64)]) -> (f64, f64) {
 
 /// Parameters a, b, h, u, v of the axis (h held at the foot of the centroid), the distance s of that foot from the
 /// surface and the half angle ψ: a point has the distance ρ cos ψ - t sin ψ - s (Shakarji 1998, 3.5).
+#[derive(Clone, Copy)]
 pub(super) struct Funnel {
     pub(super) chart: Chart,
 }
 
 impl Surface<7, 1> for Funnel {
-    fn distances(&self, x: &[f64; 7], q: Vector) -> [(f64, [f64; 7]); 1] {
-        let at = self.chart.cylindrical([x[0], x[1], x[2], x[3], x[4]], q);
+    #[inline(always)]
+    fn distances(&self, x: &[f64; 7], q: Points) -> [(Lanes, [Lanes; 7]); 1] {
+        let at = self.chart.cylindrical([x[0], x[1], x[2]], q);
         let (sin, cos) = x[6].sin_cos();
-        let mut derivative = [0.0; 7];
-        for (d, (rho, t)) in derivative.iter_mut().zip(at.d_rho.iter().zip(&at.d_t)) {
-            *d = cos * rho - sin * t;
+        let mut d = at.d_rho;
+        for (rho, t) in d.iter_mut().zip(at.d_t) {
+            *rho = *rho * cos - t * sin;
         }
-        derivative[5] = -1.0;
-        derivative[6] = -sin * at.rho - cos * at.t;
-        [(cos * at.rho - sin * at.t - x[5], derivative)]
+        let [a, b, h, u, v] = d;
+        let turn = -(at.rho * sin + at.t * cos);
+        [(at.rho * cos - at.t * sin - x[5], [a, b, h, u, v, Lanes::all(-1.0), turn])]
+    }
+
+    fn recharted(&self, x: &[f64; 7]) -> (Self, [f64; 7]) {
+        let (chart, mut x) = self.chart.moved(x);
+        // from its new point the surface is farther by what the radius grew on the way
+        x[5] -= x[2] * x[6].sin();
+        x[2] = 0.0;
+        (Self { chart }, x)
     }
 
     fn quantities(&self, x: &[f64; 7]) -> [[f64; QUANTITIES]; 7] {
@@ -144,19 +154,8 @@ impl Surface<7, 1> for Funnel {
 }
 
 impl Axial<7, 1> for Funnel {
-    const SLIDES: bool = true;
-
     fn chart(&self) -> &Chart {
         &self.chart
-    }
-
-    fn with_chart(&self, chart: Chart) -> Self {
-        Self { chart }
-    }
-
-    fn slide(x: &mut [f64; 7], slid: f64) {
-        // from its new point the surface is farther by what the radius grew on the way
-        x[5] += slid * x[6].sin();
     }
 }
 
@@ -168,13 +167,14 @@ mod tests {
     #[test]
     fn a_cone_turned_to_widen_is_the_same_cone() {
         let funnel = Funnel { chart: Chart::new([0.3, -0.5, 0.8]) };
-        let q = [0.4, -0.7, 0.9];
+        let q = [0.4, -0.7, 0.9].map(Lanes::all);
         for half_angle in [0.4, -0.4, PI - 0.4, PI + 0.4, FRAC_PI_2 - 0.1] {
             let x = [0.1, 0.2, 0.0, 0.05, -0.03, 0.6, half_angle];
             let (upright, y) = funnel.recharted(&x);
             let (turned, y) = widening(upright, y);
             assert!(y[6] > 0.0 && y[6] < FRAC_PI_2, "{half_angle}: {y:?}");
-            let (was, is) = (funnel.distances(&x, q)[0].0, turned.distances(&y, q)[0].0);
+            let (chart_about_it, z) = funnel.recharted(&x);
+            let (was, is) = (chart_about_it.distances(&z, q)[0].0.0[0], turned.distances(&y, q)[0].0.0[0]);
             assert!((was.abs() - is.abs()).abs() < 1e-14, "{half_angle}: {was} {is}");
         }
     }

@@ -1,15 +1,17 @@
 //! Circular cylinder.
 
-use super::axis::{Axial, Chart, angles_about, length, refine_axis};
+use super::axis::{Axial, Chart, length};
 use super::ball::taubin;
-use super::cloud::Cloud;
+use super::cloud::{Cloud, Source};
+use super::coverage::arc_coverage;
+use super::descend::refine;
 use super::element::{Element, Settings};
-use super::result::{Fit, QUANTITIES, arc_coverage, largest_component_positive};
+use super::lanes::{Lanes, Points};
+use super::result::{Fit, QUANTITIES, largest_component_positive};
 use super::search::{no_start, rival_warning, search};
 use super::surface::Surface;
 use crate::message::Result;
 use crate::pose::Vector;
-use crate::solve::Options;
 
 /// Fits a cylinder to at least five points that are not in one plane.
 ///
@@ -22,7 +24,7 @@ pub fn cylinder(points: &[Vector]) -> Result<Fit> {
 /// [`cylinder`] with weights, a held radius or a held axis.
 pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Cylinder)?;
-    let cloud = Cloud::new(Element::Cylinder, points, settings)?;
+    let cloud = Cloud::new(Element::Cylinder, Source::Space(points.into()), settings)?;
     let radius = settings.radius_mm.map(|r| r / cloud.scale_mm);
     let free = [true, true, false, held.is_none(), held.is_none(), radius.is_none()];
     let found = search(
@@ -38,41 +40,45 @@ pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
         |chart| Tube { chart },
     );
     let found = found.ok_or_else(|| no_start(Element::Cylinder))?;
-    let (tube, refined) = refine_axis(found.surface, &cloud, found.start, free, Options::default());
-    let [a, b, h, u, v, radius] = refined.x;
-    let (axis, _) = tube.chart.axis(u, v);
-    let foot = tube.chart.point(a, b, h);
-    let mut fit = refined.into_fit(Element::Cylinder, &tube, &cloud, foot)?;
-    fit.point_along(axis, largest_component_positive(axis));
+    let refined = refine(found.surface, &cloud, found.start, free);
+    let chart = refined.surface.chart;
+    let [a, b, h, _, _, radius] = refined.x;
+    let foot = chart.point(a, b, h);
+    let mut fit = refined.to_fit(Element::Cylinder, &cloud, foot)?;
+    fit.point_along(chart.d0, largest_component_positive(chart.d0));
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    fit.coverage_rad = Some(arc_coverage(angles_about(&cloud.points, &tube.chart, foot)));
+    fit.coverage_rad = Some(arc_coverage(&cloud, &chart, foot));
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cylinder)));
     Ok(fit.with_warnings())
 }
 
 /// The circle that the points make seen along the axis.
-fn circle_along(cloud: &Cloud, chart: &Chart) -> (f64, [f64; 6]) {
-    let flat = Cloud {
-        points: cloud.points.iter().map(|&q| chart.coordinates(q)).map(|[x, y, _]| [x, y, 0.0]).collect(),
-        roots: Vec::new(),
-        ..*cloud
-    };
+fn circle_along(points: &[Vector], chart: &Chart) -> (f64, [f64; 6]) {
+    let flat: Vec<Vector> = points.iter().map(|&q| chart.flat(q)).collect();
     let (centre, radius) = taubin::<3>(&flat);
     let off = |q: &Vector| (length(q[0] - centre[0], q[1] - centre[1]) - radius).powi(2);
-    let cost = flat.points.iter().map(off).sum();
+    let cost = flat.iter().map(off).sum();
     (cost, [centre[0], centre[1], 0.0, 0.0, 0.0, radius])
 }
 
 /// Parameters a, b, h, u, v of the axis (h held at the foot of the centroid) and the radius.
+#[derive(Clone, Copy)]
 pub(super) struct Tube {
     pub(super) chart: Chart,
 }
 
 impl Surface<6, 1> for Tube {
-    fn distances(&self, x: &[f64; 6], q: Vector) -> [(f64, [f64; 6]); 1] {
-        let at = self.chart.cylindrical([x[0], x[1], x[2], x[3], x[4]], q);
+    #[inline(always)]
+    fn distances(&self, x: &[f64; 6], q: Points) -> [(Lanes, [Lanes; 6]); 1] {
+        let at = self.chart.cylindrical([x[0], x[1], x[2]], q);
         let d = at.d_rho;
-        [(at.rho - x[5], [d[0], d[1], d[2], d[3], d[4], -1.0])]
+        [(at.rho - x[5], [d[0], d[1], d[2], d[3], d[4], Lanes::all(-1.0)])]
+    }
+
+    fn recharted(&self, x: &[f64; 6]) -> (Self, [f64; 6]) {
+        let (chart, mut x) = self.chart.moved(x);
+        x[2] = 0.0;
+        (Self { chart }, x)
     }
 
     fn quantities(&self, x: &[f64; 6]) -> [[f64; QUANTITIES]; 6] {
@@ -89,13 +95,7 @@ impl Surface<6, 1> for Tube {
 }
 
 impl Axial<6, 1> for Tube {
-    const SLIDES: bool = true;
-
     fn chart(&self) -> &Chart {
         &self.chart
-    }
-
-    fn with_chart(&self, chart: Chart) -> Self {
-        Self { chart }
     }
 }

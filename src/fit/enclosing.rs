@@ -6,7 +6,7 @@
 //! no recursion, no shuffle. Four corners of a square leave the centre free in the third direction to 1e-9: subsets
 //! are therefore weighed, and near ties decided, in 106 bits.
 
-use super::cloud::Cloud;
+use super::cloud::{Cloud, Source};
 use super::twofold::{Twofold, TwofoldVector, dot, exact, minus, plus_times};
 use crate::message::Result;
 use crate::pose::Vector;
@@ -27,13 +27,13 @@ pub struct Enclosing {
 /// The smallest circle that holds all points of the plane; at least one point.
 pub fn enclosing_circle(points: &[[f64; 2]]) -> Result<Enclosing> {
     let lifted: Vec<Vector> = points.iter().map(|p| [p[0], p[1], 0.0]).collect();
-    let cloud = Cloud::centred("enclosing circle", 1, &lifted, None)?;
+    let cloud = Cloud::centred("enclosing circle", 1, Source::Plane(points), None)?;
     Ok(smallest(&lifted, &cloud, 3))
 }
 
 /// The smallest sphere that holds all points; at least one point.
 pub fn enclosing_sphere(points: &[Vector]) -> Result<Enclosing> {
-    let cloud = Cloud::centred("enclosing sphere", 1, points, None)?;
+    let cloud = Cloud::centred("enclosing sphere", 1, Source::Space(points.into()), None)?;
     Ok(smallest(points, &cloud, 4))
 }
 

@@ -1,24 +1,24 @@
 //! Straight line, in space and in the plane: through the centroid, along the direction of largest spread.
 
 use super::axis::Chart;
-use super::cloud::Cloud;
+use super::cloud::{Cloud, Source};
 use super::element::{Element, Settings};
 use super::plane::diagonal_matrix;
-use super::result::{Fit, largest_component_positive};
+use super::result::{Fit, Residuals, largest_component_positive};
 use super::surface::propagate;
 use crate::message::Result;
 use crate::pose::{Vector, dot, minus};
 
 /// Fits a straight line in space to at least two different points; it runs from the first point to the last.
 ///
-/// The direction is the first right singular vector of the centred points (Shakarji 1998, 3.1).
+/// The direction is the principal direction of largest spread of the centred points (Shakarji 1998, 3.1).
 pub fn line(points: &[Vector]) -> Result<Fit> {
     line_with(points, &Settings::default())
 }
 
 /// [`line()`] with weights or a held direction.
 pub fn line_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
-    fit(Element::Line, points, settings)
+    fit(Element::Line, Source::Space(points.into()), settings)
 }
 
 /// Fits a straight line in the plane; z of its point and direction is zero.
@@ -28,14 +28,13 @@ pub fn line2d(points: &[[f64; 2]]) -> Result<Fit> {
 
 /// [`line2d`] with weights.
 pub fn line2d_with(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
-    let lifted: Vec<Vector> = points.iter().map(|p| [p[0], p[1], 0.0]).collect();
-    fit(Element::Line2d, &lifted, settings)
+    fit(Element::Line2d, Source::Plane(points), settings)
 }
 
-fn fit(element: Element, points: &[Vector], settings: &Settings) -> Result<Fit> {
+fn fit(element: Element, points: Source, settings: &Settings) -> Result<Fit> {
     let held = settings.check(element)?;
     let cloud = Cloud::new(element, points, settings)?;
-    let direction = from_first_to_last(&cloud.points, held.unwrap_or(cloud.axes[0]));
+    let direction = from_first_to_last(&cloud, held.unwrap_or(cloud.axes[0]));
     let flat = element == Element::Line2d;
     // right-handed with z up in the plane: e2 points to the left of the line
     let chart = if flat {
@@ -43,13 +42,11 @@ fn fit(element: Element, points: &[Vector], settings: &Settings) -> Result<Fit> 
     } else {
         Chart::new(direction)
     };
-    let across = |q: Vector| {
-        let [x, y, _] = chart.coordinates(q);
-        if flat { y } else { x.hypot(y) }
-    };
-    let residuals: Vec<f64> = cloud.points.iter().map(|&q| across(q)).collect();
-    let squares: f64 = residuals.iter().enumerate().map(|(i, r)| (cloud.root(i) * r).powi(2)).sum();
-    let n = points.len();
+    let residuals = Residuals::of(&cloud, |q| {
+        let [x, y, _] = chart.seen(q, [0.0; 3]);
+        [if flat { y } else { (x * x + y * y).sqrt() }]
+    });
+    let (n, squares) = (cloud.len(), residuals.squares);
     let equations = if flat { n } else { 2 * n };
     let parameters = (if flat { 1 } else { 2 }) * (if held.is_some() { 1 } else { 2 });
     let degrees_of_freedom = equations - parameters;
@@ -67,11 +64,8 @@ fn fit(element: Element, points: &[Vector], settings: &Settings) -> Result<Fit> 
     Ok(fit.with_warnings())
 }
 
-fn from_first_to_last(points: &[Vector], d: Vector) -> Vector {
-    let along = match (points.first(), points.last()) {
-        (Some(&first), Some(&last)) => dot(minus(last, first), d),
-        _ => 0.0,
-    };
+fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
+    let along = dot(minus(cloud.point(cloud.len() - 1), cloud.point(0)), d);
     // a closed walk says nothing about the direction
     if along.abs() < 1e-9 {
         largest_component_positive(d)

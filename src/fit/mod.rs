@@ -1,8 +1,8 @@
 //! Geometric elements fitted to points: least squares of orthogonal distances, with uncertainty.
 //!
 //! Every fit goes the same way: points are checked, shifted to their centroid and scaled; a start is found from the
-//! points alone; the orthogonal distances are minimised with exact derivatives; the answer ([`Fit`]) carries its
-//! residuals, covariance, condition, and how the solver ended. A closed solution is used where there is one (plane,
+//! points alone; the orthogonal distances are minimised with exact derivatives; the answer ([`Fit`]) carries what is
+//! left, its covariance, condition, and how the solver ended. A closed solution is used where there is one (plane,
 //! line, rigid transform). Nothing here knows a file.
 
 mod axis;
@@ -11,15 +11,19 @@ mod circle2d;
 mod circle3d;
 mod cloud;
 mod cone;
+mod coverage;
 mod cylinder;
+mod descend;
 mod element;
 mod enclosing;
+mod lanes;
 mod line;
 mod plane;
 mod result;
 mod rigid;
 mod search;
 mod sphere;
+mod stream;
 mod surface;
 mod torus;
 mod twofold;
@@ -32,7 +36,7 @@ pub use element::{CircleMethod, Element, Settings};
 pub use enclosing::{Enclosing, enclosing_circle, enclosing_sphere};
 pub use line::{line, line_with, line2d, line2d_with};
 pub use plane::{plane, plane_with};
-pub use result::{Covariance, Fit, QUANTITIES, StandardUncertainty};
+pub use result::{Covariance, Fit, QUANTITIES, Residuals, StandardUncertainty};
 pub use rigid::{RigidFit, rigid, rigid_weighted};
 pub use sphere::{sphere, sphere_with};
 pub use torus::{torus, torus_with};

@@ -1,16 +1,17 @@
 //! Plane: through the centroid, normal to the direction of least spread.
 
 use super::axis::Chart;
-use super::cloud::Cloud;
+use super::cloud::{Cloud, Source};
 use super::element::{Element, Settings};
-use super::result::{Fit, largest_component_positive};
+use super::lanes::along;
+use super::result::{Fit, Residuals, largest_component_positive};
 use super::surface::propagate;
 use crate::message::Result;
-use crate::pose::{Vector, dot};
+use crate::pose::Vector;
 
 /// Fits a plane to at least three points that are not on one line.
 ///
-/// The normal is the last right singular vector of the centred points (Shakarji 1998, 3.2).
+/// The normal is the principal direction of least spread of the centred points (Shakarji 1998, 3.2).
 pub fn plane(points: &[Vector]) -> Result<Fit> {
     plane_with(points, &Settings::default())
 }
@@ -18,10 +19,10 @@ pub fn plane(points: &[Vector]) -> Result<Fit> {
 /// [`plane`] with weights or a held normal.
 pub fn plane_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Plane)?;
-    let cloud = Cloud::new(Element::Plane, points, settings)?;
+    let cloud = Cloud::new(Element::Plane, Source::Space(points.into()), settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
-    let (chart, variances) = plane_variances(&cloud, normal, held.is_some());
-    let residuals = cloud.points.iter().map(|&q| dot(q, normal)).collect();
+    let residuals = Residuals::of(&cloud, |q| [along(q, normal)]);
+    let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), residuals.squares);
     let degrees_of_freedom = points.len() - if held.is_some() { 1 } else { 3 };
     let mut fit = Fit::new(Element::Plane, &cloud, [0.0; 3], residuals);
     fit.direction = Some(normal);
@@ -35,11 +36,11 @@ pub fn plane_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
 }
 
 /// Variances of (a, b, h, u, v) of the plane, in a chart along the principal axes of the points: with uncorrelated
-/// columns (1, x, y) they are σ²/n, σ²/Σx² and σ²/Σy². `None` without redundancy.
-pub(super) fn plane_variances(cloud: &Cloud, normal: Vector, held: bool) -> (Chart, Option<[f64; 5]>) {
+/// columns (1, x, y) they are σ²/n, σ²/Σx² and σ²/Σy². `None` without redundancy. `squares` is the weighted sum of
+/// squares of the distances.
+pub(super) fn plane_variances(cloud: &Cloud, normal: Vector, held: bool, squares: f64) -> (Chart, Option<[f64; 5]>) {
     let free = if held { 1 } else { 3 };
-    let n = cloud.points.len();
-    let squares: f64 = cloud.points.iter().enumerate().map(|(i, &q)| (cloud.root(i) * dot(q, normal)).powi(2)).sum();
+    let n = cloud.len();
     let chart = if held {
         Chart::new(normal)
     } else {

@@ -2,8 +2,10 @@
 
 use super::cloud::Cloud;
 use super::element::Element;
+use super::lanes::{Lanes, Points};
+use super::stream::Gather;
 use crate::message::Message;
-use crate::pose::{Vector, dot, norm};
+use crate::pose::{Vector, cross, dot, minus, norm};
 use crate::solve::Termination;
 
 /// Number of quantities in a [`Covariance`].
@@ -33,6 +35,76 @@ pub struct StandardUncertainty {
     pub apex_angle_rad: Option<f64>,
 }
 
+/// What is left of the points, in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residuals {
+    /// Root of the mean square.
+    pub rms: f64,
+    /// Smallest.
+    pub least: f64,
+    /// Largest.
+    pub most: f64,
+    /// Weighted sum of squares, over all equations.
+    pub squares: f64,
+}
+
+impl Residuals {
+    /// Of all points, by their `K` distances; the first of these is the residual.
+    pub(super) fn of<const K: usize>(cloud: &Cloud, distances: impl Fn(Points) -> [Lanes; K] + Sync) -> Self {
+        let (zero, least, most) = (Lanes::default(), Lanes::all(f64::INFINITY), Lanes::all(f64::NEG_INFINITY));
+        let [squares, plain, least, most] =
+            cloud.gather(Remaining { distances: &distances, squares: zero, plain: zero, least, most });
+        Self { rms: (plain / cloud.len() as f64).sqrt(), least, most, squares }
+    }
+
+    fn scaled(self, scale: f64) -> Self {
+        Self {
+            rms: self.rms * scale,
+            least: self.least * scale,
+            most: self.most * scale,
+            squares: self.squares * scale * scale,
+        }
+    }
+}
+
+/// Weighted squares of all distances of a point, and squares, smallest and largest of the first.
+struct Remaining<'a, F> {
+    distances: &'a F,
+    squares: Lanes,
+    plain: Lanes,
+    least: Lanes,
+    most: Lanes,
+}
+
+impl<F> Clone for Remaining<'_, F> {
+    fn clone(&self) -> Self {
+        Self { ..*self }
+    }
+}
+
+impl<const K: usize, F: Fn(Points) -> [Lanes; K] + Sync> Gather for Remaining<'_, F> {
+    type Sum = [f64; 4];
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        let distances = (self.distances)(q);
+        for d in distances {
+            self.squares = self.squares + w * d * d;
+        }
+        self.plain = self.plain + w.presence() * distances[0] * distances[0];
+        self.least = self.least.min(distances[0]);
+        self.most = self.most.max(distances[0]);
+    }
+
+    fn close(self) -> [f64; 4] {
+        [self.squares.sum(), self.plain.sum(), self.least.least(), self.most.most()]
+    }
+
+    fn join(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        [a[0] + b[0], a[1] + b[1], a[2].min(b[2]), a[3].max(b[3])]
+    }
+}
+
 /// An element fitted to points by least squares of orthogonal distances.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
@@ -51,12 +123,12 @@ pub struct Fit {
     pub minor_radius_mm: Option<f64>,
     /// Full apex angle of a cone.
     pub apex_angle_rad: Option<f64>,
-    /// Orthogonal distance of each point, positive outside (circle, sphere, cylinder, cone, torus), on the side of
-    /// the normal (plane) or to the left (line in the plane); a line in space has distances without sign. For a
-    /// circle in space the distance from the circle within its plane.
-    pub residuals_mm: Vec<f64>,
-    /// For a circle in space the distance of each point from its plane, on the side of the normal; else empty.
-    pub out_of_plane_mm: Vec<f64>,
+    /// Number of points.
+    pub points: usize,
+    /// What is left: the orthogonal distances of the points ([`Fit::residual_mm`] gives that of one).
+    pub residuals: Residuals,
+    /// For a circle in space the root of the mean square of the distances from its plane.
+    pub out_of_plane_rms_mm: Option<f64>,
     /// Equations less parameters.
     pub degrees_of_freedom: usize,
     /// How well the quantities are known; `None` without redundancy.
@@ -77,8 +149,8 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// A fit with closed solution and nothing but its point.
-    pub(super) fn new(element: Element, cloud: &Cloud, point: Vector, residuals: Vec<f64>) -> Self {
+    /// A fit with closed solution and nothing but its point; `residuals` in normalised units.
+    pub(super) fn new(element: Element, cloud: &Cloud, point: Vector, residuals: Residuals) -> Self {
         Self {
             element,
             point_mm: cloud.to_mm(point),
@@ -86,27 +158,52 @@ impl Fit {
             radius_mm: None,
             minor_radius_mm: None,
             apex_angle_rad: None,
-            residuals_mm: residuals.iter().map(|r| r * cloud.scale_mm).collect(),
-            out_of_plane_mm: Vec::new(),
+            points: cloud.len(),
+            residuals: residuals.scaled(cloud.scale_mm),
+            out_of_plane_rms_mm: None,
             degrees_of_freedom: 0,
             covariance: None,
             coverage_rad: None,
             condition: 1.0,
-            method: "singular value decomposition of the centred points",
+            method: "principal directions of the centred points",
             iterations: 0,
             termination: Termination::StepVanished,
             warnings: Vec::new(),
         }
     }
 
+    /// Orthogonal distance of a point, positive outside (circle, sphere, cylinder, cone, torus), on the side of
+    /// the normal (plane) or to the left (line in the plane); a line in space has distances without sign. For a
+    /// circle in space the distance from the circle within its plane; in the plane z is not looked at.
+    pub fn residual_mm(&self, point_mm: Vector) -> f64 {
+        let mut w = minus(point_mm, self.point_mm);
+        if matches!(self.element, Element::Line2d | Element::Circle2d) {
+            w[2] = 0.0;
+        }
+        let d = self.direction.unwrap_or([0.0, 0.0, 1.0]);
+        let (rho, t) = (norm(cross(d, w)), dot(w, d));
+        let radius = self.radius_mm.unwrap_or(0.0);
+        match self.element {
+            Element::Line2d => d[0] * w[1] - d[1] * w[0],
+            Element::Plane => t,
+            Element::Sphere => norm(w) - radius,
+            Element::Line | Element::Circle2d | Element::Circle3d | Element::Cylinder => rho - radius,
+            Element::Cone => {
+                let (sin, cos) = (self.apex_angle_rad.unwrap_or(0.0) / 2.0).sin_cos();
+                (rho - radius) * cos - t * sin
+            }
+            Element::Torus => (rho - radius).hypot(t) - self.minor_radius_mm.unwrap_or(0.0),
+        }
+    }
+
     /// Root of the mean square of the residuals.
     pub fn rms_mm(&self) -> f64 {
-        rms(&self.residuals_mm)
+        self.residuals.rms
     }
 
     /// Largest residual without its sign.
     pub fn max_mm(&self) -> f64 {
-        self.residuals_mm.iter().fold(0.0, |m, r| m.max(r.abs()))
+        self.residuals.most.max(-self.residuals.least)
     }
 
     /// Form deviation, peak to valley: largest less smallest residual; for a line in space the diameter about it.
@@ -114,13 +211,7 @@ impl Fit {
         if self.element == Element::Line {
             return 2.0 * self.max_mm();
         }
-        let fold = |f: fn(f64, f64) -> f64, start| self.residuals_mm.iter().fold(start, |m, r| f(m, *r));
-        (fold(f64::max, f64::NEG_INFINITY) - fold(f64::min, f64::INFINITY)).max(0.0)
-    }
-
-    /// Root of the mean square of the distances from the plane of a circle in space.
-    pub fn out_of_plane_rms_mm(&self) -> f64 {
-        rms(&self.out_of_plane_mm)
+        self.residuals.most - self.residuals.least
     }
 
     /// How much of the circumference has points, in degrees.
@@ -193,33 +284,8 @@ impl Fit {
     }
 }
 
-fn rms(values: &[f64]) -> f64 {
-    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
-}
-
 /// `d` or its opposite, so that its largest component is positive.
 pub(super) fn largest_component_positive(d: Vector) -> Vector {
     let largest = d.iter().fold(0.0f64, |m, x| if x.abs() > m.abs() + 1e-9 { *x } else { m });
     if largest < 0.0 { d.map(|x| -x) } else { d }
-}
-
-/// Full turn less the largest gap between neighbouring angles.
-pub(super) fn arc_coverage(mut angles_rad: Vec<f64>) -> f64 {
-    angles_rad.sort_by(f64::total_cmp);
-    let around = match (angles_rad.first(), angles_rad.last()) {
-        (Some(first), Some(last)) => first + std::f64::consts::TAU - last,
-        _ => std::f64::consts::TAU,
-    };
-    let gap = angles_rad.iter().zip(angles_rad.iter().skip(1)).fold(around, |g, (a, b)| g.max(b - a));
-    std::f64::consts::TAU - gap
-}
-
-/// Full angle of the cap about the mean direction that holds all directions from `centre`.
-pub(super) fn cap_coverage(points: &[Vector], centre: Vector) -> f64 {
-    let directions: Vec<Vector> =
-        points.iter().filter_map(|&p| crate::pose::unit(crate::pose::minus(p, centre))).collect();
-    let mean = crate::pose::centroid(&directions).and_then(crate::pose::unit);
-    let Some(mean) = mean else { return std::f64::consts::TAU };
-    let widest = directions.iter().fold(0.0f64, |m, &d| m.max(norm(crate::pose::cross(d, mean)).atan2(dot(d, mean))));
-    2.0 * widest
 }

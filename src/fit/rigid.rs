@@ -1,6 +1,6 @@
 //! Best-fit rigid transform between two sets of the same points.
 
-use super::cloud::Cloud;
+use super::cloud::{Cloud, Source};
 use super::element::refuse;
 use crate::message::{Message, Result};
 use crate::pose::{Pose, Vector, dot, minus, norm};
@@ -58,14 +58,14 @@ pub fn rigid_weighted(from: &[Vector], to: &[Vector], weights: Option<&[f64]>) -
             "name each target once in both lists",
         ));
     }
-    let a = Cloud::centred("rigid transform", 3, from, weights)?;
-    let b = Cloud::centred("rigid transform", 3, to, weights)?;
-    a.spans("rigid transform", 2, from)?;
-    b.spans("rigid transform", 2, to)?;
+    let a = Cloud::centred("rigid transform", 3, Source::Space(from.into()), weights)?;
+    let b = Cloud::centred("rigid transform", 3, Source::Space(to.into()), weights)?;
+    a.spans("rigid transform", 2)?;
+    b.spans("rigid transform", 2)?;
     // S of Horn's section 4.A: sums of products of the coordinates
     let mut s = [[0.0; 3]; 3];
-    for (i, (p, q)) in a.points.iter().zip(&b.points).enumerate() {
-        let w = a.root(i) * a.root(i);
+    for (i, (p, q)) in a.points().zip(b.points()).enumerate() {
+        let w = a.weight(i);
         for (row, x) in s.iter_mut().zip(p) {
             for (s, y) in row.iter_mut().zip(q) {
                 *s += w * x * y;
@@ -85,11 +85,11 @@ pub fn rigid_weighted(from: &[Vector], to: &[Vector], weights: Option<&[f64]>) -
     let turn = Pose { rotation, translation_mm: [0.0; 3] };
     let translation_mm = minus(b.centre_mm, turn.rotate(a.centre_mm));
     // residuals about the centroids: nothing is lost far from the origin
-    let residual = |(p, q): (&Vector, &Vector)| {
+    let residual = |(p, q): (Vector, Vector)| {
         let p = turn.rotate(p.map(|x| x * a.scale_mm));
         minus(q.map(|x| x * b.scale_mm), p)
     };
-    let residuals_mm: Vec<Vector> = a.points.iter().zip(&b.points).map(residual).collect();
+    let residuals_mm: Vec<Vector> = a.points().zip(b.points()).map(residual).collect();
     Ok(with_uncertainty(Pose { rotation, translation_mm }, residuals_mm, &a))
 }
 
@@ -119,7 +119,7 @@ fn rotation_of(q: [f64; 4]) -> [[f64; 3]; 3] {
 fn with_uncertainty(to_T_from: Pose, residuals_mm: Vec<Vector>, from: &Cloud) -> RigidFit {
     let n = residuals_mm.len();
     let degrees_of_freedom = 3 * n - 6;
-    let squares: f64 = residuals_mm.iter().enumerate().map(|(i, &r)| from.root(i).powi(2) * dot(r, r)).sum();
+    let squares: f64 = residuals_mm.iter().enumerate().map(|(i, &r)| from.weight(i) * dot(r, r)).sum();
     let sigma = (squares / degrees_of_freedom as f64).sqrt();
     // about the axis of least inertia: Σ of squares of the distances from it
     let inertia = from.spread[1].hypot(from.spread[2]) * from.scale_mm;

@@ -4,13 +4,12 @@
 //! One start is not enough: on an arc of 90 degrees the sum of squares has several minima over the axes, and a
 //! method that trusts the plane's normal or the longest spread ends in the wrong one.
 
-use super::axis::{Axial, Chart, refine_axis};
+use super::axis::{Axial, Chart};
 use super::cloud::Cloud;
+use super::descend::{Refined, descend};
 use super::element::{Element, refuse};
-use super::surface::Refined;
 use crate::message::{Message, Problems};
 use crate::pose::{Vector, dot};
-use crate::solve::Options;
 
 /// Directions tried over the hemisphere, 8 degrees apart.
 const DIRECTIONS: usize = 300;
@@ -37,12 +36,12 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
     cloud: &Cloud,
     held: Option<Vector>,
     free: [bool; N],
-    about: impl Fn(&Cloud, Chart) -> Vec<(f64, [f64; N])>,
+    about: impl Fn(&[Vector], Chart) -> Vec<(f64, [f64; N])>,
     upright: impl Fn(S, [f64; N]) -> Option<(S, [f64; N])>,
     element: impl Fn(Chart) -> S,
 ) -> Option<Found<S, N>> {
     let few = cloud.thinned(SEARCHED);
-    let judged = cloud.thinned(JUDGED);
+    let judged: Vec<Vector> = cloud.thinned(JUDGED).points().collect();
     let about =
         |axis: Vector| about(&judged, Chart::new(axis)).into_iter().map(move |(cost, start)| (cost, axis, start));
     let starts: Vec<(f64, Vector, [f64; N])> = match held {
@@ -50,12 +49,10 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
         None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).flat_map(about).collect(), S::STARTS),
     };
     // below this, sums of squares of normalised coordinates are rounding: the more promising start decides
-    let rounding = 1e-28 * few.points.len() as f64;
+    let rounding = 1e-28 * few.len() as f64;
     let walk = |iterations: usize, surface: S, start: [f64; N]| {
-        let options = Options { iterations, ..Options::default() };
-        let (surface, refined) = refine_axis(surface, &few, start, free, options);
-        let (surface, x) = surface.recharted(&refined.x);
-        ((rank(&refined) - rounding).max(0.0), surface, x)
+        let refined = descend(surface, &few, start, free, iterations);
+        ((rank(&refined) - rounding).max(0.0), refined.surface, refined.x)
     };
     let settled = |walks: Vec<(f64, S, [f64; N])>| {
         let proper = walks.into_iter().filter_map(|(cost, surface, x)| upright(surface, x).map(|(s, x)| (cost, s, x)));
@@ -124,7 +121,7 @@ fn best_apart<const N: usize>(mut scored: Vec<(f64, Vector, [f64; N])>, count: u
 }
 
 /// Cost of a start that led somewhere; infinite of one that did not.
-fn rank<const N: usize, const K: usize>(refined: &Refined<N, K>) -> f64 {
-    let usable = refined.cost.is_finite() && refined.condition.is_finite();
+fn rank<S, const N: usize>(refined: &Refined<S, N>) -> f64 {
+    let usable = refined.cost.is_finite() && refined.condition().is_finite();
     if usable { refined.cost } else { f64::INFINITY }
 }

@@ -1,13 +1,13 @@
 //! Sphere.
 
 use super::ball::{Ball, taubin};
-use super::cloud::Cloud;
+use super::cloud::{Cloud, Source};
+use super::coverage::cap_coverage;
+use super::descend::{SAMPLE, refine};
 use super::element::{Element, Settings};
-use super::result::{Fit, cap_coverage};
-use super::surface::refine;
+use super::result::Fit;
 use crate::message::Result;
 use crate::pose::Vector;
-use crate::solve::Options;
 
 /// Fits a sphere to at least four points that are not in one plane.
 ///
@@ -19,15 +19,14 @@ pub fn sphere(points: &[Vector]) -> Result<Fit> {
 /// [`sphere`] with weights or a held radius.
 pub fn sphere_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     settings.check(Element::Sphere)?;
-    let cloud = Cloud::new(Element::Sphere, points, settings)?;
-    let (start, radius) = taubin::<4>(&cloud);
+    let cloud = Cloud::new(Element::Sphere, Source::Space(points.into()), settings)?;
+    let (start, radius) = taubin::<4>(&cloud.thinned(SAMPLE).points().collect::<Vec<_>>());
     let held = settings.radius_mm.map(|r| r / cloud.scale_mm);
     let start = [start[0], start[1], start[2], held.unwrap_or(radius)];
-    let refined = refine(&Ball, &cloud, start, [true, true, true, held.is_none()], Options::default());
+    let refined = refine(Ball, &cloud, start, [true, true, true, held.is_none()]);
     let [x, y, z, radius] = refined.x;
-    let centre = [x, y, z];
-    let mut fit = refined.into_fit(Element::Sphere, &Ball, &cloud, centre)?;
+    let mut fit = refined.to_fit(Element::Sphere, &cloud, [x, y, z])?;
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    fit.coverage_rad = Some(cap_coverage(&cloud.points, centre));
+    fit.coverage_rad = Some(cap_coverage(&cloud, [x, y, z]));
     Ok(fit.with_warnings())
 }

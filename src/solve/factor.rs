@@ -58,8 +58,33 @@ impl Factor {
         Self { n, r: vec![0.0; n * n], qtb: vec![0.0; n], rest: 0.0 }
     }
 
+    /// The factor of the same problem from its normal equations by Cholesky: `normal` is AᵀA (n × n, row by row), with
+    /// its columns divided by `scale`, `right` is Aᵀb and `squares` bᵀb. Half the digits are lost that the condition of A takes, so
+    /// `None` where a pivot of the scaled matrix falls below `least_pivot`.
+    pub fn from_normal(normal: &[f64], right: &[f64], squares: f64, scale: &[f64], least_pivot: f64) -> Option<Self> {
+        let n = scale.len();
+        let mut r = vec![0.0; n * n];
+        for j in 0..n {
+            for i in 0..=j {
+                let known: f64 = (0..i).map(|k| r[i * n + k] * r[j * n + k]).sum();
+                let left = normal[i * n + j] / scale[i] / scale[j] - known;
+                if i < j {
+                    r[j * n + i] = left / r[i * n + i];
+                } else if left >= least_pivot {
+                    r[j * n + j] = left.sqrt();
+                } else {
+                    return None;
+                }
+            }
+        }
+        let mut factor = Self { n, r, qtb: Vec::new(), rest: 0.0 };
+        factor.qtb = factor.forward_substitute(right.iter().zip(scale).map(|(b, s)| b / s).collect())?;
+        factor.rest = (squares - inner(&factor.qtb, &factor.qtb)).max(0.0);
+        Some(factor)
+    }
+
     /// The factor of the rows behind `self` and of those behind `other`.
-    fn stack(mut self, mut other: Self) -> Self {
+    pub(crate) fn stack(mut self, mut other: Self) -> Self {
         let n = self.n;
         other.r.extend_from_slice(&other.qtb);
         self.absorb(&mut other.r, n);
@@ -228,6 +253,22 @@ mod tests {
         assert!(factor.rest < 1e-20);
         let product: f64 = (0..3).map(|k| factor.r(k, 0) * factor.r(k, 0)).sum();
         assert!((product - m as f64 / 4.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn normal_equations_give_the_same_factor() {
+        let rows = [[1.0, 2.0], [3.0, -1.0], [0.5, 4.0], [2.0, 2.5]];
+        let (b, scale) = ([1.0, -2.0, 0.5, 3.0], [2.0, 4.0]);
+        let column = |j: usize| rows.map(|row| row[j]);
+        let normal: Vec<f64> = (0..4).map(|k| inner(&column(k / 2), &column(k % 2))).collect();
+        let right = [inner(&column(0), &b), inner(&column(1), &b)];
+        let cholesky = Factor::from_normal(&normal, &right, inner(&b, &b), &scale, 1e-9).unwrap();
+        let householder = Factor::new(rows.as_flattened(), &b, &scale);
+        for (x, y) in cholesky.solve().unwrap().iter().zip(householder.solve().unwrap()) {
+            assert!((x - y).abs() < 1e-15, "{x} {y}");
+        }
+        assert!((cholesky.rest - householder.rest).abs() < 1e-14);
+        assert!(Factor::from_normal(&[1.0, 1.0, 1.0, 1.0], &[0.0; 2], 0.0, &[1.0; 2], 1e-9).is_none());
     }
 
     #[test]

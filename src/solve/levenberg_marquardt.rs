@@ -210,7 +210,7 @@ fn scaled_norm(x: &[f64], scale: &[f64]) -> f64 {
 
 /// The scaled step of at most `radius` (to a tenth) that lowers the linear model most, and its damping λ
 /// (Moré 1978, algorithm 5.5); `None` if no damping makes the factor regular.
-fn trust_region_step(factor: &Factor, radius: f64, last_damping: f64) -> Option<(Vec<f64>, f64)> {
+pub(crate) fn trust_region_step(factor: &Factor, radius: f64, last_damping: f64) -> Option<(Vec<f64>, f64)> {
     let norm = |p: &[f64]| sum_of_squares(p).sqrt();
     let direction = |f: &Factor, p: &[f64], length: f64| {
         f.forward_substitute(p.iter().map(|p| p / length).collect()).map(|w| sum_of_squares(&w))

@@ -1,7 +1,8 @@
 //! Nonlinear least squares: a [`Problem`] gives residuals and their exact Jacobian, [`solve`] finds the parameters,
 //! and the answer says in words how it ended ([`Termination`]), with rank, singular values and covariance.
 //!
-//! No normal equations: every step is solved on an orthogonal factorisation with scaled columns.
+//! Every step is solved on a triangular factor with scaled columns, from an orthogonal factorisation; the fits of
+//! elements, which are well conditioned, take it from normal equations where that loses nothing.
 
 mod eigen;
 mod factor;
@@ -12,8 +13,8 @@ mod termination;
 
 pub use eigen::symmetric_eigen;
 pub use factor::Factor;
-pub(crate) use levenberg_marquardt::column_norms;
 pub use levenberg_marquardt::{Options, Solution, solve};
+pub(crate) use levenberg_marquardt::{column_norms, trust_region_step};
 pub use problem::Problem;
 pub use svd::{Svd, svd};
 pub use termination::Termination;

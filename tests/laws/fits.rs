@@ -116,6 +116,32 @@ fn a_rigid_motion_of_the_points_moves_the_fit() {
     }
 }
 
+#[test]
+fn many_points_answer_like_few_and_with_the_same_bytes_on_any_number_of_threads() {
+    for element in Element::ALL {
+        let few = disturbed(&points_on(element, 2.5), 1e-3, 3);
+        // more than two blocks of points, and a rest that fills no group
+        let many: Vec<Vector> = few.iter().cycle().take(171 * few.len()).copied().collect();
+        let on = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| fitted(element, &many))
+        };
+        let (here, there) = (on(1), fitted(element, &few));
+        assert_eq!(here, on(3), "{element}");
+        for (a, b) in quantities(&here).iter().zip(quantities(&there)) {
+            assert!((a - b).abs() < 1e-11, "{element}: {a} {b}");
+        }
+        let (residuals, others) = (here.residuals, there.residuals);
+        assert!((residuals.rms - others.rms).abs() < 1e-12 && (residuals.least - others.least).abs() < 1e-11);
+        assert!((here.coverage_rad.unwrap_or(0.0) - there.coverage_rad.unwrap_or(0.0)).abs() < 1e-11, "{element}");
+        // what is streamed is what each point is asked for
+        let squares: f64 = few.iter().map(|&p| there.residual_mm(p).powi(2)).sum();
+        let largest = few.iter().map(|&p| there.residual_mm(p)).fold(f64::NEG_INFINITY, f64::max);
+        assert!(((squares / few.len() as f64).sqrt() - others.rms).abs() < 1e-12, "{element}");
+        assert!((largest - others.most).abs() < 1e-12, "{element}: {largest} {}", others.most);
+    }
+}
+
 type Matrix = [[f64; fit::QUANTITIES]; fit::QUANTITIES];
 
 /// The spread of the answers over repeated measurements, and the mean of the covariances that they state.

@@ -15,8 +15,8 @@ fn is_sound(what: &str, element: Element, points: &[Vector], settings: &Settings
             numbers.extend(
                 [fit.radius_mm, fit.minor_radius_mm, fit.apex_angle_rad, fit.coverage_rad].into_iter().flatten(),
             );
-            numbers.extend(&fit.residuals_mm);
-            numbers.extend(&fit.out_of_plane_mm);
+            numbers.extend(points.iter().map(|&p| fit.residual_mm(p)));
+            numbers.extend(fit.out_of_plane_rms_mm);
             numbers.extend([fit.rms_mm(), fit.max_mm(), fit.form_mm(), fit.condition]);
             numbers.extend(fit.covariance.iter().flat_map(|c| c.0).flatten());
             if let Some(u) = fit.standard_uncertainty() {
@@ -26,7 +26,7 @@ fn is_sound(what: &str, element: Element, points: &[Vector], settings: &Settings
             }
             assert!(numbers.iter().all(|x| x.is_finite()), "{element} of {what}: {fit:?}");
             assert!(fit.radius_mm.is_none_or(|r| r > 0.0), "{element} of {what}: {:?}", fit.radius_mm);
-            assert_eq!(fit.residuals_mm.len(), points.len());
+            assert_eq!(fit.points, points.len());
             if let Some(d) = fit.direction {
                 assert!((etalon::pose::norm(d) - 1.0).abs() < 1e-14, "{element} of {what}: {d:?}");
             }

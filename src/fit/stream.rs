@@ -1,0 +1,76 @@
+//! Sums over all points of a cloud: block by block in parallel, eight points at a time.
+
+use super::cloud::{Cloud, Source};
+use super::lanes::{LANES, Lanes, Points};
+use rayon::prelude::*;
+
+/// Points that one thread sums up: fixed, so that sums do not depend on the number of threads.
+const BLOCK: usize = 4096;
+/// Blocks whose sums are held at a time.
+const BLOCKS: usize = 256;
+
+/// What is gathered from the points of a block, and how the sums of blocks are joined.
+pub(super) trait Gather: Clone + Sync {
+    /// What a block comes to.
+    type Sum: Send;
+
+    /// Takes up eight points with their weights. The last eight may be filled up with copies of a point that weigh
+    /// nothing. To be inlined, so that what is gathered stays in registers.
+    fn take(&mut self, q: Points, w: Lanes);
+
+    fn close(self) -> Self::Sum;
+
+    fn join(first: Self::Sum, next: Self::Sum) -> Self::Sum;
+}
+
+impl Cloud<'_> {
+    /// Gathers over all normalised points, from a copy of `start` for each block, joined in the order of the points.
+    pub fn gather<G: Gather>(&self, start: G) -> G::Sum {
+        let block = |k: usize| {
+            let range = k * BLOCK..self.len().min((k + 1) * BLOCK);
+            match &self.source {
+                Source::Space(points) => self.pass(range.start, &points[range], start.clone()),
+                Source::Plane(points) => self.pass(range.start, &points[range], start.clone()),
+            }
+        };
+        let blocks = self.len().div_ceil(BLOCK);
+        if blocks <= 1 {
+            return block(0);
+        }
+        let joined = (0..blocks).step_by(BLOCKS).filter_map(|from| {
+            let sums: Vec<G::Sum> = (from..blocks.min(from + BLOCKS)).into_par_iter().map(block).collect();
+            sums.into_iter().reduce(G::join)
+        });
+        joined.reduce(G::join).unwrap_or_else(|| start.clone().close())
+    }
+
+    /// Normalises `points` (in the plane or in space), of which the first is number `first`, eight by eight.
+    fn pass<G: Gather, const D: usize>(&self, first: usize, points: &[[f64; D]], mut gathered: G) -> G::Sum {
+        let (centre, factor) = (self.centre_mm, 1.0 / self.scale_mm);
+        // without weights a multiplication by one is none
+        let plain = if self.weights.is_some() { 0 } else { points.len() / LANES * LANES };
+        for eight in points[..plain].as_chunks::<LANES>().0 {
+            let mut group = Points::default();
+            for (i, p) in eight.iter().enumerate() {
+                for k in 0..D {
+                    group[k].0[i] = (p[k] - centre[k]) * factor;
+                }
+            }
+            gathered.take(group, Lanes::all(1.0));
+        }
+        for from in (plain..points.len()).step_by(LANES) {
+            let (mut group, mut weights) = (Points::default(), Lanes::default());
+            for i in 0..LANES {
+                let p = points[(from + i).min(points.len() - 1)];
+                for k in 0..D {
+                    group[k].0[i] = (p[k] - centre[k]) * factor;
+                }
+                if from + i < points.len() {
+                    weights.0[i] = self.weight(first + from + i);
+                }
+            }
+            gathered.take(group, weights);
+        }
+        gathered.close()
+    }
+}
