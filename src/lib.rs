@@ -20,13 +20,14 @@
 //! Mathematics, which knows no file and no campaign:
 //! [`scalar`] (numbers that carry derivatives), [`pose`] (rigid transforms), [`solve`] (least squares, singular values),
 //! [`fit`] (geometric elements), [`robots`] (direct and inverse kinematics, exact Jacobians), [`identify`] (what the
-//! data tell, and how well), [`noise`] (random numbers from a seed).
+//! data tell, and how well), [`geometric`] (the same by balls, a shaft and an arm), [`noise`] (random numbers from a seed).
 //!
 //! Doors: [`campaign`] (what the user states), [`import`] (exports and logs become points and joints), [`files`]
 //! (whole or not at all), [`cli`].
 //!
 //! In between: [`table`] (columns and their names), [`frames`] (world frames from features and targets), [`join`]
-//! (measurements meet joint values), [`evaluate`] (errors before and after), [`simulate`] (campaigns with a known truth).
+//! (measurements meet joint values), [`evaluate`] (errors before and after),
+//! [`geometry`] (what [`geometric`] makes of a campaign), [`simulate`] (campaigns with a known truth).
 //!
 //! What comes out: [`document`] (the types behind every JSON document), [`schema`], [`parameters`], [`output`],
 //! [`report`] and [`export`], which read documents and nothing else. [`message`] is how everything says what is wrong.
@@ -79,6 +80,8 @@ pub mod export;
 pub mod files;
 pub mod fit;
 pub mod frames;
+pub mod geometric;
+pub mod geometry;
 pub mod identify;
 pub mod import;
 pub mod join;

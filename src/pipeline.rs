@@ -10,7 +10,7 @@ use crate::output::Output;
 use crate::parameters::parameters_document;
 use crate::plausible::implausible;
 use crate::robots::Robot;
-use crate::{export, frames, join, report};
+use crate::{export, frames, geometry, join, report};
 
 /// What a run found, for the one who called it.
 #[derive(Clone, Debug)]
@@ -68,6 +68,9 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     let parameters = parameters_document(robot.as_ref(), &settings, &before, &found, &imported.document.inputs());
     let accuracy = evaluate::evaluate(robot.as_ref(), &errors, &campaign.file.limits)?;
 
+    // geometry: what balls, a shaft and an arm tell, side by side with that
+    let geometric = geometry::calibrate(campaign, robot.as_ref(), &imported.points, &sets, &found)?;
+
     // report and export, from the documents alone
     let summary = campaign.summary();
     let html = report::html(&report::Report {
@@ -78,6 +81,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
         parameters: &parameters,
         accuracy: &accuracy,
         errors: &errors,
+        geometric: geometric.as_ref(),
     })?;
     out.table("points", &mut imported.points)?;
     for (name, log) in &mut imported.logs {
@@ -95,6 +99,10 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     out.json("parameters.json", &parameters)?;
     out.table("residuals", &mut evaluate::to_table(&errors)?)?;
     out.json("accuracy.json", &accuracy)?;
+    match &geometric {
+        Some(document) => out.json("geometric.json", document)?,
+        None => out.remove("geometric.json"),
+    }
     for exporter in campaign.file.controllers.iter().filter_map(|name| export::by_name(name.get_ref())) {
         match parameters.is_plausible() {
             true => out.bytes(exporter.file_name(), exporter.write(&parameters)?),
@@ -102,7 +110,8 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
         }
     }
     out.bytes("report.html", html.into_bytes());
-    let messages = imported.document.messages.iter().chain(&parameters.messages).cloned().collect();
+    let messages = imported.document.messages.iter().chain(&parameters.messages);
+    let messages = messages.chain(geometric.iter().flat_map(|g| &g.messages)).cloned().collect();
     Ok(Outcome { written: out.write()?, parameters, accuracy, messages })
 }
 

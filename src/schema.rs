@@ -13,6 +13,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("features", schema::<FeaturesDocument>()),
         ("formats", schema::<FormatsDocument>()),
         ("frames", schema::<FramesDocument>()),
+        ("geometric", schema::<GeometricDocument>()),
         ("import", schema::<ImportDocument>()),
         ("parameters", schema::<ParametersDocument>()),
         ("written", schema::<WrittenDocument>()),

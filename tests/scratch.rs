@@ -30,8 +30,15 @@ pub fn copy_sample(name: &str) -> Scratch {
     let scratch = Scratch(tempfile::tempdir().unwrap());
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(name);
     std::fs::create_dir_all(scratch.path().join("exports")).unwrap();
-    for file in ["campaign.toml", "robot.toml", "truth.toml", "encoders.csv", "exports/world.txt", "exports/poses.txt"]
-    {
+    for file in [
+        "campaign.toml",
+        "robot.toml",
+        "truth.toml",
+        "encoders.csv",
+        "exports/world.txt",
+        "exports/poses.txt",
+        "exports/geometric.txt",
+    ] {
         if from.join(file).exists() {
             std::fs::copy(from.join(file), scratch.path().join(file)).unwrap();
         }

@@ -1,6 +1,7 @@
 //! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
 
 mod dialect;
+mod geometric;
 mod paths;
 mod robot_file;
 mod selection;
@@ -8,6 +9,7 @@ mod toml_problems;
 mod types;
 
 pub use dialect::{Column, Decimal, Delimiter, Dialect, Format, Role, Unit};
+pub use geometric::*;
 pub use robot_file::RobotFile;
 pub use selection::Selection;
 pub use types::*;

@@ -52,6 +52,8 @@ pub struct CampaignFile {
     pub frame: Frames,
     /// What is identified.
     pub identify: Identify,
+    /// What geometry alone shall find (thesis, chapter 2).
+    pub geometric: Option<super::GeometricDefinition>,
     /// What the result must meet.
     #[serde(default)]
     pub limits: Limits,

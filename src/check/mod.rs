@@ -10,7 +10,7 @@ use crate::identify::matches_pattern;
 use crate::import::{self, Imported};
 use crate::message::{Problems, Result};
 use crate::robots::Robot;
-use crate::{frames, join, table};
+use crate::{frames, geometry, join, table};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 
@@ -87,6 +87,10 @@ fn find(campaign: &Campaign) -> Found {
         names::labels(campaign, &imported, &mut problems);
     }
     let named = complete && problems.0.len() == before;
+    if let (Some(definition), true, true) = (&campaign.file.geometric, named, read) {
+        let missing = geometry::gather(campaign, definition, &imported.points).err();
+        problems.0.extend(missing.into_iter().flat_map(|p| p.0));
+    }
     problems.0.extend(more.0);
     let robot = campaign.build_robot().map_err(|more| problems.0.extend(more.0)).ok();
     if let Some(robot) = &robot {

@@ -1,6 +1,7 @@
 //! `etalon report`
 
 use super::{Verdict, print_written};
+use crate::document::GeometricDocument;
 use crate::message::{Message, Result};
 use crate::{evaluate, files, report, table};
 use serde::de::DeserializeOwned;
@@ -20,6 +21,8 @@ impl Report {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let folder = &self.folder;
         let errors = evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?;
+        let geometric: Option<GeometricDocument> =
+            if folder.join("geometric.json").is_file() { Some(document(folder, "geometric.json")?) } else { None };
         let html = report::html(&report::Report {
             campaign: &document(folder, "campaign.json")?,
             import: &document(folder, "import.json")?,
@@ -28,6 +31,7 @@ impl Report {
             parameters: &document(folder, "parameters.json")?,
             accuracy: &document(folder, "accuracy.json")?,
             errors: &errors,
+            geometric: geometric.as_ref(),
         })?;
         let path = folder.join("report.html");
         files::write(&path, html.as_bytes())?;

@@ -4,9 +4,11 @@
 
 mod answer;
 mod fit;
+mod geometric;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitDocument, FitSolver, FitUncertainty};
+pub use geometric::*;
 
 use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;

@@ -20,6 +20,8 @@ const SEARCHED: usize = 120;
 const GLANCE: usize = 6;
 /// Residuals this many times those of the best are not followed further.
 const HOPELESS: f64 = 100.0;
+/// An axis or radius beyond this, in sizes of the cloud, leaves distances less than eight digits.
+const FARTHEST: f64 = 1e8;
 /// Iterations of those that are.
 const PATIENCE: usize = 80;
 
@@ -120,8 +122,9 @@ fn best_apart<const N: usize>(mut scored: Vec<(f64, Vector, [f64; N])>, count: u
     chosen
 }
 
-/// Cost of a start that led somewhere; infinite of one that did not.
+/// Cost of a start that led somewhere; infinite of one that did not, or that went off until rounding took its cost away.
 fn rank<S, const N: usize>(refined: &Refined<S, N>) -> f64 {
-    let usable = refined.cost.is_finite() && refined.condition().is_finite();
+    let near = refined.x.iter().all(|x| x.abs() < FARTHEST);
+    let usable = near && refined.cost.is_finite() && refined.condition().is_finite();
     if usable { refined.cost } else { f64::INFINITY }
 }

@@ -14,7 +14,7 @@ pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, WeakGroup};
 pub use observation::Observation;
 pub use residuals::ResidualKind;
-pub use uncertainty::UncertaintyFrom;
+pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
 
 use crate::message::{Message, Result};
 use crate::robots::{Robot, Role};

@@ -119,8 +119,8 @@ pub(super) fn conclude(
     })
 }
 
-/// Whether chi-square is too large for the degrees of freedom.
-fn exceeds(chi_square: f64, dof: usize) -> bool {
+/// Whether chi-square is too large for the degrees of freedom: a right model has it once in a thousand times.
+pub fn exceeds(chi_square: f64, dof: usize) -> bool {
     ChiSquared::new(dof as f64).is_ok_and(|d| d.sf(chi_square) < REJECT)
 }
 

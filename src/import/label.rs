@@ -4,7 +4,7 @@ use crate::message::Message;
 
 /// What a label says.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Named {
+pub(crate) struct Named {
     pub target: Option<String>,
     pub pose: Option<i64>,
     pub cycle: Option<i64>,
@@ -20,7 +20,7 @@ enum Part {
 
 /// A pattern of labels.
 #[derive(Clone, Debug)]
-pub(super) struct Pattern(Vec<Part>);
+pub(crate) struct Pattern(Vec<Part>);
 
 impl Pattern {
     /// Reads a pattern.

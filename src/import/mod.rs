@@ -12,6 +12,7 @@ mod points;
 mod polyworks;
 
 pub use formats::propose;
+pub(crate) use label::Pattern as LabelPattern;
 pub use log::is_joint_column;
 pub(crate) use log::meaning as log_column;
 pub(crate) use points::{Point, used_labels};

@@ -125,7 +125,12 @@ impl PointColumns {
     /// Warnings about labels that name no target and that no feature or frame uses.
     pub fn unused_labels(&self, campaign: &Campaign) -> Vec<Message> {
         let used = used_labels(campaign);
-        let idle = |p: &&Point| p.target.is_none() && !used.iter().any(|u| matches_pattern(u, &p.label));
+        let geometric = campaign.file.geometric.iter().flat_map(|g| g.patterns());
+        let forms: Vec<Pattern> = geometric.filter_map(|p| Pattern::parse(p.get_ref()).ok()).collect();
+        let idle = |p: &&Point| {
+            let used = used.iter().any(|u| matches_pattern(u, &p.label));
+            p.target.is_none() && !used && !forms.iter().any(|f| f.read(&p.label).is_some())
+        };
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
         let Some(first) = idle.first() else { return Vec::new() };
         let what = format!(

@@ -35,6 +35,7 @@ impl Documents {
             parameters: &self.parameters,
             accuracy: &self.accuracy,
             errors: &self.errors,
+            geometric: None,
         }
     }
 

@@ -7,6 +7,7 @@ mod axis;
 mod by_pose;
 #[cfg(test)]
 mod demo;
+mod geometric;
 mod histogram;
 mod map;
 mod number;
@@ -20,8 +21,8 @@ mod tests;
 mod verdict;
 
 use crate::document::{
-    AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, ImportDocument, ParametersDocument,
-    PointError, WorldFrame,
+    AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument,
+    ParametersDocument, PointError, WorldFrame,
 };
 use crate::message::one_line;
 use crate::message::{Message, Result};
@@ -46,6 +47,8 @@ pub struct Report<'a> {
     pub accuracy: &'a AccuracyDocument,
     /// The errors that the pictures show.
     pub errors: &'a [PointError],
+    /// What geometry alone found, where the campaign asks for it.
+    pub geometric: Option<&'a GeometricDocument>,
 }
 
 /// What the template sees: documents as they are, and what was computed from them.
@@ -63,6 +66,7 @@ struct Page<'a> {
     poses: tables::Poses,
     parameters: Vec<parameters::Row>,
     pictures: Vec<points::Picture>,
+    geometric: Option<geometric::Section<'a>>,
     /// errors that are not finite
     undrawn: usize,
 }
@@ -84,19 +88,25 @@ pub fn html(report: &Report) -> Result<String> {
         features: report.features,
         world: &report.frames.world,
         fit: report.parameters,
-        messages: report.parameters.messages.iter().chain(&report.import.messages).collect(),
+        messages: messages(report),
         verdict: verdict::verdict(report),
         definition: &report.accuracy.definition,
         sets: tables::sets(report.accuracy),
         poses: tables::poses(report.errors),
         parameters: parameters::rows(&report.parameters.parameters),
         pictures: pictures(report),
+        geometric: report.geometric.map(geometric::section),
         undrawn: report.errors.len() - points::drawable(report.errors).len(),
     };
     // the name's ending turns escaping on
     environment.add_template("report.html", include_str!("report.html")).map_err(fail)?;
     let template = environment.get_template("report.html").map_err(fail)?;
     Ok(template.render(Serde(page)).map_err(fail)?)
+}
+
+fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
+    let geometric = report.geometric.iter().flat_map(|g| &g.messages);
+    report.parameters.messages.iter().chain(&report.import.messages).chain(geometric).collect()
 }
 
 fn pictures(report: &Report) -> Vec<points::Picture> {

@@ -86,19 +86,49 @@ impl Prexyt {
 
     /// Direct kinematics: pose of the platform in the base frame (eq. 3.8, 3.11, 3.10).
     pub fn direct<T: Scalar>(&self, p: &[T], rho: &[T]) -> PlanarPose<T> {
-        let [beta, gamma, _, s, d3] = [p[0], p[1], p[2], p[3], p[4]];
+        let (gamma, delta2) = (p[1], p[11]);
         let (delta, d) = self.reduced(p);
-        let (delta2, delta3) = (p[11], p[12]);
-        let (sin_beta, cos_beta) = beta.sin_cos();
-        let reach3 = delta3 * rho[2];
-        let rise = reach3 * cos_beta + d3 - delta2 * rho[1];
-        let run = s - reach3 * sin_beta - d3 * beta.tan();
+        let [[_, y2], [run, y3]] = self.revolutes(p, rho);
+        let rise = y3 - y2;
         let theta = rise.atan2(run); // eq. 3.8
         let (tan_theta, tan_gamma) = (rise / run, gamma.tan());
         let one = T::from(1.0);
         let x = (rho[0] * delta + d + delta2 * rho[1] * tan_gamma) / (one - tan_gamma * tan_theta); // eq. 3.11
         let y = delta2 * rho[1] + x * tan_theta; // eq. 3.10
         PlanarPose { x_mm: x, y_mm: y, theta_rad: theta }
+    }
+
+    /// Axes of revolute joints 2 and 3 in the base frame; theta is the direction from one to the other (eq. 3.8).
+    fn revolutes<T: Scalar>(&self, p: &[T], rho: &[T]) -> [[T; 2]; 2] {
+        let [beta, s, d3] = [p[0], p[3], p[4]];
+        let (sin_beta, cos_beta) = beta.sin_cos();
+        let reach3 = p[12] * rho[2];
+        let second = [T::from(0.0), p[11] * rho[1]];
+        [second, [s - reach3 * sin_beta - d3 * beta.tan(), reach3 * cos_beta + d3]]
+    }
+
+    /// Axes of revolute joints 2 and 3 in the world.
+    pub fn pivots(&self, p: &[f64], rho: &[f64; 3]) -> [[f64; 2]; 2] {
+        self.revolutes(p, rho).map(|[x, y]| [x + p[8], y + p[9]])
+    }
+
+    /// Centre C of the platform in the world.
+    pub fn centre(&self, p: &[f64], rho: &[f64; 3]) -> [f64; 2] {
+        let pose = self.direct(p, rho);
+        [pose.x_mm + p[8], pose.y_mm + p[9]]
+    }
+
+    /// How far a carriage travels for each millimetre commanded, along x and y: actuator 1, 2 or 3 (eq. 3.7). Without
+    /// alpha, actuator 1 travels delta along x: what C shows of it.
+    pub fn travel(&self, p: &[f64], actuator: usize) -> [f64; 2] {
+        match actuator {
+            1 => {
+                let (sin, cos) = p.get(14).filter(|_| self.full).map_or((0.0, 1.0), |alpha| alpha.sin_cos());
+                [p[10] * cos, p[10] * sin]
+            }
+            2 => [0.0, p[11]],
+            _ => [-p[12] * p[0].sin(), p[12] * p[0].cos()],
+        }
     }
 
     /// Inverse kinematics: actuator values for a pose of the platform in the base frame (eq. 3.12 to 3.14).

@@ -1,6 +1,6 @@
 //! An export in the format that the campaign states.
 
-use super::{Scene, Turn, text};
+use super::{Scene, Turn, geometric, text};
 use crate::campaign::{Dialect, Export, Format, Role};
 use crate::import;
 use crate::message::{Message, Result};
@@ -76,6 +76,9 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Vec<Row> {
                 xyz: measure(point.at_mm),
             });
         }
+    }
+    for (label, xyz) in geometric::points(scene, export, &mut measure) {
+        rows.push(Row { target: label.clone(), label, turn: scene.turn(1), moves: false, xyz });
     }
     let names_target = matches!(&export.format, Format::Delimited(d) if d.columns.contains(&Role::Target));
     if export.label.is_none() && export.target.is_none() && !names_target {

@@ -1,6 +1,7 @@
 //! Exports and logs of a robot with known parameters and stated noise, in the formats that a campaign reads.
 
 mod export;
+mod geometric;
 mod log;
 mod text;
 mod truth;
@@ -91,6 +92,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         joints: truth.joint_values(robot.as_ref())?,
         export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),
     };
+    geometric::check(&scene)?;
     let mut texts = Vec::new();
     for (stream, stated) in campaign.file.exports.iter().enumerate() {
         // one stream of noise per file: adding a file changes no other

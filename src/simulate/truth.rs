@@ -1,5 +1,6 @@
 //! What is true in a simulation, and what is measured.
 
+use crate::geometric::Setup;
 use crate::message::{Message, Result};
 use crate::pose::Vector;
 use crate::robots::{PlanarPose, Robot};
@@ -29,6 +30,10 @@ pub struct Truth {
     /// Points of features, in the world.
     #[serde(default, rename = "point")]
     pub points: Vec<LabelledPoint>,
+    /// The export that the geometric calibration goes to.
+    pub geometric_export: Option<String>,
+    /// Balls, shaft and carriages of the geometric calibration (thesis, chapter 2).
+    pub geometric: Option<Setup>,
     /// Poses, numbered from 1 in the order given.
     pub poses: Vec<Poses>,
 }

@@ -7,6 +7,8 @@ mod dialects;
 mod features;
 mod fits;
 mod fits_hostile;
+mod geometric;
+mod geometric_campaign;
 mod joins;
 mod robots;
 mod serial;

@@ -1,0 +1,208 @@
+//! What geometry alone found, beside the identification of the same campaign.
+
+use super::Vector;
+use crate::message::Message;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The geometric calibration (thesis, chapter 2).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GeometricDocument {
+    /// `etalon/geometric/1`
+    pub schema: String,
+    /// What was taken for what, in words.
+    pub definition: String,
+    /// One per quantity, with the identified value of the same parameter.
+    pub quantities: Vec<GeometricQuantity>,
+    /// Covariance of `value` of all quantities, in their order and units.
+    pub covariance: Vec<Vec<f64>>,
+    /// Residuals of every fit.
+    pub steps: Vec<GeometricStep>,
+    /// Leads of the screws.
+    pub leads: Vec<LeadResult>,
+    /// Scale bars.
+    pub scale_bars: Vec<ScaleBarResult>,
+    /// Mean errors by pose.
+    pub tables: Vec<PoseTable>,
+    /// Largest mean errors over all tables, by method.
+    pub methods: Vec<MethodErrors>,
+    /// Regions of the workspace, with the geometric parameters.
+    pub workspace: Vec<Region>,
+    /// What a reader must know.
+    pub messages: Vec<Message>,
+}
+
+/// One quantity, found from points that were measured for it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GeometricQuantity {
+    /// Name of the parameter.
+    pub name: String,
+    /// `mm` or `1`.
+    pub unit: String,
+    /// Nominal value.
+    pub nominal: f64,
+    /// Value found; the mean of repeats.
+    pub value: f64,
+    /// Standard uncertainty (k = 1) of `value`, frames included.
+    pub standard_uncertainty: f64,
+    /// How repeats scatter, where there are any.
+    pub repeats: Option<RepeatStatistics>,
+    /// Value that the identification of the same campaign found.
+    pub identified: f64,
+    /// Its standard uncertainty; absent where it was held.
+    pub identified_standard_uncertainty: Option<f64>,
+}
+
+/// Scatter of repeated determinations.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RepeatStatistics {
+    /// Their number.
+    pub count: usize,
+    /// Standard deviation of one determination.
+    pub standard_deviation: f64,
+    /// What the points' own uncertainties make of it; frames that all repeats share cancel.
+    pub expected: f64,
+    /// Whether the repeats scatter more than that (chi-square, once in a thousand), and enlarged the uncertainty.
+    pub enlarged: bool,
+}
+
+/// Residuals of one fit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GeometricStep {
+    /// What was fitted.
+    pub name: String,
+    /// Residuals.
+    pub count: usize,
+    /// Standard deviation of a residual.
+    pub standard_deviation_mm: f64,
+    /// What the instrument's stated uncertainty makes of it.
+    pub expected_mm: f64,
+    /// Largest residual.
+    pub max_mm: f64,
+    /// Root of the sum of squares.
+    pub norm_mm: f64,
+    /// By how much points' uncertainties were enlarged because residuals scatter more than expected; else 1.
+    pub enlarged_by: f64,
+    /// Arc that has points, of circles.
+    pub coverage_deg: Option<f64>,
+}
+
+/// The lead of an actuator.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LeadResult {
+    /// Number of the actuator.
+    pub actuator: usize,
+    /// Nominal lead of its screw.
+    pub nominal_lead_mm: f64,
+    /// Actual lead.
+    pub actual_lead_mm: f64,
+    /// Actual over nominal displacement, less one.
+    pub error: f64,
+    /// Standard uncertainty of `error`.
+    pub standard_uncertainty: f64,
+    /// Mean deviation from linear travel, by position.
+    pub linearity: Vec<Linearity>,
+}
+
+/// Deviation from linear travel at one position.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Linearity {
+    /// Commanded displacement.
+    pub commanded_mm: f64,
+    /// Mean deviation of all passes.
+    pub deviation_mm: f64,
+}
+
+/// Distance errors of a scale bar.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ScaleBarResult {
+    /// Name of its position.
+    pub name: String,
+    /// Calibrated length.
+    pub length_mm: f64,
+    /// Distances measured.
+    pub count: usize,
+    /// Mean of measured minus calibrated length.
+    pub mean_error_mm: f64,
+    /// Standard deviation of the distances.
+    pub standard_deviation_mm: f64,
+}
+
+/// Mean errors of some poses (thesis, tables 2.2 to 2.4).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PoseTable {
+    /// Title.
+    pub title: String,
+    /// One row a pose.
+    pub rows: Vec<PoseRow>,
+}
+
+/// Mean errors of one pose.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PoseRow {
+    /// Number of the pose.
+    pub pose: i64,
+    /// Commanded position of C in the base frame: what the nominal model makes of the joints.
+    pub command_mm: [f64; 2],
+    /// Commanded orientation.
+    pub command_deg: f64,
+    /// Repeats.
+    pub count: usize,
+    /// With nominal parameters in the geometric base frame.
+    pub before: MeanError,
+    /// With the geometric parameters.
+    pub geometric: MeanError,
+    /// With the identified parameters.
+    pub identified: MeanError,
+    /// Standard deviation of x or y over the repeats, the larger.
+    pub standard_deviation_mm: f64,
+}
+
+/// Mean error of a pose: measured minus predicted.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeanError {
+    /// x.
+    pub x_mm: f64,
+    /// y.
+    pub y_mm: f64,
+    /// Length of both.
+    pub position_mm: f64,
+    /// Orientation.
+    pub orientation_deg: f64,
+}
+
+/// Largest and root mean square of the mean errors.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MethodErrors {
+    /// `before`, `geometric` or `identified`.
+    pub name: String,
+    /// Largest position error.
+    pub position_max_mm: f64,
+    /// Root mean square position error.
+    pub position_rms_mm: f64,
+    /// Largest orientation error.
+    pub orientation_max_deg: f64,
+}
+
+/// A region of the workspace.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Region {
+    /// Which.
+    pub name: String,
+    /// Its area.
+    pub area_mm2: f64,
+    /// Its corners in the base frame, counterclockwise; z is zero.
+    pub corners_mm: Vec<Vector>,
+}

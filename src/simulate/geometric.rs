@@ -1,0 +1,50 @@
+//! The points of the geometric calibration (thesis, chapter 2), and the travel that poses keep within.
+
+use super::Scene;
+use crate::campaign::Export;
+use crate::geometric::Workspace;
+use crate::geometry;
+use crate::message::{Message, Result};
+use crate::noise::Noise;
+use crate::pose::Vector;
+
+/// Stream of the noise of homing: no file has it.
+const HOMING: u64 = 1 << 32;
+
+/// Labelled points that go to `export`; `measure` gives the reading of a point in the world.
+pub(super) fn points(
+    scene: &Scene,
+    export: &Export,
+    mut measure: impl FnMut(Vector) -> Vector,
+) -> Vec<(String, Vector)> {
+    let (truth, definition) = (scene.truth, &scene.campaign.file.geometric);
+    let here = truth.geometric_export.as_ref() == Some(export.file.get_ref());
+    let (true, Some(setup), Some(definition), Some(planar)) =
+        (here, &truth.geometric, definition, scene.robot.planar())
+    else {
+        return Vec::new();
+    };
+    let mut homing = Noise::new(truth.seed, HOMING);
+    let found = setup.measure(planar, &scene.values, &mut homing, &mut measure);
+    geometry::labelled(definition, &(found, setup.bars(&mut measure)))
+}
+
+/// Refuses a truth that its campaign cannot name, and poses beyond the travel that the campaign states.
+pub(super) fn check(scene: &Scene) -> Result<()> {
+    let definition = scene.campaign.file.geometric.as_ref();
+    let planar = scene.robot.planar();
+    if scene.truth.geometric.is_some() && (definition.is_none() || planar.is_none()) {
+        return Err(Message::error("the truth has [geometric], the campaign has not, or is of no PreXYT")
+            .hint("state [geometric] in campaign.toml: it names the labels")
+            .into());
+    }
+    let (Some(stated), Some(planar)) = (definition.and_then(|d| d.workspace), planar) else { return Ok(()) };
+    let workspace = Workspace { robot: planar, parameters: &scene.robot.nominal(), travel_mm: stated.travel_mm };
+    match scene.joints.iter().enumerate().find(|(_, q)| !workspace.reaches(q)) {
+        Some((i, q)) => Err(Message::error(format!("pose {} is beyond the travel of an actuator: {q:?} mm", i + 1))
+            .expected(format!("0 to {:?} mm", stated.travel_mm))
+            .hint("correct the pose, or `travel_mm` in [geometric.workspace]")
+            .into()),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,154 @@
+//! Chapter 2 as a campaign: what it leaves, why, and what it says of a campaign that does not fit.
+
+use crate::scratch::{Scratch, copy_sample};
+use etalon::campaign::{Campaign, read_truth};
+use etalon::document::{GeometricDocument, MethodErrors};
+use etalon::pipeline;
+use etalon::simulate::Truth;
+
+const SAMPLE: &str = "prexyt-geometric";
+
+fn run(scratch: &Scratch) -> GeometricDocument {
+    let campaign = Campaign::read(&scratch.path()).unwrap();
+    pipeline::run(&campaign).unwrap();
+    let text = std::fs::read(scratch.path().join("out/geometric.json")).unwrap();
+    serde_json::from_slice(&text).unwrap()
+}
+
+/// The sample measured again, its truth changed.
+fn run_with(change: impl Fn(&mut Truth)) -> GeometricDocument {
+    let scratch = copy_sample(SAMPLE);
+    let mut truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    change(&mut truth);
+    truth.decimals = 12;
+    etalon::simulate::simulate(&Campaign::read(&scratch.path()).unwrap(), &truth).unwrap();
+    run(&scratch)
+}
+
+fn method<'a>(document: &'a GeometricDocument, name: &str) -> &'a MethodErrors {
+    document.methods.iter().find(|m| m.name == name).unwrap()
+}
+
+fn largest(document: &GeometricDocument, name: &str) -> f64 {
+    method(document, name).position_max_mm
+}
+
+#[test]
+fn geometry_leaves_two_to_four_tenths_of_a_millimetre_and_thirteen_parameters_less_than_five_hundredths() {
+    let document = run(&copy_sample(SAMPLE));
+    let [before, geometric, identified] = ["before", "geometric", "identified"].map(|name| largest(&document, name));
+    println!("largest position error: before {before:.3}, geometric {geometric:.3}, identified {identified:.4} mm");
+    assert!((0.2..=0.4).contains(&geometric), "{geometric}");
+    assert!((4.0..=8.0).contains(&(before / geometric)), "{before} {geometric}");
+    assert!(identified < 0.05, "{identified}");
+    // thesis 2.7: no standard deviation above 13 um
+    let deviations = document.tables.iter().flat_map(|t| &t.rows).map(|r| r.standard_deviation_mm);
+    assert!(deviations.fold(0.0, f64::max) < 0.02);
+}
+
+#[test]
+fn what_is_left_is_there_because_gamma_is_ignored() {
+    let noise_free = |truth: &mut Truth| {
+        truth.noise_um = Some(0.0);
+        truth.geometric.as_mut().unwrap().offsets.homing_um = 0.0;
+    };
+    let with = run_with(noise_free);
+    let without = run_with(|truth| {
+        noise_free(truth);
+        truth.parameters.insert("gamma".into(), 0.0);
+    });
+    println!(
+        "noise-free: {:.4} mm with gamma, {:.4} mm without",
+        largest(&with, "geometric"),
+        largest(&without, "geometric")
+    );
+    assert!((0.2..=0.4).contains(&largest(&with, "geometric")));
+    assert!(largest(&without, "geometric") < 0.05, "{}", largest(&without, "geometric"));
+    assert!(largest(&with, "identified") < 1e-6);
+    // the orientation error that is left is epsilon_theta, which chapter 2 neglects
+    let left = method(&without, "geometric").orientation_max_deg;
+    assert!((left - 0.0219).abs() < 0.005, "{left}");
+}
+
+#[test]
+fn a_campaign_on_a_robot_with_only_geometric_errors_is_exact() {
+    let document = run_with(|truth| {
+        truth.noise_um = Some(0.0);
+        truth.geometric.as_mut().unwrap().offsets.homing_um = 0.0;
+        for name in ["beta", "gamma", "epsilon_theta"] {
+            truth.parameters.insert(name.into(), 0.0);
+        }
+    });
+    let truth = read_truth(&copy_sample(SAMPLE).path().join("truth.toml")).unwrap();
+    assert_eq!(document.quantities.len(), 11);
+    for q in &document.quantities {
+        assert!((q.value - truth.parameters[&q.name]).abs() < 1e-9, "{} {}", q.name, q.value);
+    }
+    assert!(largest(&document, "geometric") < 1e-9);
+    // thesis 2.5: the actual lead
+    assert!((document.leads[0].actual_lead_mm - 5.080 * 0.9992).abs() < 1e-9);
+}
+
+/// 7.3 um repeatability of a ball (r + 3 s, section 2.6) are 2 um for a coordinate.
+#[test]
+fn with_the_arms_repeatability_repeats_scatter_as_in_the_thesis() {
+    let document = run_with(|truth| truth.noise_um = Some(2.0));
+    let deviation = |name: &str| {
+        let q = document.quantities.iter().find(|q| q.name == name).unwrap();
+        1000.0 * q.repeats.as_ref().unwrap().standard_deviation
+    };
+    let found = ["s", "d", "d3"].map(deviation);
+    println!("standard deviations of s, d1, d3: {found:.1?} um; thesis: 9, 2, 4 um");
+    assert!(found[0] < 9.0 && found[1] < 2.0 * 3.0 && found[2] < 4.0 * 3.0, "{found:?}");
+}
+
+#[test]
+fn the_report_shows_both_ways_side_by_side() {
+    let scratch = copy_sample(SAMPLE);
+    run(&scratch);
+    let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+    for text in
+        ["Geometry alone, beside the identification", "(table 2.3)", "by geometry alone", "id=\"workspace-title\""]
+    {
+        assert!(html.contains(text), "{text}");
+    }
+    std::fs::remove_file(scratch.path().join("out/report.html")).unwrap();
+    let again = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        .arg("report")
+        .arg(scratch.path().join("out"))
+        .output()
+        .unwrap();
+    assert!(again.status.success(), "{}", String::from_utf8_lossy(&again.stderr));
+    assert!(html == std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap());
+}
+
+#[test]
+fn what_does_not_fit_is_said_with_its_place() {
+    let cases: [(&str, &str, &str, &str); 8] = [
+        ("exports/geometric.txt", "turn-L-7 ", "turn-M-7 ", "ball `L` is missing (pose 7, cycle 1)"),
+        ("exports/geometric.txt", "offset-K-2-3 ", "offset-K-2-33 ", "ball `K` is missing (pose 2, cycle 3)"),
+        ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"X-{pose}\"", "no point bears a label of the form `X-{pose}`"),
+        ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"N-{number}\"", "means nothing in a label"),
+        ("campaign.toml", "actuator = 3", "actuator = 4", "there is no actuator 4"),
+        ("campaign.toml", "positions_mm = [0.0, 28.0,", "positions_mm = [28.0,", "position 7 of actuator 1"),
+        ("campaign.toml", "origin = \"R_home\"", "origin = \"R_end\"", "needs a world frame from the rails and ball R"),
+        ("campaign.toml", "poses = \"9-13\"", "poses = \"99\"", "has no pose that was measured"),
+    ];
+    for (file, from, to, said) in cases {
+        let scratch = copy_sample(SAMPLE);
+        scratch.replace(file, from, to);
+        let problems = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap_err();
+        let text = problems.to_string();
+        assert!(text.contains(said), "{to}: {text}");
+        assert!(text.contains("campaign.toml:"), "{to} has no place: {text}");
+    }
+}
+
+#[test]
+fn poses_beyond_the_travel_are_not_simulated() {
+    let scratch = copy_sample(SAMPLE);
+    scratch.replace("truth.toml", "[170.0, 300.0, 300.0],", "[170.1, 300.0, 300.0],");
+    let truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let problems = etalon::simulate::simulate(&Campaign::read(&scratch.path()).unwrap(), &truth).unwrap_err();
+    assert!(problems.to_string().contains("pose 5 is beyond the travel of an actuator"), "{problems}");
+}
