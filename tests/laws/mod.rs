@@ -7,6 +7,7 @@ mod dialects;
 mod features;
 mod fits;
 mod fits_hostile;
+pub mod five_bar;
 mod joins;
 mod robots;
 mod serial;
