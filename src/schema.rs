@@ -15,6 +15,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("frames", schema::<FramesDocument>()),
         ("import", schema::<ImportDocument>()),
         ("parameters", schema::<ParametersDocument>()),
+        ("plan", schema::<PlanDocument>()),
         ("written", schema::<WrittenDocument>()),
     ]
 }

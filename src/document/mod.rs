@@ -4,9 +4,13 @@
 
 mod answer;
 mod fit;
+mod plan;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitDocument, FitSolver, FitUncertainty};
+pub use plan::{
+    ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
+};
 
 use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;

@@ -9,5 +9,6 @@ mod fits;
 mod fits_hostile;
 pub mod five_bar;
 mod joins;
+mod plans;
 mod robots;
 mod serial;
