@@ -5,10 +5,14 @@
 mod answer;
 mod fit;
 mod geometric;
+mod plan;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitDocument, FitSolver, FitUncertainty};
 pub use geometric::*;
+pub use plan::{
+    ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
+};
 
 use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;

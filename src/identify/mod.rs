@@ -1,18 +1,22 @@
 //! Identification: parameters from observations, with what the data can and cannot tell, and how well.
 
+mod assembly;
 mod identifiability;
 mod logs;
 mod observability;
 mod observation;
+mod predict;
 mod residuals;
 mod settle;
 mod start;
 mod uncertainty;
 
+pub use assembly::stated_modes;
 pub use identifiability::{Group, RANK_TOLERANCE};
 pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, WeakGroup};
 pub use observation::Observation;
+pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use residuals::ResidualKind;
 pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
 

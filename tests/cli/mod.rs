@@ -1,5 +1,8 @@
 //! The command line: what README.md shows is what the program prints, and every command does what it says.
 
+mod five_bar;
+mod plan;
+
 use crate::scratch::copy_sample;
 use std::path::Path;
 use std::process::{Command, Output};
