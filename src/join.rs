@@ -274,6 +274,9 @@ fn tidy(joined: DataFrame, robot: &dyn Robot) -> Result<DataFrame> {
     let mut columns = vec!["pose".to_owned(), "cycle".to_owned(), "target".to_owned()];
     columns.extend(table::XYZ[..robot.dimension()].iter().map(|c| (*c).to_owned()));
     columns.extend(robot.joints().iter().map(|j| j.column()));
+    if robot.has_assembly_modes() && sorted.column(table::ASSEMBLY).is_ok() {
+        columns.push(table::ASSEMBLY.to_owned());
+    }
     Ok(sorted.select(columns)?)
 }
 

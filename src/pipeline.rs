@@ -46,7 +46,8 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
 
     // identify: observations become parameters
     let (calibration, validation) = campaign.selections()?;
-    let observations = Observation::from_table(robot.as_ref(), &joined.observations[0].1)?;
+    let mut messages = Vec::new();
+    let observations = Observation::from_table(robot.as_ref(), &joined.observations[0].1, &mut messages)?;
     let poses = evaluate::poses(&observations);
     let sets = evaluate::split(&observations, &poses, &calibration, validation.as_ref());
     selections(campaign, &poses)?;
@@ -54,7 +55,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     let before = identify::fit_frames(robot.as_ref(), &sets.calibration, &settings)?;
     let mut found = identify::identify_from(robot.as_ref(), &sets.calibration, &settings, &before)?;
     for (name, table) in joined.observations.iter().skip(1) {
-        let observations = Observation::from_table(robot.as_ref(), table)?;
+        let observations = Observation::from_table(robot.as_ref(), table, &mut messages)?;
         let others = evaluate::split(&observations, &poses, &calibration, validation.as_ref());
         let used = campaign.file.logs[0].name.as_str();
         let theirs = identify::identify(robot.as_ref(), &others.calibration, &settings)?;
@@ -62,6 +63,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
         let said = [compare_logs(robot.as_ref(), this, that, used), compare_logs(robot.as_ref(), that, this, used)];
         found.warnings.extend(said.into_iter().flatten());
     }
+    found.warnings.splice(0..0, messages);
     // evaluate: errors before and after
     let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
     found.warnings.splice(0..0, implausible(robot.as_ref(), &found.values, &errors));

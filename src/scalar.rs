@@ -78,6 +78,16 @@ impl<const N: usize> Dual<N> {
     }
 }
 
+/// Values as variables, each with its own derivative.
+pub(crate) fn duals<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
+    values.iter().enumerate().map(|(i, &v)| Dual::variable(v, i)).collect()
+}
+
+/// Values without derivatives.
+pub(crate) fn constants<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
+    values.iter().map(|&v| Dual::from(v)).collect()
+}
+
 impl<const N: usize> From<f64> for Dual<N> {
     fn from(value: f64) -> Self {
         Self { value, gradient: [0.0; N] }

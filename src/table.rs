@@ -9,6 +9,9 @@ use std::path::Path;
 /// Columns of the coordinates, in millimetres.
 pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
+/// Column of the assembly mode, +1 or -1, of robots that have several.
+pub const ASSEMBLY: &str = "assembly";
+
 impl From<PolarsError> for Problems {
     fn from(error: PolarsError) -> Self {
         Message::error(format!("table: {error}")).into()

@@ -5,6 +5,7 @@ mod cli;
 mod golden;
 mod hostile;
 mod laws;
+mod linearised;
 mod reference;
 mod scratch;
 

@@ -2,7 +2,7 @@
 
 use super::toml_problems;
 use crate::message::{Message, Place, Problems, Result};
-use crate::robots::{Prexyt, Robot, Serial, SerialJoint};
+use crate::robots::{FiveBar, Prexyt, Reach, Robot, Serial, SerialJoint};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -32,6 +32,9 @@ pub struct RobotFile {
     /// Pairs (joint, by which joint) of a coupled wrist, from 1.
     #[serde(default)]
     pub coupling: Vec<(usize, usize)>,
+    /// What a five-bar can reach.
+    #[serde(default)]
+    pub reach: ReachDefinition,
     /// base_rx, base_ry, base_rz are counted after this turn about the world's y axis.
     #[serde(default)]
     pub base_turn_y_deg: f64,
@@ -52,8 +55,39 @@ pub enum Model {
     Prexyt,
     /// PreXYT before the reduction of section 3.4.
     PrexytFull,
+    /// Five-bar with 12 parameters.
+    FiveBar,
     /// Serial arm.
     Serial,
+}
+
+/// What a five-bar can reach; a limit not given is none.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ReachDefinition {
+    /// Least and greatest encoder angle of joint 1.
+    pub theta1_deg: Option<[f64; 2]>,
+    /// Least and greatest encoder angle of joint 2.
+    pub theta2_deg: Option<[f64; 2]>,
+    /// The proximal link of one arm and the distal link of the other stay farther apart than this; 0 forbids that they cross.
+    pub clearance_mm: Option<f64>,
+    /// Least angle by which an arm must miss being stretched or folded.
+    pub type1_margin_deg: Option<f64>,
+    /// Least angle by which the distal links must miss being in line.
+    pub type2_margin_deg: Option<f64>,
+}
+
+impl ReachDefinition {
+    fn build(&self) -> Reach {
+        let none = Reach::default();
+        let limits = |given: Option<[f64; 2]>, none: [f64; 2]| given.map_or(none, |l| l.map(f64::to_radians));
+        Reach {
+            limits_rad: [limits(self.theta1_deg, none.limits_rad[0]), limits(self.theta2_deg, none.limits_rad[1])],
+            clearance_mm: self.clearance_mm,
+            type1_margin_rad: self.type1_margin_deg.map_or(none.type1_margin_rad, f64::to_radians),
+            type2_margin_rad: self.type2_margin_deg.map_or(none.type2_margin_rad, f64::to_radians),
+        }
+    }
 }
 
 /// Nominal modified Denavit-Hartenberg parameters of a joint (Craig).
@@ -96,21 +130,34 @@ impl RobotFile {
         self.stated(path).unwrap_or_else(|| Place::file(self.source.0.as_str()))
     }
 
+    /// Errors where the file states keys that only another model has.
+    fn refuse(&self, keys: &[&str], model: &str) -> Result<()> {
+        let odd = |key: &&str| {
+            let message = Message::error(format!("`{key}` means nothing for this model"));
+            Some(message.at(self.stated(&[key])?).hint(format!("it belongs to `model = \"{model}\"`")))
+        };
+        Problems(keys.iter().filter_map(odd).collect()).check()?;
+        Ok(())
+    }
+
     /// The robot with these targets (serial arms; others have their own).
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
         let robot: Box<dyn Robot> = match self.model {
             Model::Prexyt | Model::PrexytFull => {
-                let odd = |key: &&str| {
-                    let message = Message::error(format!("`{key}` means nothing for this model"));
-                    Some(message.at(self.stated(&[key])?).hint("it belongs to `model = \"serial\"`"))
-                };
-                let problems: Vec<Message> = SERIAL_ONLY.iter().filter_map(odd).collect();
-                Problems(problems).check()?;
+                self.refuse(&SERIAL_ONLY, "serial")?;
+                self.refuse(&["reach"], "five_bar")?;
                 let robot = Prexyt::new(self.model == Model::PrexytFull);
                 let nominal = self.nominal_of(&robot)?;
                 Box::new(robot.with_nominal(&nominal))
             }
+            Model::FiveBar => {
+                self.refuse(&SERIAL_ONLY, "serial")?;
+                let robot = FiveBar::default().with_reach(self.reach.build());
+                let nominal = self.nominal_of(&robot)?;
+                Box::new(robot.with_nominal(&nominal))
+            }
             Model::Serial => {
+                self.refuse(&["reach"], "five_bar")?;
                 let robot = self.serial(targets)?;
                 let nominal = self.nominal_of(&robot)?;
                 Box::new(robot.with_nominal(&nominal))

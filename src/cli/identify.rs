@@ -54,7 +54,8 @@ impl Identify {
             }
         }
         let robot = robot_file.build(&targets)?;
-        let observations = Observation::from_table(robot.as_ref(), &observed).map_err(here)?;
+        let mut messages = Vec::new();
+        let observations = Observation::from_table(robot.as_ref(), &observed, &mut messages).map_err(here)?;
         let settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
@@ -62,6 +63,7 @@ impl Identify {
         };
         let before = fit_frames(robot.as_ref(), &observations, &settings)?;
         let mut found = identify_from(robot.as_ref(), &observations, &settings, &before)?;
+        found.warnings.splice(0..0, messages);
         let sets = Sets { calibration: observations, validation: Vec::new() };
         let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
         found.warnings.splice(0..0, implausible(robot.as_ref(), &found.values, &errors));

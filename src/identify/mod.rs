@@ -1,5 +1,6 @@
 //! Identification: parameters from observations, with what the data can and cannot tell, and how well.
 
+mod assembly;
 mod identifiability;
 mod logs;
 mod observability;
@@ -9,6 +10,7 @@ mod settle;
 mod start;
 mod uncertainty;
 
+pub use assembly::stated_modes;
 pub use identifiability::{Group, RANK_TOLERANCE};
 pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, WeakGroup};

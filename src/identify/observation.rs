@@ -1,5 +1,6 @@
 //! Observations: where the targets were, and what the joints said.
 
+use super::assembly::{assign_modes, stated_modes};
 use crate::message::{Message, Place, Result};
 use crate::pose::Vector;
 use crate::robots::Robot;
@@ -13,7 +14,7 @@ pub struct Observation {
     pub pose: i64,
     /// Number of the repeat.
     pub cycle: i64,
-    /// Joint values in mm or rad, in the robot's order.
+    /// Joint values in mm or rad, in the robot's order, and behind them the assembly mode of robots that have several.
     pub joints: Vec<f64>,
     /// Measured positions in the world in mm, in the order of the robot's targets; `None` where not measured.
     pub targets: Vec<Option<Vector>>,
@@ -21,7 +22,10 @@ pub struct Observation {
 
 impl Observation {
     /// Observations of `robot` from the tidy table (one row per pose, cycle and target), in the order of the table.
-    pub fn from_table(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Self>> {
+    ///
+    /// Robots with assembly modes may bring several working modes to one pose and cycle: other joint values are then
+    /// another observation. What was taken from the measurement is told in `messages`.
+    pub fn from_table(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Self>> {
         let poses = table::integers(table, "pose")?;
         let cycles = table::integers(table, "cycle")?;
         let names = table::texts(table, "target")?;
@@ -34,7 +38,9 @@ impl Observation {
             let column = table::numbers(table, &joint.column())?;
             joints.push(column.into_iter().map(|v| joint.quantity.inward(v)).collect::<Vec<f64>>());
         }
+        let stated = stated_modes(robot, table)?;
         let mut observations: Vec<Self> = Vec::new();
+        let mut modes = Vec::new();
         let mut place = std::collections::BTreeMap::new();
         // the table has a header in line 1
         let line = |row: usize| Place { line: Some(row + 2), ..Place::default() };
@@ -49,7 +55,9 @@ impl Observation {
                 let message = Message::error(format!("{}: a value is missing or not a number", what()));
                 return Err(message.at(line(row)).into());
             }
-            let k = *place.entry((poses[row], cycles[row])).or_insert_with(|| {
+            let mode = if robot.has_assembly_modes() { here.iter().map(|q| q.to_bits()).collect() } else { Vec::new() };
+            let k = *place.entry((poses[row], cycles[row], mode)).or_insert_with(|| {
+                modes.push(stated[row]);
                 observations.push(Self {
                     pose: poses[row],
                     cycle: cycles[row],
@@ -71,6 +79,9 @@ impl Observation {
         }
         if observations.is_empty() {
             return Err(Message::error("there are no observations").into());
+        }
+        if robot.has_assembly_modes() {
+            messages.extend(assign_modes(robot, &mut observations, &modes)?);
         }
         Ok(observations)
     }

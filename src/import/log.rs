@@ -5,6 +5,7 @@ use crate::campaign::{Campaign, Column, Log};
 use crate::document::Source;
 use crate::message::{Message, Place, Problems, Result};
 use crate::robots::{Joint, Quantity};
+use crate::table::ASSEMBLY;
 use polars::prelude::{DataFrame, NamedFrom, Series};
 
 /// Factor from a unit to mm or deg.
@@ -26,7 +27,7 @@ pub fn is_joint_column(key: &str, joint: &Joint) -> bool {
 /// What a key of `columns` becomes: the name of the column in the table, and the factor of its values.
 pub(crate) fn meaning(key: &str) -> Option<(String, f64)> {
     match key {
-        "pose" | "cycle" | "time_s" => Some((key.to_owned(), 1.0)),
+        "pose" | "cycle" | "time_s" | ASSEMBLY => Some((key.to_owned(), 1.0)),
         _ => {
             let (name, unit) = key.rsplit_once('_')?;
             let quantity = [Quantity::Length, Quantity::Angle].into_iter().find(|q| factor(unit, *q).is_some())?;

@@ -4,11 +4,15 @@
 //! Lengths are in millimetres, angles in radians.
 
 mod definition;
+mod five_bar;
+mod five_bar_reach;
 mod prexyt;
 mod serial;
 mod serial_chain;
 
 pub use definition::{Definition, Joint, Parameter, Quantity, Role};
+pub use five_bar::{FiveBar, Linkage, WORKING_MODES};
+pub use five_bar_reach::{Configuration, Reach, SingularityDistance};
 pub use prexyt::{PlanarPose, Prexyt};
 pub use serial::{Serial, SerialJoint};
 
@@ -16,7 +20,7 @@ use crate::pose::Vector;
 
 /// A robot whose targets are seen by a measuring system.
 pub trait Robot: Send + Sync {
-    /// Short name of the model: `prexyt`, `serial` ...
+    /// Short name of the model: `prexyt`, `five_bar`, `serial` ...
     fn model(&self) -> &'static str;
 
     /// Parameters, joints and targets.
@@ -45,6 +49,17 @@ pub trait Robot: Send + Sync {
 
     /// Writes d positions / d parameters, row by row: (targets × dimension) × parameters.
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
+
+    /// Whether joint values leave two positions: the assembly mode, +1 or -1, then stands behind the joints in every slice
+    /// of joint values.
+    fn has_assembly_modes(&self) -> bool {
+        false
+    }
+
+    /// Joint values of every way to bring the only target to a position in the world, where the model knows.
+    fn configurations(&self, _parameters: &[f64], _position: Vector) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
 
     /// The planar model, for robots that have one: pose residuals (eq. 3.26) and orientation errors need it.
     fn planar(&self) -> Option<&Prexyt> {

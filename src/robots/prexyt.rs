@@ -4,7 +4,7 @@
 //! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
 
 use super::{Definition, Joint, Parameter, Quantity, Robot, Role};
-use crate::scalar::{Dual, Scalar};
+use crate::scalar::{Dual, Scalar, constants, duals};
 
 /// Position (mm) and orientation (rad) in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -193,14 +193,6 @@ impl Prexyt {
 fn wrap<T: Scalar>(angle: T) -> T {
     let turns = (angle.value() / std::f64::consts::TAU).round();
     angle + (-turns * std::f64::consts::TAU)
-}
-
-fn duals<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
-    values.iter().enumerate().map(|(i, &v)| Dual::variable(v, i)).collect()
-}
-
-fn constants<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
-    values.iter().map(|&v| Dual::from(v)).collect()
 }
 
 impl Robot for Prexyt {

@@ -4,6 +4,7 @@ use super::{Scene, Turn, text};
 use crate::campaign::{Column, JoinBy, Log};
 use crate::import;
 use crate::message::{Message, Result};
+use crate::table::ASSEMBLY;
 
 /// A campaign may number columns, but not without end.
 const MOST_COLUMNS: usize = 1000;
@@ -13,6 +14,7 @@ enum Content {
     Pose,
     Cycle,
     Time,
+    Assembly,
     /// Index of the joint, factor from the column's unit to mm or deg, digits after the mark.
     Joint(usize, f64, usize),
 }
@@ -74,6 +76,7 @@ fn content(scene: &Scene, key: &str) -> std::result::Result<Content, Message> {
         "pose" => return Ok(Content::Pose),
         "cycle" => return Ok(Content::Cycle),
         "time_s" => return Ok(Content::Time),
+        ASSEMBLY if scene.robot.has_assembly_modes() => return Ok(Content::Assembly),
         _ => {}
     }
     let joint = scene.robot.joints().iter().position(|j| import::is_joint_column(key, j)).ok_or_else(unknown)?;
@@ -89,6 +92,10 @@ fn field(scene: &Scene, log: &Log, content: Option<&Content>, turn: Turn) -> Str
         Some(Content::Pose) => turn.pose.to_string(),
         Some(Content::Cycle) => turn.cycle.to_string(),
         Some(Content::Time) => text::number(turn.time_s(), 6, log.decimal),
+        Some(Content::Assembly) => {
+            let mode = scene.joints[turn.pose as usize - 1].last().copied().unwrap_or(1.0);
+            text::number(mode, 0, log.decimal)
+        }
         Some(Content::Joint(joint, factor, digits)) => {
             let q = scene.joints[turn.pose as usize - 1][*joint];
             text::number(scene.robot.joints()[*joint].quantity.outward(q) / factor, *digits, log.decimal)

@@ -118,12 +118,14 @@ impl Truth {
         let mut all = Vec::new();
         for poses in &self.poses {
             for q in &poses.joints {
-                if q.len() != robot.joints().len() {
-                    let what =
-                        format!("a pose has {} joint values, the robot {} joints", q.len(), robot.joints().len());
+                // the assembly mode stands behind the joints of robots that have several
+                let count = robot.joints().len() + usize::from(robot.has_assembly_modes());
+                if q.len() != count {
+                    let what = format!("a pose has {} joint values, the robot {count} joints", q.len());
                     return Err(Message::error(what).into());
                 }
-                all.push(q.iter().zip(robot.joints()).map(|(q, j)| j.quantity.inward(*q)).collect());
+                let inward = |(i, q): (usize, &f64)| robot.joints().get(i).map_or(*q, |j| j.quantity.inward(*q));
+                all.push(q.iter().enumerate().map(inward).collect());
             }
             for circle in &poses.circles {
                 let planar = robot

@@ -9,6 +9,7 @@ mod fits;
 mod fits_hostile;
 mod geometric;
 mod geometric_campaign;
+pub mod five_bar;
 mod joins;
 mod robots;
 mod serial;

@@ -1,7 +1,7 @@
 //! Every model: direct(inverse(pose)) = pose, and Jacobian = numeric derivative.
 
 use etalon::pose::{Pose, minus, norm};
-use etalon::robots::{PlanarPose, Prexyt, Robot, Serial, SerialJoint};
+use etalon::robots::{FiveBar, PlanarPose, Prexyt, Robot, Serial, SerialJoint};
 
 /// Parameters away from nominal, so that no term of a model is multiplied by zero or one.
 fn disturbed(robot: &dyn Robot) -> Vec<f64> {
@@ -76,6 +76,9 @@ fn jacobians() {
     for q in [[0.0, 10.0, 44.0], [85.0, 150.0, 170.0], [170.0, 300.0, 255.0]] {
         jacobian_is_the_numeric_derivative(&Prexyt::new(false), &q);
         jacobian_is_the_numeric_derivative(&Prexyt::new(true), &q);
+    }
+    for q in [[1.6, 1.4, 1.0], [1.6, 1.4, -1.0], [0.3, -2.5, 1.0], [-1.2, -2.0, -1.0]] {
+        jacobian_is_the_numeric_derivative(&FiveBar::default(), &q);
     }
     for q in [[0.1, -0.5, 0.3, 1.0, -0.7, 2.0], [-2.0, 0.8, -1.1, -0.4, 1.2, -0.3]] {
         jacobian_is_the_numeric_derivative(&irb120(), &q);
