@@ -9,6 +9,7 @@
 //! exports ──import──► points ──fit──► features ──frames──► frames ─┐
 //! logs ────import──► joints ─────────────────────────────────────┴─join──► observations
 //! observations ──identify──► parameters ──evaluate──► accuracy ──► report · export
+//! robot model ──plan──► poses to measure
 //! robot model ──simulate──► exports and logs with a known truth
 //! ```
 //!
@@ -21,6 +22,7 @@
 //! [`scalar`] (numbers that carry derivatives), [`pose`] (rigid transforms), [`solve`] (least squares, singular values),
 //! [`fit`] (geometric elements), [`robots`] (direct and inverse kinematics, exact Jacobians), [`identify`] (what the
 //! data tell, and how well), [`geometric`] (the same by balls, a shaft and an arm), [`noise`] (random numbers from a seed).
+//! data tell, and how well), [`plan`] (which poses to measure, with a bound), [`noise`] (random numbers from a seed).
 //!
 //! Doors: [`campaign`] (what the user states), [`import`] (exports and logs become points and joints), [`files`]
 //! (whole or not at all), [`cli`].
@@ -90,6 +92,7 @@ pub mod noise;
 pub mod output;
 pub mod parameters;
 pub mod pipeline;
+pub mod plan;
 pub mod plausible;
 pub mod pose;
 pub mod report;

@@ -1,7 +1,7 @@
 //! The document of an identification: parameters with all that is needed to trust them.
 
 use crate::document::*;
-use crate::identify::{Group, Identification, Settings, Status};
+use crate::identify::{Group, Identification, Observability, Settings, Status};
 use crate::message::{Message, Severity};
 use crate::robots::Robot;
 use std::collections::BTreeMap;
@@ -66,21 +66,7 @@ pub fn parameters_document(
             uncertainties_from: found.uncertainty_from,
             uncertainties_enlarged_by: found.enlarged_by,
         },
-        observability: found.observability.as_ref().map(|o| {
-            let [o1, o2, o3, o4, o5] = o.indices;
-            let scaling =
-                "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms";
-            ObservabilitySummary {
-                o1,
-                o2,
-                o3,
-                o4,
-                o5,
-                condition: o.condition,
-                rank: o.rank,
-                scaling: scaling.to_owned(),
-            }
-        }),
+        observability: found.observability.as_ref().map(observability_summary),
         solver: SolverSummary {
             method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),
             iterations: found.iterations,
@@ -90,6 +76,13 @@ pub fn parameters_document(
         messages,
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs: inputs.clone(), seed: None },
     }
+}
+
+/// The indices with their scaling.
+pub fn observability_summary(o: &Observability) -> ObservabilitySummary {
+    let [o1, o2, o3, o4, o5] = o.indices;
+    let scaling = "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms";
+    ObservabilitySummary { o1, o2, o3, o4, o5, condition: o.condition, rank: o.rank, scaling: scaling.to_owned() }
 }
 
 impl ParametersDocument {

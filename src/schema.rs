@@ -16,6 +16,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("geometric", schema::<GeometricDocument>()),
         ("import", schema::<ImportDocument>()),
         ("parameters", schema::<ParametersDocument>()),
+        ("plan", schema::<PlanDocument>()),
         ("written", schema::<WrittenDocument>()),
     ]
 }

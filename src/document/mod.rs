@@ -9,6 +9,10 @@ mod geometric;
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitDocument, FitSolver, FitUncertainty};
 pub use geometric::*;
+mod plan;
+pub use plan::{
+    ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
+};
 
 use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;

@@ -5,6 +5,7 @@ mod identifiability;
 mod logs;
 mod observability;
 mod observation;
+mod predict;
 mod residuals;
 mod settle;
 mod start;
@@ -15,6 +16,7 @@ pub use identifiability::{Group, RANK_TOLERANCE};
 pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, WeakGroup};
 pub use observation::Observation;
+pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use residuals::ResidualKind;
 pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
 

@@ -137,7 +137,7 @@ fn rejection(chi_square: f64, dof: usize, enlarged_by: f64, from: UncertaintyFro
     .hint("the robot has errors that the model does not describe, or the stated uncertainty is too small")
 }
 
-fn held_message(robot: &dyn Robot, group: &Group) -> Message {
+pub(super) fn held_message(robot: &dyn Robot, group: &Group) -> Message {
     let held = &robot.parameters()[group.held];
     let names: Vec<&str> = group.with.iter().map(|&i| robot.parameters()[i].name.as_str()).collect();
     let (name, names) = (&held.name, names.join("`, `"));

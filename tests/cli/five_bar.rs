@@ -48,9 +48,9 @@ fn a_position_between_both_assembly_modes_is_an_error() {
     std::fs::write(folder.path().join("robot.toml"), ROBOT).unwrap();
     let lines = table(false);
     // the line from elbow to elbow is as far from one as from the other
-    let at = robot().direct(&etalon::robots::Robot::nominal(&robot()), [2.0, 1.0], 1.0);
+    let at = robot().direct(&etalon::robots::Robot::nominal(&robot()), [1.6, 1.4], 1.0);
     let middle = [0.5 * (at.b1[0] + at.b2[0]) + 263.0, 0.5 * (at.b1[1] + at.b2[1]) + 75.0];
-    let row = format!("99,1,tool,{},{},{},{}\n", middle[0], middle[1], 2f64.to_degrees(), 1f64.to_degrees());
+    let row = format!("99,1,tool,{},{},{},{}\n", middle[0], middle[1], 1.6f64.to_degrees(), 1.4f64.to_degrees());
     std::fs::write(folder.path().join("o.csv"), lines + &row).unwrap();
     let refused = etalon(folder.path(), &["identify", "--robot", "robot.toml", "--observations", "o.csv"]);
     assert_eq!(refused.status.code(), Some(2));

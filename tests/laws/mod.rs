@@ -11,5 +11,6 @@ mod geometric;
 mod geometric_campaign;
 pub mod five_bar;
 mod joins;
+mod plans;
 mod robots;
 mod serial;

@@ -1,0 +1,132 @@
+//! The document of a plan.
+
+use super::{ObservabilitySummary, Provenance};
+use crate::message::Message;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Which poses to measure, and how good that is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlanDocument {
+    /// `etalon/plan/1`
+    pub schema: String,
+    /// Model of the robot.
+    pub robot: String,
+    /// `O1` to `O5`, `D`, `A`, `E` or `I`.
+    pub index: String,
+    /// What the index is, with the scaling of the Jacobian; larger is better.
+    pub definition: String,
+    /// All configurations of a pose come together; otherwise one by one.
+    pub grouped: bool,
+    /// Number of candidates.
+    pub candidates: usize,
+    /// Number of configurations in them.
+    pub configurations: usize,
+    /// What to measure.
+    pub chosen: Vec<PlannedPose>,
+    /// The index of the chosen poses.
+    pub value: f64,
+    /// No choice of as many candidates has a larger index; absent where no bound is known (O4).
+    pub bound: Option<f64>,
+    /// By how many per cent at most the choice is below the best possible.
+    pub at_most_below_percent: Option<f64>,
+    /// Whether the choice is proven to be the best possible.
+    pub proven_optimal: bool,
+    /// By how many per cent at most it is below, by the continuous relaxation alone.
+    pub at_most_below_percent_by_relaxation: Option<f64>,
+    /// Nodes of branch and bound that were looked at.
+    pub nodes: usize,
+    /// The thesis' way: candidates added one after the other.
+    pub greedy: GreedySummary,
+    /// Poses to compare with, where any were stated.
+    pub compared: Option<ComparedPoses>,
+    /// Observability of the chosen poses; absent where it is not a number.
+    pub observability: Option<ObservabilitySummary>,
+    /// Parameters, and how well the chosen poses would tell them.
+    pub parameters: Vec<PlannedParameter>,
+    /// Standard uncertainty of position over all candidates that the parameters would leave; absent where the uncertainty
+    /// of the instrument is not stated.
+    pub workspace: Option<WorkspaceUncertainty>,
+    /// What cannot be told apart, and other messages.
+    pub messages: Vec<Message>,
+    /// Where the numbers come from.
+    pub provenance: Provenance,
+}
+
+/// One pose to measure.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlannedPose {
+    /// Number of the pose in the candidates.
+    pub pose: i64,
+    /// Joint values of each configuration, by column.
+    pub configurations: Vec<BTreeMap<String, f64>>,
+}
+
+/// The thesis' way.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GreedySummary {
+    /// Poses in the order of choosing.
+    pub poses: Vec<i64>,
+    /// Their index.
+    pub value: f64,
+    /// Index and condition while candidates are added, beyond the number asked for.
+    pub curve: Vec<CurvePoint>,
+    /// Configurations from which on the index hardly grows: where the curve is farthest above its chord.
+    pub knee_configurations: Option<usize>,
+}
+
+/// One point of the curve.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CurvePoint {
+    /// Candidates chosen.
+    pub positions: usize,
+    /// Configurations in them.
+    pub configurations: usize,
+    /// The index.
+    pub value: f64,
+    /// Condition number with columns divided by their norms.
+    pub condition: f64,
+}
+
+/// Other poses and their index.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ComparedPoses {
+    /// The poses.
+    pub poses: Vec<i64>,
+    /// Their index.
+    pub value: f64,
+    /// By how many per cent the chosen poses are better.
+    pub better_by_percent: f64,
+}
+
+/// One parameter, and how well it would be known.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlannedParameter {
+    /// Name as in the thesis.
+    pub name: String,
+    /// `mm`, `deg` or `1`.
+    pub unit: String,
+    /// Whether the candidates can tell it; otherwise it is held or cannot be told apart from others.
+    pub identifiable: bool,
+    /// Predicted standard uncertainty; absent where the uncertainty of the instrument is not stated.
+    pub standard_uncertainty: Option<f64>,
+    /// Parameters that the chosen poses cannot, or can hardly, tell apart from this one.
+    pub confounded_with: Vec<String>,
+}
+
+/// Uncertainty of position over the candidates.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WorkspaceUncertainty {
+    /// Root mean square.
+    pub rms_mm: f64,
+    /// Largest.
+    pub max_mm: f64,
+}

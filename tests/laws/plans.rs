@@ -1,0 +1,267 @@
+//! Plans: the proven optimum is that of enumeration, bounds hold, and seven planned positions give the thesis' accuracy.
+
+use crate::laws::five_bar::{SEVEN, holes, measure, robot, settings, truth};
+use etalon::identify::{Observation, identify};
+use etalon::noise::Noise;
+use etalon::plan::branch::branch_and_bound;
+use etalon::plan::search::{exchange_from_many, greedy};
+use etalon::plan::{Choice, Criterion, Plan, Pool, Request, candidates, plan, pool_of};
+use etalon::robots::{FiveBar, Robot};
+use etalon::solve::{Factor, svd};
+
+pub const ALL: [Criterion; 9] = [
+    Criterion::O1,
+    Criterion::O2,
+    Criterion::O3,
+    Criterion::O4,
+    Criterion::O5,
+    Criterion::D,
+    Criterion::A,
+    Criterion::E,
+    Criterion::I,
+];
+
+fn request(positions: usize, criterion: Criterion) -> Request {
+    Request { positions, criterion, single: false, start: Vec::new(), starts: 10, seed: 1, nodes: 5000 }
+}
+
+/// The two outer rings of holes, in all working modes that reach them: candidates of section 4.5.
+fn periphery(robot: &FiveBar) -> Vec<Observation> {
+    let outer = |i: usize| !(2..22).contains(&i);
+    let nominal = robot.nominal();
+    let mut all = Vec::new();
+    for (pose, (_, _, p)) in holes().into_iter().filter(|(i, j, _)| outer(*i) || outer(*j)).enumerate() {
+        let reached = robot.configurations(&nominal, [p[0], p[1], 0.0]);
+        for (mode, joints) in reached.into_iter().enumerate() {
+            let targets = vec![Some([p[0], p[1], 0.0])];
+            all.push(Observation { pose: pose as i64, cycle: mode as i64 + 1, joints, targets });
+        }
+    }
+    all
+}
+
+fn poses(all: &[Observation]) -> Vec<i64> {
+    let mut poses: Vec<i64> = all.iter().map(|o| o.pose).collect();
+    poses.dedup();
+    poses
+}
+
+/// Every tenth of the periphery's positions: few enough to try all choices.
+fn fifteen(robot: &FiveBar) -> Vec<Observation> {
+    let all = periphery(robot);
+    let kept: Vec<i64> = poses(&all).into_iter().step_by(8).take(15).collect();
+    all.into_iter().filter(|o| kept.contains(&o.pose)).collect()
+}
+
+/// All choices of `k` of `0..n`.
+fn subsets(n: usize, k: usize) -> Vec<Vec<usize>> {
+    let chosen = |mask: u32| (0..n).filter(move |i| mask >> i & 1 == 1).collect::<Vec<_>>();
+    (0..1u32 << n).filter(|m| m.count_ones() as usize == k).map(chosen).collect()
+}
+
+/// The index by singular values of the stacked Jacobian, with nothing of the planner's.
+fn index_by_svd(pool: &Pool, criterion: Criterion, chosen: &[usize]) -> f64 {
+    let m = pool.parameters;
+    let rows: Vec<f64> = chosen
+        .iter()
+        .flat_map(|&c| {
+            pool.candidates[c].rows.row_iter().flat_map(|r| r.iter().copied().collect::<Vec<_>>()).collect::<Vec<_>>()
+        })
+        .collect();
+    let s = svd(&Factor::new(&rows, &vec![0.0; rows.len() / m], &vec![1.0; m]));
+    let (least, most) = (s.values[m - 1], s.values[0]);
+    let mean = (s.values.iter().map(|s| s.ln()).sum::<f64>() / m as f64).exp();
+    match criterion {
+        Criterion::O1 => mean / (pool.configurations(chosen) as f64).sqrt(),
+        Criterion::O2 => least / most,
+        Criterion::O3 | Criterion::E => least,
+        Criterion::O4 => least * least / most,
+        Criterion::O5 => 1.0 / s.values.iter().map(|s| 1.0 / s).sum::<f64>(),
+        Criterion::D => mean,
+        Criterion::A => 1.0 / s.values.iter().map(|s| s.powi(-2)).sum::<f64>().sqrt(),
+        Criterion::I => {
+            // tr(W V S⁻² Vᵀ)
+            let variance = |k: usize| {
+                let v = nalgebra::DVector::from_column_slice(&s.vectors[k]);
+                (v.transpose() * &pool.workspace * &v)[0] / s.values[k].powi(2)
+            };
+            1.0 / (0..m).map(variance).sum::<f64>().sqrt()
+        }
+    }
+}
+
+fn pool(robot: &FiveBar, observations: &[Observation], criterion: Criterion) -> Pool {
+    let known = etalon::identify::sensitivity(robot, observations, &settings(0.01)).expect("sensitivity");
+    let mut members: Vec<Vec<usize>> = Vec::new();
+    for (k, o) in observations.iter().enumerate() {
+        match members.last_mut() {
+            Some(last) if observations[last[0]].pose == o.pose => last.push(k),
+            _ => members.push(vec![k]),
+        }
+    }
+    pool_of(&known, &members, criterion)
+}
+
+#[test]
+fn the_proven_optimum_of_five_of_fifteen_is_that_of_enumeration() {
+    let robot = robot();
+    let observations = fifteen(&robot);
+    for criterion in ALL {
+        let pool = pool(&robot, &observations, criterion);
+        assert_eq!(pool.candidates.len(), 15);
+        let best = subsets(15, 5).into_iter().map(|s| index_by_svd(&pool, criterion, &s)).fold(0.0, f64::max);
+        let thesis = greedy(&pool, criterion, &[], 5);
+        let found = exchange_from_many(&pool, criterion, &[thesis.clone()], 10, 1);
+        assert!(found.value >= thesis.value);
+        let reached = index_by_svd(&pool, criterion, &found.chosen);
+        assert!((reached / found.value.sqrt() - 1.0).abs() < 1e-6, "{criterion:?} {reached} {}", found.value.sqrt());
+        assert!(reached <= best * (1.0 + 1e-9));
+        let Some(proven) = branch_and_bound(&pool, criterion, thesis.clone(), 5000) else {
+            assert!(!criterion.has_bound());
+            println!("{criterion:?}: no bound, exchange {reached:.6} of {best:.6}");
+            continue;
+        };
+        let bound = proven.relaxation.sqrt();
+        println!(
+            "{criterion:?}: best {best:.6}, exchange {reached:.6}, greedy {:.6}, relaxation {:.3} % above, {} nodes",
+            thesis.value.sqrt(),
+            100.0 * (bound / best - 1.0),
+            proven.nodes
+        );
+        assert!(bound >= best * (1.0 - 1e-9), "{criterion:?}: the bound {bound} is below {best}");
+        let chosen = index_by_svd(&pool, criterion, &proven.best.chosen);
+        assert!((chosen / best - 1.0).abs() < 1e-8, "{criterion:?} {chosen} {best}");
+        assert!((proven.bound / proven.best.value - 1.0).abs() < 1e-8, "{criterion:?} not closed");
+    }
+}
+
+#[test]
+fn greedy_by_updates_chooses_what_greedy_by_singular_values_does() {
+    let robot = robot();
+    let observations = fifteen(&robot);
+    for criterion in ALL {
+        let pool = pool(&robot, &observations, criterion);
+        let mut chosen = vec![0, 7];
+        while chosen.len() < 8 {
+            let free = (0..15).filter(|i| !chosen.contains(i));
+            let with = |i: usize| index_by_svd(&pool, criterion, &[&chosen[..], &[i]].concat());
+            let next = free.max_by(|&a, &b| with(a).total_cmp(&with(b))).unwrap();
+            chosen.push(next);
+        }
+        assert_eq!(greedy(&pool, criterion, &[0, 7], 8).chosen, chosen, "{criterion:?}");
+    }
+}
+
+fn planned(robot: &FiveBar, observations: &[Observation], positions: usize, nodes: usize) -> Plan {
+    let request = Request { nodes, ..request(positions, Criterion::O1) };
+    plan(robot, observations, &settings(0.01), &request).expect("plan")
+}
+
+#[test]
+fn seven_of_the_periphery_come_with_a_bound() {
+    let robot = robot();
+    let observations = periphery(&robot);
+    println!("{} positions, {} configurations", poses(&observations).len(), observations.len());
+    for (positions, limit) in [(5, 2.5), (7, 1.3), (10, 0.5)] {
+        let found = planned(&robot, &observations, positions, 0);
+        let below = found.at_most_below_percent().expect("bound");
+        println!(
+            "{positions}: O1 {:.5} (greedy {:.5}), at most {below:.3} % below the best",
+            found.index, found.greedy_index
+        );
+        assert!(found.index >= found.greedy_index);
+        assert!(below < limit, "{positions}: {below}");
+    }
+}
+
+/// Largest and root mean square error, over all positions the largest of their working modes (section 4.6), in um.
+fn errors_um(robot: &FiveBar, truth: &[f64], found: &[f64], places: &[(Vec<f64>, [f64; 3])]) -> (f64, f64) {
+    let _ = truth;
+    let mut by_place: Vec<([f64; 3], f64)> = Vec::new();
+    for (joints, at) in places {
+        let p = robot.position(found, joints, 0);
+        let error = 1000.0 * (p[0] - at[0]).hypot(p[1] - at[1]);
+        match by_place.last_mut() {
+            Some((last, worst)) if last == at => *worst = worst.max(error),
+            _ => by_place.push((*at, error)),
+        }
+    }
+    let n = by_place.len() as f64;
+    let rms = (by_place.iter().map(|e| e.1 * e.1).sum::<f64>() / n).sqrt();
+    (rms, by_place.iter().fold(0.0, |w, e| w.max(e.1)))
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    0.5 * (values[(values.len() - 1) / 2] + values[values.len() / 2])
+}
+
+#[test]
+fn seven_planned_positions_give_the_accuracy_of_table_4_2_and_more_positions_more_of_it() {
+    let (robot, truth) = (robot(), truth());
+    let observations = periphery(&robot);
+    let found = planned(&robot, &observations, 7, 0);
+    let place = |c: &usize| observations[found.members[*c][0]].targets[0].map(|p| [p[0], p[1]]).expect("position");
+    // in the order of the thesis' way as far as the plan has them, then the rest
+    let chosen: Vec<[f64; 2]> = found.chosen.iter().map(place).collect();
+    let pool = pool(&robot, &observations, Criterion::O1);
+    let mut order: Vec<usize> = Vec::new();
+    while order.len() < 7 {
+        let free = (0..7).filter(|i| !order.contains(i));
+        let with = |i: usize| {
+            let set: Vec<usize> = order.iter().chain([&i]).map(|&k| found.chosen[k]).collect();
+            Choice::of(&pool, Criterion::D, set).value
+        };
+        let next = free.max_by(|&a, &b| with(a).total_cmp(&with(b))).unwrap();
+        order.push(next);
+    }
+    let everywhere: Vec<(Vec<f64>, [f64; 3])> = holes()
+        .into_iter()
+        .flat_map(|(_, _, p)| {
+            let at = [p[0], p[1], 0.0];
+            robot.configurations(&truth, at).into_iter().map(move |joints| (joints, at))
+        })
+        .collect();
+    let mut table = Vec::new();
+    for count in 3..=7 {
+        let positions: Vec<[f64; 2]> = order[..count].iter().map(|&k| chosen[k]).collect();
+        let (mut rms, mut max) = (Vec::new(), Vec::new());
+        for seed in 0..100 {
+            let mut mean = vec![0.0; truth.len()];
+            for run in 0..5 {
+                let mut noise = Noise::new(11, 5 * seed + run);
+                let measured = measure(&robot, &truth, &positions, &mut || noise.gaussian(0.01));
+                let identified = identify(&robot, &measured, &settings(0.01)).expect("identified");
+                mean.iter_mut().zip(&identified.values).for_each(|(m, v)| *m += v / 5.0);
+            }
+            let (r, m) = errors_um(&robot, &truth, &mean, &everywhere);
+            rms.push(r);
+            max.push(m);
+        }
+        table.push((median(rms), median(max)));
+        println!(
+            "{count} positions: rms {:.2} um, max {:.2} um (median of 100 seeds)",
+            table[count - 3].0,
+            table[count - 3].1
+        );
+    }
+    assert!(table.windows(2).all(|w| w[1].0 < w[0].0), "the order of table 4.3");
+    let (rms, max) = table[4];
+    assert!(rms <= 3.5 && max <= 10.1, "table 4.2: {rms} {max}");
+}
+
+#[test]
+fn positions_alone_become_all_working_modes() {
+    let robot = robot();
+    let csv = SEVEN
+        .iter()
+        .enumerate()
+        .fold("pose,x_mm,y_mm\n".to_owned(), |t, (k, p)| t + &format!("{k},{},{}\n", p[0], p[1]));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("c.csv");
+    std::fs::write(&path, csv).unwrap();
+    let all = candidates::configurations(&robot, &etalon::table::read_csv(&path).unwrap()).unwrap();
+    let expected = measure(&robot, &robot.nominal(), &SEVEN, &mut || 0.0);
+    assert_eq!(all.len(), expected.len());
+    assert!(all.iter().zip(&expected).all(|(a, e)| a.pose == e.pose && a.joints == e.joints));
+}
