@@ -76,7 +76,8 @@ pub fn relax(
         let free = || (0..n).filter(|&i| fixed[i] == Fixed::Free);
         let to = free().filter(|&i| weights[i] < 1.0).max_by(|&a, &b| slope(a).total_cmp(&slope(b)));
         let from = free().filter(|&i| weights[i] > 0.0).min_by(|&a, &b| slope(a).total_cmp(&slope(b)));
-        let pair = to.zip(from).filter(|&(to, from)| slope(to) - slope(from) > 1e-12);
+        // what all shares together can still gain, as a fraction of the criterion
+        let pair = to.zip(from).filter(|&(to, from)| count as f64 * (slope(to) - slope(from)) > close);
         let reached = tangent.value;
         if best.as_ref().is_none_or(|b| bound < b.bound) {
             best = Some(Relaxed { bound, weights: weights.clone(), above, below });

@@ -1,6 +1,7 @@
 //! The command line: what README.md shows is what the program prints, and every command does what it says.
 
 mod five_bar;
+mod plan;
 
 use crate::scratch::copy_sample;
 use std::path::Path;

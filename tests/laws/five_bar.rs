@@ -25,12 +25,12 @@ pub fn truth() -> Vec<f64> {
 }
 
 /// The nominal robot with limits: a proximal link does not cross the other arm's distal link, 5 degrees away from
-/// singularities of type 1, 10 from type 2.
+/// singularities of type 1, 25 from type 2.
 pub fn robot() -> FiveBar {
     FiveBar::default().with_reach(Reach {
         clearance_mm: Some(0.0),
         type1_margin_rad: 5f64.to_radians(),
-        type2_margin_rad: 10f64.to_radians(),
+        type2_margin_rad: 25f64.to_radians(),
         ..Reach::default()
     })
 }
@@ -41,18 +41,25 @@ pub fn holes() -> Vec<(usize, usize, [f64; 2])> {
     (0..24).flat_map(|i| (0..24).map(move |j| (i, j, [place(i, -25.4), place(j, -228.6)]))).collect()
 }
 
-/// What a measurement of the true robot at `positions` in all working modes says.
+/// What a measurement of the true robot at `positions` says, in all working modes that reach them by the drawing.
 pub fn measure(
     robot: &FiveBar,
     truth: &[f64],
     positions: &[[f64; 2]],
     noise: &mut dyn FnMut() -> f64,
 ) -> Vec<Observation> {
+    let nominal = robot.nominal();
     let mut all = Vec::new();
     for (k, p) in positions.iter().enumerate() {
-        for (mode, joints) in robot.configurations(truth, [p[0], p[1], 0.0]).into_iter().enumerate() {
+        let e = robot.to_base(truth, *p);
+        for (cycle, mode) in robot.reached(&nominal, robot.to_base(&nominal, *p)).into_iter().enumerate() {
+            let q = robot.inverse(truth, e, mode.branches);
+            if q.iter().any(|q| !q.is_finite()) {
+                continue; // the true robot is a little too short
+            }
+            let joints = vec![q[0], q[1], robot.assembly_at(truth, q, e)];
             let measured = [p[0] + noise(), p[1] + noise(), 0.0];
-            all.push(Observation { pose: k as i64, cycle: mode as i64, joints, targets: vec![Some(measured)] });
+            all.push(Observation { pose: k as i64, cycle: cycle as i64 + 1, joints, targets: vec![Some(measured)] });
         }
     }
     all

@@ -1,0 +1,149 @@
+//! `etalon plan` for every robot: which poses, how good, and what they cannot tell.
+
+use super::{etalon, text, text_of};
+use crate::laws::five_bar::{SEVEN, holes, robot};
+use etalon::document::PlanDocument;
+use etalon::robots::Robot;
+use std::fmt::Write;
+use std::path::Path;
+
+const FIVE_BAR: &str =
+    "model = \"five_bar\"\n[reach]\nclearance_mm = 0.0\ntype1_margin_deg = 5.0\ntype2_margin_deg = 25.0\n";
+
+fn plan(folder: &Path, arguments: &[&str]) -> PlanDocument {
+    let fixed = ["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--json"];
+    let answered = etalon(folder, &[&fixed[..], arguments].concat());
+    assert!(answered.status.success(), "{}", text_of(&answered));
+    serde_json::from_slice(&answered.stdout).unwrap()
+}
+
+#[test]
+fn positions_of_a_five_bar_are_planned_twice_to_the_same_bytes_and_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), FIVE_BAR).unwrap();
+    let mut csv = "pose,x_mm,y_mm\n".to_owned();
+    for (pose, (_, _, p)) in holes().iter().filter(|(i, j, _)| [0, 23].contains(i) || [0, 23].contains(j)).enumerate() {
+        let _ = writeln!(csv, "{pose},{},{}", p[0], p[1]);
+    }
+    std::fs::write(folder.path().join("c.csv"), csv).unwrap();
+    let arguments = ["--positions", "6", "--nodes", "0", "--standard-uncertainty-um", "10", "--poses", "chosen.csv"];
+    let first = plan(folder.path(), &arguments);
+    assert_eq!(first, plan(folder.path(), &arguments));
+    assert_eq!(first.chosen.len(), 6);
+    assert!(first.at_most_below_percent.unwrap() < 3.0, "{first:?}");
+    assert!(first.value >= first.greedy.value && first.bound.unwrap() >= first.value);
+    assert!((first.observability.as_ref().unwrap().o1 / first.value - 1.0).abs() < 1e-6);
+    assert!(first.parameters.iter().all(|p| p.identifiable && p.standard_uncertainty.unwrap() > 0.0));
+    assert!(first.workspace.unwrap().max_mm > first.workspace.unwrap().rms_mm);
+    // the chosen poses are candidates again: all of them is the only choice, with the same index
+    std::fs::rename(folder.path().join("chosen.csv"), folder.path().join("c.csv")).unwrap();
+    let again = plan(folder.path(), &["--positions", "6"]);
+    assert!(again.proven_optimal && (again.value / first.value - 1.0).abs() < 1e-9, "{again:?}");
+    // too few positions are refused
+    let few = etalon(folder.path(), &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "1"]);
+    assert_eq!(few.status.code(), Some(2));
+    assert!(text_of(&few).contains("do not suffice to identify 12 parameters"), "{}", text_of(&few));
+    let unknown = text_of(&etalon(
+        folder.path(),
+        &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "6", "--start", "77777"],
+    ));
+    assert!(unknown.contains("no candidate pose 77777"), "{unknown}");
+}
+
+#[test]
+fn one_working_mode_says_what_it_cannot_tell() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), FIVE_BAR).unwrap();
+    let robot = robot();
+    let nominal = robot.nominal();
+    let mut csv = "pose,theta1_deg,theta2_deg,assembly\n".to_owned();
+    for (pose, p) in SEVEN.iter().enumerate() {
+        let q = robot.inverse(&nominal, robot.to_base(&nominal, *p), [1.0, 1.0]);
+        let mode = robot.assembly_at(&nominal, q, robot.to_base(&nominal, *p));
+        let _ = writeln!(csv, "{pose},{},{},{mode}", q[0].to_degrees(), q[1].to_degrees());
+    }
+    std::fs::write(folder.path().join("c.csv"), &csv).unwrap();
+    let found = plan(folder.path(), &["--positions", "7", "--nodes", "0"]);
+    assert!(found.messages.iter().any(|m| m.what.contains("tell apart")), "{:?}", found.messages);
+    assert!(found.parameters.iter().filter(|p| !p.confounded_with.is_empty()).count() >= 2, "{:?}", found.parameters);
+    // a candidate without its assembly mode is refused, with the way out
+    std::fs::write(
+        folder.path().join("c.csv"),
+        csv.replace(",assembly", "").replace(",1\n", "\n").replace(",-1\n", "\n"),
+    )
+    .unwrap();
+    let refused =
+        etalon(folder.path(), &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "7"]);
+    assert!(text(&refused.stderr).contains("does not state its assembly mode"), "{}", text_of(&refused));
+}
+
+#[test]
+fn eight_poses_of_the_prexyt_are_better_than_the_corners() {
+    let folder = tempfile::tempdir().unwrap();
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/prexyt-cmm/robot.toml");
+    std::fs::copy(sample, folder.path().join("robot.toml")).unwrap();
+    // set 1 of figure 3.5 as in the sample, then a grid of actuator values with less than 35 degrees between rails
+    let corners = [
+        [0, 300, 300],
+        [0, 0, 256],
+        [0, 300, 44],
+        [0, 0, 0],
+        [170, 300, 300],
+        [170, 0, 256],
+        [170, 300, 44],
+        [170, 0, 0],
+    ];
+    let mut all = corners.to_vec();
+    for rho1 in [0, 85, 170] {
+        for rho2 in (0..=300).step_by(75) {
+            for rho3 in (0..=300).step_by(60).filter(|r: &i32| (r - rho2).abs() <= 256) {
+                all.push([rho1, rho2, rho3]);
+            }
+        }
+    }
+    let rows = all.iter().enumerate().map(|(i, [a, b, c])| format!("{},{a},{b},{c}\n", i + 1));
+    std::fs::write(
+        folder.path().join("c.csv"),
+        "pose,rho1_mm,rho2_mm,rho3_mm\n".to_owned() + &rows.collect::<String>(),
+    )
+    .unwrap();
+    let found = plan(folder.path(), &["--positions", "8", "--nodes", "0", "--compare", "1,2,3,4,5,6,7,8"]);
+    let compared = found.compared.as_ref().unwrap();
+    println!(
+        "{:?}: {:.1} % better than set 1, at most {:.2} % below the best",
+        found.chosen.iter().map(|p| p.pose).collect::<Vec<_>>(),
+        compared.better_by_percent,
+        found.at_most_below_percent.unwrap()
+    );
+    assert!(compared.better_by_percent >= 0.0 && found.at_most_below_percent.unwrap() < 10.0);
+    assert!(found.parameters.iter().all(|p| p.identifiable));
+}
+
+#[test]
+fn an_irb120_is_planned_with_its_redundant_parameters_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
+    std::fs::copy(sample, folder.path().join("robot.toml")).unwrap();
+    let mut csv = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n".to_owned();
+    let mut noise = etalon::noise::Noise::new(3, 0);
+    for pose in 1..=20 {
+        let q = [150.0, 80.0, 60.0, 150.0, 110.0, 180.0].map(|half| noise.uniform(half).to_string()).join(",");
+        for target in ["a", "b", "c"] {
+            let _ = writeln!(csv, "{pose},{target},{q}");
+        }
+    }
+    std::fs::write(folder.path().join("c.csv"), csv).unwrap();
+    let found = plan(folder.path(), &["--positions", "8", "--nodes", "0", "--starts", "1"]);
+    println!(
+        "{} of {} parameters, at most {:.2} % below the best",
+        found.parameters.iter().filter(|p| p.identifiable).count(),
+        found.parameters.len(),
+        found.at_most_below_percent.unwrap()
+    );
+    assert!(
+        found.parameters.iter().any(|p| !p.identifiable && !p.confounded_with.is_empty()),
+        "{:?}",
+        found.parameters
+    );
+    assert!(found.value >= found.greedy.value && found.at_most_below_percent.unwrap() < 20.0);
+}
