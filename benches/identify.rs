@@ -25,7 +25,8 @@ fn main() {
     let features = frames::fit_features(&campaign, &imported.points).expect("features");
     let frames = frames::make_frames(&campaign, &imported.points, &features, false).expect("frames");
     let mut joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");
-    let observations = Observation::from_table(robot.as_ref(), &joined.observations[0].1).expect("observations");
+    let observations =
+        Observation::from_table(robot.as_ref(), &joined.observations[0].1, &mut Vec::new()).expect("observations");
     let (calibration, validation) = campaign.selections().expect("selections");
     let poses = evaluate::poses(&observations);
     let sets = evaluate::split(&observations, &poses, &calibration, validation.as_ref());

@@ -1,13 +1,14 @@
 //! What an identification from planned observations would know, before anything is measured.
 
-use super::identifiability::{Analysis, Group};
+use super::identifiability::{Analysis, Group, RANK_TOLERANCE};
 use super::observability::{Observability, WeakGroup, observe, weak_message};
 use super::residuals::Residuals;
 use super::uncertainty::held_message;
 use super::{Observation, Settings, wanted_parameters};
 use crate::message::{Message, Result};
 use crate::robots::Robot;
-use crate::solve::{Factor, Problem, Solution, Termination, column_norms};
+use crate::solve::{Factor, Problem, Solution, Termination, column_norms, svd};
+use std::collections::BTreeSet;
 
 /// Parameters that can be identified, and how the targets move with them, at nominal values.
 #[derive(Clone, Debug)]
@@ -73,9 +74,13 @@ pub fn predict(
     let x = free.iter().map(|&i| nominal[i]).collect();
     let termination = Termination::ResidualsZero;
     let solution = Solution { x, residuals, factor: Some(factor), scale, iterations: 0, termination };
-    let covariance = solution
-        .covariance()
-        .ok_or_else(|| Message::error("the chosen poses cannot tell all parameters apart").hint("choose more poses"))?;
+    let told = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == free.len());
+    let covariance = solution.covariance().filter(|_| told && problem.residual_count() >= free.len());
+    let covariance = covariance.ok_or_else(|| {
+        let poses: BTreeSet<i64> = observations.iter().map(|o| o.pose).collect();
+        Message::error(format!("{} poses do not suffice to identify {} parameters", poses.len(), free.len()))
+            .hint("choose more positions, or hold parameters with `--hold`")
+    })?;
     let observed = observe(&problem, &solution, Some(&covariance));
     let (observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
     let messages = weak.iter().map(|w| weak_message(robot, w)).collect();

@@ -116,9 +116,10 @@ pub fn plan(robot: &dyn Robot, observations: &[Observation], settings: &Settings
     let thesis = Choice::of(&pool, criterion, steps[..request.positions].to_vec());
     let free = greedy(&pool, criterion, &[], request.positions);
     let found = exchange_from_many(&pool, criterion, &[thesis.clone(), free], request.starts, request.seed);
-    if !(found.value > 0.0) {
-        return Err(not_enough(&known, request));
-    }
+    let take = |chosen: &[usize]| -> Vec<Observation> {
+        chosen.iter().flat_map(|&c| members[c].iter().map(|&k| observations[k].clone())).collect()
+    };
+    predict(robot, &take(&found.chosen), settings, &known.free)?;
     let proven = branch_and_bound(&pool, criterion, found.clone(), request.nodes);
     let (best, bound) = match proven {
         Some(Proven { best, bound, relaxation, nodes }) => (best, Some((bound, relaxation, nodes))),
@@ -126,9 +127,6 @@ pub fn plan(robot: &dyn Robot, observations: &[Observation], settings: &Settings
     };
     let mut chosen = best.chosen;
     chosen.sort_unstable();
-    let take = |chosen: &[usize]| -> Vec<Observation> {
-        chosen.iter().flat_map(|&c| members[c].iter().map(|&k| observations[k].clone())).collect()
-    };
     let prediction = predict(robot, &take(&chosen), settings, &known.free)?;
     let curve = (begin.len().max(1)..=steps.len()).filter_map(|count| {
         let now = Choice::of(&pool, criterion, steps[..count].to_vec());
@@ -222,11 +220,6 @@ fn begin(
         _ => Some((pair, apart(pair))),
     });
     Ok(farthest.map_or(Vec::new(), |((i, j), _)| vec![full[i], full[j]]))
-}
-
-fn not_enough(known: &Sensitivity, request: &Request) -> crate::message::Problems {
-    let what = format!("{} candidates do not suffice to identify {} parameters", request.positions, known.free.len());
-    Message::error(what).hint("choose more positions, or hold parameters with `--hold`").into()
 }
 
 /// Standard uncertainty of position over all candidates: root mean square and largest.

@@ -126,14 +126,14 @@ fn an_irb120_is_planned_with_its_redundant_parameters_named() {
     std::fs::copy(sample, folder.path().join("robot.toml")).unwrap();
     let mut csv = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n".to_owned();
     let mut noise = etalon::noise::Noise::new(3, 0);
-    for pose in 1..=20 {
+    for pose in 1..=24 {
         let q = [150.0, 80.0, 60.0, 150.0, 110.0, 180.0].map(|half| noise.uniform(half).to_string()).join(",");
         for target in ["a", "b", "c"] {
             let _ = writeln!(csv, "{pose},{target},{q}");
         }
     }
     std::fs::write(folder.path().join("c.csv"), csv).unwrap();
-    let found = plan(folder.path(), &["--positions", "8", "--nodes", "0", "--starts", "1"]);
+    let found = plan(folder.path(), &["--positions", "12", "--nodes", "0", "--starts", "1"]);
     println!(
         "{} of {} parameters, at most {:.2} % below the best",
         found.parameters.iter().filter(|p| p.identifiable).count(),
