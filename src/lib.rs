@@ -21,8 +21,8 @@
 //! Mathematics, which knows no file and no campaign:
 //! [`scalar`] (numbers that carry derivatives), [`pose`] (rigid transforms), [`solve`] (least squares, singular values),
 //! [`fit`] (geometric elements), [`robots`] (direct and inverse kinematics, exact Jacobians), [`identify`] (what the
-//! data tell, and how well), [`geometric`] (the same by balls, a shaft and an arm), [`plan`] (which poses to measure, with a
-//! bound), [`noise`] (random numbers from a seed).
+//! data tell, and how well), [`geometric`] (the same by balls, a shaft and an arm),
+//! [`plan`] (which poses to measure, with a bound), [`noise`] (random numbers from a seed).
 //!
 //! Doors: [`campaign`] (what the user states), [`import`] (exports and logs become points and joints), [`files`]
 //! (whole or not at all), [`cli`].

@@ -165,11 +165,14 @@ fn largest_quotient(above: &[f64], below: &[f64], fixed: &[Fixed], count: usize,
         let (a, b) = taken.iter().copied().chain(best).fold((0.0, 0.0), |(a, b), i| (a + above[i], b + below[i]));
         let quotient = a / b;
         // up to rounding the quotient never falls
-        if !(quotient > lambda * (1.0 + 1e-14)) {
+        if quotient.is_nan() {
+            break;
+        }
+        if quotient <= lambda * (1.0 + 1e-14) {
             return quotient.max(lambda);
         }
         lambda = quotient;
     }
-    // not reached: every step is a quotient, and there are finitely many
+    // no number, no bound
     f64::INFINITY
 }
