@@ -10,3 +10,4 @@ mod fits_hostile;
 mod joins;
 mod robots;
 mod serial;
+mod solving;
