@@ -6,7 +6,7 @@ mod answer;
 mod fit;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
-pub use fit::{FitDocument, FitSolver, FitUncertainty};
+pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
 
 use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;

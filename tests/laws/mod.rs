@@ -11,3 +11,4 @@ mod joins;
 mod robots;
 mod serial;
 mod solving;
+mod zones;
