@@ -44,6 +44,9 @@ pub struct Fit {
     /// Fit a circle in space by the full orthogonal distance instead of plane, projection, circle
     #[arg(long)]
     orthogonal: bool,
+    /// Fit a line2d, plane or circle2d by minimum zone (Chebyshev) instead of least squares: the form of ISO 1101
+    #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal"])]
+    minimum_zone: bool,
     /// Print JSON: an object, with --by-label a list of them
     #[arg(long)]
     json: bool,
@@ -102,6 +105,10 @@ impl Fit {
     fn fit(&self, label: &str, points: &[Vector]) -> Result<FitDocument, Problems> {
         let label = (!label.is_empty()).then(|| label.to_owned());
         match self.element.as_str() {
+            "enclosing-circle" | "enclosing-sphere" if self.minimum_zone => {
+                let message = Message::error(format!("there is no minimum zone of an {}", self.element));
+                Err(message.hint("leave --minimum-zone out, or fit a circle2d").into())
+            }
             "enclosing-circle" => {
                 let plane: Vec<[f64; 2]> = points.iter().map(|p| [p[0], p[1]]).collect();
                 let flat: Vec<Vector> = plane.iter().map(|p| [p[0], p[1], 0.0]).collect();
@@ -112,6 +119,9 @@ impl Fit {
             }
             name => {
                 let element: Element = name.parse()?;
+                if self.minimum_zone {
+                    return Ok(FitDocument::minimum_zone(label, &fit::minimum_zone(element, points)?));
+                }
                 let circle = if self.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
                 let settings = Settings { radius_mm: self.radius_mm, circle, ..Settings::default() };
                 Ok(FitDocument::new(label, &fit::element(element, points, &settings)?))
@@ -148,5 +158,9 @@ fn as_text(document: &FitDocument) -> String {
     line("apex angle", document.apex_angle_deg.map(|a| format!("{a:.6}")), "deg", u.and_then(|u| u.apex_angle_deg));
     let spread = format!("rms {:.6}, max {:.6}, form {:.6}", document.rms_mm, document.max_mm, document.form_mm);
     line("residuals", Some(spread), "mm", None);
+    if let Some(contacts) = &document.contacts {
+        let numbers = |points: &[usize]| points.iter().map(usize::to_string).collect::<Vec<_>>().join(" ");
+        let _ = writeln!(text, "  held by      points {} and {}", numbers(&contacts.upper), numbers(&contacts.lower));
+    }
     text
 }

@@ -1,6 +1,6 @@
 //! What `etalon fit` answers.
 
-use crate::fit::{Element, Enclosing, Fit};
+use crate::fit::{Element, Enclosing, Fit, MinimumZone};
 use crate::message::Message;
 use crate::pose::{Vector, minus, norm};
 use crate::solve::Termination;
@@ -53,6 +53,9 @@ pub struct FitDocument {
     /// How much of the circumference has points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coverage_deg: Option<f64>,
+    /// The points that hold a minimum zone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contacts: Option<FitContacts>,
     /// From the residuals; absent without redundancy.
     pub standard_uncertainty: Option<FitUncertainty>,
     /// How it was found.
@@ -75,6 +78,18 @@ pub struct FitUncertainty {
     pub minor_radius_mm: Option<f64>,
     /// Of the full angle of a cone.
     pub apex_angle_deg: Option<f64>,
+}
+
+/// The points that hold a minimum zone, numbered from 1 in the order they were read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FitContacts {
+    /// On the side of the normal, to the left of a line, or on the outer circle.
+    pub upper: Vec<usize>,
+    /// On the other side, or on the inner circle.
+    pub lower: Vec<usize>,
+    /// Whether it was proved that no other place has a narrower zone.
+    pub verified: bool,
 }
 
 /// How a fit was found.
@@ -122,6 +137,7 @@ impl FitDocument {
             max_mm: fit.max_mm(),
             form_mm: fit.form_mm(),
             coverage_deg: fit.coverage_deg(),
+            contacts: None,
             standard_uncertainty: uncertainty,
             solver: FitSolver {
                 method: fit.method.to_owned(),
@@ -137,29 +153,75 @@ impl FitDocument {
     /// A smallest enclosing circle or sphere: its residuals are distances from the centre minus the radius.
     pub fn enclosing(element: &str, label: Option<String>, points: &[Vector], found: &Enclosing) -> Self {
         let residuals: Vec<f64> = points.iter().map(|p| norm(minus(*p, found.center_mm)) - found.radius_mm).collect();
-        let smallest = residuals.iter().fold(0.0f64, |m, r| m.min(*r));
+        let depth = -residuals.iter().fold(0.0f64, |m, r| m.min(*r));
+        let method = format!("smallest enclosing, held by {} points", found.support.len());
+        Self {
+            center_mm: Some(found.center_mm),
+            radius_mm: Some(found.radius_mm),
+            // rounding of the distance of the farthest point is no form
+            max_mm: depth,
+            form_mm: depth,
+            ..Self::of_extremes(element, label, &residuals, method, found.iterations)
+        }
+    }
+
+    /// A minimum zone: its residuals are distances from the middle of the zone.
+    pub fn minimum_zone(label: Option<String>, found: &MinimumZone) -> Self {
+        let round = found.element == Element::Circle2d;
+        let numbered = |points: &[usize]| points.iter().map(|i| i + 1).collect();
+        let unproved = || {
+            let what = format!("it was not proved that no other {} has a narrower zone", found.element);
+            Message::warning(what).hint("no other one near it has; points this scattered hardly show the element")
+        };
+        Self {
+            center_mm: round.then_some(found.point_mm),
+            point_mm: (!round).then_some(found.point_mm),
+            normal: found.direction.filter(|_| found.element == Element::Plane),
+            axis: found.direction.filter(|_| found.element == Element::Line2d),
+            radius_mm: found.radius_mm,
+            form_mm: found.form_mm,
+            contacts: Some(FitContacts {
+                upper: numbered(&found.upper),
+                lower: numbered(&found.lower),
+                verified: found.verified,
+            }),
+            messages: (!found.verified).then(unproved).into_iter().collect(),
+            ..Self::of_extremes(
+                found.element.name(),
+                label,
+                &found.residuals_mm,
+                "minimum zone (Chebyshev)".to_owned(),
+                found.iterations,
+            )
+        }
+    }
+
+    /// An element that few extreme points hold: without uncertainty from the scatter of the others.
+    fn of_extremes(element: &str, label: Option<String>, residuals: &[f64], method: String, iterations: usize) -> Self {
+        let (low, high) = residuals.iter().fold((0.0f64, 0.0f64), |(low, high), r| (low.min(*r), high.max(*r)));
         let squares: f64 = residuals.iter().map(|r| r * r).sum();
         Self {
             schema: "etalon/fit/1".to_owned(),
             element: element.to_owned(),
             label,
-            points: points.len(),
-            center_mm: Some(found.center_mm),
+            points: residuals.len(),
+            center_mm: None,
             point_mm: None,
             apex_mm: None,
             normal: None,
             axis: None,
-            radius_mm: Some(found.radius_mm),
+            radius_mm: None,
             minor_radius_mm: None,
             apex_angle_deg: None,
-            rms_mm: (squares / points.len().max(1) as f64).sqrt(),
-            max_mm: -smallest,
-            form_mm: -smallest,
+            rms_mm: (squares / residuals.len().max(1) as f64).sqrt(),
+            max_mm: high.max(-low),
+            form_mm: high - low,
             coverage_deg: None,
+            contacts: None,
             standard_uncertainty: None,
             solver: FitSolver {
-                method: format!("smallest enclosing, held by {} points", found.support.len()),
-                iterations: found.iterations,
+                method,
+                iterations,
                 termination: Termination::StepVanished,
                 degrees_of_freedom: 0,
                 condition: None,

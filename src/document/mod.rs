@@ -8,7 +8,7 @@ mod geometric;
 mod plan;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
-pub use fit::{FitDocument, FitSolver, FitUncertainty};
+pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
 pub use geometric::*;
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,

@@ -64,7 +64,8 @@ fn fit(element: Element, points: Source, settings: &Settings) -> Result<Fit> {
     Ok(fit.with_warnings())
 }
 
-fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
+/// `d` or its opposite, so that it runs from the first point to the last.
+pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
     let along = dot(minus(cloud.point(cloud.len() - 1), cloud.point(0)), d);
     // a closed walk says nothing about the direction
     if along.abs() < 1e-9 {

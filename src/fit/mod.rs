@@ -27,6 +27,7 @@ mod stream;
 mod surface;
 mod torus;
 mod twofold;
+mod zone;
 
 pub use circle2d::{circle2d, circle2d_with};
 pub use circle3d::{circle3d, circle3d_with};
@@ -40,6 +41,7 @@ pub use result::{Covariance, Fit, QUANTITIES, Residuals, StandardUncertainty};
 pub use rigid::{RigidFit, rigid, rigid_weighted};
 pub use sphere::{sphere, sphere_with};
 pub use torus::{torus, torus_with};
+pub use zone::{MinimumZone, minimum_zone, minimum_zone_circle2d, minimum_zone_line2d, minimum_zone_plane};
 
 use crate::message::Result;
 use crate::pose::Vector;

@@ -7,7 +7,7 @@ use super::uncertainty::held_message;
 use super::{Observation, Settings, wanted_parameters};
 use crate::message::{Message, Result};
 use crate::robots::Robot;
-use crate::solve::{Factor, Problem, Solution, Termination, column_norms, svd};
+use crate::solve::{Factor, Problem, Solution, column_norms, svd};
 use std::collections::BTreeSet;
 
 /// Parameters that can be identified, and how the targets move with them, at nominal values.
@@ -72,8 +72,7 @@ pub fn predict(
     let residuals = vec![0.0; problem.residual_count()];
     let factor = Factor::new(&jacobian, &residuals, &scale);
     let x = free.iter().map(|&i| nominal[i]).collect();
-    let termination = Termination::ResidualsZero;
-    let solution = Solution { x, residuals, factor: Some(factor), scale, iterations: 0, termination };
+    let solution = Solution::foretold(x, residuals, factor, scale);
     let told = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == free.len());
     let covariance = solution.covariance().filter(|_| told && problem.residual_count() >= free.len());
     let covariance = covariance.ok_or_else(|| {

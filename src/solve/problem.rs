@@ -12,4 +12,9 @@ pub trait Problem {
 
     /// Writes the m × n Jacobian dr/dx at `x` into `jacobian`, row by row.
     fn jacobian(&self, x: &[f64], jacobian: &mut [f64]);
+
+    /// How many of the residuals, the last ones, are prior knowledge: no [`Loss`](super::Loss) weighs them down.
+    fn prior_count(&self) -> usize {
+        0
+    }
 }

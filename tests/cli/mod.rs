@@ -232,6 +232,25 @@ fn fit_answers_with_its_unit_and_uncertainty() {
     assert_eq!(documents[0].label.as_deref(), Some("ball"));
 }
 
+#[test]
+fn a_minimum_zone_names_the_points_that_hold_it() {
+    let folder = tempfile::tempdir().unwrap();
+    // corners of a tent 2 mm high on a base of 30 mm x 20 mm, and a point inside
+    std::fs::write(folder.path().join("tent.txt"), "0 0 0\n30 0 0\n10 8 1\n0 20 0\n12 9 2\n").unwrap();
+    let answered = etalon(folder.path(), &["fit", "plane", "tent.txt", "--unit", "mm", "--minimum-zone", "--json"]);
+    let document: etalon::document::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    assert!((document.form_mm - 2.0).abs() < 1e-12 && (document.max_mm - 1.0).abs() < 1e-12, "{document:?}");
+    let contacts = document.contacts.unwrap();
+    assert!(contacts.verified && contacts.upper == [5] && contacts.lower == [1, 2, 4], "{contacts:?}");
+    let shown = etalon(folder.path(), &["fit", "plane", "tent.txt", "--unit", "mm", "--minimum-zone"]);
+    assert!(text(&shown.stdout).contains("points 5 and 1 2 4"), "{}", text(&shown.stdout));
+    for element in ["sphere", "enclosing-circle"] {
+        let refused = etalon(folder.path(), &["fit", element, "tent.txt", "--unit", "mm", "--minimum-zone"]);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(text_of(&refused).contains("hint:"), "{}", text_of(&refused));
+    }
+}
+
 fn text_of(output: &Output) -> String {
     text(&output.stderr)
 }

@@ -143,6 +143,12 @@ fn rigid_and_enclosing_of_every_hostile_set() {
             let finite = ball.radius_mm.is_finite() && ball.center_mm.iter().all(|x| x.is_finite());
             assert!(finite && !ball.support.is_empty() && ball.support.len() <= 4, "{what}: {ball:?}");
         }
+        for element in [Element::Line2d, Element::Plane, Element::Circle2d] {
+            let Ok(zone) = fit::minimum_zone(element, points) else { continue };
+            let numbers = zone.point_mm.iter().chain(&zone.residuals_mm).chain(&zone.radius_mm);
+            assert!(numbers.chain([&zone.form_mm]).all(|x| x.is_finite()), "{element} of {what}: {zone:?}");
+            assert!(zone.form_mm >= 0.0 && !zone.upper.is_empty() && !zone.lower.is_empty(), "{element} of {what}");
+        }
         let usable = !points.is_empty() && points.iter().flatten().all(|x| x.abs() <= 1e100);
         assert_eq!(fit::enclosing_sphere(points).is_ok(), usable, "{what}");
     }

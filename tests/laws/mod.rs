@@ -14,3 +14,5 @@ mod joins;
 mod plans;
 mod robots;
 mod serial;
+mod solving;
+mod zones;

@@ -124,7 +124,7 @@ fn the_proven_optimum_of_five_of_fifteen_is_that_of_enumeration() {
         let indices = decomposed.iter().zip(&choices).map(|(s, c)| index_of(s, &pool, criterion, c));
         let best = indices.fold(0.0, f64::max);
         let thesis = greedy(&pool, criterion, &[], 5);
-        let found = exchange_from_many(&pool, criterion, &[thesis.clone()], 10, 1);
+        let found = exchange_from_many(&pool, criterion, std::slice::from_ref(&thesis), 10, 1);
         assert!(found.value >= thesis.value);
         let reached = index_by_svd(&pool, criterion, &found.chosen);
         assert!((reached / found.value.sqrt() - 1.0).abs() < 1e-6, "{criterion:?} {reached} {}", found.value.sqrt());

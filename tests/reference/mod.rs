@@ -1,4 +1,5 @@
 //! Agreement with numbers that others have published or certified.
+mod bounded;
 mod enclosing;
 mod irb120;
 mod nist_geometry;

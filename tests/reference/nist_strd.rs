@@ -63,16 +63,16 @@ fn model(name: &str, b: &[D], x: &[f64]) -> D {
 }
 
 /// A data set: what the file holds.
-struct DataSet {
-    name: String,
-    starts: [Vec<f64>; 2],
-    certified: Vec<f64>,
+pub(super) struct DataSet {
+    pub name: String,
+    pub starts: [Vec<f64>; 2],
+    pub certified: Vec<f64>,
     deviations: Vec<f64>,
     rows: Vec<Vec<f64>>,
 }
 
 impl DataSet {
-    fn read(path: &Path) -> Self {
+    pub fn read(path: &Path) -> Self {
         let text = std::fs::read_to_string(path).unwrap();
         let lines: Vec<&str> = text.lines().collect();
         let numbers = |l: &str| l.split_whitespace().filter_map(|w| w.parse().ok()).collect::<Vec<f64>>();
@@ -118,7 +118,7 @@ impl Problem for DataSet {
 }
 
 /// Matching digits of the worst value, at most 11: the certificates have that many.
-fn log_relative_error(found: &[f64], certified: &[f64]) -> f64 {
+pub(super) fn log_relative_error(found: &[f64], certified: &[f64]) -> f64 {
     let digits = |(f, c): (&f64, &f64)| -((f - c).abs() / c.abs()).log10();
     found.iter().zip(certified).map(digits).fold(11.0, |worst, d| if d.is_nan() { -1.0 } else { worst.min(d) })
 }
