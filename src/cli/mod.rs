@@ -9,6 +9,7 @@ mod fit;
 mod formats;
 mod identify;
 mod init;
+mod iso9283;
 mod report;
 mod run;
 mod schema;
@@ -44,6 +45,7 @@ enum Command {
     Fit(fit::Fit),
     Run(run::Run),
     Identify(identify::Identify),
+    Iso9283(iso9283::Iso9283),
     Report(report::Report),
     Export(export::Export),
     Simulate(simulate::Simulate),
@@ -67,6 +69,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Fit(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Identify(command) => command.run(),
+        Command::Iso9283(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Simulate(command) => command.run(),

@@ -5,10 +5,12 @@
 mod answer;
 mod fit;
 mod geometric;
+mod iso9283;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitDocument, FitSolver, FitUncertainty};
 pub use geometric::*;
+pub use iso9283::*;
 
 use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;

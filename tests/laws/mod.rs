@@ -9,6 +9,7 @@ mod fits;
 mod fits_hostile;
 mod geometric;
 mod geometric_campaign;
+mod iso9283;
 mod joins;
 mod robots;
 mod serial;

@@ -1,6 +1,7 @@
 //! Agreement with numbers that others have published or certified.
 mod enclosing;
 mod irb120;
+mod iso9283;
 mod nist_geometry;
 mod nist_strd;
 mod prexyt;
