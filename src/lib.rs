@@ -21,15 +21,16 @@
 //! Mathematics, which knows no file and no campaign:
 //! [`scalar`] (numbers that carry derivatives), [`pose`] (rigid transforms), [`solve`] (least squares, singular values),
 //! [`fit`] (geometric elements), [`robots`] (direct and inverse kinematics, exact Jacobians), [`identify`] (what the
-//! data tell, and how well), [`geometric`] (the same by balls, a shaft and an arm),
-//! [`plan`] (which poses to measure, with a bound), [`noise`] (random numbers from a seed).
+//! data tell, and how well), [`geometric`] (the same by balls, a shaft and an arm), [`iso9283`] (characteristics of pose
+//! tests), [`plan`] (which poses to measure, with a bound), [`noise`] (random numbers from a seed).
 //!
 //! Doors: [`campaign`] (what the user states), [`import`] (exports and logs become points and joints), [`files`]
 //! (whole or not at all), [`cli`].
 //!
 //! In between: [`table`] (columns and their names), [`frames`] (world frames from features and targets), [`join`]
 //! (measurements meet joint values), [`evaluate`] (errors before and after),
-//! [`geometry`] (what [`geometric`] makes of a campaign), [`simulate`] (campaigns with a known truth).
+//! [`geometry`] (what [`geometric`] makes of a campaign), [`simulate`] (campaigns with a known truth), [`visits`] and
+//! [`pose_test`] (tables of a repeatability test become its characteristics).
 //!
 //! What comes out: [`document`] (the types behind every JSON document), [`schema`], [`parameters`], [`output`],
 //! [`report`] and [`export`], which read documents and nothing else. [`message`] is how everything says what is wrong.
@@ -86,6 +87,7 @@ pub mod geometric;
 pub mod geometry;
 pub mod identify;
 pub mod import;
+pub mod iso9283;
 pub mod join;
 pub mod message;
 pub mod noise;
@@ -95,6 +97,7 @@ pub mod pipeline;
 pub mod plan;
 pub mod plausible;
 pub mod pose;
+pub mod pose_test;
 pub mod report;
 pub mod robots;
 pub mod scalar;
@@ -102,3 +105,4 @@ pub mod schema;
 pub mod simulate;
 pub mod solve;
 pub mod table;
+pub mod visits;

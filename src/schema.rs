@@ -15,6 +15,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("frames", schema::<FramesDocument>()),
         ("geometric", schema::<GeometricDocument>()),
         ("import", schema::<ImportDocument>()),
+        ("iso9283", schema::<Iso9283Document>()),
         ("parameters", schema::<ParametersDocument>()),
         ("plan", schema::<PlanDocument>()),
         ("written", schema::<WrittenDocument>()),

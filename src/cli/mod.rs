@@ -9,6 +9,7 @@ mod fit;
 mod formats;
 mod identify;
 mod init;
+mod iso9283;
 mod plan;
 mod report;
 mod run;
@@ -46,6 +47,7 @@ enum Command {
     Run(run::Run),
     Identify(identify::Identify),
     Plan(plan::Plan),
+    Iso9283(iso9283::Iso9283),
     Report(report::Report),
     Export(export::Export),
     Simulate(simulate::Simulate),
@@ -70,6 +72,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Run(command) => command.run(),
         Command::Identify(command) => command.run(),
         Command::Plan(command) => command.run(),
+        Command::Iso9283(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Simulate(command) => command.run(),

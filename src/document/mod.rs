@@ -5,11 +5,13 @@
 mod answer;
 mod fit;
 mod geometric;
+mod iso9283;
 mod plan;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
 pub use geometric::*;
+pub use iso9283::*;
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };

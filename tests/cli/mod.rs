@@ -254,3 +254,61 @@ fn a_minimum_zone_names_the_points_that_hold_it() {
 fn text_of(output: &Output) -> String {
     text(&output.stderr)
 }
+
+#[test]
+fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_have() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut poses = "pose,cycle,x_mm,y_mm,c_deg\n".to_owned();
+    for cycle in 1..=4 {
+        // about (0.3, 0.4) from where it was sent, one of the four corners of a cross of 0.1 mm
+        let (dx, dy) = [(0.1, 0.0), (0.0, 0.1), (-0.1, 0.0), (0.0, -0.1)][cycle - 1];
+        poses +=
+            &format!("1,{cycle},{},{},{}\n", 100.3 + dx, 200.4 + dy, if cycle % 2 == 0 { 179.99 } else { -179.99 });
+        poses += &format!("2,{cycle},{},0,0\n", 500.0 + dx);
+    }
+    std::fs::write(folder.path().join("poses.csv"), &poses).unwrap();
+    std::fs::write(folder.path().join("commanded.csv"), "pose,x_mm,y_mm,c_deg\n1,100,200,180\n2,500,0,0\n").unwrap();
+    let run = |rest: &[&str]| {
+        let fixed = ["iso9283", "poses.csv", "--commanded", "commanded.csv"];
+        etalon(folder.path(), &fixed.iter().chain(rest).copied().collect::<Vec<_>>())
+    };
+    let answered = run(&["--json"]);
+    assert!(answered.status.success(), "{}", text_of(&answered));
+    let list: Vec<serde_json::Value> = serde_json::from_slice(&answered.stdout).unwrap();
+    let near = |key: &str, expected: f64| assert!((list[0][key].as_f64().unwrap() - expected).abs() < 1e-9, "{key}");
+    assert_eq!(list.len(), 2);
+    for (key, expected) in [
+        ("ap_mm", 0.5),
+        ("ap_x_mm", 0.3),
+        ("ap_y_mm", 0.4),
+        ("rp_mm", 0.1),
+        ("mean_radius_mm", 0.1),
+        ("sd_radius_mm", 0.0),
+        ("enclosing_radius_mm", 0.1),
+        ("ap_c_deg", 0.0),
+        ("rp_c_deg", 3.0 * 0.02 / 3f64.sqrt()),
+    ] {
+        near(key, expected);
+    }
+    assert!(["ap_z_mm", "rp_z_mm", "ap_a_deg", "rp_b_deg"].iter().all(|key| list[0].get(key).is_none()));
+
+    let all = run(&["--json", "--all", "--expanded-uncertainty-um", "30"]);
+    assert_eq!(all.status.code(), Some(1), "30 µm are more than a quarter of 0.1 mm: {}", text_of(&all));
+    let document: etalon::document::Iso9283Document = serde_json::from_slice(&all.stdout).unwrap();
+    assert_eq!((document.distances[0].poses, document.distances[0].cycles), ([1, 2], 4));
+    assert!(document.conventions.iter().any(|c| c.contains("not stated")));
+    assert_eq!(run(&["--expanded-uncertainty-um", "25"]).status.code(), Some(1), "pose 2 has no AP to verify");
+
+    for (from, to, said) in [
+        ("1,2,", "1,1,", "pose 1 is there twice in cycle 1"),
+        ("1,2,", "7,2,", "pose 7 is not among the commanded poses"),
+        ("100.3,", ",", "a coordinate is missing"),
+        ("x_mm", "x", "no column `x_mm`"),
+        ("c_deg", "b_deg", "different coordinates"),
+    ] {
+        std::fs::write(folder.path().join("poses.csv"), poses.replacen(from, to, 1)).unwrap();
+        let refused = run(&[]);
+        assert_eq!(refused.status.code(), Some(2), "{said}");
+        assert!(refused.stdout.is_empty() && text_of(&refused).contains(said), "{}", text_of(&refused));
+    }
+}

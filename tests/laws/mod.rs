@@ -10,6 +10,7 @@ mod fits_hostile;
 pub mod five_bar;
 mod geometric;
 mod geometric_campaign;
+mod iso9283;
 mod joins;
 mod plans;
 mod robots;

@@ -2,6 +2,7 @@
 mod bounded;
 mod enclosing;
 mod irb120;
+mod iso9283;
 mod nist_geometry;
 mod nist_strd;
 mod prexyt;

@@ -1,0 +1,122 @@
+//! `etalon iso9283`
+
+use super::{Verdict, print, say};
+use crate::document::{Iso9283Document, Iso9283Interval};
+use crate::message::{Message, Problems};
+use crate::pose_test::{Settings, evaluate};
+use crate::visits::Visits;
+use crate::{output, table};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Pose accuracy, repeatability and what goes with them, by ISO 9283
+///
+/// Tables are CSV: pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], rows in the order of recording; planar robots
+/// leave out z_mm. A column `approach` names directions of approach (else it is the pose before), a column `robot` robots.
+#[derive(Debug, clap::Args)]
+pub struct Iso9283 {
+    /// Attained poses
+    poses: PathBuf,
+    /// Commanded poses: the same columns without cycle
+    #[arg(long)]
+    commanded: PathBuf,
+    /// Expanded uncertainty of a measured position in micrometres, for the 25 % rule; not met is exit code 1
+    #[arg(long, value_name = "UM")]
+    expanded_uncertainty_um: Option<f64>,
+    /// Cycles of one set of a drift test, e.g. 10
+    #[arg(long, value_name = "CYCLES")]
+    drift_set: Option<usize>,
+    /// Order of the rotations a, b, c, for the record, e.g. "Rz(c) Ry(b) Rx(a)"
+    #[arg(long, value_name = "TEXT")]
+    rotation_order: Option<String>,
+    /// Seed of the bootstrap intervals
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Distances, approaches, drift, exchangeability and coplanarity as well; with --json one object instead of a list
+    #[arg(long)]
+    all: bool,
+    /// Print JSON: a list with one object per pose
+    #[arg(long)]
+    json: bool,
+}
+
+impl Iso9283 {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        if self.expanded_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
+            return Err(Problems::from(Message::error("--expanded-uncertainty-um must be positive")).into());
+        }
+        if self.drift_set.is_some_and(|size| size < 2) {
+            return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
+        }
+        let (attained, commanded) = (table::read_csv(&self.poses)?, table::read_csv(&self.commanded)?);
+        let names = (self.poses.display().to_string(), self.commanded.display().to_string());
+        let visits = Visits::from_tables((&names.0, &attained), (&names.1, &commanded))?;
+        let document = evaluate(
+            &visits,
+            &Settings {
+                expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
+                drift_set: self.drift_set,
+                rotation_order: self.rotation_order,
+                seed: self.seed,
+            },
+        )?;
+        for message in &document.messages {
+            say(format_args!("{message}\n"));
+        }
+        match (self.json, self.all || self.drift_set.is_some()) {
+            (true, true) => print(output::to_json(&document)?)?,
+            (true, false) => print(output::to_json(&document.poses)?)?,
+            (false, all) => print(as_text(&document, all))?,
+        }
+        let met = document.poses.iter().all(|p| p.quarter_rule_met != Some(false));
+        Ok(if met { Verdict::Met } else { Verdict::LimitNotMet })
+    }
+}
+
+fn as_text(document: &Iso9283Document, all: bool) -> String {
+    let interval = |i: &Option<Iso9283Interval>| i.map(|i| format!(" [{:.4}, {:.4}]", i.low_mm, i.high_mm));
+    let number = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
+    let mut text = format!(
+        "{:>5} {:>6} {:>28} {:>28} {:>9} {:>9} {:>9}\n",
+        "pose", "cycles", "AP mm [95 %]", "RP mm [95 %]", "mean l", "sd l", "enclosing"
+    );
+    for p in &document.poses {
+        let ap = format!("{:.4}{}", p.ap_mm, interval(&p.ap_interval).unwrap_or_default());
+        let rp = number(p.rp_mm) + &interval(&p.rp_interval).unwrap_or_default();
+        let (mean, sd, ball) = (number(p.mean_radius_mm), number(p.sd_radius_mm), number(p.enclosing_radius_mm));
+        let _ = writeln!(text, "{:>5} {:>6} {ap:>28} {rp:>28} {mean:>9} {sd:>9} {ball:>9}", p.pose, p.cycles);
+        if let Some(met) = p.quarter_rule_met {
+            let (ap, rp) = (number(p.uncertainty_over_ap), number(p.uncertainty_over_rp));
+            let verdict = if met { "met" } else { "not met" };
+            let _ = writeln!(text, "      25 % rule {verdict}: uncertainty over AP {ap}, over RP {rp}");
+        }
+    }
+    if !all {
+        return text;
+    }
+    for d in &document.distances {
+        let _ = writeln!(text, "distance {} to {}: AD {:.4}, RD {:.4} mm", d.poses[0], d.poses[1], d.ad_mm, d.rd_mm);
+    }
+    for v in &document.approaches {
+        let [a, b] = &v.between;
+        let _ = writeln!(text, "pose {} by approach: vAP {:.4} mm, between `{a}` and `{b}`", v.pose, v.vap_mm);
+    }
+    for d in &document.drifts {
+        let _ = writeln!(
+            text,
+            "pose {} drift: dAP {:.4}, dRP {:.4} mm in {} sets",
+            d.pose,
+            d.dap_mm,
+            d.drp_mm,
+            d.ap_mm.len()
+        );
+    }
+    for (name, value) in
+        [("exchangeability", document.exchangeability_mm), ("coplanarity of means", document.coplanarity_mm)]
+    {
+        if let Some(value) = value {
+            let _ = writeln!(text, "{name}: {value:.4} mm");
+        }
+    }
+    text
+}

@@ -1,0 +1,20 @@
+//! The instrument against what it verifies: its uncertainty may be at most a quarter of the characteristic (ISO 9283:1998 6,
+//! unverified against a bought copy).
+
+/// Verdict of the 25 % rule.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quarter {
+    /// Expanded uncertainty of a position over the characteristic.
+    pub ratio: f64,
+    /// Whether the ratio is at most 0.25.
+    pub met: bool,
+}
+
+/// Largest share of the characteristic that the uncertainty may have.
+const SHARE: f64 = 0.25;
+
+/// The rule for one characteristic, both in mm; a characteristic of zero is never verified.
+pub fn quarter(expanded_uncertainty_mm: f64, characteristic_mm: f64) -> Quarter {
+    let ratio = expanded_uncertainty_mm / characteristic_mm.abs();
+    Quarter { ratio, met: ratio <= SHARE }
+}
