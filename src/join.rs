@@ -21,35 +21,63 @@ pub struct Joined {
 
 /// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
 pub fn join(campaign: &Campaign, imported: &Imported, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
-    let mut messages = Vec::new();
+    let (mut messages, mut problems) = (Vec::new(), Problems::default());
     let points = targets_in_world(imported, frames, robot, &mut messages)?;
     let mut observations = Vec::new();
     for (name, log) in &imported.logs {
-        let joined = match campaign.file.join.by {
-            JoinBy::PoseAndCycle => by_keys(&points, log, name, &["pose", "cycle"], &mut messages)?,
-            JoinBy::Pose => by_keys(&points, log, name, &["pose"], &mut messages)?,
-            JoinBy::Row => {
-                equal_counts(campaign, imported, &points, log, name)?;
-                by_keys(&points, log, name, &["row"], &mut messages)?
+        match with_log(campaign, imported, &points, (name, log), &mut messages).and_then(|joined| tidy(joined, robot)) {
+            Ok(table) => {
+                if observations.is_empty() {
+                    messages.extend(incomplete(&table, robot)?);
+                }
+                observations.push((name.clone(), table));
             }
-            JoinBy::Time => {
-                let join = &campaign.file.join;
-                let (offset, tolerance) = (join.clock_offset_s.unwrap_or(0.0), join.tolerance_s.unwrap_or(0.0));
-                by_time(&points, log, name, offset, tolerance, &mut messages)?
-            }
-        };
-        if joined.height() == 0 {
-            return Err(Message::error(format!("no measured point has a partner in log `{name}`"))
-                .hint("compare the poses and cycles of exports and log, or choose another key with `by` in [join]")
-                .into());
+            Err(more) => problems.0.extend(more.at(&campaign.place_of(&["join", "by"])).0),
         }
-        let table = tidy(joined, robot)?;
-        if observations.is_empty() {
-            messages.extend(incomplete(&table, robot)?);
-        }
-        observations.push((name.clone(), table));
     }
+    problems.check()?;
     Ok(Joined { observations, messages })
+}
+
+/// Joins targets in the world with one log, by the key that the campaign states.
+fn with_log(
+    campaign: &Campaign,
+    imported: &Imported,
+    points: &DataFrame,
+    (name, log): (&str, &DataFrame),
+    messages: &mut Vec<Message>,
+) -> Result<DataFrame> {
+    let joined = match campaign.file.join.by {
+        JoinBy::PoseAndCycle => by_keys(points, log, name, &["pose", "cycle"], messages)?,
+        JoinBy::Pose => by_keys(points, log, name, &["pose"], messages)?,
+        JoinBy::Row => {
+            equal_counts(campaign, imported, points, log, name)?;
+            by_keys(points, log, name, &["row"], messages)?
+        }
+        JoinBy::Time => {
+            let join = &campaign.file.join;
+            let (offset, tolerance) = (join.clock_offset_s.unwrap_or(0.0), join.tolerance_s.unwrap_or(0.0));
+            by_time(points, log, name, offset, tolerance, messages)?
+        }
+    };
+    if joined.height() == 0 {
+        let message = Message::error(format!("no measured point has a partner in log `{name}`"));
+        let hint = "compare the poses and cycles of exports and log, or choose another key with `by` in [join]";
+        return Err(message.hint(hint).into());
+    }
+    Ok(joined)
+}
+
+/// What the counts of rows say against a join by row, before anything is known of targets and frames.
+pub fn counts(campaign: &Campaign, imported: &Imported, robot: &dyn Robot) -> Result<()> {
+    if campaign.file.join.by != JoinBy::Row {
+        return Ok(());
+    }
+    let names = table::texts(&imported.points, "target")?;
+    let keep: BooleanChunked = names.iter().map(|name| Some(robot.targets().contains(name))).collect();
+    let points = imported.points.filter(&keep)?;
+    let found = imported.logs.iter().map(|(name, log)| equal_counts(campaign, imported, &points, log, name));
+    Problems(found.filter_map(Result::err).flat_map(|p| p.0).collect()).check().map(|_| ())
 }
 
 /// The targets of the robot in the world; targets of poses without a world frame are reported.
@@ -110,10 +138,13 @@ fn by_keys(
     let logged = key_rows(log, keys)?;
     let twice: Vec<&Vec<i64>> = logged.iter().filter(|(_, rows)| rows.len() > 1).map(|(key, _)| key).collect();
     if let Some(first) = twice.first() {
+        let lines = table::integers(log, "line")?;
+        let at: Vec<String> = logged[*first].iter().filter_map(|&row| lines.get(row)).map(i64::to_string).collect();
         let what = format!(
-            "log `{name}` has {} keys ({}) more than once, the first is {first:?}",
+            "log `{name}` has {} keys ({}) more than once, the first is {first:?} in lines {}",
             twice.len(),
-            keys.join(", ")
+            keys.join(", "),
+            at.join(", ")
         );
         return Err(Message::error(what).hint("add `cycle` to the key, or remove the rows that do not count").into());
     }

@@ -191,13 +191,22 @@ impl Problems {
 }
 
 impl Problems {
-    /// The same messages, about this file where they name none.
-    pub fn in_file(mut self, file: &str) -> Self {
+    /// The same messages about this file and its text, where they name no other file: the line that they name is shown.
+    pub fn in_text(mut self, file: &str, text: &str) -> Self {
         for message in &mut self.0 {
             let place = message.place.get_or_insert_default();
-            if place.file.is_empty() {
-                place.file = file.to_owned();
+            if place.file.is_empty() || (place.file == file && place.text.is_none()) {
+                let shown = |line: usize| text.lines().nth(line.saturating_sub(1)).unwrap_or("");
+                **place = place.line.map_or_else(|| Place::file(file), |line| Place::line(file, line, shown(line)));
             }
+        }
+        self
+    }
+
+    /// The same messages, at this place where they have none.
+    pub fn at(mut self, place: &Place) -> Self {
+        for message in &mut self.0 {
+            message.place.get_or_insert_with(|| Box::new(place.clone()));
         }
         self
     }

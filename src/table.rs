@@ -1,6 +1,6 @@
 //! Tables: points, joints, observations (polars underneath), with the names of their columns in one place.
 
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Place, Problems, Result};
 use crate::pose::Vector;
 use polars::prelude::*;
 use std::io::Cursor;
@@ -59,9 +59,18 @@ pub fn coordinates(table: &DataFrame) -> Result<Vec<Vector>> {
     Ok(x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect())
 }
 
+/// Errors about every one of these columns that the table does not have; they point at its header, line 1 of whatever file.
+pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
+    let header = Place { line: Some(1), ..Place::default() };
+    let missing = names.iter().filter_map(|name| column(table, name).err());
+    Problems(missing.flat_map(|problems| problems.at(&header).0).collect()).check().map(|_| ())
+}
+
 fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
     table.column(name).map_err(|_| {
-        let names: Vec<&str> = table.get_column_names().into_iter().map(PlSmallStr::as_str).collect();
+        // `line` says where a row was read, no user wrote it
+        let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| *name != "line");
+        let names: Vec<&str> = names.collect();
         Message::error(format!("the table has no column `{name}`")).hint_names(name, names).into()
     })
 }
@@ -83,16 +92,6 @@ pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
 /// Reads a Parquet table that a stage wrote.
 pub fn read_parquet(path: &Path) -> Result<DataFrame> {
     let bytes = crate::files::read(path)?;
-    ParquetReader::new(Cursor::new(bytes)).finish().map_err(|e| unreadable(path, &e))
-}
-
-/// Reads a table of observations or poses from CSV with a header, comma-separated, decimal point.
-pub fn read_csv(path: &Path) -> Result<DataFrame> {
-    let bytes = crate::files::read(path)?;
-    let options = CsvReadOptions::default().with_has_header(true).with_infer_schema_length(None);
-    options.into_reader_with_file_handle(Cursor::new(bytes)).finish().map_err(|e| unreadable(path, &e))
-}
-
-fn unreadable(path: &Path, error: &PolarsError) -> Problems {
-    Message::error(format!("`{}` is not a table: {error}", path.display())).into()
+    let unreadable = |e| Message::error(format!("`{}` is not a table: {e}", path.display())).into();
+    ParquetReader::new(Cursor::new(bytes)).finish().map_err(unreadable)
 }

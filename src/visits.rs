@@ -61,7 +61,7 @@ struct Rows {
 
 impl Visits {
     /// From tables `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot]` and the same without
-    /// `cycle`; file names are for messages.
+    /// `cycle`, each with the file's name and, for messages, a column `line`.
     pub fn from_tables(attained: (&str, &DataFrame), commanded: (&str, &DataFrame)) -> Result<Self> {
         let mut problems = Problems::default();
         let mut read = |(file, frame)| rows(file, frame).map_err(|p| problems.0.extend(p.0)).ok();
@@ -75,7 +75,7 @@ impl Visits {
         let mut poses: Vec<PoseVisits> = Vec::new();
         for (i, &pose) in c.poses.iter().enumerate() {
             if poses.iter().any(|p| p.pose == pose) {
-                problems.0.push(at_row(Message::error(format!("pose {pose} is commanded twice")), commanded.0, i));
+                problems.0.push(at_row(Message::error(format!("pose {pose} is commanded twice")), commanded, i));
             }
             let (commanded_mm, commanded_rad) = (c.positions_mm[i], c.angles_rad[i].clone());
             poses.push(PoseVisits { pose, commanded_mm, commanded_rad, visits: Vec::new() });
@@ -89,13 +89,13 @@ impl Visits {
                 explicit(attained.1).then(|| visit.approach.clone()),
             )) {
                 let message = Message::error(format!("pose {pose} is there twice in cycle {}", visit.cycle));
-                problems.0.push(at_row(message, attained.0, i).hint("number the cycles, or name them in `approach`"));
+                problems.0.push(at_row(message, attained, i).hint("number the cycles, or name them in `approach`"));
             }
             match poses.iter_mut().find(|p| p.pose == *pose) {
                 Some(place) => place.visits.push(visit),
                 None => {
                     let message = Message::error(format!("pose {pose} is not among the commanded poses"));
-                    problems.0.push(at_row(message, attained.0, i).hint(format!("add it to `{}`", commanded.0)));
+                    problems.0.push(at_row(message, attained, i).hint(format!("add it to `{}`", commanded.0)));
                 }
             }
         }
@@ -176,7 +176,7 @@ fn rows(file: &str, frame: &DataFrame) -> Result<Rows> {
     let usable = |v: &f64| v.abs() < 1e100;
     let bad = (0..rows.poses.len())
         .filter(|&i| !rows.positions_mm[i].iter().chain(&rows.angles_rad[i]).all(usable))
-        .map(|i| at_row(Message::error("a coordinate is missing or is not a finite number"), file, i));
+        .map(|i| at_row(Message::error("a coordinate is missing or is not a finite number"), (file, frame), i));
     Problems(bad.take(20).collect()).check()?;
     Ok(rows)
 }
@@ -185,7 +185,7 @@ fn in_file(problems: Problems, file: &str) -> Problems {
     Problems(problems.0.into_iter().map(|m| if m.place.is_none() { m.at(Place::file(file)) } else { m }).collect())
 }
 
-/// Line of a row: the header is line 1.
-fn at_row(message: Message, file: &str, row: usize) -> Message {
-    message.at(Place { file: file.to_owned(), line: Some(row + 2), ..Place::default() })
+fn at_row(message: Message, (file, frame): (&str, &DataFrame), row: usize) -> Message {
+    let line = table::integers(frame, "line").ok().and_then(|lines| usize::try_from(*lines.get(row)?).ok());
+    message.at(Place { file: file.to_owned(), line, ..Place::default() })
 }

@@ -60,17 +60,20 @@ impl Campaign {
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
         let (file, mut problems) = toml_problems::recover::<CampaignFile>(&name, &text, &types::REQUIRED);
         let Some(file) = file else { return Ok((None, problems)) };
-        let robot_path = paths::resolve(&folder, file.robot.get_ref())
-            .map_err(|m| m.at(Place::span(name.as_str(), &text, file.robot.span())))?;
-        let robot_text = files::read_text(&robot_path).map_err(|mut problems| {
-            for message in &mut problems.0 {
-                message.place = Some(Box::new(Place::span(name.as_str(), &text, file.robot.span())));
+        let here = Place::span(name.as_str(), &text, file.robot.span());
+        let read = paths::resolve(&folder, file.robot.get_ref())
+            .map_err(Problems::from)
+            .and_then(|path| Ok((path.display().to_string(), files::read_text(&path)?)));
+        let (robot, more, robot_text) = match read {
+            Ok((robot_name, robot_text)) => {
+                let (robot, more) = RobotFile::recover(&robot_name, &robot_text);
+                (robot, more, robot_text)
             }
-            problems
-        })?;
-        let (robot, more) = RobotFile::recover(&robot_path.display().to_string(), &robot_text);
+            Err(more) => (None, more.at(&here), String::new()),
+        };
         problems.0.extend(more.0);
-        Ok((robot.map(|robot| Self { file, robot, folder, path: name, text, robot_text }), problems))
+        let robot = robot.unwrap_or_else(RobotFile::unreadable);
+        Ok((Some(Self { file, robot, folder, path: name, text, robot_text }), problems))
     }
 
     /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.
@@ -122,7 +125,7 @@ impl Campaign {
 
     /// The robot that the campaign measured.
     pub fn build_robot(&self) -> Result<Box<dyn Robot>> {
-        self.robot.build(&self.targets())
+        self.robot.build(&self.targets()).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
     }
 
     /// What a report says about the campaign.

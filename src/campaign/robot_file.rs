@@ -41,6 +41,9 @@ pub struct RobotFile {
     /// The file as the user named it, and its text.
     #[serde(skip)]
     source: (String, String),
+    /// It only stands for a file that does not read.
+    #[serde(skip)]
+    unreadable: bool,
 }
 
 fn down() -> [f64; 3] {
@@ -119,6 +122,23 @@ impl RobotFile {
         (robot.map(|robot| Self { source: (name.to_owned(), text.to_owned()), ..robot }), problems)
     }
 
+    /// Stands for a file that does not read, which is told already: no robot can be built of it.
+    pub(super) fn unreadable() -> Self {
+        Self {
+            name: None,
+            model: Model::Prexyt,
+            nominal: BTreeMap::new(),
+            joints: Vec::new(),
+            gravity: down(),
+            bending: Vec::new(),
+            coupling: Vec::new(),
+            reach: ReachDefinition::default(),
+            base_turn_y_deg: 0.0,
+            source: Default::default(),
+            unreadable: true,
+        }
+    }
+
     /// Where the value of a key stands, if it does.
     fn stated(&self, path: &[&str]) -> Option<Place> {
         let (name, text) = &self.source;
@@ -130,40 +150,42 @@ impl RobotFile {
         self.stated(path).unwrap_or_else(|| Place::file(self.source.0.as_str()))
     }
 
-    /// Errors where the file states keys that only another model has.
-    fn refuse(&self, keys: &[&str], model: &str) -> Result<()> {
-        let odd = |key: &&str| {
+    /// The robot with these targets (serial arms; others have their own).
+    pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
+        if self.unreadable {
+            return Err(Problems::default());
+        }
+        let mut problems = self.odd_keys();
+        let robot = match self.model {
+            Model::Prexyt | Model::PrexytFull => {
+                let robot = Prexyt::new(self.model == Model::PrexytFull);
+                self.nominal_of(&robot).map(|nominal| Box::new(robot.with_nominal(&nominal)) as Box<dyn Robot>)
+            }
+            Model::FiveBar => {
+                let robot = FiveBar::default().with_reach(self.reach.build());
+                self.nominal_of(&robot).map(|nominal| Box::new(robot.with_nominal(&nominal)) as Box<dyn Robot>)
+            }
+            Model::Serial => self.serial(targets).and_then(|robot| {
+                let nominal = self.nominal_of(&robot)?;
+                Ok(Box::new(robot.with_nominal(&nominal)) as Box<dyn Robot>)
+            }),
+        };
+        robot.map_err(|more| problems.0.extend(more.0)).ok().filter(|_| problems.0.is_empty()).ok_or(problems)
+    }
+
+    /// Errors about keys that only another model has.
+    fn odd_keys(&self) -> Problems {
+        let own = |model: &str| match self.model {
+            Model::Serial => model == "serial",
+            Model::FiveBar => model == "five_bar",
+            Model::Prexyt | Model::PrexytFull => false,
+        };
+        let keys = SERIAL_ONLY.iter().map(|key| (*key, "serial")).chain([("reach", "five_bar")]);
+        let odd = |(key, model): (&str, &str)| {
             let message = Message::error(format!("`{key}` means nothing for this model"));
             Some(message.at(self.stated(&[key])?).hint(format!("it belongs to `model = \"{model}\"`")))
         };
-        Problems(keys.iter().filter_map(odd).collect()).check()?;
-        Ok(())
-    }
-
-    /// The robot with these targets (serial arms; others have their own).
-    pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
-        let robot: Box<dyn Robot> = match self.model {
-            Model::Prexyt | Model::PrexytFull => {
-                self.refuse(&SERIAL_ONLY, "serial")?;
-                self.refuse(&["reach"], "five_bar")?;
-                let robot = Prexyt::new(self.model == Model::PrexytFull);
-                let nominal = self.nominal_of(&robot)?;
-                Box::new(robot.with_nominal(&nominal))
-            }
-            Model::FiveBar => {
-                self.refuse(&SERIAL_ONLY, "serial")?;
-                let robot = FiveBar::default().with_reach(self.reach.build());
-                let nominal = self.nominal_of(&robot)?;
-                Box::new(robot.with_nominal(&nominal))
-            }
-            Model::Serial => {
-                self.refuse(&["reach"], "five_bar")?;
-                let robot = self.serial(targets)?;
-                let nominal = self.nominal_of(&robot)?;
-                Box::new(robot.with_nominal(&nominal))
-            }
-        };
-        Ok(robot)
+        Problems(keys.filter(|(_, model)| !own(model)).filter_map(odd).collect())
     }
 
     fn serial(&self, targets: &[String]) -> Result<Serial> {
@@ -195,10 +217,14 @@ impl RobotFile {
                 wrong("coupling", i, format!("the pair {}, {} is there twice", pair.0, pair.1));
             }
         }
-        problems.check()?;
         if targets.is_empty() {
-            return Err(Message::error("a serial arm needs at least one target").into());
+            problems.0.push(Message::error("a serial arm needs at least one target").hint("name them in `targets`"));
         }
+        if targets.iter().any(|target| target == "base") {
+            let what = "no target can be called `base`: its parameters would be those of the robot's base";
+            problems.0.push(Message::error(what).hint("give the target another name in label or columns"));
+        }
+        problems.check()?;
         let joints: Vec<SerialJoint> = self
             .joints
             .iter()

@@ -34,18 +34,34 @@ pub fn everything(campaign: &Campaign) -> (Imported, Problems) {
             return (found.imported, found.problems);
         }
     };
-    let used = import::used_labels(campaign);
-    let touched = unreadable.iter().any(|label| used.iter().any(|u| matches_pattern(u, label)));
+    let labels = table::texts(&points, "label").unwrap_or_default();
+    let borne = |name: &str| labels.iter().any(|label| matches_pattern(name, label));
+    let touched = |name: &str| unreadable.iter().any(|label| matches_pattern(name, label));
+    // features whose points all read
+    let mut whole = campaign.clone();
+    whole.file.features.retain(|_, feature| {
+        let labels = feature.element().map_or(&[][..], |(_, labels)| labels);
+        labels.iter().all(|label| borne(label.get_ref()) && !touched(label.get_ref()))
+    });
     let mut world = None;
-    if found.named && !touched {
-        let planar = found.robot.as_ref().is_some_and(|r| r.dimension() == 2);
-        let made = frames::fit_features(campaign, &points).and_then(|features| {
+    match frames::fit_features(&whole, &points) {
+        Err(more) => found.problems.0.extend(more.0),
+        Ok(features) => {
             found.imported.document.messages.extend(features.messages.clone());
-            frames::make_frames(campaign, &points, &features, planar)
-        });
-        world = made.map_err(|more| found.problems.0.extend(more.0)).ok();
+            if found.named && !import::used_labels(campaign).iter().any(|name| touched(name)) {
+                let planar = found.robot.as_ref().is_some_and(|r| r.dimension() == 2);
+                let made = frames::make_frames(campaign, &points, &features, planar);
+                world = made.map_err(|more| found.problems.0.extend(more.0)).ok();
+            }
+        }
     }
     let mut poses = poses(&points).unwrap_or_default();
+    if let (None, Some(robot), true) = (&world, &found.robot, found.read) {
+        found
+            .problems
+            .0
+            .extend(join::counts(campaign, &found.imported, robot.as_ref()).err().into_iter().flat_map(|p| p.0));
+    }
     if let (Some(world), Some(robot), true) = (world, &found.robot, found.read) {
         match join::join(campaign, &found.imported, &world, robot.as_ref()) {
             Ok(joined) => {
@@ -96,7 +112,7 @@ fn find(campaign: &Campaign) -> Found {
     if let Some(robot) = &robot {
         names::robot(campaign, robot.as_ref(), &mut problems);
         if complete {
-            names::targets(robot.as_ref(), &imported, &mut problems);
+            names::targets(campaign, robot.as_ref(), &imported, &mut problems);
         }
     }
     Found { imported, problems, read, named, robot }

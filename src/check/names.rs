@@ -67,6 +67,14 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             problems.0.push(message.hint_names(target.get_ref(), robot.targets().iter().map(String::as_str)));
         }
     }
+    if let Some(targets) = &campaign.file.join.targets {
+        let named = |name: &&String| targets.iter().any(|t| t.get_ref() == *name);
+        for target in robot.targets().iter().filter(|t| !named(t)) {
+            let message = Message::error(format!("`targets` leaves out `{target}`"));
+            let message = message.at(campaign.place_of(&["join", "targets"]));
+            problems.0.push(message.expected("nothing: of this robot all its targets count"));
+        }
+    }
     for export in &campaign.file.exports {
         let Format::Delimited(dialect) = &export.format else { continue };
         for role in [Role::Label, Role::Target, Role::Pose, Role::Cycle, Role::X, Role::Y, Role::Z, Role::TimeS] {
@@ -102,14 +110,16 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
 }
 
 /// Targets of the robot that nobody measured.
-pub(super) fn targets(robot: &dyn Robot, imported: &Imported, problems: &mut Problems) {
+pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Imported, problems: &mut Problems) {
     let mut measured: BTreeSet<String> =
         table::texts(&imported.points, "target").unwrap_or_default().into_iter().collect();
     measured.remove("");
-    for target in robot.targets() {
-        if !measured.contains(target) {
-            let what = format!("no export brings the target `{target}` of this robot");
-            problems.0.push(Message::error(what).hint_names(target, measured.iter().map(String::as_str)));
-        }
+    // those that [join] names are told with the labels
+    let stated = campaign.file.join.targets.as_ref();
+    let told = |target: &String| stated.is_some_and(|all| all.iter().any(|t| t.get_ref() == target));
+    for target in robot.targets().iter().filter(|t| !measured.contains(*t) && !told(t)) {
+        let what = format!("no export brings the target `{target}` of this robot");
+        let message = Message::error(what).at(campaign.place_of(&["join"]));
+        problems.0.push(message.hint_names(target, measured.iter().map(String::as_str)));
     }
 }

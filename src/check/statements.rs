@@ -1,9 +1,11 @@
 //! Statements of a campaign that contradict each other or mean nothing, whatever the files hold.
 
-use crate::campaign::{Campaign, JoinBy, Selection};
+use crate::campaign::{Campaign, Export, Format, JoinBy, Role, Selection};
 use crate::export;
 use crate::message::{Message, Problems, Result};
 use std::collections::BTreeSet;
+use std::ffi::OsString;
+use std::path::{Component, Path, PathBuf};
 
 /// All statements but those on features and frames.
 pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
@@ -35,12 +37,20 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         }
     }
     output(campaign, problems);
-    if file.join.by == JoinBy::Time && (file.join.clock_offset_s.is_none() || file.join.tolerance_s.is_none()) {
+    let by_time = file.join.by == JoinBy::Time;
+    let clocks = [("clock_offset_s", file.join.clock_offset_s), ("tolerance_s", file.join.tolerance_s)];
+    if by_time && clocks.iter().any(|(_, value)| value.is_none()) {
         problems.0.push(
-            Message::error("a join by time needs the offset of the clocks and a tolerance").hint(
-                "add `clock_offset_s` (time of the measurement minus time of the log) and `tolerance_s` to [join]",
-            ),
+            Message::error("a join by time needs the offset of the clocks and a tolerance")
+                .at(campaign.place_of(&["join", "by"]))
+                .hint(
+                    "add `clock_offset_s` (time of the measurement minus time of the log) and `tolerance_s` to [join]",
+                ),
         );
+    }
+    for (key, _) in clocks.iter().filter(|(_, value)| value.is_some() && !by_time) {
+        let message = Message::error(format!("`{key}` means nothing for this join"));
+        problems.0.push(message.at(campaign.place_of(&["join", key])).hint("it belongs to `by = \"time\"`"));
     }
     if file.join.tolerance_s.is_some_and(|t| t < 0.0) {
         let message = Message::error("`tolerance_s` must not be negative");
@@ -48,19 +58,25 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     }
     let targets: Vec<_> = file.join.targets.iter().flatten().collect();
     for (i, target) in targets.iter().enumerate() {
-        let wrong = |what: String| Message::error(what).at(campaign.place(target));
         if targets[..i].iter().any(|t| t.get_ref() == target.get_ref()) {
-            problems.0.push(wrong(format!("target `{}` is there twice", target.get_ref())));
+            let message = Message::error(format!("target `{}` is there twice", target.get_ref()));
+            problems.0.push(message.at(campaign.place(target)));
         }
-        if target.get_ref() == "base" {
-            let message =
-                wrong("no target can be called `base`: its parameters would be those of the robot's base".into());
-            problems.0.push(message.hint("give the target another name in label or columns"));
-        }
+    }
+    file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
+}
+
+/// A pose or a target that both the file and a column of it state.
+fn stated_twice(campaign: &Campaign, export: &Export, problems: &mut Problems) {
+    let Format::Delimited(dialect) = &export.format else { return };
+    let stated = [("pose", export.pose.is_some(), Role::Pose), ("target", export.target.is_some(), Role::Target)];
+    for (key, _, _) in stated.into_iter().filter(|(_, stated, role)| *stated && dialect.columns.contains(role)) {
+        let message = Message::error(format!("`{key}` is stated twice: by this export, and by a column of it"));
+        problems.0.push(message.at(campaign.place(&export.file)).hint("leave one of them out"));
     }
 }
 
-/// The output folder must not be one that holds inputs.
+/// The output folder must not be one that holds inputs, nor one of them.
 fn output(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     let output = match campaign.output() {
@@ -68,11 +84,14 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
         Err(more) => return problems.0.extend(more.0),
     };
     let inputs = file.exports.iter().map(|e| &e.file).chain(file.logs.iter().map(|l| &l.file));
-    let beside = |f: &&toml::Spanned<String>| {
-        campaign.resolve(f).is_ok_and(|path| path.parent().is_some_and(|p| p.components().eq(output.components())))
+    let inputs = inputs.chain([&file.robot]).filter_map(|f| campaign.resolve(f).ok());
+    let parts = |path: &Path| -> Vec<OsString> {
+        path.components().filter(|c| *c != Component::CurDir).map(|c| c.as_os_str().to_owned()).collect()
     };
-    if let Some(input) = inputs.into_iter().find(beside) {
-        let what = format!("the output folder holds an input of this campaign, `{}`", input.get_ref());
+    let folder = parts(&output);
+    let hit = |input: &PathBuf| parts(input) == folder || input.parent().is_some_and(|p| parts(p) == folder);
+    if let Some(input) = inputs.chain([PathBuf::from(&campaign.path)]).find(hit) {
+        let what = format!("the output folder is that of an input, `{}`", input.display());
         let message = Message::error(what).at(campaign.place_of(&["output"]));
         problems.0.push(message.hint("name another folder, or none: it is `out` by default"));
     }
@@ -100,8 +119,10 @@ pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
             .filter(|&(i, pose)| taken(i, pose) && tests(i, pose) && *validation != Selection::Rest)
             .map(|(_, pose)| pose.to_string())
             .collect();
-        if let Some((first, last)) = shared.first().zip(shared.last()) {
-            let what = format!("{} poses are in both calibration and validation, from {first} to {last}", shared.len());
+        if !shared.is_empty() {
+            let shown = shared.iter().take(20).cloned().collect::<Vec<_>>().join(", ");
+            let more = if shared.len() > 20 { ", ..." } else { "" };
+            let what = format!("poses in both calibration and validation: {shown}{more}");
             let message = Message::error(what).at(campaign.place(text));
             problems.0.push(message.hint("`validation = \"rest\"` takes all that calibration does not"));
         }
@@ -113,11 +134,19 @@ pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
 pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     for (name, feature) in &file.features {
-        if feature.element().is_none() {
+        let Some((_, labels)) = feature.element() else {
             problems.0.push(
                 Message::error(format!("feature `{name}` must be exactly one element"))
+                    .at(campaign.place_of(&["feature", name]))
                     .expected("one of `plane`, `line`, `circle`, `cylinder` with the labels of its points"),
             );
+            continue;
+        };
+        for (i, label) in labels.iter().enumerate() {
+            if labels[..i].iter().any(|l| l.get_ref() == label.get_ref()) {
+                let what = format!("feature `{name}` names `{}` twice", label.get_ref());
+                problems.0.push(Message::error(what).at(campaign.place(label)));
+            }
         }
     }
     let world = file.frame.world.get_ref();
@@ -132,6 +161,17 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
         if world.each.is_some() {
             let message = Message::error("`each` means nothing for a world frame from a plane");
             problems.0.push(message.at(campaign.place(&file.frame.world)).hint("it belongs to `targets`"));
+        }
+        for ends in world.x_axis.iter().chain(&world.y_axis) {
+            let directed = match &ends[..] {
+                [one] => file.features.contains_key(one.get_ref()),
+                ends => ends.len() == 2,
+            };
+            if !directed {
+                let place = ends.first().map_or_else(|| campaign.place(&file.frame.world), |end| campaign.place(end));
+                let message = Message::error("the axis of the world frame has no direction").at(place);
+                problems.0.push(message.expected("two labels, from and to, or one feature with a direction"));
+            }
         }
         let axes = usize::from(world.x_axis.is_some()) + usize::from(world.y_axis.is_some());
         if axes != 1 || world.origin.is_none() || world.towards.is_none() {

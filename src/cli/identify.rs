@@ -8,7 +8,7 @@ use crate::identify::{Observation, ResidualKind, Settings, fit_frames, identify_
 use crate::message::{Message, Problems};
 use crate::parameters::parameters_document;
 use crate::plausible::implausible;
-use crate::{files, output, table};
+use crate::{files, import, output, table};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -45,15 +45,16 @@ impl Identify {
             );
         }
         let robot_file = read_robot(&self.robot)?;
-        let observed = table::read_csv(&self.observations)?;
-        let here = |problems: Problems| problems.in_file(&self.observations.display().to_string());
+        let (file, text) = (self.observations.display().to_string(), files::read_text(&self.observations)?);
+        let observed = import::observations(&file, &text)?;
+        let here = |problems: Problems| problems.in_text(&file, &text);
         let mut targets: Vec<String> = Vec::new();
         for name in table::texts(&observed, "target").map_err(here)? {
             if !targets.contains(&name) {
                 targets.push(name);
             }
         }
-        let robot = robot_file.build(&targets)?;
+        let robot = robot_file.build(&targets).map_err(here)?;
         let mut messages = Vec::new();
         let observations = Observation::from_table(robot.as_ref(), &observed, &mut messages).map_err(here)?;
         let settings = Settings {

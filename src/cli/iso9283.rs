@@ -2,12 +2,13 @@
 
 use super::{Verdict, print, say};
 use crate::document::{Iso9283Document, Iso9283Interval};
-use crate::message::{Message, Problems};
+use crate::message::{Message, Problems, Result};
 use crate::pose_test::{Settings, evaluate};
 use crate::visits::Visits;
-use crate::{output, table};
+use crate::{files, import, output};
+use polars::prelude::DataFrame;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Pose accuracy, repeatability and what goes with them, by ISO 9283
 ///
@@ -48,9 +49,14 @@ impl Iso9283 {
         if self.drift_set.is_some_and(|size| size < 2) {
             return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
         }
-        let (attained, commanded) = (table::read_csv(&self.poses)?, table::read_csv(&self.commanded)?);
-        let names = (self.poses.display().to_string(), self.commanded.display().to_string());
-        let visits = Visits::from_tables((&names.0, &attained), (&names.1, &commanded))?;
+        let read = |path: &Path| -> Result<(String, String, DataFrame)> {
+            let (file, text) = (path.display().to_string(), files::read_text(path)?);
+            let table = import::observations(&file, &text)?;
+            Ok((file, text, table))
+        };
+        let (attained, commanded) = (read(&self.poses)?, read(&self.commanded)?);
+        let visits = Visits::from_tables((&attained.0, &attained.2), (&commanded.0, &commanded.2))
+            .map_err(|p| p.in_text(&attained.0, &attained.1).in_text(&commanded.0, &commanded.1))?;
         let document = evaluate(
             &visits,
             &Settings {

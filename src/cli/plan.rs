@@ -9,7 +9,7 @@ use crate::parameters::observability_summary;
 use crate::plan::{Criterion, Plan as Planned, Request, candidates, index_of, plan};
 use crate::robots::Robot;
 use crate::table::ASSEMBLY;
-use crate::{files, output, table};
+use crate::{files, import, output, table};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -71,7 +71,9 @@ impl Plan {
             return Err(Problems::from(Message::error("--standard-uncertainty-um must be positive")).into());
         }
         let robot_file = read_robot(&self.robot)?;
-        let read = table::read_csv(&self.candidates)?;
+        let (file, text) = (self.candidates.display().to_string(), files::read_text(&self.candidates)?);
+        let read = import::observations(&file, &text)?;
+        let here = |problems: Problems| problems.in_text(&file, &text);
         let mut targets: Vec<String> = Vec::new();
         if read.column("target").is_ok() {
             for name in table::texts(&read, "target")? {
@@ -80,8 +82,8 @@ impl Plan {
                 }
             }
         }
-        let robot = robot_file.build(&targets)?;
-        let observations = candidates::configurations(robot.as_ref(), &read)?;
+        let robot = robot_file.build(&targets).map_err(here)?;
+        let observations = candidates::configurations(robot.as_ref(), &read).map_err(here)?;
         let settings = Settings {
             kind: ResidualKind::Targets,
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),

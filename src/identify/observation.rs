@@ -3,7 +3,7 @@
 use super::assembly::{assign_modes, stated_modes};
 use crate::message::{Message, Place, Result};
 use crate::pose::Vector;
-use crate::robots::Robot;
+use crate::robots::{Joint, Robot};
 use crate::table;
 use polars::prelude::DataFrame;
 
@@ -26,6 +26,8 @@ impl Observation {
     /// Robots with assembly modes may bring several working modes to one pose and cycle: other joint values are then
     /// another observation. What was taken from the measurement is told in `messages`.
     pub fn from_table(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Self>> {
+        let needed = ["pose", "cycle", "target", table::XYZ[0], table::XYZ[1]].map(str::to_owned);
+        table::require(table, &[&needed[..], &robot.joints().iter().map(Joint::column).collect::<Vec<_>>()].concat())?;
         let poses = table::integers(table, "pose")?;
         let cycles = table::integers(table, "cycle")?;
         let names = table::texts(table, "target")?;
@@ -42,8 +44,8 @@ impl Observation {
         let mut observations: Vec<Self> = Vec::new();
         let mut modes = Vec::new();
         let mut place = std::collections::BTreeMap::new();
-        // the table has a header in line 1
-        let line = |row: usize| Place { line: Some(row + 2), ..Place::default() };
+        let lines = if table.column("line").is_ok() { table::integers(table, "line")? } else { Vec::new() };
+        let line = |row: usize| Place { line: lines.get(row).map(|l| *l as usize), ..Place::default() };
         for row in 0..table.height() {
             let what = || format!("pose {} cycle {} of the observations", poses[row], cycles[row]);
             let target = robot.targets().iter().position(|t| *t == names[row]).ok_or_else(|| {

@@ -33,11 +33,17 @@ impl Together {
 /// Indices of the targets measured together, in the order of the rule.
 type Groups = BTreeMap<Together, Vec<Option<usize>>>;
 
+/// What is wrong with the rules themselves, whatever the files hold.
+pub(super) fn check(campaign: &Campaign) -> Problems {
+    let rules = campaign.file.rigid.iter().enumerate();
+    Problems(rules.filter_map(|(i, rigid)| stated(campaign, rigid, i).err()).collect())
+}
+
 /// Refuses points whose distances to the others of their rigid part leave the median by more than the tolerance.
 pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &mut [Source]) -> Result<Vec<Message>> {
     let mut problems = Problems::default();
     for rigid in &campaign.file.rigid {
-        let groups = match stated(campaign, rigid).and_then(|()| group(campaign, rigid, &columns.points)) {
+        let groups = match group(campaign, rigid, &columns.points) {
             Ok(groups) => groups,
             Err(message) => {
                 problems.0.push(message);
@@ -72,16 +78,17 @@ fn place(campaign: &Campaign, rigid: &Rigid) -> Place {
 }
 
 /// A rule that says something: two targets or more, each once, and a tolerance that some distances exceed.
-fn stated(campaign: &Campaign, rigid: &Rigid) -> std::result::Result<(), Message> {
-    let wrong = |what: &str| Err(Message::error(what).at(place(campaign, rigid)));
+fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Result<(), Message> {
     let names: BTreeSet<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     if names.len() < 2 || names.len() < rigid.targets.len() {
-        return wrong("a rigid part needs two or more targets, each named once");
+        let message = Message::error("a rigid part needs two or more targets, each named once");
+        return Err(message.at(place(campaign, rigid)));
     }
     if !(rigid.tolerance_mm > 0.0 && rigid.tolerance_mm.is_finite()) {
-        return wrong("`tolerance_mm` of a rigid part must be a positive number").map_err(|m: Message| {
-            m.expected("how far a distance may leave its median, some times its scatter, e.g. 0.1")
-        });
+        let message = Message::error("`tolerance_mm` of a rigid part must be a positive number");
+        return Err(message
+            .at(campaign.place_of(&["rigid", &index.to_string(), "tolerance_mm"]))
+            .expected("how far a distance may leave its median, some times its scatter, e.g. 0.1"));
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Delimited text in a stated dialect: rows of fields with their places, and numbers read strictly.
 
-use crate::campaign::{Decimal, Delimiter, Dialect, Role};
-use crate::import::points::PointRow;
+use crate::campaign::{Decimal, Delimiter, Dialect, Role, Unit};
+use crate::import::points::Point;
 use crate::message::{Message, Place, Problems, Result};
 
 /// A row of fields.
@@ -61,12 +61,24 @@ pub(super) fn blank_fields(line: &str) -> Vec<String> {
 pub(super) fn columns_of(line: &str, fields: &[String]) -> Vec<usize> {
     let mut from = 0;
     let place = |field: &String| {
-        let at = line[from..].find(field.as_str()).map_or(from, |byte| from + byte);
-        from = (at + field.len()).min(line.len());
-        line[..at].chars().count() + 1
+        // a field with doubled quotes does not stand in the line as it reads
+        let at = line[from..].find(field.as_str()).map(|byte| from + byte);
+        let column = line[..at.unwrap_or(from)].chars().count() + 1;
+        from = at.map_or(from, |at| at + field.len());
+        column
     };
     fields.iter().map(place).collect()
 }
+
+/// Where the field of this index stands; `shown` is the line itself.
+pub(super) fn cell_place(file: &str, row: &Row, shown: &str, index: usize) -> Place {
+    let width = row.fields.get(index).map_or(1, |f| f.chars().count());
+    let column = columns_of(shown, &row.fields).get(index).copied().unwrap_or(1);
+    Place::line(file, row.line, shown).at(column, width)
+}
+
+/// Whole numbers up to here are exact.
+pub(super) const WHOLE: f64 = 9e15;
 
 /// A number in the stated decimal mark, nothing else around it.
 pub(super) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
@@ -92,7 +104,7 @@ pub(super) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, 
 }
 
 /// Points of a delimited export, and what does not read.
-pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect) -> (Vec<PointRow>, Problems) {
+pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     for role in [Role::X, Role::Y] {
         if !dialect.columns.contains(&role) {
@@ -103,7 +115,10 @@ pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect) -> (Vec<Poin
     let all = match rows(file, text, dialect.delimiter, dialect.comment.as_deref()) {
         Ok(all) if problems.0.is_empty() => all,
         Ok(_) => return (Vec::new(), problems),
-        Err(more) => return (Vec::new(), more),
+        Err(more) => {
+            problems.0.extend(more.0);
+            return (Vec::new(), problems);
+        }
     };
     let lines: Vec<&str> = text.lines().collect();
     let mut points = Vec::new();
@@ -119,18 +134,19 @@ pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect) -> (Vec<Poin
             );
             continue;
         }
-        points.push(point(&row, dialect, file, shown, &mut problems));
+        points.push(point(&row, dialect, unit, (file, shown), &mut problems));
     }
     (points, problems)
 }
 
 /// One point; numbers that do not read are reported and left as no numbers.
-fn point(row: &Row, dialect: &Dialect, file: &str, shown: &str, problems: &mut Problems) -> PointRow {
-    let mut point = PointRow { line: row.line, text: shown.to_owned(), ..PointRow::default() };
+fn point(row: &Row, dialect: &Dialect, unit: Unit, (file, shown): (&str, &str), problems: &mut Problems) -> Point {
+    let mut point = Point { line: row.line, text: shown.to_owned(), ..Point::default() };
     let coordinate = |role: &Role| matches!(role, Role::X | Role::Y | Role::Z);
     let pairs = || dialect.columns.iter().zip(&row.fields);
     let unmeasured = pairs().filter(|(r, _)| coordinate(r)).all(|(_, f)| f.is_empty());
     let before = problems.0.len();
+    let mut xyz = [0.0; 3];
     for ((role, field), column) in pairs().zip(columns_of(shown, &row.fields)) {
         let mut wrong = |m: Message| {
             problems.0.push(m.at(Place::line(file, row.line, shown).at(column, field.chars().count())));
@@ -142,9 +158,9 @@ fn point(row: &Row, dialect: &Dialect, file: &str, shown: &str, problems: &mut P
             Role::TimeS => point.time_s = Some(value()),
             Role::Skip => {}
             Role::X | Role::Y | Role::Z if unmeasured => {}
-            Role::X => point.xyz[0] = value(),
-            Role::Y => point.xyz[1] = value(),
-            Role::Z => point.xyz[2] = value(),
+            Role::X => xyz[0] = value(),
+            Role::Y => xyz[1] = value(),
+            Role::Z => xyz[2] = value(),
             Role::Pose | Role::Cycle => {
                 let whole = field.parse().map_err(|_| wrong(Message::error(format!("`{field}` is no whole number"))));
                 *(if *role == Role::Pose { &mut point.pose } else { &mut point.cycle }) = whole.ok();
@@ -155,8 +171,9 @@ fn point(row: &Row, dialect: &Dialect, file: &str, shown: &str, problems: &mut P
         point.refused = Some("not measured: no coordinates".to_owned());
     }
     if problems.0.len() > before {
-        point.xyz = [f64::NAN; 3];
+        xyz = [f64::NAN; 3];
     }
+    point.xyz_mm = xyz.map(|v| v * unit.in_mm());
     point
 }
 

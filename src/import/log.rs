@@ -1,6 +1,7 @@
 //! Encoder logs as CSV: pose, cycle or time, and the joints with the units that the campaign states.
 
-use super::delimited::{Row, columns_of, number, rows};
+use super::delimited::{Row, WHOLE, cell_place, number, rows};
+use super::formats::propose;
 use crate::campaign::{Campaign, Column, Log};
 use crate::document::Source;
 use crate::message::{Message, Place, Problems, Result};
@@ -58,18 +59,18 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
                 .hint("a decimal comma in a file separated by commas? then state `delimiter` and `decimal`"),
         );
     }
-    let named = log.columns.values().filter(|c| matches!(c, Column::Name(_))).count();
-    if width == 1 && named > 1 {
-        let first = all.first().map_or("", |row| row.fields[0].as_str());
-        let message = Message::error(format!("log `{file}` has one column, of which the campaign names {named}"));
-        return Err(message
+    if width == 1 && log.columns.len() > 1 {
+        let what = format!("log `{file}` has one column, of which the campaign names {}", log.columns.len());
+        let message = Message::error(what)
             .at(Place::line(file, 1, lines.first().copied().unwrap_or("")))
-            .expected(format!("columns separated by `{}`, decimal `{}`", log.delimiter.name(), log.decimal.name()))
-            .hint(format!(
-                "state `delimiter` and `decimal` of the log, as its rows have them: {}",
-                crate::message::one_line(first)
-            ))
-            .into());
+            .expected(format!("columns separated by `{}`, decimal `{}`", log.delimiter.name(), log.decimal.name()));
+        let hint = match propose(file, text).readings.first() {
+            Some(r) => {
+                format!("`delimiter = {:?}` and `decimal = {:?}` read its rows: state them", r.delimiter, r.decimal)
+            }
+            None => "state `delimiter` and `decimal` of the log, as its rows have them".to_owned(),
+        };
+        return Err(message.hint(hint).into());
     }
     let count = all.len();
     let counted = |name: &str, f: &dyn Fn(usize, &Row) -> i64| {
@@ -96,7 +97,7 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
                 .push(message.at(at()).hint("a joint has one column, and `pose = \"row\"` needs none for the pose"));
             continue;
         }
-        let index = match place_of(column, header.as_ref()) {
+        let index = match place_of(column, header.as_ref(), width) {
             Ok(index) => index,
             Err(message) => {
                 problems.0.push(message.at(at()));
@@ -128,18 +129,12 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
     Ok(DataFrame::new(count, columns)?)
 }
 
-/// Whole numbers up to here are exact.
-const WHOLE: f64 = 9e15;
-
-fn cell_place(file: &str, row: &Row, shown: &str, index: usize) -> Place {
-    let width = row.fields.get(index).map_or(1, |f| f.chars().count());
-    let column = columns_of(shown, &row.fields).get(index).copied().unwrap_or(1);
-    Place::line(file, row.line, shown).at(column, width)
-}
-
 /// Index of a column, by its number or by its name in the header.
-fn place_of(column: &Column, header: Option<&Row>) -> std::result::Result<usize, Message> {
+fn place_of(column: &Column, header: Option<&Row>, width: usize) -> std::result::Result<usize, Message> {
     match (column, header) {
+        (Column::Number(n), _) if *n > width => {
+            Err(Message::error(format!("the log has {width} columns, none of them is number {n}")))
+        }
         (Column::Number(n), _) => Ok(n - 1),
         (Column::Name(name), Some(header)) => {
             let places: Vec<usize> = (0..header.fields.len()).filter(|&i| header.fields[i] == *name).collect();

@@ -8,6 +8,7 @@ mod delimited;
 mod formats;
 mod label;
 mod log;
+mod observations;
 mod points;
 mod polyworks;
 
@@ -15,6 +16,7 @@ pub use formats::propose;
 pub(crate) use label::Pattern as LabelPattern;
 pub use log::is_joint_column;
 pub(crate) use log::meaning as log_column;
+pub use observations::observations;
 pub(crate) use points::{Point, used_labels};
 
 use crate::campaign::{Campaign, Export, Format, Log, Unit};
@@ -22,7 +24,7 @@ use crate::document::{ImportDocument, Source};
 use crate::files;
 use crate::message::{Message, Problems, Result};
 use crate::pose::Vector;
-use points::{PointColumns, PointRow};
+use points::PointColumns;
 use polars::prelude::DataFrame;
 
 /// What a campaign's files hold.
@@ -80,6 +82,7 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
         }
     }
     problems.0.extend(columns.measured_twice());
+    problems.0.extend(blunders::check(campaign).0);
     let mut messages = columns.unused_labels(campaign);
     if problems.0.is_empty() {
         match blunders::refuse(campaign, &mut columns, &mut sources) {
@@ -114,16 +117,16 @@ pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<Da
 
 /// Labels and points of a file, in millimetres; every row counts, none is refused.
 pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<(String, Vector)>> {
-    let (rows, problems) = point_rows(file, text, format);
+    let (rows, problems) = point_rows(file, text, format, unit);
     problems.check()?;
-    Ok(rows.into_iter().map(|row| (row.label, row.xyz.map(|v| v * unit.in_mm()))).collect())
+    Ok(rows.into_iter().map(|row| (row.label, row.xyz_mm)).collect())
 }
 
 /// Rows of an export in the stated format, and what does not read.
-fn point_rows(file: &str, text: &str, format: &Format) -> (Vec<PointRow>, Problems) {
+fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point>, Problems) {
     match format {
-        Format::Polyworks => polyworks::rows(file, text),
-        Format::Delimited(dialect) => delimited::point_rows(file, text, dialect),
+        Format::Polyworks => polyworks::rows(file, text, unit),
+        Format::Delimited(dialect) => delimited::point_rows(file, text, dialect, unit),
     }
 }
 

@@ -8,23 +8,8 @@ use crate::message::{Message, Place, Problems, Result};
 use crate::pose::Vector;
 use polars::prelude::{DataFrame, NamedFrom, Series};
 
-/// One row of an export, in its own unit.
+/// A row of an export. A reader fills in what the row says; what the campaign says of the export comes after.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct PointRow {
-    pub line: usize,
-    pub text: String,
-    pub label: String,
-    pub target: Option<String>,
-    pub pose: Option<i64>,
-    pub cycle: Option<i64>,
-    pub time_s: Option<f64>,
-    pub xyz: Vector,
-    /// The rule that refuses it.
-    pub refused: Option<String>,
-}
-
-/// A point in millimetres.
-#[derive(Clone, Debug)]
 pub(crate) struct Point {
     pub export: String,
     /// Number among the data rows of its export, from 1, refused ones counted.
@@ -36,7 +21,10 @@ pub(crate) struct Point {
     pub pose: Option<i64>,
     pub cycle: Option<i64>,
     pub time_s: Option<f64>,
+    /// No numbers where one of them does not read.
     pub xyz_mm: Vector,
+    /// The rule that refuses it.
+    pub refused: Option<String>,
 }
 
 /// All points of a campaign.
@@ -49,17 +37,18 @@ impl PointColumns {
     /// Adds what can be read of the text of an export; gives what is wrong with it.
     pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &str, source: &mut Source) -> Problems {
         let file = export.file.get_ref();
-        let (rows, mut problems) = super::point_rows(file, text, &export.format);
+        let (rows, mut problems) = super::point_rows(file, text, &export.format, export.unit);
         if rows.is_empty() && problems.0.is_empty() {
-            problems.0.push(Message::error(format!("`{file}` holds no points")).at(campaign.place(&export.file)));
+            problems.0.push(Message::error(format!("`{file}` holds no points")));
         }
+        problems = problems.at(&campaign.place(&export.file));
         problems.0.extend(self.add(campaign, export, rows, source).0);
         problems
     }
 
     /// Adds the rows of an export; rows that were not measured go to the source's list of refused ones. Gives what is
     /// wrong with the rest.
-    fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<PointRow>, source: &mut Source) -> Problems {
+    fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<Point>, source: &mut Source) -> Problems {
         let mut problems = Problems::default();
         let pattern = export.label.as_ref().and_then(|text| {
             let wrong = |m: Message| problems.0.push(m.at(campaign.place(text)));
@@ -70,16 +59,16 @@ impl PointColumns {
         let world = campaign.file.frame.world.get_ref();
         let frame_targets = world.targets.as_deref().filter(|_| world.each.is_none()).unwrap_or_default();
         for (i, row) in rows.into_iter().enumerate() {
-            let zero = row.xyz == [0.0; 3];
+            let zero = row.xyz_mm == [0.0; 3];
             let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
             if let Some(reason) = reason {
                 source.refused.push(Refused { line: row.line, text: row.text, reason });
                 continue;
             }
             let named = pattern.as_ref().and_then(|p| p.read(&row.label)).unwrap_or_default();
-            let target = row.target.or(named.target).or_else(|| export.target.clone());
+            let target = row.target.clone().or(named.target).or_else(|| export.target.clone());
             let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|_| i as i64 + 1));
-            let unreadable = row.xyz.iter().any(|v| v.is_nan());
+            let unreadable = row.xyz_mm.iter().any(|v| v.is_nan());
             let in_frame = |t: &String| frame_targets.iter().any(|f| f.get_ref() == t);
             let placed = pose.is_some() || row.time_s.is_some() || unreadable;
             if target.is_some() && !placed && !target.as_ref().is_some_and(in_frame) {
@@ -91,14 +80,10 @@ impl PointColumns {
             self.points.push(Point {
                 export: export.file.get_ref().clone(),
                 row: i as i64 + 1,
-                line: row.line,
-                text: row.text,
-                label: row.label,
                 cycle: row.cycle.or(named.cycle).or(target.as_ref().map(|_| 1)),
                 target,
                 pose,
-                time_s: row.time_s,
-                xyz_mm: row.xyz.map(|v| v * export.unit.in_mm()),
+                ..row
             });
         }
         problems

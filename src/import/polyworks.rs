@@ -1,12 +1,12 @@
 //! PolyWorks point text: `[name] x y z [i j k]`, blank-separated, no header, decimal point.
 
 use super::delimited::{blank_fields, columns_of, number};
-use super::points::PointRow;
-use crate::campaign::Decimal;
+use super::points::Point;
+use crate::campaign::{Decimal, Unit};
 use crate::message::{Message, Place, Problems};
 
 /// Points of a PolyWorks text, and what does not read; directions are not read.
-pub(super) fn rows(file: &str, text: &str) -> (Vec<PointRow>, Problems) {
+pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     for (i, line) in text.lines().enumerate() {
@@ -35,12 +35,12 @@ pub(super) fn rows(file: &str, text: &str) -> (Vec<PointRow>, Problems) {
                 f64::NAN
             }));
         }
-        points.push(PointRow {
+        points.push(Point {
             line: i + 1,
             text: line.to_owned(),
             label: if named == 1 { fields[0].clone() } else { String::new() },
-            xyz: [numbers[0], numbers[1], numbers[2]],
-            ..PointRow::default()
+            xyz_mm: [numbers[0], numbers[1], numbers[2]].map(|v| v * unit.in_mm()),
+            ..Point::default()
         });
     }
     (points, problems)
@@ -52,15 +52,16 @@ mod tests {
 
     #[test]
     fn names_and_directions_are_optional() {
-        let (points, problems) = rows("f", "K_1_2 1.5 -2 3e1\n4 5 6 0 0 1\r\n\n\"ball N\" 7 8 9 1 0 0\n");
+        let (points, problems) =
+            rows("f", "K_1_2 1.5 -2 3e1\n4 5 6 0 0 1\r\n\n\"ball N\" 7 8 9 1 0 0\n", Unit::Millimetre);
         assert!(problems.0.is_empty());
-        let found: Vec<(&str, [f64; 3], usize)> = points.iter().map(|p| (p.label.as_str(), p.xyz, p.line)).collect();
+        let found: Vec<(&str, [f64; 3], usize)> = points.iter().map(|p| (p.label.as_str(), p.xyz_mm, p.line)).collect();
         assert_eq!(found, [("K_1_2", [1.5, -2.0, 30.0], 1), ("", [4.0, 5.0, 6.0], 2), ("ball N", [7.0, 8.0, 9.0], 4)]);
     }
 
     #[test]
     fn every_wrong_row_is_reported() {
-        let (points, problems) = rows("f", "1 1 2\nL 1,5 2 3\nM 1 2 3,5\n1 2\n");
+        let (points, problems) = rows("f", "1 1 2\nL 1,5 2 3\nM 1 2 3,5\n1 2\n", Unit::Millimetre);
         let lines: Vec<_> = problems.0.iter().map(|m| m.place.as_ref().and_then(|p| p.line)).collect();
         assert_eq!(lines, [Some(2), Some(3), Some(4)]);
         assert_eq!(problems.0[1].place.as_ref().and_then(|p| p.column), Some(7));

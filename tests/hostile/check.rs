@@ -30,7 +30,7 @@ fn unreadable_rows_hide_nothing() {
 
 #[test]
 fn what_only_a_run_used_to_find_is_found_by_check() {
-    broken("campaign.toml", "\"1-8\"", "\"1-12\"", &["4 poses are in both calibration and validation, from 9 to 12"]);
+    broken("campaign.toml", "\"1-8\"", "\"1-12\"", &["poses in both calibration and validation: 9, 10, 11, 12"]);
     let axis = "y_axis = [\"R_home\", \"R_end\"]";
     broken("campaign.toml", axis, "y_axis = [\"R_home\"]", &["the axis of the world frame has no direction"]);
     let rails = "plane = [\"rail2_a\", \"rail2_b\", \"rail3_a\"]";
@@ -65,7 +65,7 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
     campaign(
         "robot = \"robot.toml\"",
         "robot = \"robot.toml\"\noutput = \"exports\"",
-        &["the output folder holds an input"],
+        &["the output folder is that of an input"],
     );
     campaign("rho3_mm = \"RP3\"", "rho3_mm = \"RP3\", rho3_m = \"RP1\"", &["`rho3_mm` states `rho3_mm` once more"]);
     let arm = |from: &str, to: &str, parts: &[&str]| {
@@ -94,7 +94,7 @@ fn logs_that_do_not_look_as_stated() {
     std::fs::write(scratch.path().join("encoders.csv"), text.replace(',', ";")).unwrap();
     let (code, said) = etalon(&scratch, "check");
     assert!(code == Some(2) && said.contains("has one column, of which the campaign names 5"), "{said}");
-    assert!(said.contains("state `delimiter` and `decimal` of the log"), "{said}");
+    assert!(said.contains("hint: `delimiter = \";\"` and `decimal = \".\"` read its rows"), "{said}");
     broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["is no whole number", "encoders.csv:2:1"]);
 }
 
@@ -103,7 +103,7 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
     let scratch = copy_sample("prexyt-cmm");
     let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
     for (text, parts) in [
-        (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "is missing or not a number"]),
+        (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "is no number"]),
         (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "is no whole number"]),
         (head.replace("rho2_mm", "rho2") + "1,1,K,1,2,3,4,5\n", ["observations.csv", "no column `rho2_mm`"]),
         (format!("{head}1,1,K,1,2,3,4,5\n1,1,K,1,2,3,4,5\n"), ["observations.csv:3", "occurs twice"]),

@@ -83,9 +83,12 @@ fn position_characteristics_agree_with_a_second_implementation() {
         let lengths: Vec<f64> = (0..30).map(|j| norm(minus(far[j], all[0][j]))).collect();
         close(driven.ad_mm, lengths.iter().sum::<f64>() / 30.0 - 500.0);
         close(driven.rd_mm, 3.0 * deviation_by_pairs(&lengths));
-        let along: Vec<f64> = (0..30).map(|j| (far[j][1] - all[0][j][1]).abs()).collect();
-        close(driven.ad_axis_mm[1], along.iter().sum::<f64>() / 30.0 - 300.0);
-        close(driven.rd_axis_mm[1], 3.0 * deviation_by_pairs(&along));
+        // one difference is positive, the other negative: sizes are compared
+        for (k, commanded) in [(0, 400.0), (1, 300.0)] {
+            let along: Vec<f64> = (0..30).map(|j| (far[j][k] - all[0][j][k]).abs()).collect();
+            close(driven.ad_axis_mm[k], along.iter().sum::<f64>() / 30.0 - commanded);
+            close(driven.rd_axis_mm[k], 3.0 * deviation_by_pairs(&along));
+        }
 
         let sets: Vec<Vec<Vector>> = all.iter().flat_map(|g| g.chunks(10).map(<[Vector]>::to_vec)).collect();
         let drifted = drift(&sets, AT).unwrap();

@@ -260,10 +260,7 @@ fn positions_alone_become_all_working_modes() {
         .iter()
         .enumerate()
         .fold("pose,x_mm,y_mm\n".to_owned(), |t, (k, p)| t + &format!("{k},{},{}\n", p[0], p[1]));
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("c.csv");
-    std::fs::write(&path, csv).unwrap();
-    let all = candidates::configurations(&robot, &etalon::table::read_csv(&path).unwrap()).unwrap();
+    let all = candidates::configurations(&robot, &etalon::import::observations("c.csv", &csv).unwrap()).unwrap();
     let expected = measure(&robot, &robot.nominal(), &SEVEN, &mut || 0.0);
     assert_eq!(all.len(), expected.len());
     let near = |a: &Observation, e: &Observation| a.joints.iter().zip(&e.joints).all(|(a, e)| (a - e).abs() < 1e-9);
