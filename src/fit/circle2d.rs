@@ -3,7 +3,7 @@
 use super::axis::Chart;
 use super::ball::{Disc, taubin};
 use super::cloud::{Cloud, Source};
-use super::coverage::arc_coverage;
+use super::coverage::Arc;
 use super::descend::{Refined, SAMPLE, refine};
 use super::element::{Element, Settings};
 use super::result::Fit;
@@ -24,9 +24,8 @@ pub fn circle2d_with(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
     let chart = Chart { d0: [0.0, 0.0, 1.0], e1: [1.0, 0.0, 0.0], e2: [0.0, 1.0, 0.0] };
     let refined = refine_circle(&cloud, chart, settings);
     let [x, y, radius] = refined.x;
-    let mut fit = refined.to_fit(Element::Circle2d, &cloud, [x, y, 0.0])?;
+    let mut fit = refined.to_fit(Element::Circle2d, &cloud, [x, y, 0.0], Arc::about(&chart, [x, y, 0.0]))?;
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    fit.coverage_rad = Some(arc_coverage(&cloud, &chart, [x, y, 0.0]));
     Ok(fit.with_warnings())
 }
 

@@ -6,7 +6,7 @@
 use super::axis::Chart;
 use super::circle2d::refine_circle;
 use super::cloud::{Cloud, Source};
-use super::coverage::arc_coverage;
+use super::coverage::Arc;
 use super::descend::refine;
 use super::element::{CircleMethod, Element, Settings};
 use super::lanes::{Lanes, Points, along};
@@ -34,13 +34,13 @@ pub fn circle3d_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
         return orthogonal(&cloud, chart, [a, b, 0.0, 0.0, 0.0, radius], held.is_some(), settings);
     }
     let centre = chart.point(a, b, 0.0);
-    let mut fit = circle.to_fit(Element::Circle3d, &cloud, centre)?;
+    let mut fit = circle.to_fit(Element::Circle3d, &cloud, centre, Arc::about(&chart, centre))?;
     let local = circle.covariance(fit.degrees_of_freedom);
     fit.covariance = variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, a, b, cloud.scale_mm));
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
     fit.method = "least-squares plane, projection, circle in the plane by orthogonal distance";
     fit.direction = Some(normal);
-    Ok(finished(fit, &cloud, &chart, centre, radius))
+    Ok(finished(fit, &cloud, radius))
 }
 
 /// Covariance of plane (a, b, h, u, v) and circle (a, b, r), which share no residual, taken together.
@@ -101,16 +101,15 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
     let chart = refined.surface.chart;
     let [a, b, h, _, _, radius] = refined.x;
     let centre = chart.point(a, b, h);
-    let mut fit = refined.to_fit(Element::Circle3d, cloud, centre)?;
+    let mut fit = refined.to_fit(Element::Circle3d, cloud, centre, Arc::about(&chart, centre))?;
     // the largest component positive, whichever way the chart lies
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
     let heights = Residuals::of(cloud, |q| [chart.seen(q, [a, b, h])[2]]);
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
-    Ok(finished(fit, cloud, &chart, centre, radius))
+    Ok(finished(fit, cloud, radius))
 }
 
-fn finished(mut fit: Fit, cloud: &Cloud, chart: &Chart, centre: Vector, radius: f64) -> Fit {
+fn finished(mut fit: Fit, cloud: &Cloud, radius: f64) -> Fit {
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    fit.coverage_rad = Some(arc_coverage(cloud, chart, centre));
     fit.with_warnings()
 }

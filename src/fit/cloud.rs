@@ -5,6 +5,7 @@
 //! goes through [`Cloud::gather`], block by block in parallel and put together in the order of the blocks, so that it has
 //! the same bytes for any number of threads and needs the same memory for any number of points.
 
+use super::descend::SAMPLE;
 use super::element::{Element, Settings, refuse};
 use super::lanes::{Lanes, Points, along};
 use super::stream::Gather;
@@ -78,57 +79,66 @@ impl<'a> Cloud<'a> {
             ));
         }
         let weight_unit = weight_unit(name, count, weights)?;
-        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let first = if count > 0 { source.at(0) } else { [0.0; 3] };
-        let weights = weights.map(Cow::Borrowed);
-        let (scale_mm, spread) = (1.0, [0.0; 3]);
-        let mut cloud = Self { source, weights, weight_unit, centre_mm: first, scale_mm, spread, axes };
-        let [low, high, sum] = cloud.gather(Bounds::default());
-        // a coordinate that is not a number is in no bounds, but in the sum
-        let outside = |x: f64| x.is_nan() || x.abs() > LARGEST_MM;
-        let finite = (0..3).all(|k| !outside(first[k] + low[k]) && !outside(first[k] + high[k]) && !sum[k].is_nan());
-        if count > 0 && !finite {
-            let i = (0..count).find(|&i| cloud.source.at(i).into_iter().any(outside)).unwrap_or_default();
-            return Err(refuse(
-                format!("point {} of the {name} is {:?}", i + 1, cloud.source.at(i)),
-                "finite coordinates in millimetres",
-                "look at this point in the export",
-            ));
-        }
-        let mean = sum.map(|s| s / count.max(1) as f64);
-        cloud.centre_mm = [0, 1, 2].map(|k| first[k] + mean[k]);
-        let largest = (0..3).map(|k| (high[k] - mean[k]).max(mean[k] - low[k])).fold(0.0, f64::max);
-        if largest > 0.0 {
-            // what is smaller is refused as one point, and its scale must have an inverse
-            cloud.scale_mm = 2f64.powi(largest.max(1e-290).log2().floor() as i32 + 1);
-        }
-        cloud.find_axes();
+        let mut cloud = Self {
+            centre_mm: if count > 0 { source.at(0) } else { [0.0; 3] },
+            source,
+            weights: weights.map(Cow::Borrowed),
+            weight_unit,
+            scale_mm: 1.0,
+            spread: [0.0; 3],
+            axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        };
+        cloud.survey(name)?;
         Ok(cloud)
     }
 
-    /// Principal directions from the moments of the points, found again along the directions just found: a spread that
-    /// is small against another is then a sum of squares of small numbers, and right to rounding (a graded matrix has
-    /// its eigenvalues from Jacobi's rotations to relative accuracy: Demmel & Veselić 1992).
-    fn find_axes(&mut self) {
+    /// Finds centre, scale and principal directions: roughly from a sample, then from all points along the directions just
+    /// found. A spread that is small against another is then a sum of squares of small numbers, and right to rounding
+    /// (a scaled diagonally dominant matrix has its eigenvalues from Jacobi's rotations to relative accuracy: Demmel &
+    /// Veselić 1992).
+    fn survey(&mut self, name: &str) -> Result<()> {
+        let few = Cloud { weights: None, ..self.thinned(SAMPLE) };
+        let rough = few.gather(Survey::along(self.axes));
+        // a coordinate that is no number is found in the look at all points
+        if rough.is_usable() {
+            self.take_up(rough, few.len());
+        }
         for round in 0..3 {
-            let axes = self.axes;
-            let moments = self.gather(Moments { axes, products: Default::default(), sum: Default::default() });
-            self.take_up(moments);
-            let off = |i: usize, j: usize| moments.0[i][j].abs() > 1e-7 * self.spread[0] * self.spread[1];
-            let turned = round == 0 || off(0, 1) || off(0, 2) || off(1, 2);
-            if self.spread[2] > 1e-2 * self.spread[0] || !turned {
+            let all = self.gather(Survey::along(self.axes));
+            if round == 0 {
+                self.check(name, &all)?;
+            }
+            if self.take_up(all, self.len()) {
                 break;
             }
         }
+        Ok(())
     }
 
-    /// Turns the axes by what the moments along them say, and takes up what is left of the centroid.
-    fn take_up(&mut self, (mut moments, sum): ([[f64; 3]; 3], Vector)) {
-        let n = self.len().max(1) as f64;
+    /// Refuses a coordinate that is no number, or too large to have a square.
+    fn check(&self, name: &str, all: &Surveyed) -> Result<()> {
+        let outside = |x: f64| x.is_nan() || x.abs() > LARGEST_MM;
+        let corners = [self.to_mm(all.low), self.to_mm(all.high)];
+        if self.len() == 0 || (all.is_usable() && !corners.into_iter().flatten().any(outside)) {
+            return Ok(());
+        }
+        let i = (0..self.len()).find(|&i| self.source.at(i).into_iter().any(outside)).unwrap_or_default();
+        Err(refuse(
+            format!("point {} of the {name} is {:?}", i + 1, self.source.at(i)),
+            "finite coordinates in millimetres",
+            "look at this point in the export",
+        ))
+    }
+
+    /// Takes up centre, scale and axes from `count` points, and says whether the axes were near enough for the spreads
+    /// to be right to rounding.
+    fn take_up(&mut self, surveyed: Surveyed, count: usize) -> bool {
+        let Surveyed { low, high, sum, products: mut moments } = surveyed;
+        let n = count.max(1) as f64;
         let combine =
             |axes: &[Vector; 3], v: &Vector| [0, 1, 2].map(|k| (0..3).map(|i| v[i] * axes[i][k]).sum::<f64>());
-        let left = combine(&self.axes, &sum.map(|s| s / n));
-        self.centre_mm = self.to_mm(left);
+        let mean = combine(&self.axes, &sum.map(|s| s / n));
+        self.centre_mm = self.to_mm(mean);
         for i in 0..3 {
             for j in i..3 {
                 moments[i][j] -= sum[i] * sum[j] / n;
@@ -137,8 +147,20 @@ impl<'a> Cloud<'a> {
         }
         let (values, vectors) = symmetric_eigen(moments);
         let turned = [vectors[2], vectors[1]].map(|v| combine(&self.axes, &v));
-        self.spread = [values[2], values[1], values[0]].map(|v| v.max(0.0).sqrt());
         self.axes = orthonormal(turned[0], turned[1]);
+        let largest = (0..3).map(|k| (high[k] - mean[k]).max(mean[k] - low[k])).fold(0.0, f64::max) * self.scale_mm;
+        let before = self.scale_mm;
+        if largest > 0.0 {
+            // what is smaller is refused as one point, and its scale must have an inverse
+            self.scale_mm = 2f64.powi(largest.max(1e-290).log2().floor() as i32 + 1);
+        }
+        self.spread = [values[2], values[1], values[0]].map(|v| v.max(0.0).sqrt() * (before / self.scale_mm));
+        // turning by a correlation of one half costs a third of the small spread, and no digits
+        let apart = |i: usize, j: usize| {
+            let product = moments[i][i] * moments[j][j];
+            moments[i][j].abs() <= 0.5 * product.sqrt() || moments[i][j].abs() <= 4.0 * f64::EPSILON * values[2]
+        };
+        self.spread[2] > 1e-2 * self.spread[0] || (apart(0, 1) && apart(0, 2) && apart(1, 2))
     }
 
     /// Refuses points that span fewer than `dimensions`: identical, on a line, in a plane.
@@ -226,73 +248,71 @@ fn weight_unit(name: &str, count: usize, weights: Option<&[f64]>) -> Result<[f64
     Ok([largest, weights.iter().map(|w| w / largest).sum::<f64>() / count as f64])
 }
 
-/// Smallest and largest coordinates and weighted sum of them, all as differences from `centre_mm`.
+/// Bounds of the coordinates, weighted sums of them along `axes`, and of the products of these.
 #[derive(Clone)]
-struct Bounds {
+struct Survey {
+    axes: [Vector; 3],
     low: Points,
     high: Points,
     sum: Points,
+    products: [Points; 3],
 }
 
-impl Default for Bounds {
-    fn default() -> Self {
+/// What a [`Survey`] comes to.
+struct Surveyed {
+    low: Vector,
+    high: Vector,
+    sum: Vector,
+    products: [Vector; 3],
+}
+
+impl Surveyed {
+    /// Whether every coordinate is a number: one that is not is in no bounds, but in the sums.
+    fn is_usable(&self) -> bool {
+        self.low.iter().chain(&self.high).chain(&self.sum).all(|x| x.is_finite())
+    }
+}
+
+impl Survey {
+    fn along(axes: [Vector; 3]) -> Self {
         let (low, high) = ([Lanes::all(f64::INFINITY); 3], [Lanes::all(f64::NEG_INFINITY); 3]);
-        Self { low, high, sum: Points::default() }
+        Self { axes, low, high, sum: Points::default(), products: Default::default() }
     }
 }
 
-impl Gather for Bounds {
-    type Sum = [Vector; 3];
-
-    #[inline(always)]
-    fn take(&mut self, q: Points, w: Lanes) {
-        for (k, q) in q.into_iter().enumerate() {
-            self.low[k] = self.low[k].min(q);
-            self.high[k] = self.high[k].max(q);
-            self.sum[k] = self.sum[k] + w * q;
-        }
-    }
-
-    fn close(self) -> Self::Sum {
-        [self.low.map(Lanes::least), self.high.map(Lanes::most), self.sum.map(Lanes::sum)]
-    }
-
-    fn join([a, b, c]: Self::Sum, [low, high, sum]: Self::Sum) -> Self::Sum {
-        let each = |f: fn(f64, f64) -> f64, x: Vector, y: Vector| [0, 1, 2].map(|k| f(x[k], y[k]));
-        [each(f64::min, a, low), each(f64::max, b, high), each(|x, y| x + y, c, sum)]
-    }
-}
-
-/// Weighted sums of coordinates along `axes` and of their products.
-#[derive(Clone)]
-struct Moments {
-    axes: [Vector; 3],
-    products: [[Lanes; 3]; 3],
-    sum: [Lanes; 3],
-}
-
-impl Gather for Moments {
-    type Sum = ([[f64; 3]; 3], Vector);
+impl Gather for Survey {
+    type Sum = Surveyed;
 
     #[inline(always)]
     fn take(&mut self, q: Points, w: Lanes) {
         let [a, b, c] = self.axes;
-        let q = [along(q, a), along(q, b), along(q, c)];
-        for i in 0..3 {
-            let weighted = w * q[i];
-            self.sum[i] = self.sum[i] + weighted;
-            for (product, other) in self.products[i][i..].iter_mut().zip(&q[i..]) {
-                *product = *product + weighted * *other;
-            }
+        let [x, y, z] = [along(q, a), along(q, b), along(q, c)];
+        let [wx, wy, wz] = [w * x, w * y, w * z];
+        self.low = [self.low[0].min(q[0]), self.low[1].min(q[1]), self.low[2].min(q[2])];
+        self.high = [self.high[0].max(q[0]), self.high[1].max(q[1]), self.high[2].max(q[2])];
+        self.sum = [self.sum[0] + wx, self.sum[1] + wy, self.sum[2] + wz];
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = &mut self.products;
+        (*xx, *xy, *xz) = (*xx + wx * x, *xy + wx * y, *xz + wx * z);
+        (*yy, *yz, *zz) = (*yy + wy * y, *yz + wy * z, *zz + wz * z);
+    }
+
+    fn close(self) -> Surveyed {
+        Surveyed {
+            low: self.low.map(Lanes::least),
+            high: self.high.map(Lanes::most),
+            sum: self.sum.map(Lanes::sum),
+            products: self.products.map(|row| row.map(Lanes::sum)),
         }
     }
 
-    fn close(self) -> Self::Sum {
-        (self.products.map(|row| row.map(Lanes::sum)), self.sum.map(Lanes::sum))
-    }
-
-    fn join(a: Self::Sum, b: Self::Sum) -> Self::Sum {
-        let products = [0, 1, 2].map(|i| [0, 1, 2].map(|j| a.0[i][j] + b.0[i][j]));
-        (products, [0, 1, 2].map(|i| a.1[i] + b.1[i]))
+    fn join(a: Surveyed, b: Surveyed) -> Surveyed {
+        let each = |f: fn(f64, f64) -> f64, x: Vector, y: Vector| [0, 1, 2].map(|k| f(x[k], y[k]));
+        let add = |x, y| each(|x, y| x + y, x, y);
+        Surveyed {
+            low: each(f64::min, a.low, b.low),
+            high: each(f64::max, a.high, b.high),
+            sum: add(a.sum, b.sum),
+            products: [0, 1, 2].map(|i| add(a.products[i], b.products[i])),
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::axis::{Axial, Chart, length};
 use super::cloud::{Cloud, Source};
-use super::coverage::arc_coverage;
+use super::coverage::Arc;
 use super::descend::{Refined, refine};
 use super::element::{Element, Settings};
 use super::lanes::{Lanes, Points};
@@ -40,11 +40,10 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>) -> Result<Fit> {
     let chart = refined.surface.chart;
     let [a, b, h, _, _, distance, half_angle] = refined.x;
     let foot = chart.point(a, b, h);
-    let mut fit = refined.to_fit(Element::Cone, cloud, foot)?;
+    let mut fit = refined.to_fit(Element::Cone, cloud, foot, Arc::about(&chart, foot))?;
     fit.point_along(chart.d0, if half_angle < 0.0 { chart.d0.map(|x| -x) } else { chart.d0 });
     fit.radius_mm = Some(distance / half_angle.cos() * cloud.scale_mm);
     fit.apex_angle_rad = Some(2.0 * half_angle.abs());
-    fit.coverage_rad = Some(arc_coverage(cloud, &chart, foot));
     let uncertain = fit.standard_uncertainty().and_then(|u| u.apex_angle_rad);
     if uncertain.is_some_and(|u| u > half_angle.abs()) {
         let what = "the apex angle of the cone cannot be told from zero (k = 2)";

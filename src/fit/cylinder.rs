@@ -3,7 +3,7 @@
 use super::axis::{Axial, Chart, length};
 use super::ball::taubin;
 use super::cloud::{Cloud, Source};
-use super::coverage::arc_coverage;
+use super::coverage::Arc;
 use super::descend::refine;
 use super::element::{Element, Settings};
 use super::lanes::{Lanes, Points};
@@ -44,10 +44,9 @@ pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let chart = refined.surface.chart;
     let [a, b, h, _, _, radius] = refined.x;
     let foot = chart.point(a, b, h);
-    let mut fit = refined.to_fit(Element::Cylinder, &cloud, foot)?;
+    let mut fit = refined.to_fit(Element::Cylinder, &cloud, foot, Arc::about(&chart, foot))?;
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    fit.coverage_rad = Some(arc_coverage(&cloud, &chart, foot));
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cylinder)));
     Ok(fit.with_warnings())
 }

@@ -39,6 +39,8 @@ pub(super) struct Refined<S, const N: usize> {
     /// Factor of the Jacobian by these, its columns divided by `scale`.
     pub factor: Option<Factor>,
     pub scale: Vec<f64>,
+    /// Weighted sums of the products of derivatives, by all parameters.
+    pub products: [[f64; N]; N],
     pub iterations: usize,
     pub termination: Termination,
 }
@@ -77,6 +79,7 @@ pub(super) fn descend<S: Surface<N, K>, const N: usize, const K: usize>(
         free,
         scale: Vec::new(),
         factor: None,
+        products: [[0.0; N]; N],
         iterations: 0,
         termination: Termination::LostPatience,
     };
@@ -160,13 +163,27 @@ pub(super) fn descend<S: Surface<N, K>, const N: usize, const K: usize>(
 }
 
 impl<S, const N: usize> Refined<S, N> {
-    fn take(&mut self, (factor, scale): (Option<Factor>, Vec<f64>)) {
-        (self.factor, self.scale) = (factor, scale);
+    fn take(&mut self, linear: Linear<N>) {
+        (self.factor, self.scale, self.products) = (linear.factor, linear.scale, linear.products);
     }
 }
 
 fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// The same for each index below a constant of at most seven, written out before the compiler looks for loops: it would
+/// otherwise take the sums apart and keep them in memory.
+macro_rules! each {
+    ($i:ident < $n:ident, $body:block) => {
+        each!($i < $n, $body, 0, 1, 2, 3, 4, 5, 6)
+    };
+    ($i:ident < $n:ident, $body:block, $($index:literal),*) => {
+        $(if $index < $n {
+            let $i = $index;
+            $body
+        })*
+    };
 }
 
 /// Sums over the points of the products of derivatives, of derivative and distance, and of distances.
@@ -185,13 +202,15 @@ impl<S: Surface<N, K>, const N: usize, const K: usize> Gather for Normal<'_, S, 
     #[inline(always)]
     fn take(&mut self, q: Points, w: Lanes) {
         for (distance, row) in self.surface.distances(&self.x, q) {
-            for i in 0..N {
+            each!(i < N, {
                 let weighted = w * row[i];
-                for (product, other) in self.products[i][i..].iter_mut().zip(&row[i..]) {
-                    *product = *product + weighted * *other;
-                }
+                each!(j < N, {
+                    if j >= i {
+                        self.products[i][j] = self.products[i][j] + weighted * row[j];
+                    }
+                });
                 self.right[i] = self.right[i] + weighted * distance;
-            }
+            });
             self.squares = self.squares + w * distance * distance;
         }
     }
@@ -206,14 +225,21 @@ impl<S: Surface<N, K>, const N: usize, const K: usize> Gather for Normal<'_, S, 
     }
 }
 
-/// Sum of squares at `x`, and the factor of the Jacobian by the free parameters with the norms of its columns; no factor
-/// where a number in it is not finite.
+/// The Jacobian, as what is left of it: sums of products by all parameters, and the factor by the free ones with the norms
+/// of its columns. No factor where a number in it is not finite.
+struct Linear<const N: usize> {
+    products: [[f64; N]; N],
+    factor: Option<Factor>,
+    scale: Vec<f64>,
+}
+
+/// Sum of squares and Jacobian at `x`.
 fn linearise<S: Surface<N, K>, const N: usize, const K: usize>(
     surface: &S,
     x: &[f64; N],
     cloud: &Cloud,
     free: &[usize],
-) -> (f64, (Option<Factor>, Vec<f64>)) {
+) -> (f64, Linear<N>) {
     let zero = Lanes::default();
     let (products, right, squares) =
         cloud.gather(Normal { surface, x: *x, products: [[zero; N]; N], right: [zero; N], squares: zero });
@@ -224,11 +250,11 @@ fn linearise<S: Surface<N, K>, const N: usize, const K: usize>(
         free.iter().flat_map(|&i| free.iter().map(move |&j| (i, j))).map(|(i, j)| product(i, j)).collect();
     let right: Vec<f64> = free.iter().map(|&i| right[i]).collect();
     if !normal.iter().chain(&right).all(|v| v.is_finite()) {
-        return (squares, (None, scale));
+        return (squares, Linear { products, factor: None, scale });
     }
     let factor = Factor::from_normal(&normal, &right, squares, &scale, LEAST_PIVOT);
     let factor = factor.unwrap_or_else(|| orthogonal_factor(surface, x, cloud, free, &scale));
-    (squares, (Some(factor), scale))
+    (squares, Linear { products, factor: Some(factor), scale })
 }
 
 /// The factor by Householder reflections, block by block of the points.

@@ -43,7 +43,8 @@ impl Lanes {
     /// 1 / x, and zero for zero: on its own axis a point has no direction, and zero keeps a step finite.
     #[inline(always)]
     pub fn inverse_or_zero(self) -> Self {
-        self.zip(self, |x, _| if x > 0.0 { 1.0 / x } else { 0.0 })
+        // divided first, so that there is a choice and no branch
+        self.zip(Self::all(1.0) / self, |x, inverse| if x > 0.0 { inverse } else { 0.0 })
     }
 
     /// The smaller of each.
@@ -68,6 +69,12 @@ impl Lanes {
     #[inline(always)]
     pub fn abs(self) -> Self {
         self.zip(self, |x, _| x.abs())
+    }
+
+    /// The same sizes with the signs of others.
+    #[inline(always)]
+    pub fn with_sign_of(self, other: Self) -> Self {
+        self.zip(other, f64::copysign)
     }
 
     /// Sum over the lanes, by pairs.

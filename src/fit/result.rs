@@ -51,10 +51,19 @@ pub struct Residuals {
 impl Residuals {
     /// Of all points, by their `K` distances; the first of these is the residual.
     pub(super) fn of<const K: usize>(cloud: &Cloud, distances: impl Fn(Points) -> [Lanes; K] + Sync) -> Self {
+        Self::and(cloud, distances, ()).0
+    }
+
+    /// [`Residuals::of`], and in the same look at the points something else.
+    pub(super) fn and<const K: usize, G: Gather>(
+        cloud: &Cloud,
+        distances: impl Fn(Points) -> [Lanes; K] + Sync,
+        other: G,
+    ) -> (Self, G::Sum) {
         let (zero, least, most) = (Lanes::default(), Lanes::all(f64::INFINITY), Lanes::all(f64::NEG_INFINITY));
-        let [squares, plain, least, most] =
-            cloud.gather(Remaining { distances: &distances, squares: zero, plain: zero, least, most });
-        Self { rms: (plain / cloud.len() as f64).sqrt(), least, most, squares }
+        let remaining = Remaining { distances: &distances, squares: zero, plain: zero, least, most };
+        let ([squares, plain, least, most], other) = cloud.gather((remaining, other));
+        (Self { rms: (plain / cloud.len() as f64).sqrt(), least, most, squares }, other)
     }
 
     fn scaled(self, scale: f64) -> Self {

@@ -2,7 +2,7 @@
 
 use super::ball::{Ball, taubin};
 use super::cloud::{Cloud, Source};
-use super::coverage::cap_coverage;
+use super::coverage::Cap;
 use super::descend::{SAMPLE, refine};
 use super::element::{Element, Settings};
 use super::result::Fit;
@@ -25,8 +25,10 @@ pub fn sphere_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let start = [start[0], start[1], start[2], held.unwrap_or(radius)];
     let refined = refine(Ball, &cloud, start, [true, true, true, held.is_none()]);
     let [x, y, z, radius] = refined.x;
-    let mut fit = refined.to_fit(Element::Sphere, &cloud, [x, y, z])?;
+    // derivatives by the centre are directions, that by the radius is one, both with the other sign
+    let [mean_x, mean_y, mean_z, _] = refined.products.map(|row| row[3]);
+    let cap = Cap::about([x, y, z], [mean_x, mean_y, mean_z]);
+    let mut fit = refined.to_fit(Element::Sphere, &cloud, [x, y, z], cap)?;
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    fit.coverage_rad = Some(cap_coverage(&cloud, [x, y, z]));
     Ok(fit.with_warnings())
 }

@@ -1,7 +1,9 @@
-//! Sums over all points of a cloud: block by block in parallel, eight points at a time.
+//! Sums over all points of a cloud: block by block in parallel, eight points at a time, in registers as wide as the
+//! machine has them. No width fuses or reorders an operation, so sums have the same bytes on every machine.
 
 use super::cloud::{Cloud, Source};
 use super::lanes::{LANES, Lanes, Points};
+use pulp::Arch;
 use rayon::prelude::*;
 
 /// Points that one thread sums up: fixed, so that sums do not depend on the number of threads.
@@ -23,14 +25,53 @@ pub(super) trait Gather: Clone + Sync {
     fn join(first: Self::Sum, next: Self::Sum) -> Self::Sum;
 }
 
+/// Nothing.
+impl Gather for () {
+    type Sum = ();
+
+    #[inline(always)]
+    fn take(&mut self, _: Points, _: Lanes) {}
+
+    fn close(self) {}
+
+    fn join((): (), (): ()) {}
+}
+
+/// Two things in one look at the points.
+impl<A: Gather, B: Gather> Gather for (A, B) {
+    type Sum = (A::Sum, B::Sum);
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        self.0.take(q, w);
+        self.1.take(q, w);
+    }
+
+    fn close(self) -> Self::Sum {
+        (self.0.close(), self.1.close())
+    }
+
+    fn join(first: Self::Sum, next: Self::Sum) -> Self::Sum {
+        (A::join(first.0, next.0), B::join(first.1, next.1))
+    }
+}
+
 impl Cloud<'_> {
     /// Gathers over all normalised points, from a copy of `start` for each block, joined in the order of the points.
     pub fn gather<G: Gather>(&self, start: G) -> G::Sum {
+        let machine = Arch::new();
         let block = |k: usize| {
             let range = k * BLOCK..self.len().min((k + 1) * BLOCK);
+            let gathered = start.clone();
             match &self.source {
-                Source::Space(points) => self.pass(range.start, &points[range], start.clone()),
-                Source::Plane(points) => self.pass(range.start, &points[range], start.clone()),
+                Source::Space(points) => machine.dispatch(
+                    #[inline(always)]
+                    || self.pass(range.start, &points[range], gathered),
+                ),
+                Source::Plane(points) => machine.dispatch(
+                    #[inline(always)]
+                    || self.pass(range.start, &points[range], gathered),
+                ),
             }
         };
         let blocks = self.len().div_ceil(BLOCK);
@@ -45,16 +86,15 @@ impl Cloud<'_> {
     }
 
     /// Normalises `points` (in the plane or in space), of which the first is number `first`, eight by eight.
+    #[inline(always)]
     fn pass<G: Gather, const D: usize>(&self, first: usize, points: &[[f64; D]], mut gathered: G) -> G::Sum {
         let (centre, factor) = (self.centre_mm, 1.0 / self.scale_mm);
         // without weights a multiplication by one is none
         let plain = if self.weights.is_some() { 0 } else { points.len() / LANES * LANES };
         for eight in points[..plain].as_chunks::<LANES>().0 {
             let mut group = Points::default();
-            for (i, p) in eight.iter().enumerate() {
-                for k in 0..D {
-                    group[k].0[i] = (p[k] - centre[k]) * factor;
-                }
+            for k in 0..D {
+                group[k] = (Lanes(eight.map(|p| p[k])) - centre[k]) * factor;
             }
             gathered.take(group, Lanes::all(1.0));
         }

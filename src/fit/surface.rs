@@ -1,6 +1,7 @@
 //! From distances of points to a fit: one element states its distance and derivative, and this states the rest.
 
 use super::cloud::Cloud;
+use super::coverage::Coverage;
 use super::descend::Refined;
 use super::element::{Element, refuse};
 use super::lanes::{Lanes, Points};
@@ -45,7 +46,13 @@ impl<S, const N: usize> Refined<S, N> {
     }
 
     /// The result so far, or why there is none.
-    pub fn to_fit<const K: usize>(&self, element: Element, cloud: &Cloud, point: Vector) -> Result<Fit>
+    pub fn to_fit<const K: usize, C: Coverage>(
+        &self,
+        element: Element,
+        cloud: &Cloud,
+        point: Vector,
+        coverage: C,
+    ) -> Result<Fit>
     where
         S: Surface<N, K>,
     {
@@ -61,11 +68,13 @@ impl<S, const N: usize> Refined<S, N> {
         }
         let by_parameter = self.surface.quantities(&self.x);
         let degrees_of_freedom = (K * cloud.len()).saturating_sub(self.free.len());
-        let residuals = Residuals::of(cloud, |q| self.surface.distances(&self.x, q).map(|(d, _)| d));
+        let (residuals, covered) =
+            Residuals::and(cloud, |q| self.surface.distances(&self.x, q).map(|(d, _)| d), coverage);
         let covariance = self.covariance(degrees_of_freedom);
         Ok(Fit {
             degrees_of_freedom,
             covariance: covariance.map(|c| propagate(&c, &by_parameter, cloud.scale_mm)),
+            coverage_rad: Some(C::angle_rad(covered)),
             condition,
             method: "orthogonal distance, Gauss-Newton in a trust region",
             iterations: self.iterations,

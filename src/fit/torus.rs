@@ -3,7 +3,7 @@
 use super::axis::{Axial, Chart, length};
 use super::ball::taubin;
 use super::cloud::{Cloud, Source};
-use super::coverage::arc_coverage;
+use super::coverage::Arc;
 use super::descend::refine;
 use super::element::{Element, Settings};
 use super::lanes::{Lanes, Points};
@@ -34,11 +34,10 @@ pub fn torus_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let chart = refined.surface.chart;
     let [a, b, h, _, _, radius, minor] = refined.x;
     let centre = chart.point(a, b, h);
-    let mut fit = refined.to_fit(Element::Torus, &cloud, centre)?;
+    let mut fit = refined.to_fit(Element::Torus, &cloud, centre, Arc::about(&chart, centre))?;
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.minor_radius_mm = Some(minor * cloud.scale_mm);
-    fit.coverage_rad = Some(arc_coverage(&cloud, &chart, centre));
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Torus)));
     Ok(fit.with_warnings())
 }

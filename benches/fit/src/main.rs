@@ -96,14 +96,9 @@ fn etalon(element: Element, points: &Points) -> Fit {
     fit.expect("fit")
 }
 
-/// How often a fit reads the points: bounds, moments (of flat points twice), each step, residuals, coverage.
+/// How often a fit reads the points: for bounds and moments, for each step, for residuals and coverage.
 fn passes(fit: &Fit) -> usize {
-    match fit.element {
-        Element::Plane => 1 + 2 + 1,
-        Element::Circle2d => 1 + 2 + fit.iterations + 1 + 1,
-        Element::Sphere => 1 + 1 + fit.iterations + 1 + 2,
-        _ => 1 + 1 + fit.iterations + 1 + 1,
-    }
+    1 + fit.iterations + 1
 }
 
 /// The numbers that a peer's answer is held against: direction, centre, radius, where there is one; of a cylinder's
