@@ -62,6 +62,7 @@ pub fn parameters_document(
             max: found.max,
             degrees_of_freedom: found.degrees_of_freedom,
             stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
+            common_standard_uncertainty_mm: settings.common_uncertainty_mm,
             chi_square: found.chi_square,
             uncertainties_from: found.uncertainty_from,
             uncertainties_enlarged_by: found.enlarged_by,

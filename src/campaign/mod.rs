@@ -14,7 +14,7 @@ pub use robot_file::RobotFile;
 pub use selection::Selection;
 pub use types::*;
 
-use crate::document::CampaignSummary;
+use crate::document::{CampaignSummary, ContactSummary};
 use crate::files;
 use crate::identify::Settings;
 use crate::message::{Message, Place, Problems, Result};
@@ -111,9 +111,12 @@ impl Campaign {
     /// What the campaign identifies from which residuals.
     pub fn settings(&self) -> Settings {
         let identify = &self.file.identify;
+        let instrument = self.file.instrument.standard_uncertainty_mm();
+        let contact = self.file.contact.as_ref().map(Contact::standard_uncertainty_mm);
         Settings {
             kind: identify.residuals,
-            standard_uncertainty_mm: Some(self.file.instrument.standard_uncertainty_mm()),
+            standard_uncertainty_mm: Some(contact.unwrap_or(instrument)),
+            common_uncertainty_mm: contact.map(|_| instrument),
             hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),
         }
     }
@@ -140,6 +143,9 @@ impl Campaign {
             instrument: Some(file.instrument.name.clone()),
             expanded_uncertainty_um: Some(file.instrument.expanded_uncertainty_um),
             coverage_factor: Some(file.instrument.coverage_factor),
+            contact: file
+                .contact
+                .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),
             temperature_c: file.temperature_c,
         }
     }

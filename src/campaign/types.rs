@@ -34,6 +34,9 @@ pub struct CampaignFile {
     pub temperature_c: Option<f64>,
     /// What was measured with.
     pub instrument: Instrument,
+    /// How well the robot finds a measured point again. Stated where points are measured once and touched often: the
+    /// instrument's error of a point is then common to all its observations.
+    pub contact: Option<Contact>,
     /// Files of the measuring system.
     #[serde(rename = "export")]
     pub exports: Vec<Export>,
@@ -86,6 +89,23 @@ impl Instrument {
     /// Standard uncertainty of one coordinate in millimetres.
     pub fn standard_uncertainty_mm(&self) -> f64 {
         self.expanded_uncertainty_um / self.coverage_factor / 1000.0
+    }
+}
+
+/// How well the robot finds a measured point again.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Contact {
+    /// Half width of what one coordinate repeats within, in micrometres.
+    pub repeatability_um: f64,
+    /// How many standard deviations that is.
+    pub coverage_factor: f64,
+}
+
+impl Contact {
+    /// Standard uncertainty of one coordinate in millimetres, of every observation its own.
+    pub fn standard_uncertainty_mm(&self) -> f64 {
+        self.repeatability_um / self.coverage_factor / 1000.0
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::campaign::{Campaign, Export, Format, JoinBy, Role, Selection};
 use crate::export;
+use crate::identify::ResidualKind;
 use crate::message::{Message, Problems, Result};
 use std::collections::BTreeSet;
 use std::ffi::OsString;
@@ -20,14 +21,26 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         }
     }
     let instrument = &file.instrument;
-    for (key, value) in [
-        ("expanded_uncertainty_um", instrument.expanded_uncertainty_um),
-        ("coverage_factor", instrument.coverage_factor),
-    ] {
+    let mut stated = vec![
+        ("instrument", "expanded_uncertainty_um", instrument.expanded_uncertainty_um),
+        ("instrument", "coverage_factor", instrument.coverage_factor),
+    ];
+    if let Some(contact) = &file.contact {
+        stated.push(("contact", "repeatability_um", contact.repeatability_um));
+        stated.push(("contact", "coverage_factor", contact.coverage_factor));
+        if file.identify.residuals == ResidualKind::Pose {
+            let message = Message::error("[contact] is for residuals of targets").at(campaign.place_of(&["contact"]));
+            problems.0.push(message.hint("state `residuals = \"targets\"`, or leave [contact] out"));
+        }
+    }
+    for (table, key, value) in stated {
         if value <= 0.0 {
-            let message = Message::error(format!("`{key}` must be positive"));
-            let message = message.at(campaign.place_of(&["instrument", key]));
-            problems.0.push(message.hint("take it from the instrument's calibration certificate"));
+            let message = Message::error(format!("`{key}` must be positive")).at(campaign.place_of(&[table, key]));
+            let hint = match table {
+                "instrument" => "take it from the instrument's calibration certificate",
+                _ => "touch one point often and take the scatter of what the encoders say",
+            };
+            problems.0.push(message.hint(hint));
         }
     }
     for (key, limit) in file.limits.stated() {

@@ -25,6 +25,10 @@ pub struct Identify {
     /// Standard uncertainty (k = 1) of one measured coordinate in micrometres; without it, it is taken from the residuals
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
+    /// Standard uncertainty (k = 1) of a coordinate in micrometres that is common to all rows with the very same
+    /// coordinates: a ball measured once and touched in several working modes. The other is then that of the contact
+    #[arg(long, value_name = "UM", requires = "standard_uncertainty_um")]
+    common_uncertainty_um: Option<f64>,
     /// Compare poses as in eq. 3.26 instead of targets (planar robots)
     #[arg(long)]
     pose_residuals: bool,
@@ -38,11 +42,15 @@ pub struct Identify {
 
 impl Identify {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        if self.standard_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
-            let message = Message::error("--standard-uncertainty-um must be positive");
-            return Err(
-                Problems::from(message.hint("expanded uncertainty over coverage factor, per coordinate")).into()
-            );
+        for (name, stated) in [
+            ("--standard-uncertainty-um", self.standard_uncertainty_um),
+            ("--common-uncertainty-um", self.common_uncertainty_um),
+        ] {
+            if stated.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
+                let message = Message::error(format!("{name} must be positive"));
+                let hint = "expanded uncertainty over coverage factor, per coordinate";
+                return Err(Problems::from(message.hint(hint)).into());
+            }
         }
         let robot_file = read_robot(&self.robot)?;
         let (file, text) = (self.observations.display().to_string(), files::read_text(&self.observations)?);
@@ -60,6 +68,7 @@ impl Identify {
         let settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
+            common_uncertainty_mm: self.common_uncertainty_um.map(|u| u / 1000.0),
             hold: self.hold,
         };
         let before = fit_frames(robot.as_ref(), &observations, &settings)?;

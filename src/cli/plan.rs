@@ -87,6 +87,7 @@ impl Plan {
         let settings = Settings {
             kind: ResidualKind::Targets,
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
+            common_uncertainty_mm: None,
             hold: self.hold.clone(),
         };
         let request = Request {

@@ -7,6 +7,7 @@ mod fit;
 mod geometric;
 mod iso9283;
 mod plan;
+mod stated;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
@@ -15,8 +16,8 @@ pub use iso9283::*;
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };
+pub use stated::{CampaignSummary, ContactSummary, ResidualSummary};
 
-use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;
 use crate::pose::Vector;
 use crate::solve::Termination;
@@ -205,31 +206,6 @@ pub enum ParameterStatus {
     NotIdentifiable,
 }
 
-/// Residuals of the identification.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ResidualSummary {
-    /// Residuals of targets or of the pose.
-    pub kind: ResidualKind,
-    /// Number of residuals.
-    pub count: usize,
-    /// Root mean square in mm (pose residuals: mm and rad mixed, eq. 3.26).
-    pub rms: f64,
-    /// Largest, likewise.
-    pub max: f64,
-    /// Residuals minus identified parameters.
-    pub degrees_of_freedom: usize,
-    /// Standard uncertainty of one coordinate that the instrument states, in mm.
-    pub stated_standard_uncertainty_mm: Option<f64>,
-    /// Chi-square against it.
-    pub chi_square: Option<f64>,
-    /// What standard uncertainties rest on.
-    pub uncertainties_from: UncertaintyFrom,
-    /// By how much standard uncertainties are larger than the instrument's alone makes them (median); 1 where chi-square
-    /// does not reject the model, or no uncertainty is stated.
-    pub uncertainties_enlarged_by: f64,
-}
-
 /// Observability of the parameters from the poses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -348,30 +324,6 @@ pub struct LimitVerdict {
     pub value: f64,
     /// Whether the value is within the limit.
     pub met: bool,
-}
-
-/// What the campaign says about itself, for the head of a report.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct CampaignSummary {
-    /// Name of the campaign.
-    pub name: String,
-    /// Whether its data are synthetic, and what that means; absent for measured data.
-    pub synthetic: Option<String>,
-    /// Remarks.
-    pub notes: Option<String>,
-    /// Date as stated.
-    pub date: Option<String>,
-    /// Operator as stated.
-    pub operator: Option<String>,
-    /// Measuring instrument.
-    pub instrument: Option<String>,
-    /// Expanded uncertainty of one coordinate.
-    pub expanded_uncertainty_um: Option<f64>,
-    /// Its coverage factor.
-    pub coverage_factor: Option<f64>,
-    /// Temperature during the campaign.
-    pub temperature_c: Option<f64>,
 }
 
 /// One error, before or after: what the pictures of a report show.

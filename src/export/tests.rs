@@ -36,6 +36,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             max: 0.0,
             degrees_of_freedom: 0,
             stated_standard_uncertainty_mm: None,
+            common_standard_uncertainty_mm: None,
             chi_square: None,
             uncertainties_from: crate::identify::UncertaintyFrom::Instrument,
             uncertainties_enlarged_by: 1.0,

@@ -1,6 +1,7 @@
 //! Identification: parameters from observations, with what the data can and cannot tell, and how well.
 
 mod assembly;
+mod common;
 mod identifiability;
 mod logs;
 mod observability;
@@ -32,6 +33,10 @@ pub struct Settings {
     pub kind: ResidualKind,
     /// Standard uncertainty of one measured coordinate in mm; `None` takes it from the residuals.
     pub standard_uncertainty_mm: Option<f64>,
+    /// Standard uncertainty in mm of what a coordinate has in common with all observations of the very same coordinates,
+    /// beside [`Self::standard_uncertainty_mm`], which is then what each observation has of its own: a ball measured once
+    /// and touched in several working modes. Targets only.
+    pub common_uncertainty_mm: Option<f64>,
     /// Names of parameters held at their nominal value; `*` stands for any text.
     pub hold: Vec<String>,
 }
@@ -136,6 +141,14 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
             "pose residuals mix mm and rad: they need the standard uncertainty of a coordinate",
         )
         .hint("state it (--standard-uncertainty-um), or compare targets")
+        .into());
+    }
+    let whole = settings.kind == ResidualKind::Targets && settings.standard_uncertainty_mm.is_some();
+    if settings.common_uncertainty_mm.is_some() && !whole {
+        return Err(Message::error(
+            "an uncertainty common to several observations is for residuals of targets, beside one that each has of its own",
+        )
+        .hint("state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets")
         .into());
     }
     let names = || robot.parameters().iter().map(|p| p.name.as_str());

@@ -3,7 +3,7 @@
 use super::residuals::Residuals;
 use crate::message::Message;
 use crate::robots::{Quantity, Robot};
-use crate::solve::{Factor, Solution, Svd, svd};
+use crate::solve::{Factor, Problem, Solution, Svd, column_norms, svd};
 
 /// Singular values of the Jacobian and the indices made of them (eq. 1.19 to 1.25).
 ///
@@ -45,9 +45,13 @@ pub(super) fn observe(
     covariance: Option<&[f64]>,
 ) -> Option<(Observability, Vec<WeakGroup>)> {
     let n = problem.free.len();
-    let factor = solution.factor.as_ref()?;
+    let plain = problem.is_whitened().then(|| plain(problem, solution));
+    let (factor, scale) = match &plain {
+        Some((factor, scale)) => (factor, scale),
+        None => (solution.factor.as_ref()?, &solution.scale),
+    };
     let scaled = svd(factor);
-    let unscaled = svd(&unscale(factor, &solution.scale, problem.unit));
+    let unscaled = svd(&unscale(factor, scale, problem.unit));
     let observability = Observability {
         indices: indices(&unscaled, problem.observation_count())?,
         condition: Some(scaled.condition()).filter(|c| c.is_finite())?,
@@ -82,6 +86,15 @@ pub(super) fn observe(
         }
     }
     Some((observability, weak))
+}
+
+/// Factor and column norms of the Jacobian that is not whitened.
+fn plain(problem: &Residuals, solution: &Solution) -> (Factor, Vec<f64>) {
+    let (m, n) = (problem.residual_count(), problem.free.len());
+    let mut jacobian = vec![0.0; m * n];
+    problem.plain_jacobian(&solution.x, &mut jacobian);
+    let scale = column_norms(&jacobian, n);
+    (Factor::new(&jacobian, &vec![0.0; m], &scale), scale)
 }
 
 /// Splits `members` into sets bound by correlation: vectors of nearly equal singular values mix what has nothing to do

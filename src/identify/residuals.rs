@@ -1,5 +1,6 @@
 //! Residuals between model and measurement, as a least-squares problem in the free parameters.
 
+use super::common::Common;
 use super::{Observation, Settings};
 use crate::message::{Message, Result};
 use crate::robots::{Prexyt, Robot};
@@ -25,6 +26,8 @@ pub(super) struct Residuals<'a> {
     pub free: Vec<usize>,
     observations: &'a [Observation],
     planar: Option<&'a Prexyt>,
+    /// what makes residuals independent that are not
+    common: Option<Common>,
     /// residuals are divided by this
     pub unit: f64,
     /// standard deviation of a residual so divided, as the instrument states it
@@ -63,6 +66,7 @@ impl<'a> Residuals<'a> {
             free: free.to_vec(),
             observations,
             planar,
+            common: Common::new(observations, settings, robot.dimension()),
             unit,
             stated_noise: settings.standard_uncertainty_mm.map(|u| u / unit),
             values: values.to_vec(),
@@ -93,6 +97,16 @@ impl<'a> Residuals<'a> {
         self.observations.iter().zip(&self.rows).flat_map(|(o, &rows)| std::iter::repeat_n(o.pose, rows)).collect()
     }
 
+    /// What the errors of each residual belong to: its reading where that is common to several, or else its pose.
+    pub fn clusters(&self) -> Vec<i64> {
+        self.common.as_ref().map_or_else(|| self.poses(), |common| common.numbers(self.residual_count()))
+    }
+
+    /// Whether residuals and Jacobian are whitened, and their elements no longer belong to one observation.
+    pub fn is_whitened(&self) -> bool {
+        self.common.is_some()
+    }
+
     /// Observations that bring at least one residual: poses, each as often as it was repeated.
     pub fn observation_count(&self) -> usize {
         self.rows.iter().filter(|&&rows| rows > 0).count()
@@ -116,22 +130,9 @@ impl<'a> Residuals<'a> {
         let of = |o: &Observation| balls(o).map(|[k, l]| planar.pose_residual_jacobians(&all, &o.joints, k, l).1);
         Some(self.observations.iter().filter_map(of).collect())
     }
-}
 
-/// K and L in the plane, where both were measured.
-fn balls(o: &Observation) -> Option<[[f64; 2]; 2]> {
-    match o.targets[..] {
-        [Some(k), Some(l)] => Some([[k[0], k[1]], [l[0], l[1]]]),
-        _ => None,
-    }
-}
-
-impl Problem for Residuals<'_> {
-    fn residual_count(&self) -> usize {
-        self.rows.iter().sum()
-    }
-
-    fn residuals(&self, x: &[f64], r: &mut [f64]) {
+    /// Residuals as observed, not whitened.
+    pub fn plain_residuals(&self, x: &[f64], r: &mut [f64]) {
         let all = self.all(x);
         let dimension = self.robot.dimension();
         self.chunks(r, 1).into_par_iter().for_each(|(observations, mut r)| {
@@ -158,7 +159,8 @@ impl Problem for Residuals<'_> {
         });
     }
 
-    fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
+    /// Their Jacobian.
+    pub fn plain_jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
         let all = self.all(x);
         let (n, free, dimension) = (all.len(), &self.free, self.robot.dimension());
         self.chunks(jacobian, free.len()).into_par_iter().for_each(|(observations, mut out)| {
@@ -189,5 +191,33 @@ impl Problem for Residuals<'_> {
                 }
             }
         });
+    }
+}
+
+/// K and L in the plane, where both were measured.
+fn balls(o: &Observation) -> Option<[[f64; 2]; 2]> {
+    match o.targets[..] {
+        [Some(k), Some(l)] => Some([[k[0], k[1]], [l[0], l[1]]]),
+        _ => None,
+    }
+}
+
+impl Problem for Residuals<'_> {
+    fn residual_count(&self) -> usize {
+        self.rows.iter().sum()
+    }
+
+    fn residuals(&self, x: &[f64], r: &mut [f64]) {
+        self.plain_residuals(x, r);
+        if let Some(common) = &self.common {
+            common.whiten(r, 1);
+        }
+    }
+
+    fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
+        self.plain_jacobian(x, jacobian);
+        if let Some(common) = &self.common {
+            common.whiten(jacobian, self.free.len());
+        }
     }
 }

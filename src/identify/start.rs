@@ -30,7 +30,12 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[u
         .filter_map(|r| linear_start(serial, &subset, &nominal, &places, *r))
         .collect();
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: None, hold: Vec::new() };
+    let settings = Settings {
+        kind: ResidualKind::Targets,
+        standard_uncertainty_mm: None,
+        common_uncertainty_mm: None,
+        hold: Vec::new(),
+    };
     let mut best: Option<(f64, Vec<f64>)> = None;
     for (_, values) in candidates.into_iter().take(REFINED) {
         let all = Residuals::new(robot, &subset, &settings, &places, &values)?;

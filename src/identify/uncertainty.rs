@@ -90,6 +90,8 @@ pub(super) fn conclude(
         warnings.push(rejection(chi, dof, enlarged_by, uncertainty_from));
     }
 
+    let mut plain = vec![0.0; m];
+    problem.plain_residuals(&solution.x, &mut plain);
     let observed = observe(problem, solution, covariance.as_deref());
     let (observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
     warnings.extend(groups.iter().map(|g| held_message(robot, g)));
@@ -109,8 +111,8 @@ pub(super) fn conclude(
         groups,
         weak,
         observability,
-        rms: (solution.cost() / m.max(1) as f64).sqrt() * problem.unit,
-        max: solution.residuals.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
+        rms: (plain.iter().map(|r| r * r).sum::<f64>() / m.max(1) as f64).sqrt() * problem.unit,
+        max: plain.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
         degrees_of_freedom: dof,
         chi_square,
         iterations,
@@ -169,7 +171,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 fn by_pose(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Vec<f64>> {
     let n = solution.x.len();
     let mut gradients: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
-    for ((row, r), pose) in jacobian.chunks_exact(n).zip(&solution.residuals).zip(problem.poses()) {
+    for ((row, r), pose) in jacobian.chunks_exact(n).zip(&solution.residuals).zip(problem.clusters()) {
         let gradient = gradients.entry(pose).or_insert_with(|| vec![0.0; n]);
         gradient.iter_mut().zip(row).for_each(|(g, j)| *g += j * r);
     }

@@ -54,7 +54,12 @@ fn observe(robot: &dyn Robot, truth: &[f64], poses: usize, sigma_mm: f64, noise:
 }
 
 fn settings() -> Settings {
-    Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(NOISE_MM), hold: Vec::new() }
+    Settings {
+        kind: ResidualKind::Targets,
+        standard_uncertainty_mm: Some(NOISE_MM),
+        common_uncertainty_mm: None,
+        hold: Vec::new(),
+    }
 }
 
 /// Root mean square distance between truth and prediction on fresh poses.

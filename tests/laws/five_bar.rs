@@ -66,7 +66,12 @@ pub fn measure(
 }
 
 pub fn settings(u_mm: f64) -> Settings {
-    Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(u_mm), hold: Vec::new() }
+    Settings {
+        kind: ResidualKind::Targets,
+        standard_uncertainty_mm: Some(u_mm),
+        common_uncertainty_mm: None,
+        hold: Vec::new(),
+    }
 }
 
 /// Seven positions around the plate.

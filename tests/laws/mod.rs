@@ -3,6 +3,7 @@
 mod arms;
 mod blunders;
 mod campaigns;
+mod common;
 mod dialects;
 mod features;
 mod fits;

@@ -46,8 +46,12 @@ fn base_and_targets_are_found_from_anywhere() {
             let mut noise = Noise::new(11, trial);
             let truth = truth(robot.as_ref(), &mut noise);
             let observations = observe(robot.as_ref(), &truth, 80, &mut noise);
-            let settings =
-                Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.01), hold: Vec::new() };
+            let settings = Settings {
+                kind: ResidualKind::Targets,
+                standard_uncertainty_mm: Some(0.01),
+                common_uncertainty_mm: None,
+                hold: Vec::new(),
+            };
             let found = identify(robot.as_ref(), &observations, &settings).unwrap();
             for (i, p) in robot.parameters().iter().enumerate() {
                 let identified = found.status[i] == etalon::identify::Status::Identified;
@@ -82,7 +86,12 @@ fn what_the_robot_file_states_is_kept_where_held_and_only_a_start_where_not() {
         stated.iter().for_each(|(name, off)| nominal[place(name)] = truth[place(name)] + off);
         let arm = arm.serial().unwrap().clone().with_nominal(&nominal);
         let hold: Vec<String> = hold.into_iter().map(str::to_owned).collect();
-        let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.01), hold };
+        let settings = Settings {
+            kind: ResidualKind::Targets,
+            standard_uncertainty_mm: Some(0.01),
+            common_uncertainty_mm: None,
+            hold,
+        };
         let found = identify(&arm, &observations, &settings).unwrap();
         for (name, off) in stated.iter().filter(|s| s.1 == 0.0) {
             assert_eq!(found.values[place(name)], truth[place(name)] + off, "{name}");
@@ -102,7 +111,12 @@ fn a_base_that_stands_on_its_side_is_named_with_its_remedy() {
     let mut truth = truth(robot.as_ref(), &mut noise);
     truth[robot.index("base_ry").unwrap()] = std::f64::consts::FRAC_PI_2;
     let observations = observe(robot.as_ref(), &truth, 60, &mut noise);
-    let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: None, hold: Vec::new() };
+    let settings = Settings {
+        kind: ResidualKind::Targets,
+        standard_uncertainty_mm: None,
+        common_uncertainty_mm: None,
+        hold: Vec::new(),
+    };
     let problems = identify(robot.as_ref(), &observations, &settings).unwrap_err();
     assert!(problems.to_string().contains("base_turn_y_deg = 90"), "{problems}");
 }
@@ -125,7 +139,12 @@ fn errors_common_to_a_pose_are_in_the_uncertainty() {
                 observations.push(Observation { cycle, ..o.clone() });
             }
         }
-        let settings = Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.01), hold: Vec::new() };
+        let settings = Settings {
+            kind: ResidualKind::Targets,
+            standard_uncertainty_mm: Some(0.01),
+            common_uncertainty_mm: None,
+            hold: Vec::new(),
+        };
         let found = identify(arm.as_ref(), &observations, &settings).unwrap();
         assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByPose);
         for &i in &found.free {
