@@ -9,6 +9,9 @@ use std::path::Path;
 /// Columns of the coordinates, in millimetres.
 pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
+/// Column of a point's label; in a log, of the point that the robot touches.
+pub const LABEL: &str = "label";
+
 /// Column of the assembly mode, +1 or -1, of robots that have several.
 pub const ASSEMBLY: &str = "assembly";
 

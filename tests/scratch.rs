@@ -36,6 +36,7 @@ pub fn copy_sample(name: &str) -> Scratch {
         "truth.toml",
         "encoders.csv",
         "exports/world.txt",
+        "exports/plate.txt",
         "exports/poses.txt",
         "exports/geometric.txt",
     ] {

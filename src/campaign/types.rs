@@ -163,7 +163,7 @@ pub struct Log {
     /// The first row names the columns.
     #[serde(default = "yes")]
     pub header: bool,
-    /// What stands in which column: `pose`, `cycle`, `time_s` and the joints with their units.
+    /// What stands in which column: `pose`, `cycle`, `time_s`, `label` of the point touched, and the joints with their units.
     pub columns: BTreeMap<Spanned<String>, Column>,
     /// `"row"`: the number of the data row is the number of the pose.
     pub pose: Option<FromRow>,
@@ -206,6 +206,8 @@ pub enum JoinBy {
     Row,
     /// Nearest time.
     Time,
+    /// Label of the point that the log says the robot touches: measured once, touched often.
+    Label,
 }
 
 impl<'de> Deserialize<'de> for JoinBy {
@@ -214,12 +216,13 @@ impl<'de> Deserialize<'de> for JoinBy {
         impl<'de> Visitor<'de> for Key {
             type Value = JoinBy;
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("[\"pose\", \"cycle\"], [\"pose\"], \"row\" or \"time\"")
+                f.write_str("[\"pose\", \"cycle\"], [\"pose\"], \"row\", \"time\" or \"label\"")
             }
             fn visit_str<E: de::Error>(self, text: &str) -> Result<JoinBy, E> {
                 match text {
                     "row" => Ok(JoinBy::Row),
                     "time" => Ok(JoinBy::Time),
+                    "label" => Ok(JoinBy::Label),
                     "pose" => Ok(JoinBy::Pose),
                     _ => Err(E::invalid_value(de::Unexpected::Str(text), &self)),
                 }

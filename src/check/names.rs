@@ -1,6 +1,6 @@
 //! Names that nothing bears: labels, features, targets, parameters, columns.
 
-use crate::campaign::{Campaign, Format, Role};
+use crate::campaign::{Campaign, Format, JoinBy, Role};
 use crate::import::Imported;
 use crate::message::{Message, Problems};
 use crate::robots::Robot;
@@ -111,6 +111,10 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
 
 /// Targets of the robot that nobody measured.
 pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Imported, problems: &mut Problems) {
+    // what the log says it touches need not be called as the robot's target
+    if campaign.file.join.by == JoinBy::Label {
+        return;
+    }
     let mut measured: BTreeSet<String> =
         table::texts(&imported.points, "target").unwrap_or_default().into_iter().collect();
     measured.remove("");

@@ -4,6 +4,7 @@ use crate::campaign::{Campaign, Export, Format, JoinBy, Role, Selection};
 use crate::export;
 use crate::identify::ResidualKind;
 use crate::message::{Message, Problems, Result};
+use crate::table::LABEL;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::{Component, Path, PathBuf};
@@ -68,6 +69,22 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     if file.join.tolerance_s.is_some_and(|t| t < 0.0) {
         let message = Message::error("`tolerance_s` must not be negative");
         problems.0.push(message.at(campaign.place_of(&["join", "tolerance_s"])));
+    }
+    for log in &file.logs {
+        let column = log.columns.keys().find(|key| key.get_ref() == LABEL);
+        match (column, file.join.by == JoinBy::Label) {
+            (None, true) => problems.0.push(
+                Message::error(format!("a join by label needs the label of the point in log `{}`", log.name))
+                    .at(campaign.place_of(&["join", "by"]))
+                    .hint("add `label = \"name or number of the column\"` to its `columns`"),
+            ),
+            (Some(key), false) => problems.0.push(
+                Message::error("`label` means nothing for this join")
+                    .at(campaign.place(key))
+                    .hint("it belongs to `by = \"label\"`"),
+            ),
+            _ => {}
+        }
     }
     let targets: Vec<_> = file.join.targets.iter().flatten().collect();
     for (i, target) in targets.iter().enumerate() {

@@ -6,7 +6,7 @@ use crate::campaign::{Campaign, Column, Log};
 use crate::document::Source;
 use crate::message::{Message, Place, Problems, Result};
 use crate::robots::{Joint, Quantity};
-use crate::table::ASSEMBLY;
+use crate::table::{ASSEMBLY, LABEL};
 use polars::prelude::{DataFrame, NamedFrom, Series};
 
 /// Factor from a unit to mm or deg.
@@ -28,7 +28,7 @@ pub fn is_joint_column(key: &str, joint: &Joint) -> bool {
 /// What a key of `columns` becomes: the name of the column in the table, and the factor of its values.
 pub(crate) fn meaning(key: &str) -> Option<(String, f64)> {
     match key {
-        "pose" | "cycle" | "time_s" | ASSEMBLY => Some((key.to_owned(), 1.0)),
+        "pose" | "cycle" | "time_s" | LABEL | ASSEMBLY => Some((key.to_owned(), 1.0)),
         _ => {
             let (name, unit) = key.rsplit_once('_')?;
             let quantity = [Quantity::Length, Quantity::Angle].into_iter().find(|q| factor(unit, *q).is_some())?;
@@ -37,7 +37,7 @@ pub(crate) fn meaning(key: &str) -> Option<(String, f64)> {
     }
 }
 
-/// Reads a log: `row line pose cycle time_s` where stated, and the joints in mm or deg.
+/// Reads a log: `row line pose cycle time_s label` where stated, and the joints in mm or deg.
 pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Source) -> Result<DataFrame> {
     let file = log.file.get_ref().as_str();
     source.dialect = format!("delimited by `{}`, decimal `{}`", log.delimiter.name(), log.decimal.name());
@@ -84,9 +84,9 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
         let at = || campaign.place(key);
         let Some((name, factor)) = meaning(key.get_ref()) else {
             problems.0.push(
-                Message::error(format!("`{}` states no unit that a joint can have", key.get_ref()))
-                    .at(at())
-                    .expected("`pose`, `cycle`, `time_s`, or a joint with its unit like `q1_deg`, `q1_rad`, `rho1_mm`"),
+                Message::error(format!("`{}` states no unit that a joint can have", key.get_ref())).at(at()).expected(
+                    "`pose`, `cycle`, `time_s`, `label`, or a joint with its unit like `q1_deg`, `q1_rad`, `rho1_mm`",
+                ),
             );
             continue;
         };
@@ -104,6 +104,11 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
                 continue;
             }
         };
+        if name == LABEL {
+            let cell = |row: &Row| row.fields.get(index).cloned().unwrap_or_default();
+            columns.push(Series::new(LABEL.into(), all.iter().map(cell).collect::<Vec<String>>()).into());
+            continue;
+        }
         let mut values = Vec::with_capacity(count);
         for row in &all {
             let shown = lines.get(row.line - 1).copied().unwrap_or("");

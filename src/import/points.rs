@@ -1,7 +1,7 @@
 //! Points of all exports, column by column.
 
 use super::label::Pattern;
-use crate::campaign::{Campaign, Export};
+use crate::campaign::{Campaign, Export, JoinBy};
 use crate::document::{Refused, Source};
 use crate::identify::matches_pattern;
 use crate::message::{Message, Place, Problems, Result};
@@ -112,8 +112,10 @@ impl PointColumns {
         let used = used_labels(campaign);
         let geometric = campaign.file.geometric.iter().flat_map(|g| g.patterns());
         let forms: Vec<Pattern> = geometric.filter_map(|p| Pattern::parse(p.get_ref()).ok()).collect();
+        // a join by label tells which points are not touched
+        let joined = campaign.file.join.by == JoinBy::Label;
         let idle = |p: &&Point| {
-            let used = used.iter().any(|u| matches_pattern(u, &p.label));
+            let used = joined || used.iter().any(|u| matches_pattern(u, &p.label));
             p.target.is_none() && !used && !forms.iter().any(|f| f.read(&p.label).is_some())
         };
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();

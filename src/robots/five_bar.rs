@@ -176,6 +176,14 @@ impl Robot for FiveBar {
         let reached = self.reached(parameters, e).into_iter();
         reached.map(|c| vec![c.joints_rad[0], c.joints_rad[1], c.assembly]).collect()
     }
+    fn reach(&self, parameters: &[f64], near: &[f64], position: Vector) -> Option<Vec<f64>> {
+        let e = self.to_base(parameters, [position[0], position[1]]);
+        let off = |q: &[f64; 2]| q.iter().zip(near).map(|(q, n)| wrap(q - n).abs()).sum::<f64>();
+        let ways = WORKING_MODES.map(|branches| self.inverse(parameters, e, branches));
+        let whole = ways.into_iter().filter(|q| q.iter().all(|q| q.is_finite()));
+        let q = whole.min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        Some(vec![q[0], q[1], self.assembly_at(parameters, q, e)])
+    }
     fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
         Some("measure every position in all working modes that reach it, and positions all around the workspace")
     }

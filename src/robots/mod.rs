@@ -61,6 +61,12 @@ pub trait Robot: Send + Sync {
         Vec::new()
     }
 
+    /// Joint values (and the assembly mode behind them) that bring the only target to a position in the world, the way that
+    /// is nearest to the joint values `near`; `None` where it is out of reach or the model does not know.
+    fn reach(&self, _parameters: &[f64], _near: &[f64], _position: Vector) -> Option<Vec<f64>> {
+        None
+    }
+
     /// The planar model, for robots that have one: pose residuals (eq. 3.26) and orientation errors need it.
     fn planar(&self) -> Option<&Prexyt> {
         None

@@ -1,6 +1,6 @@
 //! An export in the format that the campaign states.
 
-use super::{Scene, Turn, geometric, text};
+use super::{Scene, Truth, Turn, geometric, text};
 use crate::campaign::{Dialect, Export, Format, Role};
 use crate::import;
 use crate::message::{Message, Result};
@@ -34,7 +34,7 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
         Format::Polyworks => rows.iter().map(|row| polyworks_line(row, decimals)).collect(),
         Format::Delimited(dialect) => {
             let offset_s = scene.campaign.file.join.clock_offset_s.unwrap_or(0.0);
-            delimited(&rows, dialect, decimals, offset_s).map_err(|m| m.at(place()))?
+            delimited(&rows, export, dialect, scene.truth, offset_s).map_err(|m| m.at(place()))?
         }
     };
     let read = import::points_of(scene.campaign, export, &written)?;
@@ -125,18 +125,33 @@ fn polyworks_line(row: &Row, decimals: usize) -> String {
 }
 
 /// Header rows, the last of which names the columns, and the data.
-fn delimited(rows: &[Row], dialect: &Dialect, decimals: usize, offset_s: f64) -> std::result::Result<String, Message> {
-    let line = |field: &dyn Fn(&Role) -> String| {
+fn delimited(
+    rows: &[Row],
+    export: &Export,
+    dialect: &Dialect,
+    truth: &Truth,
+    offset_s: f64,
+) -> std::result::Result<String, Message> {
+    let decimals = truth.decimals;
+    let line = |field: &mut dyn FnMut(&Role) -> String| {
         let fields: Vec<String> = dialect.columns.iter().map(field).collect();
         text::line(&fields, dialect.delimiter, dialect.comment.as_deref())
     };
     let mut all = String::new();
+    if let Some(mark) = &dialect.comment {
+        // as SpatialAnalyzer heads its ASCII points
+        let headings: Vec<&str> = dialect.columns.iter().map(|role| heading(*role)).collect();
+        all += &format!("{mark} AXES = CARTESIAN: X,  Y,  Z ({})\n", export.unit.name());
+        all += &format!("{mark} {}\n\n", headings.join(",  "));
+    }
     for remaining in (0..dialect.header).rev() {
-        all += &line(&|role| if remaining == 0 { heading(*role).to_owned() } else { "simulated".to_owned() })?;
+        all += &line(&mut |role| if remaining == 0 { heading(*role).to_owned() } else { "simulated".to_owned() })?;
     }
     let number = |value, digits| text::number(value, digits, dialect.decimal);
     for row in rows {
-        all += &line(&|role| match role {
+        let mut skipped = truth.skipped.iter();
+        let mut skip = || skipped.next().map_or("-", String::as_str).to_owned();
+        all += &line(&mut |role| match role {
             Role::Label => row.label.clone(),
             Role::Target => row.target.clone(),
             Role::Pose => row.turn.pose.to_string(),
@@ -145,7 +160,7 @@ fn delimited(rows: &[Row], dialect: &Dialect, decimals: usize, offset_s: f64) ->
             Role::Y => number(row.xyz[1], decimals),
             Role::Z => number(row.xyz[2], decimals),
             Role::TimeS => number(row.turn.time_s() + offset_s, 6),
-            Role::Skip => "-".to_owned(),
+            Role::Skip => skip(),
         })?;
     }
     Ok(all)

@@ -4,10 +4,14 @@ use super::{Scene, Turn, text};
 use crate::campaign::{Column, JoinBy, Log};
 use crate::import;
 use crate::message::{Message, Result};
-use crate::table::ASSEMBLY;
+use crate::noise::Noise;
+use crate::table::{ASSEMBLY, LABEL};
 
 /// A campaign may number columns, but not without end.
 const MOST_COLUMNS: usize = 1000;
+
+/// Stream of the noise of the contact: no file has it.
+const CONTACT: u64 = 1 << 33;
 
 /// What stands in a column.
 enum Content {
@@ -15,6 +19,7 @@ enum Content {
     Cycle,
     Time,
     Assembly,
+    Label,
     /// Index of the joint, factor from the column's unit to mm or deg, digits after the mark.
     Joint(usize, f64, usize),
 }
@@ -35,8 +40,10 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
     let mut all = if log.header { line(&header)? } else { String::new() };
     // a join by pose alone wants one row for all rounds
     let once = scene.campaign.file.join.by == JoinBy::Pose;
+    let mut contact = Noise::new(scene.truth.seed, CONTACT);
     for turn in scene.turns(if once { 1 } else { scene.truth.cycles }) {
-        let fields: Vec<String> = contents.iter().map(|c| field(scene, log, c.as_ref(), turn)).collect();
+        let joints = scene.encoders(turn, &mut contact)?;
+        let fields: Vec<String> = contents.iter().map(|c| field(scene, log, c.as_ref(), turn, &joints)).collect();
         all += &line(&fields)?;
     }
     import::log_of(scene.campaign, log, &all)?;
@@ -76,6 +83,7 @@ fn content(scene: &Scene, key: &str) -> std::result::Result<Content, Message> {
         "pose" => return Ok(Content::Pose),
         "cycle" => return Ok(Content::Cycle),
         "time_s" => return Ok(Content::Time),
+        LABEL => return Ok(Content::Label),
         ASSEMBLY if scene.robot.has_assembly_modes() => return Ok(Content::Assembly),
         _ => {}
     }
@@ -86,18 +94,16 @@ fn content(scene: &Scene, key: &str) -> std::result::Result<Content, Message> {
     Ok(Content::Joint(joint, factor, digits))
 }
 
-fn field(scene: &Scene, log: &Log, content: Option<&Content>, turn: Turn) -> String {
+fn field(scene: &Scene, log: &Log, content: Option<&Content>, turn: Turn, joints: &[f64]) -> String {
     match content {
         None => "-".to_owned(),
         Some(Content::Pose) => turn.pose.to_string(),
         Some(Content::Cycle) => turn.cycle.to_string(),
         Some(Content::Time) => text::number(turn.time_s(), 6, log.decimal),
-        Some(Content::Assembly) => {
-            let mode = scene.joints[turn.pose as usize - 1].last().copied().unwrap_or(1.0);
-            text::number(mode, 0, log.decimal)
-        }
+        Some(Content::Assembly) => text::number(joints.last().copied().unwrap_or(1.0), 0, log.decimal),
+        Some(Content::Label) => scene.truth.label_of(turn.pose).unwrap_or("-").to_owned(),
         Some(Content::Joint(joint, factor, digits)) => {
-            let q = scene.joints[turn.pose as usize - 1][*joint];
+            let q = joints[*joint];
             text::number(scene.robot.joints()[*joint].quantity.outward(q) / factor, *digits, log.decimal)
         }
     }

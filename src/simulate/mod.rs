@@ -11,6 +11,7 @@ pub use truth::{Circle, LabelledPoint, Placement, Poses, Truth};
 use crate::campaign::Campaign;
 use crate::files;
 use crate::message::{Message, Result};
+use crate::noise::Noise;
 use crate::pose::{Pose, Vector};
 use crate::robots::Robot;
 
@@ -28,6 +29,8 @@ struct Scene<'a> {
     values: Vec<f64>,
     /// Joint values of each pose, in mm and rad.
     joints: Vec<Vec<f64>>,
+    /// The point that the tool stands on at each pose, where that is stated.
+    stands: Vec<Option<Vector>>,
     export_T_world: Pose,
 }
 
@@ -57,6 +60,18 @@ impl Scene<'_> {
     /// All measurements of `cycles` rounds.
     fn turns(&self, cycles: i64) -> impl Iterator<Item = Turn> + '_ {
         (1..=cycles.saturating_mul(self.joints.len() as i64)).map(|number| self.turn(number))
+    }
+
+    /// What the encoders say at a pose: stated, or of a point that is found again with the contact's noise.
+    fn encoders(&self, turn: Turn, contact: &mut Noise) -> Result<Vec<f64>> {
+        let pose = turn.pose as usize - 1;
+        let Some(at) = self.stands[pose] else { return Ok(self.joints[pose].clone()) };
+        let stated = self.campaign.file.contact.map_or(0.0, |c| c.standard_uncertainty_mm());
+        let sigma_mm = self.truth.contact_um.map_or(stated, |um| um / 1000.0);
+        let found = at.map(|v| v + contact.gaussian(sigma_mm));
+        self.robot.reach(&self.values, &self.joints[pose], found).ok_or_else(|| {
+            Message::error(format!("pose {}: the true robot does not reach its point {at:?} mm", turn.pose)).into()
+        })
     }
 
     /// Where a target is in the world at a pose.
@@ -90,6 +105,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         robot: robot.as_ref(),
         values: truth.values(robot.as_ref())?,
         joints: truth.joint_values(robot.as_ref())?,
+        stands: truth.stands()?,
         export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),
     };
     geometric::check(&scene)?;

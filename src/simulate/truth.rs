@@ -17,6 +17,11 @@ pub struct Truth {
     pub cycles: i64,
     /// Gaussian noise of one coordinate (one standard deviation); by default the instrument's standard uncertainty.
     pub noise_um: Option<f64>,
+    /// Gaussian noise with which a coordinate of a labelled point is found again; by default that of the contact.
+    pub contact_um: Option<f64>,
+    /// What columns hold that import skips, in their order; `-` where it is not stated.
+    #[serde(default)]
+    pub skipped: Vec<String>,
     /// Digits after the decimal mark in the exports.
     #[serde(default = "six")]
     pub decimals: usize,
@@ -75,6 +80,9 @@ fn once() -> usize {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Poses {
+    /// The labelled point that the tool stands on; `joints` then say which way it is reached, and the log what the encoders
+    /// say of it.
+    pub label: Option<String>,
     /// Joint values in mm or deg.
     #[serde(default)]
     pub joints: Vec<Vec<f64>>,
@@ -98,6 +106,13 @@ pub struct Circle {
     pub count: usize,
 }
 
+impl Poses {
+    /// Number of poses.
+    fn count(&self) -> usize {
+        self.joints.len() + self.circles.iter().map(|c| c.count.saturating_mul(self.theta_deg.len())).sum::<usize>()
+    }
+}
+
 impl Truth {
     /// True values of all parameters of `robot`, in mm, rad and 1.
     pub(super) fn values(&self, robot: &dyn Robot) -> Result<Vec<f64>> {
@@ -111,6 +126,34 @@ impl Truth {
             values[i] = robot.parameters()[i].quantity.inward(*value);
         }
         Ok(values)
+    }
+
+    /// Label of the point that the tool stands on at a pose, numbered from 1.
+    pub(super) fn label_of(&self, pose: i64) -> Option<&str> {
+        let mut labels = self.poses.iter().flat_map(|p| std::iter::repeat_n(p.label.as_deref(), p.count()));
+        labels.nth(pose.max(1) as usize - 1).flatten()
+    }
+
+    /// The point that the tool stands on at each pose, where that is stated.
+    pub(super) fn stands(&self) -> Result<Vec<Option<Vector>>> {
+        let mut all = Vec::new();
+        for poses in &self.poses {
+            let at = match &poses.label {
+                None => None,
+                Some(_) if !poses.circles.is_empty() => {
+                    return Err(Message::error("`label` in [[poses]] is for `joints`, not for `circles`").into());
+                }
+                Some(label) => {
+                    Some(self.points.iter().find(|p| p.label == *label).map(|p| p.at_mm).ok_or_else(|| {
+                        let message =
+                            Message::error(format!("[[poses]] names the point `{label}`, which is no [[point]]"));
+                        message.hint_names(label, self.points.iter().map(|p| p.label.as_str()))
+                    })?)
+                }
+            };
+            all.resize(all.len() + poses.count(), at);
+        }
+        Ok(all)
     }
 
     /// Joint values of all poses, in mm and rad.

@@ -60,3 +60,47 @@ fn a_position_between_both_assembly_modes_is_an_error() {
         text_of(&refused)
     );
 }
+
+#[test]
+fn a_plate_measured_once_calibrates_from_encoders_alone_with_its_errors_kept_apart() {
+    let sample = crate::scratch::copy_sample("dextar");
+    let answered = etalon(&sample.path(), &["run", "."]);
+    assert!(answered.status.success(), "{}", text_of(&answered));
+    let read = std::fs::read_to_string(sample.path().join("out/parameters.json")).unwrap();
+    let document: etalon::document::ParametersDocument = serde_json::from_str(&read).unwrap();
+    let r = &document.residuals;
+    assert_eq!((r.stated_standard_uncertainty_mm, r.common_standard_uncertainty_mm), (Some(0.005), Some(0.00135)));
+    assert_eq!(r.uncertainties_from, etalon::identify::UncertaintyFrom::Instrument);
+    let spread = r.chi_square.unwrap() / r.degrees_of_freedom as f64;
+    assert!((0.75..1.25).contains(&spread), "{spread}");
+    // table 4.4; the world is that of three measured balls, so that base parameters may be off by their errors
+    let truth = [
+        229.7063, 229.8971, 229.8540, 229.7552, 274.8051, 230.1718, 0.0217, -0.0625, 0.2399, 263.0115, 74.5904, -0.3655,
+    ];
+    for (p, truth) in document.parameters.iter().zip(truth) {
+        let u = p.standard_uncertainty.unwrap();
+        assert!((p.value - truth).abs() < 4.0 * u, "{} {} {truth} {u}", p.name, p.value);
+    }
+}
+
+#[test]
+fn a_touched_point_that_nobody_measured_is_told_with_its_line() {
+    let sample = crate::scratch::copy_sample("dextar");
+    sample.replace("encoders.csv", "1,1,P2,4,", "1,1,P22,4,");
+    let refused = etalon(&sample.path(), &["run", "."]);
+    assert_eq!(refused.status.code(), Some(2));
+    let said = text_of(&refused);
+    assert!(said.contains("no measured point bears the label `P22`") && said.contains("encoders.csv:5"), "{said}");
+    let sample = crate::scratch::copy_sample("dextar");
+    sample.replace("campaign.toml", "label = \"ball\", ", "");
+    let said = text_of(&etalon(&sample.path(), &["check", "."]));
+    assert!(said.contains("a join by label needs the label of the point"), "{said}");
+    let sample = crate::scratch::copy_sample("dextar");
+    sample.replace("campaign.toml", "by = \"label\"", "by = [\"pose\", \"cycle\"]");
+    let said = text_of(&etalon(&sample.path(), &["check", "."]));
+    assert!(said.contains("`label` means nothing for this join"), "{said}");
+    let sample = crate::scratch::copy_sample("dextar");
+    sample.replace("campaign.toml", "repeatability_um = 15.0", "repeatability_um = 0.0");
+    let said = text_of(&etalon(&sample.path(), &["check", "."]));
+    assert!(said.contains("`repeatability_um` must be positive"), "{said}");
+}
