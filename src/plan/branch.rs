@@ -80,10 +80,17 @@ pub fn branch_and_bound(pool: &Pool, criterion: Criterion, first: Choice, nodes:
         let Some(split) = (0..fixed.len()).filter(undecided).min_by(|&a, &b| half(a).total_cmp(&half(b))) else {
             continue;
         };
-        for way in [Fixed::In, Fixed::Out] {
-            looked += 1;
+        let child = |way: Fixed| {
             let mut fixed = fixed.clone();
             fixed[split] = way;
+            let start = start_weights(&fixed, count, Some(&weights));
+            let open = decided(&fixed, count).is_none();
+            let relaxed = open.then(|| relax(pool, criterion, &fixed, count, start, STEPS.1, 1e-6)).flatten();
+            (fixed, relaxed)
+        };
+        let (with, without) = rayon::join(|| child(Fixed::In), || child(Fixed::Out));
+        for (fixed, relaxed) in [with, without] {
+            looked += 1;
             if let Some(whole) = decided(&fixed, count) {
                 let choice = Choice::of(pool, criterion, whole);
                 if choice.value > best.value {
@@ -91,8 +98,7 @@ pub fn branch_and_bound(pool: &Pool, criterion: Criterion, first: Choice, nodes:
                 }
                 continue;
             }
-            let weights = start_weights(&fixed, count, Some(&weights));
-            let Some(relaxed) = relax(pool, criterion, &fixed, count, weights, STEPS.1, 1e-6) else { continue };
+            let Some(relaxed) = relaxed else { continue };
             let rounded = ranked(&relaxed.weights, &vec![0.0; fixed.len()], &fixed, 0.0);
             if looked % 64 == 1 {
                 let taken = fixed.iter().enumerate().filter(|(_, f)| **f == Fixed::In).map(|(i, _)| i);

@@ -101,7 +101,7 @@ pub fn relax(
     best
 }
 
-/// The share to move that maximises the criterion: its derivative is brought to zero by bisection, in [0, `most`].
+/// The share to move that maximises the criterion: its derivative is brought to zero in [0, `most`].
 fn line_search(
     pool: &Pool,
     criterion: Criterion,
@@ -112,25 +112,37 @@ fn line_search(
 ) -> f64 {
     let direction = &pool.candidates[to].information - &pool.candidates[from].information;
     let more = pool.candidates[to].configurations as f64 - pool.candidates[from].configurations as f64;
-    let rises = |share: f64| {
+    let slope = |share: f64| {
         let moved = information + &direction * share;
-        let Some(t) = criterion.tangent(pool, &moved, configurations + share * more) else { return false };
+        // past where the information is singular nothing rises
+        let Some(t) = criterion.tangent(pool, &moved, configurations + share * more) else { return -1.0 };
         let below = match &t.below {
             Below::Configurations => more / (configurations + share * more),
             Below::One => 0.0,
             Below::Largest(p) => inner(p, &direction) / inner(p, &moved),
         };
-        inner(&t.above, &direction) / t.numerator > below
+        inner(&t.above, &direction) / t.numerator - below
     };
-    if rises(most) {
+    let at_most = slope(most);
+    if at_most > 0.0 {
         return most;
     }
-    let (mut low, mut high) = (0.0, most);
+    let (mut low, mut high) = ((0.0, slope(0.0)), (most, at_most));
     for _ in 0..22 {
-        let middle = 0.5 * (low + high);
-        if rises(middle) { low = middle } else { high = middle }
+        // the secant between both ends; the weight of an end that stays is halved (Illinois: Dowell & Jarratt 1971)
+        let secant = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
+        let middle = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
+        let now = slope(middle);
+        if now.abs() <= 1e-6 * low.1.abs().max(high.1.abs()) || high.0 - low.0 <= 1e-7 * most {
+            return middle;
+        }
+        if now > 0.0 {
+            (low, high.1) = ((middle, now), 0.5 * high.1);
+        } else {
+            (high, low.1) = ((middle, now), 0.5 * low.1);
+        }
     }
-    0.5 * (low + high)
+    0.5 * (low.0 + high.0)
 }
 
 fn gradient_below(tangent: &Tangent) -> bool {

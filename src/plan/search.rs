@@ -32,7 +32,7 @@ struct Base<'a> {
     criterion: Criterion,
     information: DMatrix<f64>,
     configurations: usize,
-    /// inverse, and (JᵀJ)⁻¹ W (JᵀJ)⁻¹ for variances
+    /// inverse, and (JᵀJ)⁻¹ W (JᵀJ)⁻¹ for the criteria that are variances
     inverse: DMatrix<f64>,
     kernel: DMatrix<f64>,
     log_determinant: f64,
@@ -44,29 +44,35 @@ impl<'a> Base<'a> {
         let information = pool.information(chosen);
         let factor = pool.factor(information.clone())?;
         let inverse = factor.inverse();
-        let weight = (criterion == Criterion::I).then(|| pool.workspace.clone());
-        let weight = weight.unwrap_or_else(|| DMatrix::identity(pool.parameters, pool.parameters));
+        let (kernel, variance) = match criterion {
+            Criterion::A => (&inverse * &inverse, inverse.trace()),
+            Criterion::I => (&inverse * &pool.workspace * &inverse, inner(&inverse, &pool.workspace)),
+            _ => (DMatrix::zeros(0, 0), 0.0),
+        };
         Some(Self {
             pool,
             criterion,
             configurations: pool.configurations(chosen),
-            kernel: &inverse * &weight * &inverse,
+            kernel,
             log_determinant: factor.ln_determinant(),
-            variance: inner(&inverse, &weight),
+            variance,
             inverse,
             information,
         })
+    }
+
+    /// The determinant's criterion with `candidate` added, which brings `gain` to its logarithm.
+    fn with_determinant(&self, candidate: &Candidate, gain: f64) -> f64 {
+        let mean = ((self.log_determinant + gain) / self.pool.parameters as f64).exp();
+        let configurations = self.configurations + candidate.configurations;
+        if self.criterion == Criterion::O1 { mean / configurations as f64 } else { mean }
     }
 
     /// The criterion with `candidate` added.
     fn with(&self, candidate: &Candidate) -> f64 {
         let configurations = self.configurations + candidate.configurations;
         match self.criterion {
-            Criterion::O1 | Criterion::D => {
-                let log_determinant = self.log_determinant + log_update(&self.inverse, candidate);
-                let mean = (log_determinant / self.pool.parameters as f64).exp();
-                if self.criterion == Criterion::O1 { mean / configurations as f64 } else { mean }
-            }
+            Criterion::O1 | Criterion::D => self.with_determinant(candidate, log_update(&self.inverse, candidate)),
             Criterion::A | Criterion::I => {
                 // Sherman, Morrison & Woodbury: the variance falls by tr((I + J M⁻¹ Jᵀ)⁻¹ J K Jᵀ)
                 let j = &candidate.rows;
@@ -93,14 +99,43 @@ fn log_update(inverse: &DMatrix<f64>, candidate: &Candidate) -> f64 {
 /// As long as those chosen cannot tell all parameters apart, the determinant decides, whatever the criterion.
 pub fn greedy(pool: &Pool, criterion: Criterion, start: &[usize], count: usize) -> Choice {
     let mut chosen = start.to_vec();
+    let mut gains = vec![f64::INFINITY; pool.candidates.len()];
     while chosen.len() < count.min(pool.candidates.len()) {
-        let best = |by: Criterion| best_of(&Base::new(pool, by, &chosen)?, &chosen);
+        let mut best = |by: Criterion| {
+            let base = Base::new(pool, by, &chosen)?;
+            match by {
+                Criterion::O1 | Criterion::D => best_determinant(&base, &chosen, &mut gains),
+                _ => best_of(&base, &chosen),
+            }
+        };
         match best(criterion).filter(|b| b.0 > 0.0).or_else(|| best(Criterion::D)) {
             Some((_, candidate)) => chosen.push(candidate),
             None => break,
         }
     }
     Choice::of(pool, criterion, chosen)
+}
+
+/// As [`best_of`] for determinants, without looking at all: `gains` are what candidates brought to the logarithm when they
+/// were last looked at, and never bring again, as that falls with every candidate chosen (Minoux 1978).
+fn best_determinant(base: &Base, chosen: &[usize], gains: &mut [f64]) -> Option<(f64, usize)> {
+    let candidates = &base.pool.candidates;
+    let value = |i: usize, gain: f64| base.with_determinant(&candidates[i], gain);
+    let free = (0..candidates.len()).filter(|i| !chosen.contains(i));
+    let mut hopes: Vec<(f64, usize)> = free.map(|i| (value(i, gains[i]), i)).collect();
+    hopes.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut best: Option<(f64, usize)> = None;
+    for (hope, i) in hopes {
+        if best.is_some_and(|(value, _)| hope * IMPROVEMENT < value) {
+            break;
+        }
+        gains[i] = log_update(&base.inverse, &candidates[i]);
+        let now = value(i, gains[i]);
+        if best.is_none_or(|(value, first)| now > value || now == value && i < first) {
+            best = Some((now, i));
+        }
+    }
+    best
 }
 
 /// The best candidate that is not chosen yet, with its criterion; of equal ones the first.

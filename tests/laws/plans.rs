@@ -187,6 +187,60 @@ fn seven_of_the_periphery_come_with_a_bound() {
     }
 }
 
+#[test]
+fn five_and_seven_of_the_periphery_are_proven_to_be_the_best() {
+    let robot = robot();
+    let observations = periphery(&robot);
+    for (positions, nodes) in [(5, 2000), (7, 2000)] {
+        let found = planned(&robot, &observations, positions, nodes);
+        println!(
+            "{positions}: O1 {:.6}, {} nodes, {:?} % below at most",
+            found.index,
+            found.nodes,
+            found.at_most_below_percent()
+        );
+        assert!(found.at_most_below_percent().expect("bound") < 1e-6);
+    }
+}
+
+#[test]
+fn the_proven_optimum_of_four_of_sixty_five_is_that_of_enumeration() {
+    let robot = robot();
+    let all = periphery(&robot);
+    let kept: Vec<i64> = poses(&all).into_iter().step_by(2).collect();
+    let observations: Vec<Observation> = all.into_iter().filter(|o| kept.contains(&o.pose)).collect();
+    let pool = pool(&robot, &observations, Criterion::O1);
+    let n = pool.candidates.len();
+    assert_eq!(n, 65);
+    let m = pool.parameters as f64;
+    let information: Vec<nalgebra::SMatrix<f64, 12, 12>> =
+        pool.candidates.iter().map(|c| nalgebra::SMatrix::from_column_slice(c.information.as_slice())).collect();
+    let mut best = (0.0, [0; 4]);
+    for a in 0..n {
+        for b in a + 1..n {
+            let two = information[a] + information[b];
+            for c in b + 1..n {
+                let three = two + information[c];
+                for (d, last) in information.iter().enumerate().skip(c + 1) {
+                    let Some(factor) = (three + last).cholesky() else { continue };
+                    let log: f64 = factor.l_dirty().diagonal().iter().map(|v| 2.0 * v.ln()).sum();
+                    let value = (log / m).exp() / pool.configurations(&[a, b, c, d]) as f64;
+                    if value > best.0 {
+                        best = (value, [a, b, c, d]);
+                    }
+                }
+            }
+        }
+    }
+    let thesis = greedy(&pool, Criterion::O1, &[], 4);
+    let proven = branch_and_bound(&pool, Criterion::O1, thesis, 20_000).expect("bound");
+    let mut chosen = proven.best.chosen.clone();
+    chosen.sort_unstable();
+    println!("{chosen:?} {:?}, {} nodes", best, proven.nodes);
+    assert_eq!(chosen, best.1);
+    assert!((proven.bound / proven.best.value - 1.0).abs() < 1e-8 && (proven.best.value / best.0 - 1.0).abs() < 1e-8);
+}
+
 /// Root mean square and largest error over all holes and working modes, in um.
 fn errors_um(robot: &FiveBar, found: &[f64], everywhere: &[Observation]) -> (f64, f64) {
     let error = |o: &Observation| {
