@@ -19,6 +19,7 @@ use crate::files;
 use crate::identify::Settings;
 use crate::message::{Message, Place, Problems, Result};
 use crate::robots::Robot;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
@@ -169,4 +170,14 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 /// Reads the truth of a simulation.
 pub fn read_truth(path: &Path) -> Result<crate::simulate::Truth> {
     toml_problems::parse(&path.display().to_string(), &files::read_text(path)?, &[])
+}
+
+/// Reads the true parameters alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.
+pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
+    #[derive(serde::Deserialize)]
+    struct Parameters {
+        parameters: BTreeMap<String, f64>,
+    }
+    let text = files::read_text(path)?;
+    Ok(toml_problems::parse::<Parameters>(&path.display().to_string(), &text, &["parameters"])?.parameters)
 }

@@ -8,6 +8,7 @@ mod geometric;
 mod iso9283;
 mod plan;
 mod stated;
+mod study;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
@@ -17,6 +18,7 @@ pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };
 pub use stated::{CampaignSummary, ContactSummary, ResidualSummary};
+pub use study::{CandidatePlace, StudiedParameter, StudiedPlace, StudyDocument, StudyStep};
 
 use crate::message::Message;
 use crate::pose::Vector;

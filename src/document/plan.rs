@@ -1,6 +1,6 @@
 //! The document of a plan.
 
-use super::{ObservabilitySummary, Provenance};
+use super::{CandidatePlace, ObservabilitySummary, Provenance, StudyDocument};
 use crate::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -49,6 +49,10 @@ pub struct PlanDocument {
     /// Standard uncertainty of position over all candidates that the parameters would leave; absent where the uncertainty
     /// of the instrument is not stated.
     pub workspace: Option<WorkspaceUncertainty>,
+    /// Where the candidates are (figure 4.7).
+    pub places: Vec<CandidatePlace>,
+    /// A simulated calibration with the chosen poses, where a truth is given (section 4.6).
+    pub study: Option<StudyDocument>,
     /// What cannot be told apart, and other messages.
     pub messages: Vec<Message>,
     /// Where the numbers come from.

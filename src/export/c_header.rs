@@ -67,18 +67,18 @@ fn macros(p: &ParameterEntry) -> Vec<(String, f64)> {
 }
 
 /// The shortest literal that reads back bit for bit; in parentheses where a sign could join an expression.
-fn literal(value: f64) -> String {
+pub(super) fn literal(value: f64) -> String {
     if value.is_sign_negative() { format!("({value:?})") } else { format!("{value:?}") }
 }
 
 /// Capitals, digits and underscores only.
-fn identifier(name: &str) -> String {
+pub(super) fn identifier(name: &str) -> String {
     let safe = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
     if name.is_empty() { "_".to_owned() } else { name.chars().map(safe).collect() }
 }
 
 /// Text that can neither end a comment, nor join lines, nor spell a trigraph.
-fn comment(text: &str) -> String {
+pub(super) fn comment(text: &str) -> String {
     let safe = |c: char| if c.is_ascii_alphanumeric() || " .,-_:()=+".contains(c) { c } else { '_' };
     text.chars().map(safe).collect()
 }

@@ -6,8 +6,11 @@
 mod c_header;
 mod csv;
 mod json;
+mod targets;
 #[cfg(test)]
 mod tests;
+
+pub use targets::targets;
 
 use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
 use crate::message::{Message, Problems, Result, Severity};

@@ -9,10 +9,12 @@ pub mod criterion;
 pub mod pool;
 pub mod relaxation;
 pub mod search;
+mod study;
 
 pub use criterion::Criterion;
 pub use pool::Pool;
 pub use search::Choice;
+pub use study::{PlaceError, Setting, Study, study};
 
 use crate::identify::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};
 use crate::message::{Message, Result};

@@ -12,6 +12,7 @@ mod histogram;
 mod map;
 mod number;
 mod parameters;
+mod plan;
 mod plane;
 mod points;
 mod svg;
@@ -19,6 +20,8 @@ mod tables;
 #[cfg(test)]
 mod tests;
 mod verdict;
+
+pub use plan::html as plan_html;
 
 use crate::document::{
     AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument,
@@ -74,14 +77,7 @@ struct Page<'a> {
 /// The report as one HTML page.
 pub fn html(report: &Report) -> Result<String> {
     let fail = |e: minijinja::Error| Message::error(format!("cannot write the report: {e:#}"));
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build().map_err(fail)?);
-    environment.add_filter("significant", |value: f64, digits: usize| number::significant(value, digits));
-    environment.add_filter("fixed", |value: f64, decimals: usize| number::fixed(value, decimals));
-    environment
-        .add_filter("stated", |value: f64| if value.is_finite() { value.to_string() } else { "not a number".into() });
-    environment.add_filter("one_line", |text: String| one_line(&text));
+    let mut environment = environment().map_err(fail)?;
     let page = Page {
         campaign: report.campaign,
         import: report.import,
@@ -102,6 +98,20 @@ pub fn html(report: &Report) -> Result<String> {
     environment.add_template("report.html", include_str!("report.html")).map_err(fail)?;
     let template = environment.get_template("report.html").map_err(fail)?;
     Ok(template.render(Serde(page)).map_err(fail)?)
+}
+
+/// Templates with their filters and the style that they share.
+fn environment() -> std::result::Result<Environment<'static>, minijinja::Error> {
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
+    environment.add_filter("significant", |value: f64, digits: usize| number::significant(value, digits));
+    environment.add_filter("fixed", |value: f64, decimals: usize| number::fixed(value, decimals));
+    environment
+        .add_filter("stated", |value: f64| if value.is_finite() { value.to_string() } else { "not a number".into() });
+    environment.add_filter("one_line", |text: String| one_line(&text));
+    environment.add_template("style.html", include_str!("style.html"))?;
+    Ok(environment)
 }
 
 fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {

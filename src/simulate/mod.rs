@@ -6,7 +6,7 @@ mod log;
 mod text;
 mod truth;
 
-pub use truth::{Circle, LabelledPoint, Placement, Poses, Truth};
+pub use truth::{Circle, LabelledPoint, Placement, Poses, Truth, true_values};
 
 use crate::campaign::Campaign;
 use crate::files;
@@ -103,7 +103,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         campaign,
         truth,
         robot: robot.as_ref(),
-        values: truth.values(robot.as_ref())?,
+        values: true_values(robot.as_ref(), &truth.parameters)?,
         joints: truth.joint_values(robot.as_ref())?,
         stands: truth.stands()?,
         export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),

@@ -114,20 +114,6 @@ impl Poses {
 }
 
 impl Truth {
-    /// True values of all parameters of `robot`, in mm, rad and 1.
-    pub(super) fn values(&self, robot: &dyn Robot) -> Result<Vec<f64>> {
-        let mut values = robot.nominal();
-        for (name, value) in &self.parameters {
-            let names = robot.parameters().iter().map(|p| p.name.as_str());
-            let i = robot.index(name).ok_or_else(|| {
-                Message::error(format!("[parameters] names `{name}`, which is no parameter of this robot"))
-                    .hint_names(name, names)
-            })?;
-            values[i] = robot.parameters()[i].quantity.inward(*value);
-        }
-        Ok(values)
-    }
-
     /// Label of the point that the tool stands on at a pose, numbered from 1.
     pub(super) fn label_of(&self, pose: i64) -> Option<&str> {
         let mut labels = self.poses.iter().flat_map(|p| std::iter::repeat_n(p.label.as_deref(), p.count()));
@@ -192,4 +178,18 @@ impl Truth {
         }
         Ok(all)
     }
+}
+
+/// Values of all parameters of `robot`, in mm, rad and 1, from those given by name in mm, deg and 1; others are nominal.
+pub fn true_values(robot: &dyn Robot, given: &BTreeMap<String, f64>) -> Result<Vec<f64>> {
+    let mut values = robot.nominal();
+    for (name, value) in given {
+        let names = robot.parameters().iter().map(|p| p.name.as_str());
+        let i = robot.index(name).ok_or_else(|| {
+            Message::error(format!("[parameters] names `{name}`, which is no parameter of this robot"))
+                .hint_names(name, names)
+        })?;
+        values[i] = robot.parameters()[i].quantity.inward(*value);
+    }
+    Ok(values)
 }

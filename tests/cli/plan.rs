@@ -147,3 +147,81 @@ fn an_irb120_is_planned_with_its_redundant_parameters_named() {
     );
     assert!(found.value >= found.greedy.value && found.at_most_below_percent.unwrap() < 20.0);
 }
+
+#[test]
+fn a_plan_writes_its_report_its_targets_and_a_simulated_calibration() {
+    let folder = tempfile::tempdir().unwrap();
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/dextar");
+    for file in ["robot.toml", "candidates.csv", "actual.toml", "plate.csv"] {
+        std::fs::copy(sample.join(file), folder.path().join(if file == "candidates.csv" { "c.csv" } else { file }))
+            .unwrap();
+    }
+    let wanted = ["--truth", "actual.toml", "--workspace", "plate.csv", "--report", "plan.html", "--targets", "t.json"];
+    let fixed = ["--positions", "7", "--nodes", "0", "--standard-uncertainty-um", "10"];
+    let found = plan(folder.path(), &[&fixed[..], &wanted].concat());
+    let knee = found.greedy.knee_configurations.unwrap();
+    assert!((22..=28).contains(&knee), "the thesis has its knee at about 25 configurations, here it is {knee}");
+    assert_eq!(found.places.iter().filter(|p| p.chosen).count(), 7);
+
+    // tables 4.1 to 4.3
+    let study = found.study.as_ref().unwrap();
+    for step in &study.steps {
+        println!("{} positions: rms {:.2} um, max {:.2} um", step.positions, 1e3 * step.rms_mm, 1e3 * step.max_mm);
+    }
+    assert!(study.steps.windows(2).all(|w| w[1].rms_mm < w[0].rms_mm && w[1].positions == w[0].positions + 1));
+    let last = study.steps.last().unwrap();
+    assert!(
+        last.positions == 7 && last.rms_mm < 0.0036 && last.max_mm < 0.0105 && last.rms_before_mm > 5.0,
+        "{last:?}"
+    );
+    assert!(study.parameters.iter().all(|p| (p.identified - p.actual).abs() < 0.02), "{:?}", study.parameters);
+
+    let page = std::fs::read_to_string(folder.path().join("plan.html")).unwrap();
+    let names = ["id=\"curve-title\"", "id=\"chosen-title\"", "id=\"off-mm-title\"", "id=\"map-after-xy-title\""];
+    for name in names {
+        assert!(page.contains(name), "{name}");
+    }
+    assert!(page.contains(&format!("knee: {knee}")) && !page.contains("NaN"));
+
+    // every configuration is a target, with the numbers of the plan
+    let json: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(folder.path().join("t.json")).unwrap()).unwrap();
+    let targets = json["targets"].as_array().unwrap();
+    let planned: Vec<_> = found.chosen.iter().flat_map(|p| p.configurations.iter().map(move |c| (p.pose, c))).collect();
+    assert_eq!(targets.len(), planned.len());
+    for (target, (pose, joints)) in targets.iter().zip(planned) {
+        assert_eq!(target["pose"].as_i64(), Some(pose));
+        assert!(joints.iter().all(|(column, value)| target["joints"][column].as_f64() == Some(*value)));
+    }
+    plan(folder.path(), &["--positions", "7", "--nodes", "0", "--targets", "t.h"]);
+    let header = std::fs::read_to_string(folder.path().join("t.h")).unwrap();
+    assert!(header.contains(&format!("#define ETALON_FIVE_BAR_TARGETS {}\n", targets.len())), "{header}");
+    let source = folder.path().join("t.c");
+    std::fs::write(
+        &source,
+        "#include \"t.h\"\nint main(void) { return etalon_five_bar_target_theta1_deg[0] > 1e9; }\n",
+    )
+    .unwrap();
+    match std::process::Command::new("cc").args(["-std=c99", "-fsyntax-only"]).arg(&source).status() {
+        Ok(status) => assert!(status.success()),
+        Err(_) => println!("there is no C compiler: the header is not compiled"),
+    }
+    let wrong = etalon(
+        folder.path(),
+        &[
+            "plan",
+            "--robot",
+            "robot.toml",
+            "--candidates",
+            "c.csv",
+            "--positions",
+            "7",
+            "--nodes",
+            "0",
+            "--targets",
+            "t.txt",
+        ],
+    );
+    assert_eq!(wrong.status.code(), Some(2));
+    assert!(text_of(&wrong).contains("names no format of targets"), "{}", text_of(&wrong));
+}
