@@ -78,7 +78,7 @@ pub struct StudyStep {
 pub struct StudiedPlace {
     /// Number of the pose.
     pub pose: i64,
-    /// Where the first target truly is.
+    /// Where the first target is, nominal.
     pub at_mm: Vector,
     /// Largest among its configurations and targets, nominal.
     pub max_before_mm: f64,

@@ -27,7 +27,7 @@ pub struct Setting {
 pub struct PlaceError {
     /// Number of the pose.
     pub pose: i64,
-    /// Where its first target truly is, in the first configuration (mm).
+    /// Where its first target is in the first configuration, nominal (mm).
     pub at_mm: Vector,
     /// With nominal parameters (mm).
     pub before_mm: f64,
@@ -154,7 +154,8 @@ fn errors(
             squares = (squares.0 + before_mm.powi(2), squares.1 + after_mm.powi(2));
             largest = (largest.0.max(before_mm), largest.1.max(after_mm));
             count += 1.0;
-            let first = PlaceError { pose: o.pose, at_mm, before_mm, after_mm };
+            let planned_mm = robot.position(&nominal, &o.joints, target);
+            let first = PlaceError { pose: o.pose, at_mm: planned_mm, before_mm, after_mm };
             let place = places.entry(o.pose).or_insert(first);
             (place.before_mm, place.after_mm) = (place.before_mm.max(before_mm), place.after_mm.max(after_mm));
         }

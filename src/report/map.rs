@@ -6,6 +6,7 @@ use super::plane::{self, Plane, WIDTH};
 use super::points::{self, Picture};
 use super::svg::Svg;
 use crate::document::PointError;
+use std::collections::BTreeMap;
 
 /// More marks than this hide each other.
 const LIMIT: usize = 1000;
@@ -34,7 +35,8 @@ fn map(errors: &[&PointError], axes: (usize, usize), when: &str, size: fn(&Point
     let id = format!("map-{when}-{}", plane::name(axes));
     let mut svg = Svg::new(&id, WIDTH, plane.height() + 48.0, &title, &description);
     plane.draw(&mut svg);
-    let mut drawn = points::thin(errors, LIMIT, size);
+    let single = largest_of_each_place(errors, size);
+    let mut drawn = points::thin(&single, LIMIT, size);
     // the small ones lie on top of the large ones
     drawn.sort_by(|a, b| size(b).total_cmp(&size(a)));
     for p in &drawn {
@@ -47,14 +49,30 @@ fn map(errors: &[&PointError], axes: (usize, usize), when: &str, size: fn(&Point
         title,
         svg: svg.finish(),
         caption: format!(
-            "Colour and size of the marks from 0 to {top}, a scale of this picture's own; largest error {largest}.{}",
-            points::how_many(drawn.len(), errors.len())
+            "Colour and size of the marks from 0 to {top}, a scale of this picture's own; largest error {largest}.{}{}",
+            if single.len() < errors.len() { " Of several errors at one place the largest is drawn." } else { "" },
+            points::how_many(drawn.len(), single.len())
         ),
         wide: false,
         table_title: String::new(),
         header: vec![],
         rows: vec![],
     }
+}
+
+/// Of errors at the very same place (a ball touched in several working modes) the largest: the others would hide it.
+fn largest_of_each_place<'a>(errors: &[&'a PointError], size: fn(&PointError) -> f64) -> Vec<&'a PointError> {
+    let mut places: BTreeMap<(bool, [u64; 3]), usize> = BTreeMap::new();
+    let mut largest: Vec<&PointError> = Vec::new();
+    for p in errors {
+        let place = places.entry((points::is_validation(p), p.at_mm.map(f64::to_bits))).or_insert(largest.len());
+        match largest.get_mut(*place) {
+            Some(before) if size(before) >= size(p) => {}
+            Some(before) => *before = p,
+            None => largest.push(p),
+        }
+    }
+    largest
 }
 
 fn legend(svg: &mut Svg, errors: &[&PointError], scale: &Axis, shown: Shown, top: f64) {
@@ -111,5 +129,15 @@ mod tests {
         assert!(maps[1].caption.contains("from 0 to 2.0 µm"), "{}", maps[1].caption);
         assert!(maps[3].title.contains("xz"));
         assert_eq!(maps[0].svg.matches("pose 1, cycle 1").count(), 1);
+    }
+
+    #[test]
+    fn of_several_errors_at_one_place_the_largest_is_drawn() {
+        let at = |pose, x: f64, after: f64| point(pose, [x, 0.0, 0.0], [1.0; 3], [after, 0.0, 0.0]);
+        let errors = [at(1, 5.0, 0.001), at(2, 5.0, 0.003), at(3, 5.0, 0.002), at(4, 9.0, 0.001)];
+        let map = &maps(&errors.iter().collect::<Vec<_>>(), true)[1];
+        let drawn = |pose: i64| map.svg.contains(&format!("pose {pose}, "));
+        assert_eq!([1, 2, 3, 4].map(drawn), [false, true, false, true]);
+        assert!(map.caption.contains("the largest is drawn") && !map.caption.contains("evenly chosen"));
     }
 }

@@ -6,7 +6,7 @@ use etalon::noise::Noise;
 use etalon::plan::branch::branch_and_bound;
 use etalon::plan::search::{exchange_from_many, greedy};
 use etalon::plan::{Choice, Criterion, Plan, Pool, Request, candidates, plan, pool_of};
-use etalon::robots::{FiveBar, Robot};
+use etalon::robots::{FiveBar, Robot, WORKING_MODES};
 use etalon::solve::{Factor, Svd, svd};
 
 pub const ALL: [Criterion; 9] = [
@@ -239,6 +239,57 @@ fn the_proven_optimum_of_four_of_sixty_five_is_that_of_enumeration() {
     println!("{chosen:?} {:?}, {} nodes", best, proven.nodes);
     assert_eq!(chosen, best.1);
     assert!((proven.bound / proven.best.value - 1.0).abs() < 1e-8 && (proven.best.value / best.0 - 1.0).abs() < 1e-8);
+}
+
+#[test]
+fn planned_positions_in_one_working_mode_alone_leave_parameters_that_are_named() {
+    let robot = robot();
+    let (nominal, truth) = (robot.nominal(), truth());
+    let observations = periphery(&robot);
+    let found = planned(&robot, &observations, 7, 0);
+    let places: Vec<[f64; 2]> = found
+        .chosen
+        .iter()
+        .filter_map(|&c| observations[found.members[c][0]].targets[0])
+        .map(|p| [p[0], p[1]])
+        .collect();
+    let told = |measured: &[Observation]| -> Vec<usize> {
+        let found = identify_from(&robot, measured, &settings(0.01), &nominal).expect("identified");
+        let held = found.groups.iter().flat_map(|g| g.with.iter().chain([&g.held]).copied());
+        let mut all: Vec<usize> = held.chain(found.weak.iter().flat_map(|w| w.parameters.clone())).collect();
+        all.sort_unstable();
+        all.dedup();
+        let said = found.warnings.iter().any(|w| w.what.contains("tell"));
+        assert_eq!(said, !all.is_empty(), "what is found is said: {:?}", found.warnings);
+        all
+    };
+    let mut noise = Noise::new(12, 0);
+    let all_modes = measure(&robot, &truth, &places, &mut || noise.gaussian(0.01));
+    assert_eq!(told(&all_modes), Vec::<usize>::new(), "with all working modes every parameter is told");
+    for branches in WORKING_MODES {
+        let reached = |o: &&Observation| {
+            let at = o.targets[0].map_or([0.0; 2], |p| [p[0], p[1]]);
+            let q = robot.inverse(&truth, robot.to_base(&truth, at), branches);
+            q.iter().zip(&o.joints).all(|(q, j)| (q - j).abs() < 0.01)
+        };
+        let one: Vec<Observation> = all_modes.iter().filter(reached).cloned().collect();
+        let told = told(&one);
+        let name = |i: &usize| robot.parameters()[*i].name.clone();
+        println!("{branches:?}: {} positions, {:?}", one.len(), told.iter().map(name).collect::<Vec<_>>());
+        assert!(told.len() >= 2, "{branches:?}");
+        // the combination that the data tell least: its largest share is among those named
+        let n = nominal.len();
+        let mut rows = nalgebra::DMatrix::zeros(2 * one.len(), n);
+        for (k, o) in one.iter().enumerate() {
+            let mut block = vec![0.0; 2 * n];
+            robot.jacobian(&truth, &o.joints, &mut block);
+            rows.rows_mut(2 * k, 2).copy_from(&nalgebra::DMatrix::from_row_slice(2, n, &block));
+        }
+        rows.column_iter_mut().for_each(|mut c| c /= c.norm());
+        let eigen = nalgebra::SymmetricEigen::new(rows.tr_mul(&rows));
+        let least = eigen.eigenvectors.column(eigen.eigenvalues.imin());
+        assert!(told.contains(&least.iamax()), "{branches:?}: {least}");
+    }
 }
 
 /// Root mean square and largest error over all holes and working modes, in um.
