@@ -21,12 +21,12 @@ pub fn sphere_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     settings.check(Element::Sphere)?;
     let cloud = Cloud::new(Element::Sphere, Source::Space(points.into()), settings)?;
     let (start, radius) = taubin::<4>(&cloud.thinned(SAMPLE).points().collect::<Vec<_>>());
-    let held = settings.radius_mm.map(|r| r / cloud.scale_mm);
+    let held = settings.held_radius_mm().map(|r| r / cloud.scale_mm);
     let start = [start[0], start[1], start[2], held.unwrap_or(radius)];
     let refined = refine(Ball, &cloud, start, [true, true, true, held.is_none()]);
     let [x, y, z, radius] = refined.x;
     let mut fit = refined.to_fit(Element::Sphere, &cloud, [x, y, z])?;
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.coverage_rad = Some(cap_coverage(&cloud, [x, y, z]));
-    Ok(fit.with_warnings())
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }

@@ -40,7 +40,7 @@ pub fn torus_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     fit.minor_radius_mm = Some(minor * cloud.scale_mm);
     fit.coverage_rad = Some(arc_coverage(&cloud, &chart, centre));
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Torus)));
-    Ok(fit.with_warnings())
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }
 
 /// Distances of the centre from the middle of the points that are tried, to all four sides, in units of the length

@@ -12,5 +12,6 @@ mod geometric;
 mod geometric_campaign;
 mod joins;
 mod plans;
+mod probes;
 mod robots;
 mod serial;
