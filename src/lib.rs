@@ -95,6 +95,7 @@ pub mod pipeline;
 pub mod plan;
 pub mod plausible;
 pub mod pose;
+pub mod refit;
 pub mod report;
 pub mod robots;
 pub mod scalar;

@@ -1,5 +1,6 @@
 //! What `etalon fit` answers.
 
+use super::{FitProbe, FitStated};
 use crate::fit::{Element, Enclosing, Fit};
 use crate::message::Message;
 use crate::pose::{Vector, minus, norm};
@@ -55,6 +56,12 @@ pub struct FitDocument {
     pub coverage_deg: Option<f64>,
     /// From the residuals; absent without redundancy.
     pub standard_uncertainty: Option<FitUncertainty>,
+    /// Where the points are probe centres: the probe, and the fit before compensation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probe: Option<FitProbe>,
+    /// What the file states of the feature.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stated: Option<FitStated>,
     /// How it was found.
     pub solver: FitSolver,
     /// Warnings with what to do.
@@ -123,6 +130,8 @@ impl FitDocument {
             form_mm: fit.form_mm(),
             coverage_deg: fit.coverage_deg(),
             standard_uncertainty: uncertainty,
+            probe: fit.compensation.as_ref().map(FitProbe::new),
+            stated: None,
             solver: FitSolver {
                 method: fit.method.to_owned(),
                 iterations: fit.iterations,
@@ -157,6 +166,8 @@ impl FitDocument {
             form_mm: -smallest,
             coverage_deg: None,
             standard_uncertainty: None,
+            probe: None,
+            stated: None,
             solver: FitSolver {
                 method: format!("smallest enclosing, held by {} points", found.support.len()),
                 iterations: found.iterations,

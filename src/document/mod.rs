@@ -6,6 +6,7 @@ mod answer;
 mod fit;
 mod geometric;
 mod plan;
+mod refit;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitDocument, FitSolver, FitUncertainty};
@@ -13,6 +14,7 @@ pub use geometric::*;
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };
+pub use refit::{FitProbe, FitStated};
 
 use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;

@@ -10,6 +10,8 @@ mod label;
 mod log;
 mod points;
 mod polyworks;
+pub mod qif;
+mod xml;
 
 pub use formats::propose;
 pub(crate) use label::Pattern as LabelPattern;
@@ -114,15 +116,16 @@ pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<Da
 
 /// Labels and points of a file, in millimetres; every row counts, none is refused.
 pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<(String, Vector)>> {
-    let (rows, problems) = point_rows(file, text, format);
+    let (rows, problems) = point_rows(file, text, format, unit);
     problems.check()?;
     Ok(rows.into_iter().map(|row| (row.label, row.xyz.map(|v| v * unit.in_mm()))).collect())
 }
 
 /// Rows of an export in the stated format, and what does not read.
-fn point_rows(file: &str, text: &str, format: &Format) -> (Vec<PointRow>, Problems) {
+fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<PointRow>, Problems) {
     match format {
         Format::Polyworks => polyworks::rows(file, text),
+        Format::Qif => qif::rows(file, text, unit.in_mm()),
         Format::Delimited(dialect) => delimited::point_rows(file, text, dialect),
     }
 }

@@ -49,7 +49,7 @@ impl PointColumns {
     /// Adds what can be read of the text of an export; gives what is wrong with it.
     pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &str, source: &mut Source) -> Problems {
         let file = export.file.get_ref();
-        let (rows, mut problems) = super::point_rows(file, text, &export.format);
+        let (rows, mut problems) = super::point_rows(file, text, &export.format, export.unit);
         if rows.is_empty() && problems.0.is_empty() {
             problems.0.push(Message::error(format!("`{file}` holds no points")).at(campaign.place(&export.file)));
         }

@@ -4,3 +4,4 @@ mod irb120;
 mod nist_geometry;
 mod nist_strd;
 mod prexyt;
+mod qif;
