@@ -7,6 +7,7 @@ mod fit;
 mod geometric;
 mod iso9283;
 mod plan;
+mod refit;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
 pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
@@ -15,6 +16,7 @@ pub use iso9283::*;
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };
+pub use refit::{FitProbe, FitStated};
 
 use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::message::Message;
