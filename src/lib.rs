@@ -98,6 +98,7 @@ pub mod plan;
 pub mod plausible;
 pub mod pose;
 pub mod pose_test;
+pub mod refit;
 pub mod report;
 pub mod robots;
 pub mod scalar;

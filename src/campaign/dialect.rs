@@ -9,6 +9,8 @@ use std::fmt;
 pub enum Format {
     /// PolyWorks point text: `name x y z [i j k]`, blank-separated, decimal point; name optional, quoted if it has blanks.
     Polyworks,
+    /// QIF 2.0, 2.1 or 3.0: measured features and their points, labelled by the name of the feature.
+    Qif,
     /// Delimited text.
     Delimited(Dialect),
 }
@@ -188,11 +190,12 @@ impl<'de> Deserialize<'de> for Format {
         impl<'de> Visitor<'de> for NameOrDialect {
             type Value = Format;
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("\"polyworks\" or { delimiter = .., decimal = .., columns = [..] }")
+                f.write_str("\"polyworks\", \"qif\" or { delimiter = .., decimal = .., columns = [..] }")
             }
             fn visit_str<E: de::Error>(self, name: &str) -> Result<Format, E> {
                 match name {
                     "polyworks" => Ok(Format::Polyworks),
+                    "qif" => Ok(Format::Qif),
                     _ => Err(E::invalid_value(de::Unexpected::Str(name), &self)),
                 }
             }
@@ -208,6 +211,7 @@ impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Polyworks => f.write_str("PolyWorks text"),
+            Self::Qif => f.write_str("QIF"),
             Self::Delimited(d) => {
                 write!(
                     f,

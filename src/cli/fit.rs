@@ -1,26 +1,31 @@
 //! `etalon fit`
 
+use super::fit_text::as_text;
 use super::{Verdict, print, say};
 use crate::campaign::{Decimal, Delimiter, Dialect, Format, Role, Unit};
 use crate::document::FitDocument;
-use crate::fit::{self, CircleMethod, Element, Settings};
-use crate::message::{Message, Problems};
+use crate::fit::{self, CircleMethod, Element, Probe, Settings, Side};
+use crate::message::{Message, Place, Problems};
 use crate::pose::Vector;
+use crate::refit::{ProbeStated, refit};
 use crate::{files, import, output};
-use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Fit a geometric element to the points of files
 ///
-/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --columns says otherwise.
+/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --columns says otherwise. A
+/// QIF file says itself which points belong to which feature: each measured feature is fitted and set against what the
+/// file states.
 #[derive(Debug, clap::Args)]
 pub struct Fit {
-    /// line, line2d, plane, circle2d, circle3d, sphere, cylinder, cone, torus, enclosing-circle or enclosing-sphere
+    /// line, line2d, plane, circle2d, circle3d, sphere, cylinder, cone, torus, enclosing-circle or enclosing-sphere;
+    /// without it every measured feature of QIF files
+    #[arg(value_name = "ELEMENT")]
     element: String,
     /// Files with points
-    #[arg(required = true)]
+    #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Length unit of the files: mm, m, um or inch; never guessed
+    /// Length unit of the files: mm, m, um or inch; never guessed (QIF states its own)
     #[arg(long)]
     unit: Option<String>,
     /// What the columns hold, e.g. label,x,y,z; `-` for a column that is not read
@@ -41,20 +46,68 @@ pub struct Fit {
     /// Hold the radius of a circle, sphere or cylinder
     #[arg(long, value_name = "MM")]
     radius_mm: Option<f64>,
+    /// The points are centres of a probe of this radius: the element is moved to what the probe touched
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    probe_radius_mm: Option<f64>,
+    /// Where the probe was: inside or outside; for a plane or line the direction to the probe, e.g. 0,0,1
+    #[arg(long, value_name = "SIDE", allow_hyphen_values = true)]
+    probe_side: Option<String>,
     /// Fit a circle in space by the full orthogonal distance instead of plane, projection, circle
     #[arg(long)]
     orthogonal: bool,
     /// Fit a line2d, plane or circle2d by minimum zone (Chebyshev) instead of least squares: the form of ISO 1101
-    #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal"])]
+    #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal", "probe_radius_mm", "probe_side"])]
     minimum_zone: bool,
-    /// Print JSON: an object, with --by-label a list of them
+    /// Print JSON: an object; a list of them with --by-label and for QIF
     #[arg(long)]
     json: bool,
 }
 
 impl Fit {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let points = self.read()?;
+        let texts = self.texts()?;
+        let qif = texts.iter().any(|(_, text)| import::qif::is_xml(text));
+        let documents = if qif { self.measured_features(&texts)? } else { self.groups(&texts)? };
+        for message in documents.iter().flat_map(|d| &d.messages) {
+            say(format_args!("{message}\n"));
+        }
+        match (&documents[..], self.json) {
+            ([one], true) if !self.by_label && !qif => print(output::to_json(one)?)?,
+            (all, true) => print(output::to_json(&all)?)?,
+            (all, false) => print(all.iter().map(as_text).collect::<String>())?,
+        }
+        Ok(Verdict::Met)
+    }
+
+    /// Names and texts of all files; a file may stand where the element would.
+    fn texts(&self) -> Result<Vec<(String, String)>, Problems> {
+        let first = PathBuf::from(&self.element);
+        let paths = if self.all_features() { [&[first], &self.files[..]].concat() } else { self.files.clone() };
+        let texts = paths.iter().map(|path| Ok((path.display().to_string(), files::read_text(path)?)));
+        let texts: Vec<_> = texts.collect::<Result<_, Problems>>()?;
+        if texts.is_empty() {
+            let message = Message::error(format!("`{}` is to be fitted to no file", self.element));
+            return Err(message.hint(format!("name the file: etalon fit {} FILE", self.element)).into());
+        }
+        match texts.iter().find(|(_, text)| self.all_features() && !import::qif::is_xml(text)) {
+            Some((file, _)) => {
+                let message = Message::error("the element is not stated, and the file does not say it: it is no QIF");
+                let hint = format!("state it: etalon fit ELEMENT {file}");
+                Err(message.at(Place::file(file)).hint(hint).into())
+            }
+            None => Ok(texts),
+        }
+    }
+
+    /// Whether a file stands in place of the element.
+    fn all_features(&self) -> bool {
+        let known = self.element.starts_with("enclosing-") || self.element.parse::<Element>().is_ok();
+        !known && std::path::Path::new(&self.element).is_file()
+    }
+
+    /// One fit over all points, or one for each label.
+    fn groups(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
+        let points = self.read(texts)?;
         let mut groups: Vec<(String, Vec<Vector>)> = Vec::new();
         for (label, p) in points {
             let name = if self.by_label { label } else { String::new() };
@@ -63,21 +116,90 @@ impl Fit {
                 None => groups.push((name, vec![p])),
             }
         }
-        let documents: Vec<FitDocument> =
-            groups.iter().map(|(label, points)| self.fit(label, points)).collect::<Result<_, Problems>>()?;
-        for message in documents.iter().flat_map(|d| &d.messages) {
-            say(format_args!("{message}\n"));
+        if groups.is_empty() {
+            groups.push((String::new(), Vec::new()));
         }
-        match (&documents[..], self.json) {
-            ([one], true) if !self.by_label => print(output::to_json(one)?)?,
-            (all, true) => print(output::to_json(&all)?)?,
-            (all, false) => print(all.iter().map(as_text).collect::<String>())?,
+        groups.iter().map(|(label, points)| self.fit(label, points)).collect()
+    }
+
+    /// The measured features of QIF files; one that cannot be fitted is told and left out.
+    fn measured_features(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
+        if self.radius_mm.is_some() || self.delimiter.is_some() {
+            let message = Message::error("a QIF file has neither columns nor one radius for all its features");
+            return Err(message.hint("leave out --columns, --delimiter and --radius-mm").into());
         }
-        Ok(Verdict::Met)
+        let wanted = (!self.all_features()).then(|| self.element.parse::<Element>()).transpose()?;
+        let unit = self.unit.as_deref().map(|name| word::<Unit>("--unit", name)).transpose()?;
+        let probe = ProbeStated { radius_mm: self.probe_radius_mm, side: self.side()? };
+        let mut documents = Vec::new();
+        let mut seen = Vec::new();
+        for (file, text) in texts {
+            let read = import::qif::read(file, text, unit.map(Unit::in_mm))?;
+            for message in &read.messages {
+                say(format_args!("{message}\n"));
+            }
+            for feature in &read.features {
+                seen.extend(feature.element().map(Element::name).filter(|_| !feature.points_mm.is_empty()));
+                if wanted.is_some_and(|w| feature.element() != Some(w)) {
+                    continue;
+                }
+                match refit(feature, &self.settings(None), probe) {
+                    Ok(document) => documents.extend(document),
+                    Err(problems) => say(format_args!("{problems}\n")),
+                }
+            }
+        }
+        if documents.is_empty() {
+            seen.sort_unstable();
+            seen.dedup();
+            let there = if seen.is_empty() { "none of any kind".to_owned() } else { seen.join(", ") };
+            let kind = wanted.map_or("any element", Element::name);
+            let what = format!("no measured feature was fitted as {kind}");
+            let message = Message::error(what).expected("features with points that determine them");
+            return Err(message.hint(format!("features with points in the file: {there}")).into());
+        }
+        Ok(documents)
+    }
+
+    /// What the options state, with a probe.
+    fn settings(&self, probe: Option<Probe>) -> Settings<'static> {
+        let circle = if self.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
+        Settings { radius_mm: self.radius_mm, circle, probe, ..Settings::default() }
+    }
+
+    /// The side of the probe, where it is stated.
+    fn side(&self) -> Result<Option<Side>, Problems> {
+        let Some(text) = self.probe_side.as_deref() else { return Ok(None) };
+        let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
+        match (text, numbers.as_deref()) {
+            ("inside", _) => Ok(Some(Side::Inside)),
+            ("outside", _) => Ok(Some(Side::Outside)),
+            (_, Some(&[x, y, z])) => Ok(Some(Side::Towards([x, y, z]))),
+            _ => Err(Message::error(format!("--probe-side: `{text}` is no side"))
+                .expected("inside, outside, or three numbers x,y,z towards the probe")
+                .hint("inside for a bore, outside for a shaft, 0,0,1 for a probe above a plane")
+                .into()),
+        }
+    }
+
+    /// The probe that the options state.
+    fn probe(&self) -> Result<Option<Probe>, Problems> {
+        match (self.probe_radius_mm, self.side()?) {
+            (None, None) => Ok(None),
+            (Some(radius_mm), Some(side)) => Ok(Some(Probe { radius_mm, side })),
+            (Some(_), None) => Err(Message::error("the side of the probe is not stated")
+                .expected("--probe-side inside, outside or x,y,z")
+                .hint("inside for a bore, outside for a shaft, the direction to the probe for a plane or line")
+                .into()),
+            (None, Some(_)) => Err(Message::error("--probe-side without a probe")
+                .expected("--probe-radius-mm")
+                .hint("state the qualified radius of the probe, or leave both out for contact points")
+                .into()),
+        }
     }
 
     /// Labels and points of all files, in millimetres.
-    fn read(&self) -> Result<Vec<(String, Vector)>, Problems> {
+    fn read(&self, texts: &[(String, String)]) -> Result<Vec<(String, Vector)>, Problems> {
         let unit: Unit = match &self.unit {
             Some(name) => word("--unit", name)?,
             None => {
@@ -96,14 +218,18 @@ impl Fit {
             }),
         };
         let mut all = Vec::new();
-        for path in &self.files {
-            all.extend(import::labelled_points(&path.display().to_string(), &files::read_text(path)?, &format, unit)?);
+        for (file, text) in texts {
+            all.extend(import::labelled_points(file, text, &format, unit)?);
         }
         Ok(all)
     }
 
     fn fit(&self, label: &str, points: &[Vector]) -> Result<FitDocument, Problems> {
         let label = (!label.is_empty()).then(|| label.to_owned());
+        if self.element.starts_with("enclosing-") && self.probe()?.is_some() {
+            let message = Message::error(format!("{} is not compensated for a probe", self.element));
+            return Err(message.hint("leave out --probe-radius-mm and --probe-side").into());
+        }
         match self.element.as_str() {
             "enclosing-circle" | "enclosing-sphere" if self.minimum_zone => {
                 let message = Message::error(format!("there is no minimum zone of an {}", self.element));
@@ -122,9 +248,7 @@ impl Fit {
                 if self.minimum_zone {
                     return Ok(FitDocument::minimum_zone(label, &fit::minimum_zone(element, points)?));
                 }
-                let circle = if self.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
-                let settings = Settings { radius_mm: self.radius_mm, circle, ..Settings::default() };
-                Ok(FitDocument::new(label, &fit::element(element, points, &settings)?))
+                Ok(FitDocument::new(label, &fit::element(element, points, &self.settings(self.probe()?))?))
             }
         }
     }
@@ -134,33 +258,4 @@ impl Fit {
 fn word<T: serde::de::DeserializeOwned>(option: &str, text: &str) -> Result<T, Problems> {
     let value = serde::de::value::StrDeserializer::<serde::de::value::Error>::new(text);
     T::deserialize(value).map_err(|e| Message::error(format!("{option}: {e}")).into())
-}
-
-fn as_text(document: &FitDocument) -> String {
-    let mut text = String::new();
-    let vector = |v: &Vector| format!("{:.6} {:.6} {:.6}", v[0], v[1], v[2]);
-    let label = document.label.as_deref().map(|l| format!(" `{l}`")).unwrap_or_default();
-    let _ = writeln!(text, "{}{label}: {} points", document.element, document.points);
-    let u = document.standard_uncertainty.as_ref();
-    let mut line = |name: &str, value: Option<String>, unit: &str, u: Option<f64>| {
-        if let Some(value) = value {
-            let u = u.map(|u| format!("  (u = {u:.2e} {unit})")).unwrap_or_default();
-            let _ = writeln!(text, "  {name:<12} {value} {unit}{u}");
-        }
-    };
-    let point = document.center_mm.as_ref().or(document.point_mm.as_ref());
-    let point_name = if document.center_mm.is_some() { "center" } else { "point" };
-    line(point_name, point.map(vector), "mm", u.map(|u| u.point_mm));
-    line("normal", document.normal.as_ref().map(vector), "", None);
-    line("axis", document.axis.as_ref().map(vector), "", None);
-    line("radius", document.radius_mm.map(|r| format!("{r:.6}")), "mm", u.and_then(|u| u.radius_mm));
-    line("minor radius", document.minor_radius_mm.map(|r| format!("{r:.6}")), "mm", u.and_then(|u| u.minor_radius_mm));
-    line("apex angle", document.apex_angle_deg.map(|a| format!("{a:.6}")), "deg", u.and_then(|u| u.apex_angle_deg));
-    let spread = format!("rms {:.6}, max {:.6}, form {:.6}", document.rms_mm, document.max_mm, document.form_mm);
-    line("residuals", Some(spread), "mm", None);
-    if let Some(contacts) = &document.contacts {
-        let numbers = |points: &[usize]| points.iter().map(usize::to_string).collect::<Vec<_>>().join(" ");
-        let _ = writeln!(text, "  held by      points {} and {}", numbers(&contacts.upper), numbers(&contacts.lower));
-    }
-    text
 }

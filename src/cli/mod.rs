@@ -6,6 +6,7 @@
 mod check;
 mod export;
 mod fit;
+mod fit_text;
 mod formats;
 mod identify;
 mod init;

@@ -1,5 +1,6 @@
 //! What `etalon fit` answers.
 
+use super::{FitProbe, FitStated};
 use crate::fit::{Element, Enclosing, Fit, MinimumZone};
 use crate::message::Message;
 use crate::pose::{Vector, minus, norm};
@@ -58,6 +59,12 @@ pub struct FitDocument {
     pub contacts: Option<FitContacts>,
     /// From the residuals; absent without redundancy.
     pub standard_uncertainty: Option<FitUncertainty>,
+    /// Where the points are probe centres: the probe, and the fit before compensation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probe: Option<FitProbe>,
+    /// What the file states of the feature.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stated: Option<FitStated>,
     /// How it was found.
     pub solver: FitSolver,
     /// Warnings with what to do.
@@ -139,6 +146,8 @@ impl FitDocument {
             coverage_deg: fit.coverage_deg(),
             contacts: None,
             standard_uncertainty: uncertainty,
+            probe: fit.compensation.as_ref().map(FitProbe::new),
+            stated: None,
             solver: FitSolver {
                 method: fit.method.to_owned(),
                 iterations: fit.iterations,
@@ -219,6 +228,8 @@ impl FitDocument {
             coverage_deg: None,
             contacts: None,
             standard_uncertainty: None,
+            probe: None,
+            stated: None,
             solver: FitSolver {
                 method,
                 iterations,

@@ -7,6 +7,7 @@ mod fit;
 mod geometric;
 mod iso9283;
 mod plan;
+mod refit;
 mod stated;
 mod study;
 
@@ -17,6 +18,7 @@ pub use iso9283::*;
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };
+pub use refit::{FitProbe, FitStated};
 pub use stated::{CampaignSummary, ContactSummary, ResidualSummary};
 pub use study::{CandidatePlace, StudiedParameter, StudiedPlace, StudyDocument, StudyStep};
 

@@ -26,14 +26,14 @@ pub fn circle2d_with(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
     let [x, y, radius] = refined.x;
     let mut fit = refined.to_fit(Element::Circle2d, &cloud, [x, y, 0.0], Arc::about(&chart, [x, y, 0.0]))?;
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    Ok(fit.with_warnings())
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }
 
 /// The circle through the points of `cloud` seen along the axis of `chart`.
 pub(super) fn refine_circle(cloud: &Cloud, chart: Chart, settings: &Settings) -> Refined<Disc, 3> {
     let few: Vec<Vector> = cloud.thinned(SAMPLE).points().map(|q| chart.flat(q)).collect();
     let (centre, radius) = taubin::<3>(&few);
-    let held = settings.radius_mm.map(|r| r / cloud.scale_mm);
+    let held = settings.held_radius_mm().map(|r| r / cloud.scale_mm);
     let start = [centre[0], centre[1], held.unwrap_or(radius)];
     refine(Disc { chart }, cloud, start, [true, true, held.is_none()])
 }

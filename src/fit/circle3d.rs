@@ -40,7 +40,7 @@ pub fn circle3d_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
     fit.method = "least-squares plane, projection, circle in the plane by orthogonal distance";
     fit.direction = Some(normal);
-    Ok(finished(fit, &cloud, radius))
+    finished(fit, &cloud, radius, settings)
 }
 
 /// Covariance of plane (a, b, h, u, v) and circle (a, b, r), which share no residual, taken together.
@@ -93,7 +93,7 @@ impl Surface<6, 2> for Ring {
 
 fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, settings: &Settings) -> Result<Fit> {
     let mut start = start;
-    if let Some(radius) = settings.radius_mm {
+    if let Some(radius) = settings.held_radius_mm() {
         start[5] = radius / cloud.scale_mm;
     }
     let free = [true, true, true, !axis_held, !axis_held, settings.radius_mm.is_none()];
@@ -106,10 +106,10 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
     let heights = Residuals::of(cloud, |q| [chart.seen(q, [a, b, h])[2]]);
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
-    Ok(finished(fit, cloud, radius))
+    finished(fit, cloud, radius, settings)
 }
 
-fn finished(mut fit: Fit, cloud: &Cloud, radius: f64) -> Fit {
+fn finished(mut fit: Fit, cloud: &Cloud, radius: f64, settings: &Settings) -> Result<Fit> {
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    fit.with_warnings()
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }

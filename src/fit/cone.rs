@@ -31,12 +31,12 @@ pub fn cone_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let found =
         search(&cloud, held, free, |few, chart| vec![cone_along(few, chart)], upright, |chart| Funnel { chart });
     let found = found.ok_or_else(|| no_start(Element::Cone))?;
-    let mut fit = finished(&cloud, &refine(found.surface, &cloud, found.start, free))?;
+    let mut fit = finished(&cloud, &refine(found.surface, &cloud, found.start, free), settings)?;
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cone)));
     Ok(fit)
 }
 
-fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>) -> Result<Fit> {
+fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &Settings) -> Result<Fit> {
     let chart = refined.surface.chart;
     let [a, b, h, _, _, distance, half_angle] = refined.x;
     let foot = chart.point(a, b, h);
@@ -49,7 +49,7 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>) -> Result<Fit> {
         let what = "the apex angle of the cone cannot be told from zero (k = 2)";
         fit.warnings.push(Message::warning(what).hint("fit a cylinder"));
     }
-    Ok(fit.with_warnings())
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }
 
 /// The same cone with its axis towards larger radii and its half angle between 0 and a right angle.

@@ -25,7 +25,7 @@ pub fn cylinder(points: &[Vector]) -> Result<Fit> {
 pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Cylinder)?;
     let cloud = Cloud::new(Element::Cylinder, Source::Space(points.into()), settings)?;
-    let radius = settings.radius_mm.map(|r| r / cloud.scale_mm);
+    let radius = settings.held_radius_mm().map(|r| r / cloud.scale_mm);
     let free = [true, true, false, held.is_none(), held.is_none(), radius.is_none()];
     let found = search(
         &cloud,
@@ -48,7 +48,7 @@ pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cylinder)));
-    Ok(fit.with_warnings())
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }
 
 /// The circle that the points make seen along the axis.

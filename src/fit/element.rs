@@ -1,5 +1,6 @@
 //! The elements that points are fitted by, and what may be held while fitting.
 
+use super::probe::Probe;
 use crate::message::{Message, Problems, Result};
 use crate::pose::{Vector, unit};
 use serde::{Deserialize, Serialize};
@@ -127,11 +128,14 @@ pub struct Settings<'a> {
     pub axis: Option<Vector>,
     /// How a circle in space is fitted.
     pub circle: CircleMethod,
+    /// The points are centres of this probe: the answer is what it touched, and so is a held radius.
+    pub probe: Option<Probe>,
 }
 
 impl Settings<'_> {
     /// Refuses what `element` cannot hold; gives the held axis with length one.
     pub(super) fn check(&self, element: Element) -> Result<Option<Vector>> {
+        self.probe.map_or(Ok(()), |probe| probe.check(element))?;
         if let Some(radius) = self.radius_mm {
             if !element.has_radius() {
                 return Err(refuse(format!("a {element} has no radius to hold"), "no radius", "leave the radius out"));
@@ -139,6 +143,14 @@ impl Settings<'_> {
             if !(radius.is_finite() && radius > 0.0) {
                 let hint = "state the radius in millimetres";
                 return Err(refuse(format!("the held radius is {radius} mm"), "a positive number", hint));
+            }
+            if let Some(centres) = self.held_radius_mm().filter(|centres| *centres <= 0.0) {
+                let what = format!("a probe inside a {element} of radius {radius} mm has its centres at {centres} mm");
+                return Err(refuse(
+                    what,
+                    "a probe smaller than the held radius",
+                    "state the other side, or the radius",
+                ));
             }
         }
         let Some(axis) = self.axis else { return Ok(None) };

@@ -61,7 +61,7 @@ fn fit(element: Element, points: Source, settings: &Settings) -> Result<Fit> {
         let diagonal = if flat { [0.0, place, 0.0, 0.0, tilt] } else { [place, place, 0.0, tilt, tilt] };
         fit.covariance = Some(propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm));
     }
-    Ok(fit.with_warnings())
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }
 
 /// `d` or its opposite, so that it runs from the first point to the last.

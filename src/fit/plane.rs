@@ -32,7 +32,7 @@ pub fn plane_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
         // only the height moves the plane: sideways its point may slide
         propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm)
     });
-    Ok(fit.with_warnings())
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }
 
 /// Variances of (a, b, h, u, v) of the plane, in a chart along the principal axes of the points: with uncorrelated

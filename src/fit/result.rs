@@ -3,6 +3,7 @@
 use super::cloud::Cloud;
 use super::element::Element;
 use super::lanes::{Lanes, Points};
+use super::probe::Compensation;
 use super::stream::Gather;
 use crate::message::Message;
 use crate::pose::{Vector, cross, dot, minus, norm};
@@ -147,6 +148,8 @@ pub struct Fit {
     pub coverage_rad: Option<f64>,
     /// Largest over smallest singular value of the Jacobian with columns of length one.
     pub condition: f64,
+    /// Where the points are probe centres: what was fitted to them, before it was moved to what the probe touched.
+    pub compensation: Option<Compensation>,
     /// Name of the method.
     pub method: &'static str,
     /// Steps of the solver; zero where the solution is closed.
@@ -174,6 +177,7 @@ impl Fit {
             covariance: None,
             coverage_rad: None,
             condition: 1.0,
+            compensation: None,
             method: "principal directions of the centred points",
             iterations: 0,
             termination: Termination::StepVanished,
@@ -183,7 +187,8 @@ impl Fit {
 
     /// Orthogonal distance of a point, positive outside (circle, sphere, cylinder, cone, torus), on the side of
     /// the normal (plane) or to the left (line in the plane); a line in space has distances without sign. For a
-    /// circle in space the distance from the circle within its plane; in the plane z is not looked at.
+    /// circle in space the distance from the circle within its plane; in the plane z is not looked at. Of a
+    /// compensated fit it is the distance from what the probe touched.
     pub fn residual_mm(&self, point_mm: Vector) -> f64 {
         let mut w = minus(point_mm, self.point_mm);
         if matches!(self.element, Element::Line2d | Element::Circle2d) {

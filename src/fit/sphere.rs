@@ -21,7 +21,7 @@ pub fn sphere_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     settings.check(Element::Sphere)?;
     let cloud = Cloud::new(Element::Sphere, Source::Space(points.into()), settings)?;
     let (start, radius) = taubin::<4>(&cloud.thinned(SAMPLE).points().collect::<Vec<_>>());
-    let held = settings.radius_mm.map(|r| r / cloud.scale_mm);
+    let held = settings.held_radius_mm().map(|r| r / cloud.scale_mm);
     let start = [start[0], start[1], start[2], held.unwrap_or(radius)];
     let refined = refine(Ball, &cloud, start, [true, true, true, held.is_none()]);
     let [x, y, z, radius] = refined.x;
@@ -30,5 +30,5 @@ pub fn sphere_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let cap = Cap::about([x, y, z], [mean_x, mean_y, mean_z]);
     let mut fit = refined.to_fit(Element::Sphere, &cloud, [x, y, z], cap)?;
     fit.radius_mm = Some(radius * cloud.scale_mm);
-    Ok(fit.with_warnings())
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }

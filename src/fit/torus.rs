@@ -39,7 +39,7 @@ pub fn torus_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.minor_radius_mm = Some(minor * cloud.scale_mm);
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Torus)));
-    Ok(fit.with_warnings())
+    Ok(fit.compensated(settings.probe)?.with_warnings())
 }
 
 /// Distances of the centre from the middle of the points that are tried, to all four sides, in units of the length

@@ -11,6 +11,8 @@ mod log;
 mod observations;
 mod points;
 mod polyworks;
+pub mod qif;
+mod xml;
 
 pub use formats::propose;
 pub(crate) use label::Pattern as LabelPattern;
@@ -126,6 +128,7 @@ pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> R
 fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point>, Problems) {
     match format {
         Format::Polyworks => polyworks::rows(file, text, unit),
+        Format::Qif => qif::rows(file, text, unit),
         Format::Delimited(dialect) => delimited::point_rows(file, text, dialect, unit),
     }
 }

@@ -1,6 +1,7 @@
 //! Broken campaigns: every error says what, where, what was expected, and a hint; nothing panics, nothing is written.
 
 mod check;
+mod qif;
 mod together;
 
 use crate::scratch::{Scratch, copy_sample};

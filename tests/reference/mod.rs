@@ -6,3 +6,4 @@ mod iso9283;
 mod nist_geometry;
 mod nist_strd;
 mod prexyt;
+mod qif;

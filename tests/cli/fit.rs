@@ -1,0 +1,199 @@
+//! `etalon fit`: probes, QIF, and points that determine nothing.
+
+use super::{etalon, text};
+use crate::scratch::copy_sample;
+use etalon::document::FitDocument;
+use std::fmt::Write;
+use std::process::Output;
+
+/// Points of a ball of radius 12.5 mm: centres of a probe of 2.5 mm that touched one of 10 mm from outside, or one of
+/// 15 mm from inside.
+fn ball() -> String {
+    let mut lines = String::new();
+    for i in 0..20 {
+        let ((s, c), (t, d)) = ((0.7 * f64::from(i)).sin_cos(), (0.31 * f64::from(i)).sin_cos());
+        let _ = writeln!(lines, "{:.12} {:.12} {:.12}", 12.5 * c * d, 12.5 * s * d, 12.5 * t);
+    }
+    lines
+}
+
+#[test]
+fn a_probe_is_stated_with_its_side() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("b.txt"), ball()).unwrap();
+    let run = |element: &str, rest: &[&str]| {
+        etalon(folder.path(), &[&["fit", element, "b.txt", "--unit", "mm", "--json"], rest].concat())
+    };
+    for (side, radius) in [("outside", 10.0), ("inside", 15.0)] {
+        let answered = run("sphere", &["--probe-radius-mm", "2.5", "--probe-side", side]);
+        let document: FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
+        assert!((document.radius_mm.unwrap() - radius).abs() < 1e-9, "{side}: {document:?}");
+        let probe = document.probe.unwrap();
+        assert_eq!((probe.side.as_str(), probe.radius_mm), (side, 2.5));
+        assert!((probe.uncompensated_radius_mm.unwrap() - 12.5).abs() < 1e-9);
+    }
+    let refused = |element: &str, rest: &[&str], part: &str| {
+        let output = run(element, rest);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(
+            said.contains(part) && said.contains("hint:") && output.stdout.is_empty(),
+            "{part:?} is not said: {said}"
+        );
+    };
+    refused("sphere", &["--probe-radius-mm", "2.5"], "the side of the probe is not stated");
+    refused("sphere", &["--probe-side", "inside"], "--probe-side without a probe");
+    refused("sphere", &["--probe-radius-mm", "2.5", "--probe-side", "left"], "`left` is no side");
+    refused("sphere", &["--probe-radius-mm", "2.5", "--probe-side", "0,0,1"], "has an inside");
+    refused("sphere", &["--probe-radius-mm", "13", "--probe-side", "outside"], "cannot have touched");
+    refused("sphere", &["--probe-radius-mm", "-1", "--probe-side", "outside"], "the probe radius is -1 mm");
+    refused("plane", &["--probe-radius-mm", "2.5", "--probe-side", "inside"], "has no inside");
+    refused("enclosing-sphere", &["--probe-radius-mm", "2.5", "--probe-side", "inside"], "not compensated");
+    let up = run("plane", &["--probe-radius-mm", "2.5", "--probe-side", "-0.1,-0.1,-1"]);
+    let document: FitDocument = serde_json::from_slice(&up.stdout).unwrap();
+    let (before, after) = (document.probe.unwrap().uncompensated_point_mm, document.point_mm.unwrap());
+    assert!(after[2] > before[2] || document.normal.unwrap()[2].abs() < 0.5, "the probe was below: the plane is above");
+}
+
+const UNITS: &str = "<FileUnits><PrimaryUnits><LinearUnit><UnitName>mm</UnitName><UnitConversion><Factor>0.001</Factor>\
+                     </UnitConversion></LinearUnit></PrimaryUnits></FileUnits>";
+
+/// A QIF file with a bore of 30 mm measured by a probe of 2.5 mm, without a word on its side but its nominal diameter.
+fn bore() -> String {
+    let mut points = String::new();
+    for i in 0..12 {
+        let (s, c) = f64::from(i).sin_cos();
+        let _ = write!(points, "{:.12} {:.12} 5 ", 12.5 * c, 12.5 * s);
+    }
+    format!(
+        "<QIFDocument versionQIF=\"3.0.0\">{UNITS}<CircleFeatureDefinition id=\"1\"><Diameter>30</Diameter>\
+         </CircleFeatureDefinition><CircleFeatureNominal id=\"2\"><FeatureDefinitionId>1</FeatureDefinitionId>\
+         </CircleFeatureNominal><CircleFeatureItem id=\"3\"><FeatureNominalId>2</FeatureNominalId><FeatureName>B</FeatureName>\
+         </CircleFeatureItem><CircleFeatureMeasurement id=\"4\"><FeatureItemId>3</FeatureItemId><PointList n=\"1\">\
+         <WholePointSetId>5</WholePointSetId></PointList><Location>0 0 5</Location><Normal>0 0 1</Normal>\
+         <Diameter>30.002</Diameter></CircleFeatureMeasurement><MeasuredPointSet id=\"5\" count=\"12\"><Points>{points}\
+         </Points><Compensated>false</Compensated><ProbeRadius>2.5</ProbeRadius></MeasuredPointSet></QIFDocument>"
+    )
+}
+
+#[test]
+fn qif_features_are_set_against_what_the_file_states() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("b.qif"), bore()).unwrap();
+    let answered = etalon(folder.path(), &["fit", "b.qif", "--json"]);
+    let documents: Vec<FitDocument> = serde_json::from_slice(&answered.stdout).unwrap();
+    let [document] = &documents[..] else { panic!("{documents:?}") };
+    assert_eq!((document.label.as_deref(), document.element.as_str()), (Some("B"), "circle3d"));
+    assert!((document.radius_mm.unwrap() - 15.0).abs() < 1e-9, "{document:?}");
+    let probe = document.probe.as_ref().unwrap();
+    assert_eq!((probe.side.as_str(), probe.side_from.as_deref()), ("inside", Some("from the nominal diameter")));
+    let stated = document.stated.as_ref().unwrap();
+    assert!((stated.radius_less_stated_mm.unwrap() + 0.001).abs() < 1e-9, "{stated:?}");
+    assert_eq!(stated.id, "4");
+    let lines = text(&etalon(folder.path(), &["fit", "circle3d", "b.qif"]).stdout);
+    assert!(lines.contains("from the nominal diameter") && lines.contains("fitted -1.00e-3 mm"), "{lines}");
+    let fitted = |rest: &[&str]| -> Output { etalon(folder.path(), &[&["fit", "b.qif", "--json"], rest].concat()) };
+    // what the user states goes over what the file says
+    let outside: Vec<FitDocument> = serde_json::from_slice(&fitted(&["--probe-side", "outside"]).stdout).unwrap();
+    assert!((outside[0].radius_mm.unwrap() - 10.0).abs() < 1e-9);
+    for (rest, part) in [
+        (&["--unit", "inch"][..], "the unit of the file is 1 mm, and 25.4 mm was stated"),
+        (&["--radius-mm", "15"], "neither columns nor one radius"),
+        (&["--probe-side", "0,0,1"], "has an inside"),
+    ] {
+        let refused = fitted(rest);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(text(&refused.stderr).contains(part), "{}", text(&refused.stderr));
+    }
+    let none = etalon(folder.path(), &["fit", "plane", "b.qif"]);
+    assert!(text(&none.stderr).contains("features with points in the file: circle3d"), "{}", text(&none.stderr));
+    // neither nominal, stated nor internal: the radius of the centres is no answer
+    let bare = bore().replace("Diameter>", "Depth>");
+    std::fs::write(folder.path().join("b.qif"), bare).unwrap();
+    let refused = fitted(&[]);
+    let said = text(&refused.stderr);
+    assert!(refused.status.code() == Some(2) && refused.stdout.is_empty(), "{said}");
+    assert!(said.contains("`B` is not fitted") && said.contains("--probe-side"), "{said}");
+    // other texts do not say their element
+    std::fs::write(folder.path().join("b.txt"), ball()).unwrap();
+    let said = text(&etalon(folder.path(), &["fit", "b.txt"]).stderr);
+    assert!(said.contains("the element is not stated") && said.contains("hint:"), "{said}");
+}
+
+#[test]
+fn a_campaign_reads_the_same_points_from_qif() {
+    let (polyworks, qif) = (copy_sample("prexyt-cmm"), copy_sample("prexyt-cmm"));
+    for file in ["exports/world.txt", "exports/poses.txt"] {
+        let mut features = String::new();
+        for (i, line) in std::fs::read_to_string(qif.path().join(file)).unwrap().lines().enumerate() {
+            let (name, place) = line.split_once(' ').unwrap();
+            let _ = writeln!(
+                features,
+                "<PointFeatureItem id=\"i{i}\"><FeatureName>{name}</FeatureName></PointFeatureItem>\
+                 <PointFeatureMeasurement id=\"m{i}\"><FeatureItemId>i{i}</FeatureItemId><Location>{place}</Location>\
+                 </PointFeatureMeasurement>"
+            );
+        }
+        let document = format!("<QIFDocument versionQIF=\"3.0.0\">{UNITS}\n{features}</QIFDocument>\n");
+        std::fs::write(qif.path().join(file), document).unwrap();
+    }
+    qif.replace("campaign.toml", "format = \"polyworks\"", "format = \"qif\"");
+    let observations = [&polyworks, &qif].map(|scratch| {
+        let output = etalon(scratch.root(), &["run", "campaign"]);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        std::fs::read_to_string(scratch.path().join("out/observations.csv")).unwrap()
+    });
+    assert!(observations[0] == observations[1]);
+    // the unit that the campaign states is the file's, or it is an error
+    qif.replace("campaign.toml", "unit = \"mm\"", "unit = \"inch\"");
+    let refused = etalon(qif.root(), &["check", "campaign"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("the unit of the file is 1 mm, and 25.4 mm was stated"));
+}
+
+#[test]
+fn points_that_determine_nothing_are_messages_and_never_numbers_that_are_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let row = |n: usize, p: &dyn Fn(f64) -> [f64; 3]| -> String {
+        (0..n).map(|i| p(i as f64)).map(|[x, y, z]| format!("{x:e} {y:e} {z:e}\n")).collect()
+    };
+    let ring = |size: f64, far: f64| row(24, &|i| [far + size * i.cos(), far + size * i.sin(), far + size * (i % 4.0)]);
+    let sets = [
+        ("no point", String::new()),
+        ("1 point", row(1, &|_| [1.0, 2.0, 3.0])),
+        ("2 points", row(2, &|i| [i, 2.0, 3.0])),
+        ("identical", row(9, &|_| [3.0, -4.0, 1e3])),
+        ("on a line", row(9, &|i| [i / 3.0, 1.0 - i / 7.0, i])),
+        ("in a plane", row(12, &|i| [i * i % 7.0, i, 2.0])),
+        ("1e6 mm away", ring(1.0, 1e6)),
+        ("1e-6 mm small", ring(1e-6, 0.0)),
+        ("1e-6 mm small and 1e6 mm away", ring(1e-6, 1e6)),
+        ("1e90 mm large", ring(1e90, 0.0)),
+        ("larger than any square", ring(1e200, 0.0)),
+        ("infinite", "inf 0 0\n1 2 3\n".to_owned()),
+        ("no number", "1 2 3\nnan 0 0\n".to_owned()),
+        ("too large", "1e999 0 0\n1 2 3\n".to_owned()),
+    ];
+    let elements = etalon::fit::Element::ALL.map(|e| e.name());
+    for (what, points) in &sets {
+        std::fs::write(folder.path().join("p.txt"), points).unwrap();
+        for element in elements.iter().copied().chain(["enclosing-circle", "enclosing-sphere"]) {
+            let output = etalon(folder.path(), &["fit", element, "p.txt", "--unit", "mm", "--json"]);
+            let said = text(&output.stderr);
+            assert!(!said.contains("panicked"), "{element} of {what}: {said}");
+            match output.status.code() {
+                Some(0) => {
+                    // a number that is none would be written as null, where the document wants a number
+                    let document: FitDocument = serde_json::from_slice(&output.stdout)
+                        .unwrap_or_else(|e| panic!("{element} of {what}: {e}: {}", text(&output.stdout)));
+                    let size = [document.radius_mm, document.minor_radius_mm, document.apex_angle_deg];
+                    assert!(size.into_iter().flatten().all(f64::is_finite), "{element} of {what}: {document:?}");
+                }
+                Some(2) => {
+                    assert!(said.starts_with("error: ") && output.stdout.is_empty(), "{element} of {what}: {said}")
+                }
+                code => panic!("{element} of {what}: {code:?}: {said}"),
+            }
+        }
+    }
+}
