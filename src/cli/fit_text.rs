@@ -13,8 +13,9 @@ pub(super) fn as_text(document: &FitDocument) -> String {
     let u = document.standard_uncertainty.as_ref();
     let mut line = |name: &str, value: Option<String>, unit: &str, u: Option<f64>| {
         if let Some(value) = value {
-            let u = u.map(|u| format!("  (u = {u:.2e} {unit})")).unwrap_or_default();
-            let _ = writeln!(text, "  {name:<12} {value} {unit}{u}");
+            let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+            let u = u.map(|u| format!("  (u = {}{unit})", small(u))).unwrap_or_default();
+            let _ = writeln!(text, "  {name:<12} {value}{unit}{u}");
         }
     };
     let point = document.center_mm.as_ref().or(document.point_mm.as_ref());
@@ -67,4 +68,10 @@ fn stated_lines(stated: &FitStated, mut line: impl FnMut(&str, Option<String>, &
     line("  minor radius", minor, "", None);
     let apex = stated.apex_angle_deg.map(|a| number(a) + &off(stated.apex_angle_less_stated_deg, "deg"));
     line("  apex angle", apex, "", None);
+}
+
+/// An uncertainty with three digits, as a power of ten only where it is very small.
+fn small(u: f64) -> String {
+    let decimals = 2 - u.log10().floor().clamp(-4.0, 2.0) as i32;
+    if u >= 1e-4 && u.is_finite() { format!("{u:.*}", decimals.max(0) as usize) } else { format!("{u:.2e}") }
 }

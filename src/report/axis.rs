@@ -29,6 +29,16 @@ pub(super) fn step(span: f64, count: usize) -> f64 {
     if below >= exact * (1.0 - 1e-9) { below } else { next }
 }
 
+/// Room at the left of an upright axis for its name and these labels, the widest of which decides.
+pub(super) fn left_margin(ticks: &[(f64, String)]) -> f64 {
+    const NAME: f64 = 24.0;
+    const GAP: f64 = 10.0;
+    // a digit of the reports' font is 0.6 of its 12 px wide
+    const DIGIT: f64 = 7.2;
+    let widest = ticks.iter().map(|(_, label)| label.chars().count()).max().unwrap_or(0);
+    NAME + GAP + DIGIT * widest as f64
+}
+
 impl Axis {
     /// A linear axis from `low` (drawn at `from`) to `high` (drawn at `to`).
     pub fn linear(low: f64, high: f64, from: f64, to: f64) -> Self {

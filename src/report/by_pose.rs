@@ -1,6 +1,6 @@
 //! Error by pose, before and after in one picture.
 
-use super::axis::{Axis, range};
+use super::axis::{Axis, left_margin, range};
 use super::number;
 use super::points::{self, Picture};
 use super::svg::{Shape, Svg};
@@ -9,10 +9,10 @@ use std::collections::BTreeSet;
 
 const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 340.0;
-const LEFT: f64 = 62.0;
 const RIGHT: f64 = 12.0;
 const TOP: f64 = 36.0;
 const BOTTOM: f64 = 296.0;
+const TICKS: usize = 5;
 /// More marks than this hide each other.
 const LIMIT: usize = 1500;
 /// The axis is logarithmic where the largest error before is more than this many times the median after.
@@ -54,8 +54,9 @@ fn picture(
     let description = format!("One mark for each pose, cycle and target; {kind} axis in {}.", shown.unit);
     let mut svg = Svg::new(&format!("by-pose-{quantity}"), WIDTH, HEIGHT, &title, &description);
     let poses: Vec<i64> = pairs.iter().map(|(p, _)| p.pose).collect::<BTreeSet<_>>().into_iter().collect();
-    let across = Axis::linear(-0.7, poses.len() as f64 - 0.3, LEFT, WIDTH - RIGHT);
-    draw_axes(&mut svg, &axis, &across, &poses, &format!("{quantity} error in {}", shown.unit));
+    let left = left_margin(&axis.ticks(TICKS));
+    let across = Axis::linear(-0.7, poses.len() as f64 - 0.3, left, WIDTH - RIGHT);
+    draw_axes(&mut svg, left, (&across, &axis), &poses, &format!("{quantity} error in {}", shown.unit));
     for after in [false, true] {
         for (p, s) in &pairs {
             let place = poses.binary_search(&p.pose).unwrap_or(0) as f64;
@@ -65,7 +66,7 @@ fn picture(
             svg.mark(points::shape(p), class, at, 2.8, "", &points::tooltip(p, s.0, s.1, shown));
         }
     }
-    legend(&mut svg, &drawn);
+    legend(&mut svg, left, &drawn);
     let rule = match logarithmic {
         true => "more than",
         false => "no more than",
@@ -73,6 +74,7 @@ fn picture(
     let low = axis.low() / shown.factor;
     let lower = match pairs.iter().flat_map(|(_, s)| [s.0, s.1]).filter(|&v| v < low).count() {
         0 => String::new(),
+        1 => " 1 smaller error is drawn at the lower edge.".to_owned(),
         n => format!(" {n} smaller errors are drawn at the lower edge."),
     };
     let caption = format!(
@@ -90,11 +92,11 @@ fn picture(
     })
 }
 
-fn draw_axes(svg: &mut Svg, axis: &Axis, across: &Axis, poses: &[i64], name: &str) {
-    for (value, label) in axis.ticks(5) {
+fn draw_axes(svg: &mut Svg, left: f64, (across, axis): (&Axis, &Axis), poses: &[i64], name: &str) {
+    for (value, label) in axis.ticks(TICKS) {
         let y = axis.at(value);
-        svg.line("grid", (LEFT, y), (WIDTH - RIGHT, y));
-        svg.text("end", (LEFT - 6.0, y + 4.0), &label);
+        svg.line("grid", (left, y), (WIDTH - RIGHT, y));
+        svg.text("end", (left - 6.0, y + 4.0), &label);
     }
     let stride = (super::axis::step(poses.len() as f64, 15) as usize).max(1);
     for (i, pose) in poses.iter().enumerate() {
@@ -105,19 +107,19 @@ fn draw_axes(svg: &mut Svg, axis: &Axis, across: &Axis, poses: &[i64], name: &st
             svg.text("mid", (x, BOTTOM + 17.0), &pose.to_string());
         }
     }
-    svg.line("axis", (LEFT, BOTTOM), (WIDTH - RIGHT, BOTTOM));
-    svg.line("axis", (LEFT, TOP), (LEFT, BOTTOM));
-    svg.text("mid", ((LEFT + WIDTH - RIGHT) / 2.0, BOTTOM + 36.0), "pose");
+    svg.line("axis", (left, BOTTOM), (WIDTH - RIGHT, BOTTOM));
+    svg.line("axis", (left, TOP), (left, BOTTOM));
+    svg.text("mid", ((left + WIDTH - RIGHT) / 2.0, BOTTOM + 36.0), "pose");
     svg.text_upwards((14.0, (TOP + BOTTOM) / 2.0), name);
 }
 
-fn legend(svg: &mut Svg, drawn: &[&PointError]) {
+fn legend(svg: &mut Svg, left: f64, drawn: &[&PointError]) {
     let sets = points::sets(drawn);
     let before = sets.iter().map(|&(shape, _, name)| (shape, "before", format!("{name}, before")));
     let after = sets.iter().map(|&(shape, class, name)| (shape, class, format!("{name}, after")));
     let entries: Vec<(Shape, &str, String)> = before.chain(after).collect();
     for (i, (shape, class, name)) in entries.iter().enumerate() {
-        let x = LEFT + 8.0 + 160.0 * i as f64;
+        let x = left + 8.0 + 160.0 * i as f64;
         svg.mark(*shape, class, (x, 16.0), 4.0, "", "");
         svg.text("start", (x + 10.0, 20.0), name);
     }
@@ -155,7 +157,20 @@ mod tests {
         let mut errors: Vec<_> = (0..99).map(|i| point(i, [0.0; 3], [0.5, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
         assert!(!pictures(&errors.iter().collect::<Vec<_>>())[0].caption.contains("lower edge"));
         errors[7].after_mm = [1e-9, 0.0, 0.0];
-        assert!(pictures(&errors.iter().collect::<Vec<_>>())[0].caption.contains(" 1 smaller errors are drawn"));
+        assert!(pictures(&errors.iter().collect::<Vec<_>>())[0].caption.contains(" 1 smaller error is drawn"));
+    }
+
+    #[test]
+    fn the_name_of_the_axis_stays_clear_of_the_widest_label() {
+        let mut errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [0.5; 3], [0.01; 3])).collect();
+        for p in &mut errors {
+            (p.before_deg, p.after_deg) = (Some(0.02), Some(0.000_13));
+        }
+        let svg = &pictures(&errors.iter().collect::<Vec<_>>())[1].svg;
+        let labels = svg.lines().filter(|l| l.starts_with("<text class=\"end\"") && l.contains(">0.0001<"));
+        let right: Vec<f64> = labels.filter_map(|l| l.split('"').nth(3)?.parse().ok()).collect();
+        // the name is centred at 14 and 12 high, six characters are some 42 wide
+        assert!(!right.is_empty() && right.iter().all(|x| x - 42.0 > 20.0), "{right:?}");
     }
 
     #[test]

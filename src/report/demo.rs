@@ -153,6 +153,7 @@ fn import() -> ImportDocument {
                 .at(Place::line("exports/poses.txt", 17, "K_12_3;412,331;n/a;20,001"))
                 .hint("measure the pose again, or leave it out"),
         ],
+        unmatched: vec![],
     }
 }
 

@@ -4,12 +4,15 @@ use super::axis::{Axis, range};
 use super::number::{self, Shown};
 use super::plane::{self, Plane, WIDTH};
 use super::points::{self, Picture};
-use super::svg::Svg;
+use super::svg::{Place, Svg};
 use crate::document::PointError;
 use std::collections::BTreeMap;
 
 /// More marks than this hide each other.
 const LIMIT: usize = 1000;
+
+/// Marks nearer than this, in units of the picture, lie on one another.
+const NEAR: f64 = 2.0;
 
 /// Colours of increasing error: lightness falls all the way, so that print and every eye can order them.
 const RAMP: [[f64; 3]; 4] = [[250.0, 205.0, 100.0], [226.0, 110.0, 70.0], [150.0, 40.0, 100.0], [45.0, 10.0, 75.0]];
@@ -35,10 +38,9 @@ fn map(errors: &[&PointError], axes: (usize, usize), when: &str, size: fn(&Point
     let id = format!("map-{when}-{}", plane::name(axes));
     let mut svg = Svg::new(&id, WIDTH, plane.height() + 48.0, &title, &description);
     plane.draw(&mut svg);
-    let single = largest_of_each_place(errors, size);
-    let mut drawn = points::thin(&single, LIMIT, size);
-    // the small ones lie on top of the large ones
-    drawn.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    // largest first: the small ones lie on top of the large ones
+    let seen = seen(errors, size, |p| plane.at(p.at_mm));
+    let drawn = points::thin(&seen, LIMIT, size);
     for p in &drawn {
         let share = scale.at(size(p) * shown.factor);
         let tip = points::tooltip(p, points::before_mm(p), points::after_mm(p), shown);
@@ -50,8 +52,11 @@ fn map(errors: &[&PointError], axes: (usize, usize), when: &str, size: fn(&Point
         svg: svg.finish(),
         caption: format!(
             "Colour and size of the marks from 0 to {top}, a scale of this picture's own; largest error {largest}.{}{}",
-            if single.len() < errors.len() { " Of several errors at one place the largest is drawn." } else { "" },
-            points::how_many(drawn.len(), single.len())
+            match seen.len() < errors.len() {
+                true => format!(" Of {} errors the largest at each of {} places is drawn.", errors.len(), seen.len()),
+                false => String::new(),
+            },
+            points::how_many(drawn.len(), seen.len())
         ),
         wide: false,
         table_title: String::new(),
@@ -60,19 +65,27 @@ fn map(errors: &[&PointError], axes: (usize, usize), when: &str, size: fn(&Point
     }
 }
 
-/// Of errors at the very same place (a ball touched in several working modes) the largest: the others would hide it.
-fn largest_of_each_place<'a>(errors: &[&'a PointError], size: fn(&PointError) -> f64) -> Vec<&'a PointError> {
-    let mut places: BTreeMap<(bool, [u64; 3]), usize> = BTreeMap::new();
-    let mut largest: Vec<&PointError> = Vec::new();
-    for p in errors {
-        let place = places.entry((points::is_validation(p), p.at_mm.map(f64::to_bits))).or_insert(largest.len());
-        match largest.get_mut(*place) {
-            Some(before) if size(before) >= size(p) => {}
-            Some(before) => *before = p,
-            None => largest.push(p),
+/// The errors largest first, without those that a larger one of the same set hides: repeats and orientations of a position.
+fn seen<'a>(
+    errors: &[&'a PointError],
+    size: fn(&PointError) -> f64,
+    at: impl Fn(&PointError) -> Place,
+) -> Vec<&'a PointError> {
+    let mut sorted = errors.to_vec();
+    sorted.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let mut taken: BTreeMap<(bool, i64, i64), Vec<Place>> = BTreeMap::new();
+    sorted.retain(|p| {
+        let (set, (x, y)) = (points::is_validation(p), at(p));
+        let (column, row) = ((x / NEAR) as i64, (y / NEAR) as i64);
+        let mut around = (column - 1..=column + 1).flat_map(|c| (row - 1..=row + 1).map(move |r| (set, c, r)));
+        let hidden = |other: &Place| (other.0 - x).hypot(other.1 - y) < NEAR;
+        let free = !around.any(|cell| taken.get(&cell).is_some_and(|places| places.iter().any(hidden)));
+        if free {
+            taken.entry((set, column, row)).or_default().push((x, y));
         }
-    }
-    largest
+        free
+    });
+    sorted
 }
 
 fn legend(svg: &mut Svg, errors: &[&PointError], scale: &Axis, shown: Shown, top: f64) {
@@ -117,6 +130,18 @@ mod tests {
         };
         let steps: Vec<_> = (0..=20).map(|i| lightness(f64::from(i) / 20.0)).collect();
         assert!(steps.windows(2).all(|w| w[0] > w[1] + 1.0), "{steps:?}");
+    }
+
+    #[test]
+    fn of_marks_at_one_place_the_largest_is_drawn_and_the_caption_says_so() {
+        let size = |i: i64| 0.001 * (1 + i % 7) as f64;
+        let mut errors: Vec<_> =
+            (0..15).map(|i| point(i, [0.001 * i as f64, 0.0, 0.0], [1.0; 3], [size(i), 0.0, 0.0])).collect();
+        errors.push(point(99, [100.0, 80.0, 0.0], [1.0; 3], [0.001, 0.0, 0.0]));
+        let map = &maps(&errors.iter().collect::<Vec<_>>(), true)[1];
+        assert_eq!(map.svg.matches("cycle 1").count(), 2);
+        assert!(map.svg.contains("7.00 µm after"));
+        assert!(map.caption.contains("Of 16 errors the largest at each of 2 places is drawn."), "{}", map.caption);
     }
 
     #[test]

@@ -37,18 +37,26 @@ pub(super) fn sets(accuracy: &AccuracyDocument) -> Vec<Set> {
         name: s.name.clone(),
         poses: s.poses,
         count: s.count,
-        rows: s.errors.iter().map(|e| row(e, largest_mm)).collect(),
+        rows: s.errors.iter().map(|e| row(e, largest_mm, decimals(accuracy, &e.unit, largest_mm))).collect(),
     };
     accuracy.sets.iter().map(set).collect()
 }
 
-fn row(e: &ErrorStatistics, largest_mm: f64) -> Row {
+/// Decimals of all numbers in `unit`: the smallest error after that is not zero shows three digits.
+fn decimals(accuracy: &AccuracyDocument, unit: &str, largest_mm: f64) -> usize {
+    let factor = number::shown(unit, largest_mm).factor;
+    let errors = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == unit);
+    let after = errors.flat_map(|e| all(&e.after)).map(|v| v * factor).filter(|&v| v > 0.0);
+    number::decimals(after.fold(f64::INFINITY, f64::min), 3).unwrap_or(1).clamp(1, 5)
+}
+
+fn all(s: &Statistics) -> [f64; 4] {
+    [s.mean, s.rms, s.p95, s.max]
+}
+
+fn row(e: &ErrorStatistics, largest_mm: f64, decimals: usize) -> Row {
     let Shown { unit, factor } = number::shown(&e.unit, largest_mm);
-    let all = |s: &Statistics| [s.mean, s.rms, s.p95, s.max].map(|v| v * factor);
-    // the smallest number that is not zero shows two digits
-    let smallest = all(&e.before).into_iter().chain(all(&e.after)).filter(|&v| v > 0.0).fold(f64::INFINITY, f64::min);
-    let decimals = number::decimals(smallest, 2).unwrap_or(1).clamp(1, 5);
-    let text = |s: &Statistics| all(s).map(|v| number::fixed(v, decimals));
+    let text = |s: &Statistics| all(s).map(|v| number::fixed(v * factor, decimals));
     let ratio = e.before.rms / e.after.rms;
     Row {
         quantity: e.quantity.clone(),
@@ -107,21 +115,34 @@ mod tests {
         Statistics { mean: 0.8 * size, rms: size, p95: 1.8 * size, max: 2.0 * size }
     }
 
+    fn accuracy(errors: Vec<ErrorStatistics>) -> AccuracyDocument {
+        let set = |errors| crate::document::AccuracySet { name: "validation".into(), poses: 1, count: 1, errors };
+        AccuracyDocument { schema: String::new(), definition: String::new(), sets: vec![set(errors)], limits: vec![] }
+    }
+
+    fn errors(quantity: &str, before_mm: f64, after_mm: f64) -> ErrorStatistics {
+        let (quantity, unit) = (quantity.to_owned(), "mm".to_owned());
+        ErrorStatistics { quantity, unit, before: statistics(before_mm), after: statistics(after_mm) }
+    }
+
     #[test]
     fn small_lengths_are_in_micrometres_with_the_digits_of_the_smallest() {
-        let mut errors = ErrorStatistics {
-            quantity: "position".into(),
-            unit: "mm".into(),
-            before: statistics(0.4),
-            after: statistics(0.008),
-        };
-        let small = row(&errors, 0.8);
+        let shown = |before: f64, after: f64| sets(&accuracy(vec![errors("position", before, after)])).remove(0).rows;
+        let small = &shown(0.4, 0.008)[0];
         assert_eq!((small.unit.as_str(), small.ratio.as_str()), ("µm", "50"));
-        assert_eq!(small.before, ["320.0", "400.0", "720.0", "800.0"].map(str::to_owned));
-        assert_eq!(small.after, ["6.4", "8.0", "14.4", "16.0"].map(str::to_owned));
-        assert_eq!((row(&errors, 8.0).after[1].as_str(), row(&errors, 8.0).unit.as_str()), ("0.0080", "mm"));
-        errors.after = statistics(0.0);
-        assert_eq!(row(&errors, 0.8).ratio, "");
+        assert_eq!(small.before, ["320.00", "400.00", "720.00", "800.00"].map(str::to_owned));
+        assert_eq!(small.after, ["6.40", "8.00", "14.40", "16.00"].map(str::to_owned));
+        let large = &shown(4.0, 0.008)[0];
+        assert_eq!((large.after[1].as_str(), large.unit.as_str()), ("0.00800", "mm"));
+        assert_eq!(shown(0.4, 0.0)[0].ratio, "");
+    }
+
+    #[test]
+    fn numbers_in_one_unit_have_the_same_decimals_and_three_digits_after() {
+        // the case of a robot that is better along x than in all: 0.1366 against a limit of 0.137
+        let rows = sets(&accuracy(vec![errors("position", 2.0, 0.1366), errors("x", 1.0, 0.0747)])).remove(0).rows;
+        assert_eq!((rows[0].after[1].as_str(), rows[1].after[1].as_str()), ("0.1366", "0.0747"));
+        assert_eq!(rows[0].before[1], "2.0000");
     }
 
     #[test]

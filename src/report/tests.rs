@@ -17,7 +17,7 @@ fn the_demo_page_tells_what_a_reader_needs() {
     }
     let needed = [
         "Synthetic data: ",
-        "All 2 limits of the campaign are met.",
+        "Both limits of the campaign are met.",
         "<b>2.09 → 0.0442 <small>mm</small></b>",
         "U = 2.7 µm for one coordinate (k = 2)",
         "held: the data cannot tell it apart",

@@ -42,6 +42,7 @@ pub(super) fn verdict(report: &Report) -> Verdict {
     let (class, sentence) = match (limits.len(), missed) {
         (0, _) => ("open", "The campaign states no limits.".to_owned()),
         (1, 0) => ("good", "The limit of the campaign is met.".to_owned()),
+        (2, 0) => ("good", "Both limits of the campaign are met.".to_owned()),
         (n, 0) => ("good", format!("All {n} limits of the campaign are met.")),
         (n, m) => ("bad", format!("{m} of {n} limits of the campaign {} not met.", if m == 1 { "is" } else { "are" })),
     };
@@ -102,7 +103,8 @@ mod tests {
     #[test]
     fn limits_are_judged_as_stated() {
         let mut documents = Documents::demo();
-        assert_eq!(verdict(&documents.report()).class, "good");
+        let good = verdict(&documents.report());
+        assert_eq!((good.class, good.sentence.as_str()), ("good", "Both limits of the campaign are met."));
         documents.accuracy.limits[0].met = false;
         let bad = verdict(&documents.report());
         assert_eq!((bad.class, bad.sentence.as_str()), ("bad", "1 of 2 limits of the campaign is not met."));
