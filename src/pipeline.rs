@@ -8,7 +8,7 @@ use crate::identify::{self, Identification, Observation};
 use crate::message::{Message, Result};
 use crate::output::Output;
 use crate::parameters::parameters_document;
-use crate::plausible::implausible;
+use crate::plausible::doubts;
 use crate::robots::Robot;
 use crate::{export, frames, geometry, join, report};
 
@@ -43,6 +43,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     let joined = join::join(campaign, &imported, &frames, robot.as_ref())?;
     imported.document.messages.extend(features.messages.clone());
     imported.document.messages.extend(joined.messages.clone());
+    imported.document.unmatched = joined.unmatched;
 
     // identify: observations become parameters
     let (calibration, validation) = campaign.selections()?;
@@ -66,7 +67,8 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     found.warnings.splice(0..0, messages);
     // evaluate: errors before and after
     let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
-    found.warnings.splice(0..0, implausible(robot.as_ref(), &found.values, &errors));
+    let doubts = doubts(robot.as_ref(), &sets.calibration, &settings, &found, &errors);
+    found.warnings.splice(0..0, doubts);
     let parameters = parameters_document(robot.as_ref(), &settings, &before, &found, &imported.document.inputs());
     let accuracy = evaluate::evaluate(robot.as_ref(), &errors, &campaign.file.limits)?;
 

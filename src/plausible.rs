@@ -1,9 +1,10 @@
 //! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
 
 use crate::document::PointError;
+use crate::identify::{Identification, Observation, Settings, chi_square_exceeds, suspects};
 use crate::message::Message;
 use crate::pose::{centroid, minus, norm};
-use crate::robots::{Quantity, Robot, Role};
+use crate::robots::{Parameter, Quantity, Robot, Role};
 
 /// Gains and couplings further than this from nominal are no errors of a transmission.
 const RATIO: f64 = 0.1;
@@ -12,9 +13,33 @@ const LEFT: f64 = 0.02;
 /// Errors after over errors before beyond which it is not noise that makes an already good robot look no better.
 const WORSE: f64 = 1.1;
 
+/// What to say of `found` and the errors that it leaves: errors where it can be no robot, and which of the observations to
+/// look at first where they do not fit.
+pub fn doubts(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+    errors: &[PointError],
+) -> Vec<Message> {
+    let mut messages = implausible(robot, &found.values, errors);
+    let misfit = match found.chi_square {
+        Some(chi_square) => chi_square_exceeds(chi_square, found.degrees_of_freedom),
+        None => !messages.is_empty(),
+    };
+    if misfit {
+        messages.extend(suspects(robot, observations, settings, found));
+    }
+    messages
+}
+
 /// Errors to say with the parameters `values` and the errors that they leave; empty where the result is plausible.
-pub fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<Message> {
+fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<Message> {
     let mut messages = Vec::new();
+    if let Some((p, value)) = exchanged(robot, values) {
+        let what = format!("K and L are exchanged: `{}`, their distance, is {value:.3} {}", p.name, p.quantity.unit());
+        return vec![Message::error(what).hint("exchange the names of the two targets in the labels of the export")];
+    }
     for (p, value) in robot.parameters().iter().zip(values) {
         if p.role == Role::Robot && p.quantity == Quantity::Ratio && (value - p.nominal).abs() > RATIO {
             messages.push(
@@ -51,4 +76,11 @@ pub fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> 
         }
     }
     messages
+}
+
+/// The distance of K and L where it came out negative: each was measured where the other is.
+fn exchanged<'r>(robot: &'r dyn Robot, values: &[f64]) -> Option<(&'r Parameter, f64)> {
+    let i = robot.planar().and(robot.index("l_kl"))?;
+    let p = &robot.parameters()[i];
+    (values[i] * p.nominal < 0.0).then_some((p, values[i]))
 }

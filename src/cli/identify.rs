@@ -7,7 +7,7 @@ use crate::evaluate::{self, Sets};
 use crate::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
 use crate::message::{Message, Problems};
 use crate::parameters::parameters_document;
-use crate::plausible::implausible;
+use crate::plausible::doubts;
 use crate::{files, import, output, table};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -76,7 +76,8 @@ impl Identify {
         found.warnings.splice(0..0, messages);
         let sets = Sets { calibration: observations, validation: Vec::new() };
         let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
-        found.warnings.splice(0..0, implausible(robot.as_ref(), &found.values, &errors));
+        let doubts = doubts(robot.as_ref(), &sets.calibration, &settings, &found, &errors);
+        found.warnings.splice(0..0, doubts);
         let mut inputs = BTreeMap::new();
         for path in [&self.robot, &self.observations] {
             inputs.insert(path.display().to_string(), files::sha256(&files::read(path)?));

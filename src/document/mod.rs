@@ -40,6 +40,23 @@ pub struct ImportDocument {
     pub sources: Vec<Source>,
     /// What blunder rules found, and other messages.
     pub messages: Vec<Message>,
+    /// Rows that the join of points and logs found no partner for, or more than one.
+    #[serde(default)]
+    pub unmatched: Vec<Unmatched>,
+}
+
+/// A row without a partner in the join, or with more than one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Unmatched {
+    /// Its file, as the campaign names it.
+    pub file: String,
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// Its key in words: pose and cycle, row, or time.
+    pub key: String,
+    /// What it has no partner in, or how many partners it has.
+    pub reason: String,
 }
 
 /// One file that was read.

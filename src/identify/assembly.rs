@@ -60,20 +60,38 @@ pub(super) fn assign_modes(
     }))
 }
 
+/// Observations that the parameters `values` put far from where they were measured in the assembly mode that they state,
+/// and near in the other; how far in both, in mm. Empty where most are: the base then stands elsewhere.
+pub(super) fn misplaced<'o>(
+    robot: &dyn Robot,
+    observations: &'o [Observation],
+    values: &[f64],
+) -> Vec<(&'o Observation, (f64, f64))> {
+    if !robot.has_assembly_modes() {
+        return Vec::new();
+    }
+    let both = |o: &'o Observation| {
+        let mode = *o.joints.last()?;
+        let (stated, other) = (off(robot, values, o, mode), off(robot, values, o, -mode));
+        (CLEAR * other < stated).then_some((o, (stated, other)))
+    };
+    let wrong: Vec<_> = observations.iter().filter_map(both).collect();
+    if 2 * wrong.len() < observations.len() { wrong } else { Vec::new() }
+}
+
+/// How far the farthest target was measured from where `values` put it in an assembly mode, mm.
+fn off(robot: &dyn Robot, values: &[f64], o: &Observation, mode: f64) -> f64 {
+    let mut joints = o.joints[..robot.joints().len()].to_vec();
+    joints.push(mode);
+    let miss =
+        |(k, measured): (usize, &Option<Vector>)| Some(norm(minus((*measured)?, robot.position(values, &joints, k))));
+    let larger = |worst: f64, d: f64| if d > worst || d.is_nan() { d } else { worst };
+    o.targets.iter().enumerate().filter_map(miss).fold(0.0, larger)
+}
+
 /// The mode that fits better, and by how much both are off.
 fn nearer(robot: &dyn Robot, nominal: &[f64], o: &Observation) -> Result<(f64, f64, f64)> {
-    let off = |mode: f64| {
-        let joints = [&o.joints[..], &[mode]].concat();
-        let miss = |(k, measured): (usize, &Option<Vector>)| {
-            Some(norm(minus((*measured)?, robot.position(nominal, &joints, k))))
-        };
-        o.targets
-            .iter()
-            .enumerate()
-            .filter_map(miss)
-            .fold(0.0f64, |worst, d| if d > worst || d.is_nan() { d } else { worst })
-    };
-    let (plus, minus) = (off(1.0), off(-1.0));
+    let (plus, minus) = (off(robot, nominal, o, 1.0), off(robot, nominal, o, -1.0));
     let (mode, near_mm, far_mm) = if minus < plus { (-1.0, minus, plus) } else { (1.0, plus, minus) };
     let at = || format!("pose {} cycle {}", o.pose, o.cycle);
     if !near_mm.is_finite() || !far_mm.is_finite() {

@@ -10,6 +10,8 @@ mod predict;
 mod residuals;
 mod settle;
 mod start;
+mod stopped;
+mod suspects;
 mod uncertainty;
 
 pub use assembly::stated_modes;
@@ -19,6 +21,7 @@ pub use observability::{Observability, WeakGroup};
 pub use observation::Observation;
 pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use residuals::ResidualKind;
+pub use suspects::suspects;
 pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
 
 use crate::message::{Message, Result};

@@ -45,9 +45,7 @@ impl<'a> Residuals<'a> {
         values: &[f64],
     ) -> Result<Self> {
         if free.is_empty() {
-            return Err(Message::error("no parameter is left to identify")
-                .hint("hold fewer parameters, and check that nominal values and joint values give positions that are numbers")
-                .into());
+            return Err(Message::error("no parameter is left to identify").hint("hold fewer parameters").into());
         }
         let planar = match settings.kind {
             ResidualKind::Targets => None,

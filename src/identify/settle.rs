@@ -2,6 +2,7 @@
 
 use super::identifiability::{Analysis, Group, useless_beyond};
 use super::residuals::Residuals;
+use super::stopped::{nothing_left, stopped};
 use super::{Observation, Settings};
 use crate::message::{Message, Result};
 use crate::robots::{Quantity, Robot};
@@ -66,9 +67,9 @@ fn rounds(
     start: Vec<f64>,
     held: Option<Vec<usize>>,
 ) -> Result<Settled> {
-    let mut values = start;
+    let mut values = start.clone();
     let mut iterations = 0;
-    let mut wanted = wanted.to_vec();
+    let (asked, mut wanted) = (wanted, wanted.to_vec());
     // what a solution told to be useless stays held: at nominal it may look better than it is
     let mut useless: Vec<Group> = Vec::new();
     let mut held = match held {
@@ -82,6 +83,9 @@ fn rounds(
     };
     for _round in 0..ROUNDS {
         let free = without(&wanted, &held);
+        if free.is_empty() {
+            return Err(nothing_left(robot, observations, &start).into());
+        }
         for &i in &held {
             values[i] = robot.parameters()[i].nominal;
         }
@@ -91,9 +95,7 @@ fn rounds(
         iterations += solution.iterations;
         values = problem.all(&solution.x);
         if !solution.termination.is_success() {
-            return Err(Message::error(format!("the identification ended without a result: {}", solution.termination))
-                .hint("check units, order and signs of the joints and the nominal parameters; `hold` in [identify] holds parameters")
-                .into());
+            return Err(stopped(robot, observations, settings, asked, &start, solution.termination));
         }
         wanted.retain(|&i| useless.iter().all(|g| g.held != i));
         let all = Residuals::new(robot, observations, settings, &wanted, &values)?;
@@ -137,6 +139,9 @@ fn anchored(
     let all = Residuals::new(robot, observations, settings, wanted, start)?;
     let analysis = Analysis::at(&all, start, 0.0);
     let free = without(wanted, &held_by(&analysis.groups));
+    if free.is_empty() {
+        return Err(nothing_left(robot, observations, start).into());
+    }
     let residuals = Residuals::new(robot, observations, settings, &free, start)?;
     let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
     let weights = free.iter().map(|&i| ANCHOR_MM / residuals.unit / useless_beyond(&robot.parameters()[i])).collect();

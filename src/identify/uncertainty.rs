@@ -88,6 +88,8 @@ pub(super) fn conclude(
     };
     if let Some(chi) = rejected {
         warnings.push(rejection(chi, dof, enlarged_by, uncertainty_from));
+    } else if let Some(chi) = chi_square.filter(|&chi| falls_short(chi, dof)) {
+        warnings.push(shortfall(chi, dof));
     }
 
     let mut plain = vec![0.0; m];
@@ -124,6 +126,20 @@ pub(super) fn conclude(
 /// Whether chi-square is too large for the degrees of freedom: a right model has it once in a thousand times.
 pub fn exceeds(chi_square: f64, dof: usize) -> bool {
     ChiSquared::new(dof as f64).is_ok_and(|d| d.sf(chi_square) < REJECT)
+}
+
+/// Whether chi-square is too small for the degrees of freedom: with the stated uncertainty once in a thousand times.
+fn falls_short(chi_square: f64, dof: usize) -> bool {
+    ChiSquared::new(dof as f64).is_ok_and(|d| d.cdf(chi_square) < REJECT)
+}
+
+fn shortfall(chi_square: f64, dof: usize) -> Message {
+    Message::warning(format!(
+        "residuals are {:.2} times what the instrument's uncertainty explains (chi-square {chi_square:.1} for {dof} degrees \
+         of freedom): the stated uncertainty is larger than the residuals show, and standard uncertainties are too large with it",
+        (chi_square / dof as f64).sqrt()
+    ))
+    .hint("check the instrument's uncertainty, its unit and its coverage factor; errors common to all poses do not show in residuals")
 }
 
 fn rejection(chi_square: f64, dof: usize, enlarged_by: f64, from: UncertaintyFrom) -> Message {

@@ -97,6 +97,7 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
         campaign: campaign.file.name.clone(),
         sources,
         messages,
+        unmatched: Vec::new(),
     };
     let points = columns.table().unwrap_or_else(|more| {
         problems.0.extend(more.0);

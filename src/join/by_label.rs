@@ -1,5 +1,7 @@
 //! The log says which measured point the robot touches: a plate measured once, then encoders alone.
 
+use super::unmatched::Rows;
+use super::{Log, Said};
 use crate::campaign::Campaign;
 use crate::document::FramesDocument;
 use crate::message::{Message, Place, Problems, Result};
@@ -15,10 +17,11 @@ pub(super) fn by_label(
     campaign: &Campaign,
     points: &DataFrame,
     frames: &FramesDocument,
-    (name, log): (&str, &DataFrame),
+    log: Log,
     robot: &dyn Robot,
-    messages: &mut Vec<Message>,
+    said: &mut Said,
 ) -> Result<DataFrame> {
+    let Log { name, file, rows: log } = log;
     let [target] = robot.targets() else {
         let what = format!("a join by label is for robots with one target, this has {}", robot.targets().len());
         return Err(Message::error(what).into());
@@ -29,7 +32,6 @@ pub(super) fn by_label(
     };
     let measured = means(points)?;
     let world_T_export = frame.export_T_world.inverse();
-    let file = campaign.file.logs.iter().find(|l| l.name == name).map_or(name, |l| l.file.get_ref());
     let (touched, lines) = (table::texts(log, LABEL)?, table::integers(log, "line")?);
     let (mut problems, mut at) = (Problems::default(), Vec::<Vector>::new());
     for (label, line) in touched.iter().zip(lines) {
@@ -49,7 +51,13 @@ pub(super) fn by_label(
     let idle: Vec<&str> = measured.keys().filter(idle).map(String::as_str).collect();
     if let Some(first) = idle.first() {
         let what = format!("points that no row of log `{name}` touches: {}, the first is `{first}`", idle.len());
-        messages.push(Message::warning(what));
+        said.messages.push(Message::warning(what));
+        let places = Rows::points(points)?;
+        for (row, label) in table::texts(points, LABEL)?.into_iter().enumerate() {
+            if idle.contains(&label.as_str()) {
+                said.unmatched.push(places.unmatched(row, label, &format!("no row of log `{name}` touches it")));
+            }
+        }
     }
     let mut joined = log.clone();
     let rows = joined.height();

@@ -2,9 +2,10 @@
 
 mod by_label;
 mod by_time;
+mod unmatched;
 
 use crate::campaign::{Campaign, JoinBy};
-use crate::document::FramesDocument;
+use crate::document::{FramesDocument, Unmatched};
 use crate::import::Imported;
 use crate::message::{Message, Problems, Result};
 use crate::pose::{Pose, Vector};
@@ -14,30 +15,49 @@ use by_label::by_label;
 use by_time::by_time;
 use polars::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
+use unmatched::{Rows, key_in_words};
 
 /// Observations by log, and what found no partner.
 #[derive(Clone, Debug)]
 pub struct Joined {
     /// Name of each log and its observations: `pose cycle target x_mm y_mm [z_mm]` and the joints.
     pub observations: Vec<(String, DataFrame)>,
-    /// Rows without a partner.
+    /// What found no partner or two, in short.
     pub messages: Vec<Message>,
+    /// The same row by row.
+    pub unmatched: Vec<Unmatched>,
+}
+
+/// What a join says beside its observations.
+#[derive(Default)]
+struct Said {
+    messages: Vec<Message>,
+    unmatched: Vec<Unmatched>,
+}
+
+/// A log: its name, its file and its rows.
+#[derive(Clone, Copy)]
+struct Log<'a> {
+    name: &'a str,
+    file: &'a str,
+    rows: &'a DataFrame,
 }
 
 /// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
 pub fn join(campaign: &Campaign, imported: &Imported, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
-    let (mut messages, mut problems) = (Vec::new(), Problems::default());
-    let points = targets_in_world(imported, frames, robot, &mut messages)?;
+    let (mut said, mut problems) = (Said::default(), Problems::default());
+    let points = targets_in_world(imported, frames, robot, &mut said)?;
     let mut observations = Vec::new();
-    for (name, log) in &imported.logs {
+    for ((name, rows), stated) in imported.logs.iter().zip(&campaign.file.logs) {
+        let log = Log { name, file: stated.file.get_ref(), rows };
         let joined = match campaign.file.join.by {
-            JoinBy::Label => by_label(campaign, &imported.points, frames, (name, log), robot, &mut messages),
-            _ => with_log(campaign, imported, &points, (name, log), &mut messages),
+            JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot, &mut said),
+            _ => with_log(campaign, imported, &points, log, &mut said),
         };
         match joined.and_then(|joined| tidy(joined, robot)) {
             Ok(table) => {
                 if observations.is_empty() {
-                    messages.extend(incomplete(&table, robot)?);
+                    said.messages.extend(incomplete(&table, robot)?);
                 }
                 observations.push((name.clone(), table));
             }
@@ -45,7 +65,7 @@ pub fn join(campaign: &Campaign, imported: &Imported, frames: &FramesDocument, r
         }
     }
     problems.check()?;
-    Ok(Joined { observations, messages })
+    Ok(Joined { observations, messages: said.messages, unmatched: said.unmatched })
 }
 
 /// Joins targets in the world with one log, by the key that the campaign states.
@@ -53,26 +73,26 @@ fn with_log(
     campaign: &Campaign,
     imported: &Imported,
     points: &DataFrame,
-    (name, log): (&str, &DataFrame),
-    messages: &mut Vec<Message>,
+    log: Log,
+    said: &mut Said,
 ) -> Result<DataFrame> {
     let joined = match campaign.file.join.by {
-        JoinBy::PoseAndCycle => by_keys(points, log, name, &["pose", "cycle"], messages)?,
-        JoinBy::Pose => by_keys(points, log, name, &["pose"], messages)?,
+        JoinBy::PoseAndCycle => by_keys(points, log, &["pose", "cycle"], said)?,
+        JoinBy::Pose => by_keys(points, log, &["pose"], said)?,
         JoinBy::Row => {
-            equal_counts(campaign, imported, points, log, name)?;
-            by_keys(points, log, name, &["row"], messages)?
+            equal_counts(campaign, imported, points, log.rows, log.name)?;
+            by_keys(points, log, &["row"], said)?
         }
         JoinBy::Time => {
             let join = &campaign.file.join;
             let (offset, tolerance) = (join.clock_offset_s.unwrap_or(0.0), join.tolerance_s.unwrap_or(0.0));
-            by_time(points, log, name, offset, tolerance, messages)?
+            by_time(points, log, offset, tolerance, said)?
         }
         // what the log touches has no partner among the robot's targets
         JoinBy::Label => DataFrame::empty(),
     };
     if joined.height() == 0 {
-        let message = Message::error(format!("no measured point has a partner in log `{name}`"));
+        let message = Message::error(format!("no measured point has a partner in log `{}`", log.name));
         let hint = "compare the poses and cycles of exports and log, or choose another key with `by` in [join]";
         return Err(message.hint(hint).into());
     }
@@ -96,7 +116,7 @@ fn targets_in_world(
     imported: &Imported,
     frames: &FramesDocument,
     robot: &dyn Robot,
-    messages: &mut Vec<Message>,
+    said: &mut Said,
 ) -> Result<DataFrame> {
     let points = &imported.points;
     let names = table::texts(points, "target")?;
@@ -112,11 +132,14 @@ fn targets_in_world(
     }
     let (mut keep, mut order, mut world) = (Vec::new(), Vec::new(), Vec::<Vector>::new());
     let mut lost = BTreeSet::new();
+    let places = Rows::points(points)?;
     for i in 0..points.height() {
         let Some(target) = robot.targets().iter().position(|t| *t == names[i]) else { continue };
         let key = poses[i].zip(cycles[i]);
         let Some(world_T_export) = for_all.or_else(|| by_pose.get(&key?).copied()) else {
             lost.extend(poses[i]);
+            let key = poses[i].map_or_else(String::new, |pose| format!("pose {pose}"));
+            said.unmatched.push(places.unmatched(i, key, "its pose has no world frame"));
             continue;
         };
         keep.push(i as IdxSize);
@@ -124,7 +147,7 @@ fn targets_in_world(
         world.push(world_T_export.apply(xyz[i]));
     }
     if !lost.is_empty() {
-        messages.push(
+        said.messages.push(
             Message::warning(format!("{} poses have no world frame and are left out: {}", lost.len(), listed(&lost)))
                 .hint("their frame targets were refused or not measured: see import.json"),
         );
@@ -138,43 +161,49 @@ fn targets_in_world(
 }
 
 /// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a warning.
-fn by_keys(
-    points: &DataFrame,
-    log: &DataFrame,
-    name: &str,
-    keys: &[&str],
-    messages: &mut Vec<Message>,
-) -> Result<DataFrame> {
+fn by_keys(points: &DataFrame, log: Log, keys: &[&str], said: &mut Said) -> Result<DataFrame> {
     let measured = key_rows(points, keys)?;
-    let logged = key_rows(log, keys)?;
-    let twice: Vec<&Vec<i64>> = logged.iter().filter(|(_, rows)| rows.len() > 1).map(|(key, _)| key).collect();
-    if let Some(first) = twice.first() {
-        let lines = table::integers(log, "line")?;
-        let at: Vec<String> = logged[*first].iter().filter_map(|&row| lines.get(row)).map(i64::to_string).collect();
+    let logged = key_rows(log.rows, keys)?;
+    let (name, log_rows) = (log.name, Rows::log(log.rows, log.file)?);
+    let twice: Vec<String> = logged
+        .iter()
+        .filter(|(_, rows)| rows.len() > 1)
+        .map(|(key, rows)| {
+            let at: Vec<String> = rows.iter().map(|&row| log_rows.line(row).to_string()).collect();
+            format!("{} in lines {}", key_in_words(keys, key), at.join(", "))
+        })
+        .collect();
+    if !twice.is_empty() {
         let what = format!(
-            "log `{name}` has {} keys ({}) more than once, the first is {first:?} in lines {}",
+            "log `{name}` has {} key{} more than once: {}",
             twice.len(),
-            keys.join(", "),
-            at.join(", ")
+            if twice.len() == 1 { "" } else { "s" },
+            twice.join("; ")
         );
         return Err(Message::error(what).hint("add `cycle` to the key, or remove the rows that do not count").into());
     }
-    let mut report = |what: &str, alone: Vec<&Vec<i64>>| {
+    let mut report = |what: &str, rows: Rows, here: &Keys, there: &Keys, reason: String| {
+        let alone: Vec<&Vec<i64>> = here.keys().filter(|key| !there.contains_key(*key)).collect();
         if !alone.is_empty() {
             let shown: Vec<String> = alone.iter().take(8).map(|k| format!("{k:?}")).collect();
-            let more = if alone.len() > 8 { ", ..." } else { "" };
+            let more = if alone.len() > 8 { ", ... (all are in import.json)" } else { "" };
             let text = format!(
                 "{} {what} `{name}` without a partner ({}): {}{more}",
                 alone.len(),
                 keys.join(", "),
                 shown.join(", ")
             );
-            messages.push(Message::warning(text));
+            said.messages.push(Message::warning(text));
+        }
+        for key in alone {
+            let at = here[key].iter().map(|&row| rows.unmatched(row, key_in_words(keys, key), &reason));
+            said.unmatched.extend(at);
         }
     };
-    report("measured keys are beside log", measured.keys().filter(|k| !logged.contains_key(*k)).collect());
-    report("keys of log", logged.keys().filter(|k| !measured.contains_key(*k)).collect());
-    let mut right = log.clone();
+    let lone = format!("no row of log `{name}` has this key");
+    report("measured keys are beside log", Rows::points(points)?, &measured, &logged, lone);
+    report("keys of log", log_rows, &logged, &measured, "no measured point has this key".to_owned());
+    let mut right = log.rows.clone();
     for column in ["row", "line", "pose", "cycle", "time_s"] {
         if !keys.contains(&column) && right.column(column).is_ok() {
             right = right.drop(column)?;
@@ -184,7 +213,9 @@ fn by_keys(
 }
 
 /// Rows by their key.
-fn key_rows(frame: &DataFrame, keys: &[&str]) -> Result<BTreeMap<Vec<i64>, Vec<usize>>> {
+type Keys = BTreeMap<Vec<i64>, Vec<usize>>;
+
+fn key_rows(frame: &DataFrame, keys: &[&str]) -> Result<Keys> {
     let columns: Vec<Vec<i64>> =
         keys.iter()
             .map(|key| {
@@ -195,7 +226,7 @@ fn key_rows(frame: &DataFrame, keys: &[&str]) -> Result<BTreeMap<Vec<i64>, Vec<u
                 })
             })
             .collect::<Result<_>>()?;
-    let mut rows: BTreeMap<Vec<i64>, Vec<usize>> = BTreeMap::new();
+    let mut rows = Keys::new();
     for i in 0..frame.height() {
         rows.entry(columns.iter().map(|c| c[i]).collect()).or_default().push(i);
     }

@@ -53,7 +53,7 @@ fn map(errors: &[&PointError], axes: (usize, usize), when: &str, size: fn(&Point
         caption: format!(
             "Colour and size of the marks from 0 to {top}, a scale of this picture's own; largest error {largest}.{}{}",
             match seen.len() < errors.len() {
-                true => format!(" Of {} errors the largest at each of {} places is drawn.", errors.len(), seen.len()),
+                true => format!(" Of {} errors the largest is drawn at each of {} places.", errors.len(), seen.len()),
                 false => String::new(),
             },
             points::how_many(drawn.len(), seen.len())
@@ -141,7 +141,7 @@ mod tests {
         let map = &maps(&errors.iter().collect::<Vec<_>>(), true)[1];
         assert_eq!(map.svg.matches("cycle 1").count(), 2);
         assert!(map.svg.contains("7.00 µm after"));
-        assert!(map.caption.contains("Of 16 errors the largest at each of 2 places is drawn."), "{}", map.caption);
+        assert!(map.caption.contains("Of 16 errors the largest is drawn at each of 2 places."), "{}", map.caption);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Broken campaigns: every error says what, where, what was expected, and a hint; nothing panics, nothing is written.
 
+mod causes;
 mod check;
 mod qif;
 mod together;
@@ -137,7 +138,7 @@ fn every_repeat_needs_its_row_in_the_log_and_only_one() {
     std::fs::write(scratch.path().join("encoders.csv"), log + &row).unwrap();
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(2));
-    assert!(said.contains("more than once") && said.contains("[3, 1]"), "{said}");
+    assert!(said.contains("more than once: pose 3, cycle 1 in lines 4, 297"), "{said}");
 }
 
 #[test]
@@ -225,7 +226,7 @@ fn too_few_poses_are_said_so() {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("campaign.toml", "calibration = \"1-8\"", &format!("calibration = \"{poses}\""));
         let (_, said) = etalon(&scratch, "run");
-        let named = said.contains("cannot tell apart `") || said.contains("cannot tell some parameters apart");
+        let named = said.contains("cannot tell apart `") || said.contains("` cannot be told apart from `");
         assert!(named && !said.contains("panicked"), "{said}");
     }
 }

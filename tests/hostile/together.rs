@@ -67,7 +67,7 @@ fn every_log_is_joined_and_its_problems_said() {
     let (body, tail) = rest.split_once("[join]").unwrap();
     let logs = format!("{head}[[log]]\nname = \"one\"{body}[[log]]\nname = \"two\"{body}[join]{tail}");
     std::fs::write(scratch.path().join("campaign.toml"), logs).unwrap();
-    said(&scratch, &["log `one` has 1 keys", "log `two` has 1 keys", "[3, 1] in lines 4, 297"]);
+    said(&scratch, &["log `one` has 1 key", "log `two` has 1 key", "pose 3, cycle 1 in lines 4, 297"]);
 }
 
 #[test]

@@ -95,3 +95,56 @@ fn by_row_only_where_the_counts_agree() {
     let problems = run(&timed("by = \"row\"", 0.0, None, false)).unwrap_err();
     assert!(problems.to_string().contains("`exports/poses.txt` has 118 rows, log `log` has 59"), "{problems}");
 }
+
+/// The rows that `import.json` lists as unmatched: file, line, key.
+fn unmatched(scratch: &Scratch) -> Vec<(String, usize, String)> {
+    let text = std::fs::read_to_string(scratch.path().join("out/import.json")).unwrap();
+    let document: etalon::document::ImportDocument = serde_json::from_str(&text).unwrap();
+    document.unmatched.into_iter().map(|u| (u.file, u.line, u.key)).collect()
+}
+
+#[test]
+fn every_row_without_a_partner_in_time_is_listed_with_its_line() {
+    let scratch = timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 0.0, Some(20), false);
+    run(&scratch).unwrap();
+    // measurement 21 is on lines 41 and 42
+    let expected = [41, 42].map(|line| ("exports/poses.txt".to_owned(), line, "210.2 s".to_owned()));
+    assert_eq!(unmatched(&scratch), expected);
+}
+
+#[test]
+fn every_key_without_a_partner_is_listed_with_its_line() {
+    let scratch = copy_sample("prexyt-cmm");
+    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    // poses 10 to 20 of cycle 1 are on lines 11 to 21; they leave, and a row that nobody measured comes
+    let kept = log.lines().enumerate().filter(|(i, _)| !(10..21).contains(i)).map(|(_, l)| l.to_owned() + "\n");
+    std::fs::write(scratch.path().join("encoders.csv"), kept.collect::<String>() + "9,1,0,0,0\n").unwrap();
+    let outcome = run(&scratch).unwrap();
+    assert!(outcome.messages.iter().any(|m| m.what.starts_with("11 measured keys are beside log `log`")));
+    let listed = unmatched(&scratch);
+    let export = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
+    let lines: Vec<&str> = export.lines().collect();
+    let mut labels: Vec<String> = Vec::new();
+    for (file, line, key) in &listed[..22] {
+        assert_eq!(file, "exports/poses.txt");
+        let label = lines[line - 1].split(' ').next().unwrap();
+        let pose = label.split('_').nth(1).unwrap();
+        assert_eq!(key, &format!("pose {pose}, cycle 1"));
+        labels.push(label.to_owned());
+    }
+    let expected: Vec<String> = (10..21).flat_map(|p| [format!("K_{p}_1"), format!("L_{p}_1")]).collect();
+    assert_eq!(labels, expected);
+    assert_eq!(listed[22..], [("encoders.csv".to_owned(), 296 - 11 + 1, "pose 1, cycle 9".to_owned())]);
+}
+
+#[test]
+fn every_key_that_the_log_has_twice_is_said_with_its_lines() {
+    let scratch = copy_sample("prexyt-cmm");
+    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    std::fs::write(scratch.path().join("encoders.csv"), log + "1,3,0,0,0\n2,7,0,0,0\n").unwrap();
+    let said = run(&scratch).unwrap_err().to_string();
+    assert!(
+        said.contains("has 2 keys more than once: pose 3, cycle 1 in lines 4, 297; pose 7, cycle 2 in lines 67, 298"),
+        "{said}"
+    );
+}

@@ -19,4 +19,5 @@ mod probes;
 mod robots;
 mod serial;
 mod solving;
+mod thresholds;
 mod zones;

@@ -137,6 +137,21 @@ fn prexyt_inverse_undoes_direct() {
 }
 
 #[test]
+fn full_prexyt_is_where_the_drawing_of_section_3_4_puts_it() {
+    // carriage 1 runs along (cos alpha, sin alpha) = (0.8, 0.6), past height h at x = d1; the guide leans by tan gamma = 0.1;
+    // C lies on it at y = 0: x = 116 + 100 * 0.8 - (20 + 100 * 0.6) * 0.1
+    let robot = Prexyt::new(true);
+    let mut p = robot.nominal();
+    for (name, value) in [("gamma", 0.1f64.atan()), ("alpha", 0.6f64.atan2(0.8)), ("h", 20.0), ("d1", 116.0)] {
+        p[robot.index(name).unwrap()] = value;
+    }
+    let pose = robot.direct(&p, &[100.0, 0.0, 0.0]);
+    assert!((pose.x_mm - 188.0).abs() < 1e-12 && pose.y_mm.abs() < 1e-12 && pose.theta_rad.abs() < 1e-12, "{pose:?}");
+    let back = robot.inverse(&p, PlanarPose { x_mm: 188.0, y_mm: 0.0, theta_rad: 0.0 });
+    assert!((back[0] - 100.0).abs() < 1e-12, "{back:?}");
+}
+
+#[test]
 fn prexyt_balls_measure_the_pose() {
     let robot = Prexyt::new(false);
     let p = disturbed(&robot);

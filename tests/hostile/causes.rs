@@ -1,0 +1,137 @@
+//! What went wrong is told by its cause: units, assembly modes, exchanged targets, blunders, too few poses.
+
+use super::etalon;
+use crate::scratch::{Scratch, copy_sample};
+
+/// Runs the campaign, which must end with `code`; all `parts` must be said.
+fn run(scratch: &Scratch, code: i32, parts: &[&str]) -> String {
+    let (ended, said) = etalon(scratch, "run");
+    assert_eq!(ended, Some(code), "{said}");
+    for part in parts {
+        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+    }
+    said
+}
+
+/// Rewrites the lines of a file of the campaign.
+fn rewrite(scratch: &Scratch, file: &str, line: impl Fn(&str) -> String) {
+    let path = scratch.path().join(file);
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(path, text.lines().map(|l| line(l) + "\n").collect::<String>()).unwrap();
+}
+
+/// A label with K and L exchanged.
+fn exchanged(line: &str) -> String {
+    match (line.strip_prefix("K_"), line.strip_prefix("L_")) {
+        (Some(rest), _) => format!("L_{rest}"),
+        (_, Some(rest)) => format!("K_{rest}"),
+        _ => line.to_owned(),
+    }
+}
+
+#[test]
+fn one_pose_names_the_parameters_that_it_does_not_tell() {
+    let scratch = copy_sample("prexyt-cmm");
+    assert_eq!(etalon(&scratch, "run").0, Some(0));
+    let all = std::fs::read_to_string(scratch.path().join("out/observations.csv")).unwrap();
+    let one: String =
+        all.lines().filter(|l| l.starts_with("pose") || l.starts_with("1,")).map(|l| l.to_owned() + "\n").collect();
+    std::fs::write(scratch.root().join("one.csv"), one).unwrap();
+    scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"1\"");
+    // pose 1 is K and L at one place: four equations, each five times
+    let parts = [
+        "20 residuals from 1 pose, 4 of them independent, cannot tell 14 parameters",
+        "the data do not see `beta`",
+        "`y_o` cannot be told apart from",
+        "measure more poses",
+    ];
+    run(&scratch, 2, &parts);
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        .args(["identify", "--robot", "campaign/robot.toml", "--observations", "one.csv"])
+        .current_dir(scratch.root())
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(2) && parts.iter().all(|part| said.contains(part)), "{said}");
+}
+
+#[test]
+fn a_wrong_unit_is_told_by_the_spread_of_the_points() {
+    for (unit, spread) in [("in", "12146"), ("m", "478200")] {
+        let scratch = copy_sample("prexyt-cmm");
+        let before = "file = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = ";
+        scratch.replace("campaign.toml", &format!("{before}\"mm\""), &format!("{before}\"{unit}\""));
+        let spread = format!("measured points spread over {} mm, the model's over 478 mm", spread);
+        run(&scratch, 2, &["no parameter is left to identify: ", &spread, "check `unit` of the exports"]);
+    }
+}
+
+#[test]
+fn degrees_that_are_read_as_radians_reach_no_pose() {
+    let scratch = copy_sample("dextar");
+    scratch.replace("campaign.toml", "theta1_deg", "theta1_rad");
+    scratch.replace("campaign.toml", "theta2_deg", "theta2_rad");
+    run(&scratch, 2, &["cannot be where the joints put it in 7 poses (4, 5, 8,", "degrees or radians"]);
+}
+
+#[test]
+fn a_wrong_assembly_mode_is_told_by_its_pose_and_the_mode_that_fits() {
+    let scratch = copy_sample("dextar");
+    rewrite(&scratch, "encoders.csv", |line| {
+        let cells: Vec<&str> = line.split(',').collect();
+        match (cells[2], cells[0]) {
+            ("5", "1") => format!("-{line}"),
+            ("5", _) => line.trim_start_matches('-').to_owned(),
+            _ => line.to_owned(),
+        }
+    });
+    run(
+        &scratch,
+        2,
+        &["where the assembly mode puts it in pose 5", "stated in mode -1", "in mode +1 5.8 mm", "`assembly`"],
+    );
+}
+
+#[test]
+fn targets_exchanged_everywhere_are_said_to_be() {
+    let scratch = copy_sample("prexyt-cmm");
+    rewrite(&scratch, "exports/poses.txt", exchanged);
+    let said = run(&scratch, 1, &["K and L are exchanged", "is -146.02"]);
+    assert!(!said.contains("check units, order"), "{said}");
+}
+
+#[test]
+fn targets_exchanged_at_one_pose_are_found_there() {
+    let scratch = copy_sample("prexyt-cmm");
+    let at_pose_3 = |line: &str| if line[1..].starts_with("_3_") { exchanged(line) } else { line.to_owned() };
+    rewrite(&scratch, "exports/poses.txt", at_pose_3);
+    let said = run(&scratch, 1, &["the model does not describe this robot", "leaves most, 14"]);
+    // about l_kl at both balls of pose 3
+    let most: Vec<&str> = said.split("leaves most, ").nth(1).unwrap().split(", ").collect();
+    for (most, ball) in most.iter().zip(["K", "L"]) {
+        assert!(most.starts_with("14") && most.contains(&format!(" mm at {ball} of pose 3 in cycle")), "{most}");
+    }
+}
+
+#[test]
+fn a_blunder_of_one_ball_is_found_with_its_size() {
+    let scratch = copy_sample("prexyt-cmm");
+    rewrite(&scratch, "exports/poses.txt", |line| match line.strip_prefix("K_5_3 ") {
+        Some(rest) => {
+            let (x, rest) = rest.split_once(' ').unwrap();
+            format!("K_5_3 {} {rest}", x.parse::<f64>().unwrap() + 1.0)
+        }
+        None => line.to_owned(),
+    });
+    let said = run(&scratch, 1, &["times what the instrument's uncertainty explains", "leaves most, 1.00"]);
+    let most = said.split("leaves most, ").nth(1).unwrap();
+    assert!(most.split(", ").next().unwrap().ends_with(" mm at K of pose 5 in cycle 3"), "{most}");
+}
+
+#[test]
+fn an_uncertainty_stated_ten_times_too_large_is_remarked() {
+    let scratch = copy_sample("prexyt-cmm");
+    assert!(!run(&scratch, 0, &[]).contains("the stated uncertainty is larger"));
+    scratch.replace("campaign.toml", "expanded_uncertainty_um = 2.7", "expanded_uncertainty_um = 27");
+    run(&scratch, 0, &["residuals are 0.10 times", "the stated uncertainty is larger than the residuals show"]);
+}
