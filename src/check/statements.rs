@@ -127,7 +127,7 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
     }
 }
 
-/// Errors where a selection takes none of these poses, or calibration and validation share some.
+/// Errors where a selection or a table takes none of these poses, or calibration and validation share some.
 pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
     // what does not read is told with the statements
     let Ok((calibration, validation)) = campaign.selections() else { return Ok(()) };
@@ -156,6 +156,17 @@ pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
             let message = Message::error(what).at(campaign.place(text));
             problems.0.push(message.hint("`validation = \"rest\"` takes all that calibration does not"));
         }
+    }
+    let tests = |i: usize, pose: i64| validation.as_ref().is_some_and(|v| v.contains(pose, i, taken(i, pose)));
+    let used: Vec<i64> = numbered().filter(|&(i, pose)| taken(i, pose) || tests(i, pose)).map(|(_, p)| p).collect();
+    for table in campaign.file.geometric.iter().flat_map(|g| &g.table) {
+        let found = match Selection::parse(table.poses.get_ref()) {
+            Ok(selection) if used.iter().enumerate().any(|(i, &pose)| selection.contains(pose, i, false)) => continue,
+            Ok(_) => Message::error(format!("the table `{}` has no pose that was measured", table.title))
+                .hint("a table shows poses of `calibration` and `validation`"),
+            Err(message) => message,
+        };
+        problems.0.push(found.at(campaign.place(&table.poses)));
     }
     problems.check().map(|_| ())
 }

@@ -29,8 +29,8 @@ pub(super) fn tables(
         let rows: Vec<PoseRow> =
             chosen.filter_map(|(_, (pose, observed))| row(robot, *pose, observed, parameters)).collect();
         if rows.is_empty() {
-            let what = format!("the table `{}` has no pose that was measured", table.title);
-            return Err(Message::error(what).at(place()).into());
+            let what = format!("at no pose of the table `{}` were K and L measured together", table.title);
+            return Err(Message::error(what).at(place()).hint("measure both balls in the same cycle").into());
         }
         tables.push(PoseTable { title: table.title.clone(), rows });
     }

@@ -44,6 +44,20 @@ fn what_only_a_run_used_to_find_is_found_by_check() {
 }
 
 #[test]
+fn tables_without_poses_are_found_by_check() {
+    let table = |poses: &str, parts: &[&str]| {
+        let scratch = copy_sample("prexyt-geometric");
+        scratch.replace("campaign.toml", "poses = \"14-18\"", &format!("poses = \"{poses}\""));
+        let (code, said) = etalon(&scratch, "check");
+        assert_eq!(code, Some(2), "{said}");
+        parts.iter().for_each(|part| assert!(said.contains(part), "{part:?} is not said:\n{said}"));
+    };
+    let none = "the table `Orientation 10 deg (table 2.3)` has no pose that was measured";
+    table("60-70", &[none, "poses = \"60-70\""]);
+    table("x", &["poses = \"x\""]);
+}
+
+#[test]
 fn statements_that_mean_nothing_or_contradict_are_refused() {
     let robot = |to: &str, parts: &[&str]| broken("robot.toml", "[nominal]", to, parts);
     robot("[nominal]\nbetta = 1.0", &["[nominal] names `betta`", "robot.toml:", "betta = 1.0", "did you mean `beta`?"]);
