@@ -79,7 +79,7 @@ fn a_wrong_assembly_mode_is_told_by_its_pose_and_the_mode_that_fits() {
     let scratch = copy_sample("dextar");
     rewrite(&scratch, "encoders.csv", |line| {
         let cells: Vec<&str> = line.split(',').collect();
-        match (cells[2], cells[0]) {
+        match (cells[3], cells[0]) {
             ("5", "1") => format!("-{line}"),
             ("5", _) => line.trim_start_matches('-').to_owned(),
             _ => line.to_owned(),
@@ -88,7 +88,13 @@ fn a_wrong_assembly_mode_is_told_by_its_pose_and_the_mode_that_fits() {
     run(
         &scratch,
         2,
-        &["where the assembly mode puts it in pose 5", "stated in mode -1", "in mode +1 5.8 mm", "`assembly`"],
+        &[
+            "where the assembly mode puts it in pose 5",
+            "stated in mode -1",
+            "where the model is 152.0 mm from",
+            "in mode +1 6.4 mm",
+            "`assembly`",
+        ],
     );
 }
 
