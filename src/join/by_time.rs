@@ -1,6 +1,6 @@
 //! Points meet the log by the clock.
 
-use crate::message::{Message, Result};
+use crate::message::{Message, Result, count};
 use crate::table;
 use polars::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -37,7 +37,8 @@ pub(super) fn by_time(
     let ambiguous = times.iter().filter(|t| within(t) > 1).count();
     if ambiguous > 0 {
         let what = format!(
-            "{ambiguous} measured points have several rows of log `{name}` within {tolerance_s} s: the nearest counts"
+            "{} with several rows of log `{name}` within {tolerance_s} s: the nearest counts",
+            count(ambiguous, "measured point")
         );
         messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
     }
@@ -61,7 +62,8 @@ pub(super) fn by_time(
     let alone = log_rows.iter().filter(|r| r.is_none()).count();
     if alone > 0 {
         messages.push(Message::warning(format!(
-            "{alone} measured points have no row of log `{name}` within {tolerance_s} s"
+            "{} without a row of log `{name}` within {tolerance_s} s",
+            count(alone, "measured point")
         )));
     }
     let mut used: BTreeMap<(i64, &str), usize> = BTreeMap::new();
@@ -72,7 +74,7 @@ pub(super) fn by_time(
     }
     let rows_used: BTreeSet<i64> = used.keys().map(|(row, _)| *row).collect();
     if rows_used.len() < log.height() {
-        let what = format!("{} rows of log `{name}` have no measured point", log.height() - rows_used.len());
+        let what = format!("{} of log `{name}` without a measured point", count(log.height() - rows_used.len(), "row"));
         messages.push(Message::warning(what));
     }
     if let Some(((row, target), n)) = used.iter().find(|(_, n)| **n > 1) {

@@ -6,7 +6,7 @@ mod by_time;
 use crate::campaign::{Campaign, JoinBy};
 use crate::document::FramesDocument;
 use crate::import::Imported;
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Problems, Result, count};
 use crate::pose::{Pose, Vector};
 use crate::robots::Robot;
 use crate::table;
@@ -73,10 +73,32 @@ fn with_log(
     };
     if joined.height() == 0 {
         let message = Message::error(format!("no measured point has a partner in log `{name}`"));
+        if campaign.file.join.by == JoinBy::Time {
+            let apart = apart_s(campaign, points, log)?.map_or_else(String::new, |s| format!(" are {s:.3} s apart"));
+            let hint = format!(
+                "with this `clock_offset_s` the two nearest times{apart}: check its value and sign; it is the time of the \
+                 measurement minus that of the log"
+            );
+            return Err(message.at(campaign.place_of(&["join", "clock_offset_s"])).hint(hint).into());
+        }
         let hint = "compare the poses and cycles of exports and log, or choose another key with `by` in [join]";
         return Err(message.hint(hint).into());
     }
     Ok(joined)
+}
+
+/// The smallest difference of the times of a point and of a row of the log, clocks set by the campaign's offset.
+fn apart_s(campaign: &Campaign, points: &DataFrame, log: &DataFrame) -> Result<Option<f64>> {
+    let offset_s = campaign.file.join.clock_offset_s.unwrap_or(0.0);
+    let mut logged = table::numbers(log, "time_s")?;
+    logged.sort_by(f64::total_cmp);
+    let nearest = |time_s: f64| {
+        let after = logged.partition_point(|l| *l < time_s);
+        let beside = logged.get(after.saturating_sub(1)..(after + 1).min(logged.len())).unwrap_or_default();
+        beside.iter().map(|l| (l - time_s).abs()).min_by(f64::total_cmp)
+    };
+    let times = table::numbers(points, "time_s")?;
+    Ok(times.into_iter().filter_map(|t| nearest(t - offset_s)).min_by(f64::total_cmp))
 }
 
 /// What the counts of rows say against a join by row, before anything is known of targets and frames.
@@ -125,8 +147,12 @@ fn targets_in_world(
     }
     if !lost.is_empty() {
         messages.push(
-            Message::warning(format!("{} poses have no world frame and are left out: {}", lost.len(), listed(&lost)))
-                .hint("their frame targets were refused or not measured: see import.json"),
+            Message::warning(format!(
+                "{} without a world frame, left out: {}",
+                count(lost.len(), "pose"),
+                listed(&lost)
+            ))
+            .hint("their frame targets were refused or not measured: see import.json"),
         );
     }
     let mut kept = points.take(&IdxCa::from_vec("i".into(), keep))?;
@@ -152,14 +178,15 @@ fn by_keys(
         let lines = table::integers(log, "line")?;
         let at: Vec<String> = logged[*first].iter().filter_map(|&row| lines.get(row)).map(i64::to_string).collect();
         let what = format!(
-            "log `{name}` has {} keys ({}) more than once, the first is {first:?} in lines {}",
-            twice.len(),
+            "log `{name}` has {} ({}) more than once, the first is {first:?} in lines {}",
+            count(twice.len(), "key"),
             keys.join(", "),
             at.join(", ")
         );
         return Err(Message::error(what).hint("add `cycle` to the key, or remove the rows that do not count").into());
     }
-    let mut report = |what: &str, alone: Vec<&Vec<i64>>| {
+    let mut report = |one: &str, many: &str, alone: Vec<&Vec<i64>>| {
+        let what = if alone.len() == 1 { one } else { many };
         if !alone.is_empty() {
             let shown: Vec<String> = alone.iter().take(8).map(|k| format!("{k:?}")).collect();
             let more = if alone.len() > 8 { ", ..." } else { "" };
@@ -172,8 +199,12 @@ fn by_keys(
             messages.push(Message::warning(text));
         }
     };
-    report("measured keys are beside log", measured.keys().filter(|k| !logged.contains_key(*k)).collect());
-    report("keys of log", logged.keys().filter(|k| !measured.contains_key(*k)).collect());
+    report(
+        "measured key is beside log",
+        "measured keys are beside log",
+        measured.keys().filter(|k| !logged.contains_key(*k)).collect(),
+    );
+    report("key of log", "keys of log", logged.keys().filter(|k| !measured.contains_key(*k)).collect());
     let mut right = log.clone();
     for column in ["row", "line", "pose", "cycle", "time_s"] {
         if !keys.contains(&column) && right.column(column).is_ok() {
@@ -216,6 +247,9 @@ fn equal_counts(
         if source.rows_read != log.height() {
             let what = format!("`{}` has {} rows, log `{name}` has {}", source.file, source.rows_read, log.height());
             let message = Message::error(what).expected("equal counts for a join by row");
+            let message = message.hint(
+                "one row of the log for each row of the export; else name pose and cycle in both, and join by them",
+            );
             let place = campaign
                 .file
                 .exports
