@@ -122,17 +122,26 @@ impl Message {
     /// A hint that proposes the nearest of the names that exist, or lists them.
     pub fn hint_names<'a>(self, wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
         let names: Vec<&str> = names.into_iter().collect();
-        let nearest =
-            names.iter().map(|name| (strsim::jaro_winkler(wrong, name), *name)).max_by(|a, b| a.0.total_cmp(&b.0));
-        match nearest {
-            Some((likeness, name)) if likeness > 0.8 => self.hint(format!("did you mean `{name}`?")),
-            Some(_) => {
+        match nearest(wrong, names.iter().copied()) {
+            Some(name) => self.hint(format!("did you mean `{name}`?")),
+            None if names.is_empty() => self,
+            None => {
                 let more = if names.len() > 12 { ", ..." } else { "" };
                 self.hint(format!("there are: {}{more}", names[..names.len().min(12)].join(", ")))
             }
-            None => self,
         }
     }
+}
+
+/// `1 row`, `2 rows`.
+pub fn count(n: usize, noun: &str) -> String {
+    format!("{n} {noun}{}", if n == 1 { "" } else { "s" })
+}
+
+/// The name that `wrong` may be meant as, if one is like it.
+pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let likeness = names.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name));
+    likeness.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(likeness, _)| *likeness > 0.8).map(|(_, name)| name)
 }
 
 impl fmt::Display for Message {

@@ -5,7 +5,7 @@ use crate::check::{check, selections};
 use crate::document::*;
 use crate::evaluate::{self, Sets};
 use crate::identify::{self, Identification, Observation};
-use crate::message::{Message, Result};
+use crate::message::{Message, Problems, Result};
 use crate::output::Output;
 use crate::parameters::parameters_document;
 use crate::plausible::doubts;
@@ -26,11 +26,21 @@ pub struct Outcome {
 }
 
 /// Runs a campaign from its exports to the report. Nothing is written before all of it is computed.
+/// Where a stage fails, the warnings of those before it come first: they may tell why.
 pub fn run(campaign: &Campaign) -> Result<Outcome> {
+    let mut warnings = Vec::new();
+    stages(campaign, &mut warnings).map_err(|problems| {
+        let told = |message: &Message| problems.0.contains(message);
+        Problems(warnings.iter().filter(|m| !told(m)).chain(&problems.0).cloned().collect())
+    })
+}
+
+fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     let mut out = Output::new(campaign.output()?);
 
     // import: exports and logs become points and joint values
     let mut imported = check(campaign)?;
+    warnings.clone_from(&imported.document.messages);
     let robot = campaign.build_robot()?;
 
     // fit: points become features
@@ -44,6 +54,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     imported.document.messages.extend(features.messages.clone());
     imported.document.messages.extend(joined.messages.clone());
     imported.document.unmatched = joined.unmatched;
+    warnings.clone_from(&imported.document.messages);
 
     // identify: observations become parameters
     let (calibration, validation) = campaign.selections()?;

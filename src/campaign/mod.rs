@@ -2,14 +2,17 @@
 
 mod dialect;
 mod geometric;
+mod lost;
 mod paths;
 mod robot_file;
 mod selection;
 mod toml_problems;
 mod types;
+mod unknown;
 
 pub use dialect::{Column, Decimal, Delimiter, Dialect, Format, Role, Unit};
 pub use geometric::*;
+pub use lost::Lost;
 pub use robot_file::RobotFile;
 pub use selection::Selection;
 pub use types::*;
@@ -22,6 +25,7 @@ use crate::robots::Robot;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
+use toml_problems::Recovered;
 
 /// A campaign with the folder it lives in and the text it was read from.
 #[derive(Clone, Debug)]
@@ -38,6 +42,8 @@ pub struct Campaign {
     pub text: String,
     /// Text of the robot file.
     pub robot_text: String,
+    /// What of `campaign.toml` did not read; nothing is, where it was read as a whole.
+    pub lost: Lost,
 }
 
 impl Campaign {
@@ -59,13 +65,15 @@ impl Campaign {
         let text = files::read_text(&path)?;
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
-        let (file, mut problems) = toml_problems::recover::<CampaignFile>(&name, &text, &types::REQUIRED);
-        let Some(file) = file else { return Ok((None, problems)) };
+        let Recovered { value, mut problems, lost } = toml_problems::recover::<CampaignFile>(&name, &text);
+        let Some(file) = value else { return Ok((None, problems)) };
         let here = Place::span(name.as_str(), &text, file.robot.span());
         let read = paths::resolve(&folder, file.robot.get_ref())
             .map_err(Problems::from)
             .and_then(|path| Ok((path.display().to_string(), files::read_text(&path)?)));
         let (robot, more, robot_text) = match read {
+            // told with the campaign
+            _ if lost.touches(&["robot"]) => (None, Problems::default(), String::new()),
             Ok((robot_name, robot_text)) => {
                 let (robot, more) = RobotFile::recover(&robot_name, &robot_text);
                 (robot, more, robot_text)
@@ -74,7 +82,7 @@ impl Campaign {
         };
         problems.0.extend(more.0);
         let robot = robot.unwrap_or_else(RobotFile::unreadable);
-        Ok((Some(Self { file, robot, folder, path: name, text, robot_text }), problems))
+        Ok((Some(Self { file, robot, folder, path: name, text, robot_text, lost }), problems))
     }
 
     /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.
@@ -109,6 +117,11 @@ impl Campaign {
         self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path)
     }
 
+    /// Whether all that an export states reads; a unit that does not is no matter for labels.
+    pub fn export_reads(&self, index: usize) -> bool {
+        !self.lost.touches_beside(&["export", &index.to_string()], "unit")
+    }
+
     /// What the campaign identifies from which residuals.
     pub fn settings(&self) -> Settings {
         let identify = &self.file.identify;
@@ -129,7 +142,10 @@ impl Campaign {
 
     /// The robot that the campaign measured.
     pub fn build_robot(&self) -> Result<Box<dyn Robot>> {
-        self.robot.build(&self.targets()).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
+        // an arm whose targets did not read has some
+        let unread = self.lost.touches(&["join", "targets"]);
+        let targets = if unread { vec!["target".to_owned()] } else { self.targets() };
+        self.robot.build(&targets).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
     }
 
     /// What a report says about the campaign.
@@ -169,7 +185,7 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 
 /// Reads the truth of a simulation.
 pub fn read_truth(path: &Path) -> Result<crate::simulate::Truth> {
-    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?, &[])
+    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?)
 }
 
 /// Reads the true parameters alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.
@@ -179,5 +195,5 @@ pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
         parameters: BTreeMap<String, f64>,
     }
     let text = files::read_text(path)?;
-    Ok(toml_problems::parse::<Parameters>(&path.display().to_string(), &text, &["parameters"])?.parameters)
+    Ok(toml_problems::parse::<Parameters>(&path.display().to_string(), &text)?.parameters)
 }

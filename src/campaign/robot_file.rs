@@ -1,8 +1,9 @@
 //! The keys of `robot.toml`, and the robot they describe.
 
-use super::toml_problems;
+use super::lost::Lost;
+use super::toml_problems::{self, Recovered};
 use crate::message::{Message, Place, Problems, Result};
-use crate::robots::{FiveBar, Prexyt, Reach, Robot, Serial, SerialJoint};
+use crate::robots::{FiveBar, Parameter, Prexyt, Quantity, Reach, Robot, Role, Serial, SerialJoint};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -17,7 +18,8 @@ pub struct RobotFile {
     pub name: Option<String>,
     /// The kinematic model.
     pub model: Model,
-    /// Nominal values by name, in mm, deg and 1; those not given are the model's own.
+    /// Nominal values by name, in mm, deg and 1. Geometry of the robot must be given; of the rest what is not given is the
+    /// model's own.
     #[serde(default)]
     pub nominal: BTreeMap<String, f64>,
     /// Joints of a serial arm, from the base.
@@ -41,6 +43,9 @@ pub struct RobotFile {
     /// The file as the user named it, and its text.
     #[serde(skip)]
     source: (String, String),
+    /// What of the file did not read.
+    #[serde(skip)]
+    lost: Lost,
     /// It only stands for a file that does not read.
     #[serde(skip)]
     unreadable: bool,
@@ -118,8 +123,8 @@ const SERIAL_ONLY: [&str; 5] = ["joint", "gravity", "bending", "coupling", "base
 impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
     pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
-        let (robot, problems) = toml_problems::recover::<Self>(name, text, &["model"]);
-        (robot.map(|robot| Self { source: (name.to_owned(), text.to_owned()), ..robot }), problems)
+        let Recovered { value, problems, lost } = toml_problems::recover::<Self>(name, text);
+        (value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), lost, ..robot }), problems)
     }
 
     /// Stands for a file that does not read, which is told already: no robot can be built of it.
@@ -135,6 +140,7 @@ impl RobotFile {
             reach: ReachDefinition::default(),
             base_turn_y_deg: 0.0,
             source: Default::default(),
+            lost: Lost::default(),
             unreadable: true,
         }
     }
@@ -152,7 +158,9 @@ impl RobotFile {
 
     /// The robot with these targets (serial arms; others have their own).
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
-        if self.unreadable {
+        // what did not read is told already
+        let stray = ["alpha_deg", "a_mm", "theta_deg", "d_mm"].iter().any(|key| self.lost.touches(&[key]));
+        if self.unreadable || self.lost.whole("model") || self.lost.whole("joint") || stray {
             return Err(Problems::default());
         }
         let mut problems = self.odd_keys();
@@ -264,7 +272,26 @@ impl RobotFile {
             };
             values[i] = robot.parameters()[i].quantity.inward(*value);
         }
+        problems.0.extend(self.unstated(robot));
         problems.check()?;
         Ok(values)
+    }
+
+    /// An error about geometry that the file does not state: the model's own is that of one machine, not of this one.
+    fn unstated(&self, robot: &dyn Robot) -> Option<Message> {
+        // an arm states its geometry joint by joint
+        if self.model == Model::Serial || self.lost.holds(&["nominal".to_owned()]) {
+            return None;
+        }
+        let own = |p: &&Parameter| p.role == Role::Robot && p.quantity != Quantity::Ratio && p.nominal != 0.0;
+        let names: Vec<&str> = robot.parameters().iter().filter(own).map(|p| p.name.as_str()).collect();
+        let names = names.into_iter().filter(|n| !self.nominal.contains_key(*n) && !self.lost.touches(&["nominal", n]));
+        let names: Vec<String> = names.map(|n| format!("`{n}`")).collect();
+        if names.is_empty() {
+            return None;
+        }
+        let what = format!("[nominal] does not state {}", names.join(", "));
+        let message = Message::error(what).at(self.place(&["nominal"]));
+        Some(message.hint("state the geometry of your machine as it is drawn, in mm: it is never guessed"))
     }
 }

@@ -1,52 +1,148 @@
-//! All problems of a TOML file at once: every entry that does not fit is reported, removed, and the rest read again.
+//! All problems of a TOML file at once: an entry that does not fit is reported and taken away, one that is missing is
+//! reported and filled in, and the rest is read again.
 
+use super::lost::Lost;
+use super::unknown::{self, Unknown};
 use crate::message::{Message, Place, Problems, Result};
 use serde::de::DeserializeOwned;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
-/// Reads `text` as a `T`, or reports everything in it that does not fit. Keys of the top level that are `required` are all
-/// missed at once; serde would stop at the first.
-pub(super) fn parse<T: DeserializeOwned>(file: &str, text: &str, required: &[&str]) -> Result<T> {
-    let (value, problems) = recover(file, text, required);
+/// What is left of a file.
+pub(super) struct Recovered<T> {
+    /// The value; none where the file is no TOML.
+    pub value: Option<T>,
+    /// What does not fit.
+    pub problems: Problems,
+    /// Where that is in the value.
+    pub lost: Lost,
+}
+
+/// Reads `text` as a `T`, or reports everything in it that does not fit.
+pub(super) fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
+    let Recovered { value, problems, .. } = recover(file, text);
     value.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
-/// The same, with the value that is left when everything that does not fit is taken away.
-pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, required: &[&str]) -> (Option<T>, Problems) {
-    let (mut root, syntax) = DeTable::parse_recoverable(text);
-    if !syntax.is_empty() {
-        return (None, Problems(syntax.iter().map(|e| message(file, text, e, None)).collect()));
+/// The same, with the value that is left.
+pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str) -> Recovered<T> {
+    let (mut root, errors) = DeTable::parse_recoverable(text);
+    let mut lost = Lost::default();
+    if !errors.is_empty() {
+        return Recovered { value: None, problems: syntax(file, text, &errors), lost };
     }
     let mut odd = Vec::new();
     root.get_ref().values().for_each(|value| not_finite(value, &mut odd));
-    let missing = required.iter().filter(|key| !root.get_ref().contains_key(**key)).copied();
-    let say = |key| Message::error(format!("the key `{key}` is missing")).at(Place::file(file));
-    let mut removed: Vec<String> = missing.clone().map(str::to_owned).collect();
-    let mut problems = Problems(missing.map(say).collect());
+    let mut problems = Problems::default();
     problems.0.extend(odd.into_iter().map(|span| {
         let what = format!("`{}` is no measured value", text.get(span.clone()).unwrap_or(""));
         Message::error(what).at(Place::span(file, text, span)).expected("a finite number")
     }));
-    loop {
+    let mut unknown: Vec<Unknown> = Vec::new();
+    let mut filled: Vec<Placeholder> = Vec::new();
+    let mut meant = Vec::new();
+    let value = loop {
         let error = match T::deserialize(Deserializer::from(root.clone())) {
-            Ok(value) => return (Some(value), problems),
+            Ok(value) => break Some(value),
             Err(error) => error,
         };
-        // a key that was removed because its value is wrong is missing only because of that
-        let missing = quoted(&error, "missing field `");
-        let consequence = missing.as_ref().is_some_and(|m| removed.contains(m));
         let span = error.span().unwrap_or(0..0);
-        let key = remove(root.get_mut(), &span);
-        if !consequence {
-            let section = key.as_ref().filter(|key| missing.is_some() && !key.is_empty());
-            problems.0.push(message(file, text, &error, section.map(String::as_str)));
+        let placeholder = if let Some(key) = quoted(&error, "missing field `") {
+            let section = table_at(root.get_ref(), &span).unwrap_or_default();
+            let path = [&section[..], std::slice::from_ref(&key)].concat();
+            if filled.iter().any(|p| p.path == path) {
+                break None;
+            }
+            // what was taken away, or stands in a table that is filled in itself, is told already
+            if !lost.holds(&path) && span.start <= text.len() {
+                problems.0.push(missing(file, text, &span, &key, &section));
+            }
+            lost.add(path.clone());
+            let at = text.len() + 1 + 2 * filled.len();
+            filled.push(Placeholder { path, span: at..at + 1, tries: TRIES.iter() });
+            filled.last_mut()
+        } else if span.start <= text.len() {
+            let Some(path) = remove(root.get_mut(), &span) else {
+                problems.0.push(wrong(file, text, &error));
+                break None;
+            };
+            match Unknown::of(&error, &path, span) {
+                Some(key) => {
+                    meant.extend(key.meant());
+                    unknown.push(key);
+                }
+                None => problems.0.push(wrong(file, text, &error)),
+            }
+            lost.add(path);
+            continue;
+        } else {
+            filled.iter_mut().find(|p| p.span == span)
+        };
+        if placeholder.and_then(|p| p.insert(root.get_mut())).is_none() {
+            break None;
         }
-        match key {
-            Some(key) => removed.push(key),
-            None => return (None, problems),
+    };
+    meant.into_iter().for_each(|path| lost.add(path));
+    problems.0.extend(unknown::messages::<T>(file, text, unknown));
+    problems.0.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
+    Recovered { value, problems, lost }
+}
+
+/// Values to fill in for what is missing, of every kind and of every choice that has no default: one of them fits.
+const TRIES: [&str; 9] = ["\"\"", "1", "[]", "{}", "\"mm\"", "\"polyworks\"", "\"row\"", "\"prexyt\"", "\"blank\""];
+
+/// Stands for an entry that is missing, so that the rest can be read.
+struct Placeholder {
+    path: Vec<String>,
+    /// Behind the end of the text.
+    span: Range<usize>,
+    tries: std::slice::Iter<'static, &'static str>,
+}
+
+impl Placeholder {
+    /// Puts the next value to try in its place, if there is one.
+    fn insert(&mut self, root: &mut DeTable) -> Option<()> {
+        let value = DeValue::parse(self.tries.next()?).ok()?.into_inner();
+        let (key, section) = self.path.split_last()?;
+        let mut table = root;
+        let mut section = section.iter();
+        while let Some(key) = section.next() {
+            table = match table.get_mut(key.as_str())?.get_mut() {
+                DeValue::Table(table) => table,
+                DeValue::Array(array) => {
+                    let index = section.next()?.parse::<usize>().ok()?;
+                    match array.get_mut(index)?.get_mut() {
+                        DeValue::Table(table) => table,
+                        _ => return None,
+                    }
+                }
+                _ => return None,
+            };
         }
+        table.insert(Spanned::new(0..0, key.clone().into()), Spanned::new(self.span.clone(), value));
+        Some(())
+    }
+}
+
+/// The keys that lead to the table at `span`; those of the file are none.
+fn table_at(table: &DeTable, span: &Range<usize>) -> Option<Vec<String>> {
+    table.iter().find_map(|(key, value)| {
+        let mut path = within(value, span)?;
+        path.insert(0, key.get_ref().to_string());
+        Some(path)
+    })
+}
+
+fn within(value: &Spanned<DeValue>, span: &Range<usize>) -> Option<Vec<String>> {
+    match value.get_ref() {
+        DeValue::Table(table) => table_at(table, span).or_else(|| (value.span() == *span).then(Vec::new)),
+        DeValue::Array(array) => array.iter().enumerate().find_map(|(i, value)| {
+            let mut path = within(value, span)?;
+            path.insert(0, i.to_string());
+            Some(path)
+        }),
+        _ => None,
     }
 }
 
@@ -75,29 +171,35 @@ pub(super) fn find(text: &str, path: &[&str]) -> Option<Range<usize>> {
     Some(value.span())
 }
 
-/// Removes the innermost entry whose key or value covers `span`; gives its key.
-fn remove(table: &mut DeTable, span: &Range<usize>) -> Option<String> {
-    if let Some(key) = table.iter_mut().find_map(|(_, value)| remove_within(value, span)) {
-        return Some(key);
+/// Removes the innermost entry whose key or value covers `span`; gives the keys that lead to it.
+fn remove(table: &mut DeTable, span: &Range<usize>) -> Option<Vec<String>> {
+    for (key, value) in table.iter_mut() {
+        if let Some(mut path) = remove_within(value, span) {
+            path.insert(0, key.get_ref().to_string());
+            return Some(path);
+        }
     }
     let key = table
         .iter()
         .find(|(key, value)| covers(&key.span(), span) || reaches(value, span))
         .map(|(k, _)| k.get_ref().to_string())?;
-    table.remove(key.as_str()).map(|_| key)
+    table.remove(key.as_str()).map(|_| vec![key])
 }
 
-fn remove_within(value: &mut Spanned<DeValue>, span: &Range<usize>) -> Option<String> {
+fn remove_within(value: &mut Spanned<DeValue>, span: &Range<usize>) -> Option<Vec<String>> {
     match value.get_mut() {
         DeValue::Table(table) => remove(table, span),
         DeValue::Array(array) => {
-            if let Some(key) = array.iter_mut().find_map(|value| remove_within(value, span)) {
-                return Some(key);
+            for (i, value) in array.iter_mut().enumerate() {
+                if let Some(mut path) = remove_within(value, span) {
+                    path.insert(0, i.to_string());
+                    return Some(path);
+                }
             }
             let element = array.iter().position(|v| covers(&v.span(), span) && v.get_ref().is_table())?;
             let rest = array.iter().enumerate().filter(|(i, _)| *i != element).map(|(_, v)| v.clone());
             *array = rest.collect();
-            Some(String::new())
+            Some(vec![element.to_string()])
         }
         _ => None,
     }
@@ -114,31 +216,33 @@ fn covers(outer: &Range<usize>, span: &Range<usize>) -> bool {
 }
 
 /// The text between `start` and the next backtick in the message.
-fn quoted(error: &Error, start: &str) -> Option<String> {
+pub(super) fn quoted(error: &Error, start: &str) -> Option<String> {
     let (_, rest) = error.message().split_once(start)?;
     Some(rest.split('`').next().unwrap_or("").to_owned())
 }
 
+/// That a key of a section is not there.
+fn missing(file: &str, text: &str, span: &Range<usize>, key: &str, section: &[String]) -> Message {
+    let name = section.iter().rfind(|key| key.parse::<usize>().is_err());
+    let of = name.map(|s| format!(" in `{s}`")).unwrap_or_default();
+    let place = if section.is_empty() { Place::file(file) } else { Place::span(file, text, span.clone()) };
+    let message = Message::error(format!("the key `{key}` is missing{of}")).at(place);
+    let hint = match (key, section) {
+        ("unit", _) => "state the length unit of the file: \"mm\", \"m\", \"um\" or \"inch\"; it is never guessed",
+        ("expanded_uncertainty_um" | "coverage_factor" | "instrument", _) => {
+            "[instrument] states name, expanded_uncertainty_um and coverage_factor: take them from its calibration certificate"
+        }
+        ("file", _) => "name the file, in the folder of the campaign",
+        (_, []) => "`etalon init FOLDER` writes a campaign with all keys to copy from",
+        _ => return message,
+    };
+    message.hint(hint)
+}
+
 /// A TOML error in our words.
-fn message(file: &str, text: &str, error: &Error, section: Option<&str>) -> Message {
+fn wrong(file: &str, text: &str, error: &Error) -> Message {
     let what = error.message().lines().collect::<Vec<_>>().join(", ");
     let place = error.span().map_or_else(|| Place::file(file), |span| Place::span(file, text, span));
-    if let Some(key) = quoted(error, "unknown field `") {
-        let known: Vec<&str> = what.split("expected").nth(1).unwrap_or("").split('`').skip(1).step_by(2).collect();
-        return Message::error(format!("unknown key `{key}`")).at(place).hint_names(&key, known);
-    }
-    if let Some(key) = quoted(error, "missing field `") {
-        let of = section.map(|s| format!(" in `{s}`")).unwrap_or_default();
-        let message = Message::error(format!("the key `{key}` is missing{of}")).at(place);
-        return match key.as_str() {
-            "unit" => message
-                .hint("state the length unit of the file: \"mm\", \"m\", \"um\" or \"inch\"; it is never guessed"),
-            "expanded_uncertainty_um" | "coverage_factor" => {
-                message.hint("take both from the instrument's calibration certificate")
-            }
-            _ => message,
-        };
-    }
     match what.split_once(", expected ") {
         Some((what, expected)) => {
             let words = match expected {
@@ -150,6 +254,21 @@ fn message(file: &str, text: &str, error: &Error, section: Option<&str>) -> Mess
         }
         None => Message::error(what).at(place),
     }
+}
+
+/// Errors of a file that is no TOML. Keys that are there twice are one error: mostly, the head of a table is not there.
+fn syntax(file: &str, text: &str, errors: &[Error]) -> Problems {
+    let (twice, others): (Vec<&Error>, Vec<&Error>) =
+        errors.iter().partition(|e| e.message().contains("duplicate key"));
+    let mut problems: Vec<Message> = others.into_iter().map(|e| wrong(file, text, e)).collect();
+    if let Some(first) = twice.first() {
+        let hint = "a table among several begins with its head in double brackets, like `[[joint]]`: is one missing before it?";
+        let more = if twice.len() > 1 { format!(", and {} keys after it", twice.len() - 1) } else { String::new() };
+        let message = wrong(file, text, first).hint(hint);
+        problems.push(Message { what: format!("the key stands in this table twice{more}"), ..message });
+    }
+    problems.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
+    Problems(problems)
 }
 
 #[cfg(test)]
@@ -178,7 +297,7 @@ mod tests {
     #[test]
     fn all_problems_at_once_with_their_places() {
         let text = "nmae = \"x\"\n[part]\nlength = \"long\"\nunit = 3\ncolour = 1\n[[list]]\nlength = 1.0\n";
-        let problems = parse::<Outer>("f.toml", text, &["name", "part"]).unwrap_err();
+        let problems = parse::<Outer>("f.toml", text).unwrap_err();
         let said: Vec<String> =
             problems.0.iter().map(|m| format!("{} {:?}", m.what, m.place.as_ref().and_then(|p| p.line))).collect();
         for part in [
@@ -196,7 +315,7 @@ mod tests {
 
     #[test]
     fn syntax_errors_have_places() {
-        let problems = parse::<Outer>("f.toml", "name = \n[part\nlength 3\n", &[]).unwrap_err();
+        let problems = parse::<Outer>("f.toml", "name = \n[part\nlength 3\n").unwrap_err();
         assert!(!problems.0.is_empty() && problems.0.iter().all(|m| m.place.is_some()));
     }
 }

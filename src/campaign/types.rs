@@ -8,9 +8,6 @@ use std::collections::BTreeMap;
 use std::fmt;
 use toml::Spanned;
 
-/// Keys that every `campaign.toml` has.
-pub(super) const REQUIRED: [&str; 8] = ["name", "robot", "instrument", "export", "log", "join", "frame", "identify"];
-
 /// `campaign.toml`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]

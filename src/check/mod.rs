@@ -44,6 +44,11 @@ pub fn everything(campaign: &Campaign) -> (Imported, Problems) {
         labels.iter().all(|label| borne(label.get_ref()) && !touched(label.get_ref()))
     });
     let mut world = None;
+    let lost = &campaign.lost;
+    if lost.touches(&["export"]) {
+        // in which unit, or which points there are, is not known
+        return (found.imported, found.problems);
+    }
     match frames::fit_features(&whole, &points) {
         Err(more) => found.problems.0.extend(more.0),
         Ok(features) => {
@@ -73,7 +78,7 @@ pub fn everything(campaign: &Campaign) -> (Imported, Problems) {
         }
     }
     // a join by time may find no pose before the log is read
-    if found.read || !poses.is_empty() {
+    if !lost.touches(&["identify"]) && (found.read || !poses.is_empty()) {
         found.problems.0.extend(selections(campaign, &poses).err().into_iter().flat_map(|p| p.0));
     }
     (found.imported, found.problems)
@@ -95,15 +100,15 @@ fn find(campaign: &Campaign) -> Found {
     let before = problems.0.len();
     statements::frames(campaign, &mut problems);
     let (imported, more) = import::recover(campaign);
-    let read = more.0.is_empty();
+    let lost = &campaign.lost;
+    let whole = |keys: &[&str]| !keys.iter().any(|key| lost.touches(&[key]));
+    let mut read = more.0.is_empty() && whole(&["export", "log", "join"]);
     // a label that nothing bears may be borne by a file that is not there
-    let opened = imported.document.sources.iter().filter(|s| s.kind == "export").count();
+    let opened = imported.document.sources.iter().filter(|s| s.kind == "export" && s.rows_read > 0).count();
     let complete = opened == campaign.file.exports.len();
-    if complete {
-        names::labels(campaign, &imported, &mut problems);
-    }
-    let named = complete && problems.0.len() == before;
-    if let (Some(definition), true, true) = (&campaign.file.geometric, named, read) {
+    names::labels(campaign, &imported, complete, &mut problems);
+    let named = complete && problems.0.len() == before && whole(&["feature", "frame"]);
+    if let (Some(definition), true, true) = (&campaign.file.geometric, named && whole(&["geometric"]), read) {
         let missing = geometry::gather(campaign, definition, &imported.points).err();
         problems.0.extend(missing.into_iter().flat_map(|p| p.0));
     }
@@ -111,9 +116,13 @@ fn find(campaign: &Campaign) -> Found {
     let robot = campaign.build_robot().map_err(|more| problems.0.extend(more.0)).ok();
     if let Some(robot) = &robot {
         names::robot(campaign, robot.as_ref(), &mut problems);
-        if complete {
+        let before = problems.0.len();
+        names::logs(campaign, robot.as_ref(), &mut problems);
+        if complete && whole(&["join"]) {
             names::targets(campaign, robot.as_ref(), &imported, &mut problems);
         }
+        // without its joints a log cannot be joined, nor can points without their targets
+        read &= problems.0.len() == before;
     }
     Found { imported, problems, read, named, robot }
 }

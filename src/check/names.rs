@@ -1,6 +1,6 @@
 //! Names that nothing bears: labels, features, targets, parameters, columns.
 
-use crate::campaign::{Campaign, Format, JoinBy, Role};
+use crate::campaign::{Campaign, Export, Format, JoinBy, Role};
 use crate::import::Imported;
 use crate::message::{Message, Problems};
 use crate::robots::Robot;
@@ -8,16 +8,26 @@ use crate::{identify, import, table};
 use std::collections::BTreeSet;
 use toml::Spanned;
 
-/// Labels and features that nothing bears.
-pub(super) fn labels(campaign: &Campaign, imported: &Imported, problems: &mut Problems) {
-    let labels: BTreeSet<String> = table::texts(&imported.points, "label").unwrap_or_default().into_iter().collect();
-    let targets: BTreeSet<String> = table::texts(&imported.points, "target").unwrap_or_default().into_iter().collect();
+/// Labels and features that nothing bears. Where some exports are not read, they may bear them: then it is a warning.
+pub(super) fn labels(campaign: &Campaign, imported: &Imported, complete: bool, problems: &mut Problems) {
+    let all = table::texts(&imported.points, "label").unwrap_or_default();
+    let of = table::texts(&imported.points, "target").unwrap_or_default();
+    // nobody means a label that names a target at a pose
+    let plain: BTreeSet<&str> =
+        all.iter().zip(&of).filter(|(_, target)| target.is_empty()).map(|(label, _)| label.as_str()).collect();
+    let labels: BTreeSet<String> = all.iter().cloned().collect();
+    let targets: BTreeSet<String> = of.into_iter().collect();
     let file = &campaign.file;
+    let mut open: Vec<String> = Vec::new();
     let mut want = |name: &Spanned<String>, among: &[&BTreeSet<String>], what: &str| {
         let text = name.get_ref();
         let borne = |set: &&BTreeSet<String>| set.iter().any(|l| identify::matches_pattern(text, l));
         if !among.iter().any(borne) {
-            let known = among.iter().flat_map(|set| set.iter().map(String::as_str)).filter(|l| !l.is_empty());
+            if !complete && what != "feature is called" {
+                return open.push(text.clone());
+            }
+            let meant = |label: &&str| !label.is_empty() && (!labels.contains(*label) || plain.contains(label));
+            let known = among.iter().flat_map(|set| set.iter().map(String::as_str)).filter(meant);
             let message = Message::error(format!("no {what} `{text}`")).at(campaign.place(name));
             problems.0.push(message.hint_names(text, known.collect::<Vec<_>>()));
         }
@@ -29,7 +39,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Imported, problems: &mut Pr
     }
     let features: BTreeSet<String> = file.features.keys().cloned().collect();
     let world = file.frame.world.get_ref();
-    if let Some(name) = &world.plane {
+    if let (Some(name), false) = (&world.plane, campaign.lost.touches(&["feature"])) {
         want(name, &[&features], "feature is called");
     }
     for name in world
@@ -48,6 +58,13 @@ pub(super) fn labels(campaign: &Campaign, imported: &Imported, problems: &mut Pr
     let rigid = file.rigid.iter().flat_map(|r| &r.targets);
     for name in rigid.chain(file.join.targets.iter().flatten()) {
         want(name, &[&targets], "export brings the target");
+    }
+    if !open.is_empty() {
+        open.sort_unstable();
+        open.dedup();
+        let names: Vec<String> = open.iter().map(|name| format!("`{name}`")).collect();
+        let message = Message::warning(format!("no export that reads brings {}", names.join(", ")));
+        problems.0.push(message.hint("check these names when all exports read"));
     }
 }
 
@@ -75,8 +92,11 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             problems.0.push(message.expected("nothing: of this robot all its targets count"));
         }
     }
-    for export in &campaign.file.exports {
+    for (i, export) in campaign.file.exports.iter().enumerate() {
         let Format::Delimited(dialect) = &export.format else { continue };
+        if !campaign.export_reads(i) {
+            continue;
+        }
         for role in [Role::Label, Role::Target, Role::Pose, Role::Cycle, Role::X, Role::Y, Role::Z, Role::TimeS] {
             if dialect.columns.iter().filter(|r| **r == role).count() > 1 {
                 let what = format!("`columns` names {role:?} twice");
@@ -88,6 +108,10 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             problems.0.push(Message::error(what).at(campaign.place(&export.file)));
         }
     }
+}
+
+/// What the robot needs of the logs.
+pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
     for log in &campaign.file.logs {
         let named = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         let same = campaign.file.logs.iter().filter(|l| l.name == log.name).count();
@@ -95,6 +119,20 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             let what = format!("`{}` cannot be the name of a log", log.name);
             let message = Message::error(what).at(campaign.place(&log.file));
             problems.0.push(message.expected("letters, digits, `_` and `-`, another name for each log"));
+        }
+        let known = |key: &str| {
+            let own = ["pose", "cycle", "time_s", table::ASSEMBLY, table::LABEL].contains(&key);
+            own || robot.joints().iter().any(|joint| import::is_joint_column(key, joint))
+        };
+        for key in log.columns.keys().filter(|key| !known(key.get_ref()) && import::log_column(key.get_ref()).is_some())
+        {
+            let columns: Vec<String> = robot.joints().iter().map(|joint| joint.column()).collect();
+            let message = Message::error(format!("`{}` is no joint of this robot", key.get_ref()));
+            let hint = format!("its joints are {}, in these units or others", columns.join(", "));
+            problems.0.push(message.at(campaign.place(key)).hint(hint));
+        }
+        if campaign.lost.touches(&["log"]) {
+            continue;
         }
         for joint in robot.joints() {
             let column = joint.column();
@@ -121,9 +159,30 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Importe
     // those that [join] names are told with the labels
     let stated = campaign.file.join.targets.as_ref();
     let told = |target: &String| stated.is_some_and(|all| all.iter().any(|t| t.get_ref() == target));
-    for target in robot.targets().iter().filter(|t| !measured.contains(*t) && !told(t)) {
+    let mut missing = robot.targets().iter().filter(|t| !measured.contains(*t) && !told(t)).peekable();
+    let odd: Vec<Message> = campaign.file.exports.iter().filter_map(|e| other_form(campaign, e, imported)).collect();
+    if missing.peek().is_some() && !odd.is_empty() {
+        return problems.0.extend(odd);
+    }
+    for target in missing {
         let what = format!("no export brings the target `{target}` of this robot");
         let message = Message::error(what).at(campaign.place_of(&["join"]));
         problems.0.push(message.hint_names(target, measured.iter().map(String::as_str)));
     }
+}
+
+/// An error where no label of an export has the form that the campaign states.
+fn other_form(campaign: &Campaign, export: &Export, imported: &Imported) -> Option<Message> {
+    let form = export.label.as_ref()?;
+    let pattern = import::LabelPattern::parse(form.get_ref()).ok()?;
+    let (files, labels) =
+        (table::texts(&imported.points, "export").ok()?, table::texts(&imported.points, "label").ok()?);
+    let mut own = files.iter().zip(&labels).filter(|(file, _)| *file == export.file.get_ref()).map(|(_, label)| label);
+    let first = own.next()?;
+    if pattern.read(first).is_some() || own.any(|label| pattern.read(label).is_some()) {
+        return None;
+    }
+    let what = format!("no label of `{}` has the form `{}`", export.file.get_ref(), form.get_ref());
+    let message = Message::error(what).at(campaign.place(form));
+    Some(message.hint(format!("its first label is `{first}`: state its form, with {{target}}, {{pose}} and {{cycle}}")))
 }

@@ -3,16 +3,18 @@
 use crate::campaign::{Campaign, Export, Format, JoinBy, Role, Selection};
 use crate::export;
 use crate::identify::ResidualKind;
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Problems, Result, count};
 use crate::table::LABEL;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::{Component, Path, PathBuf};
+use toml::Spanned;
 
 /// All statements but those on features and frames.
 pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
-    if let Err(more) = campaign.selections() {
+    let lost = &campaign.lost;
+    if let (Err(more), false) = (campaign.selections(), lost.touches(&["identify"])) {
         problems.0.extend(more.0);
     }
     for name in &file.controllers {
@@ -51,6 +53,22 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         }
     }
     output(campaign, problems);
+    if !lost.touches(&["join"]) {
+        join(campaign, problems);
+    }
+    let targets: Vec<_> = file.join.targets.iter().flatten().collect();
+    for (i, target) in targets.iter().enumerate() {
+        if targets[..i].iter().any(|t| t.get_ref() == target.get_ref()) {
+            let message = Message::error(format!("target `{}` is there twice", target.get_ref()));
+            problems.0.push(message.at(campaign.place(target)));
+        }
+    }
+    file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
+}
+
+/// What a join by time needs, and what means nothing for another.
+fn join(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
     let by_time = file.join.by == JoinBy::Time;
     let clocks = [("clock_offset_s", file.join.clock_offset_s), ("tolerance_s", file.join.tolerance_s)];
     if by_time && clocks.iter().any(|(_, value)| value.is_none()) {
@@ -70,7 +88,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         let message = Message::error("`tolerance_s` must not be negative");
         problems.0.push(message.at(campaign.place_of(&["join", "tolerance_s"])));
     }
-    for log in &file.logs {
+    for log in file.logs.iter().filter(|_| !campaign.lost.touches(&["log"])) {
         let column = log.columns.keys().find(|key| key.get_ref() == LABEL);
         match (column, file.join.by == JoinBy::Label) {
             (None, true) => problems.0.push(
@@ -86,14 +104,6 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             _ => {}
         }
     }
-    let targets: Vec<_> = file.join.targets.iter().flatten().collect();
-    for (i, target) in targets.iter().enumerate() {
-        if targets[..i].iter().any(|t| t.get_ref() == target.get_ref()) {
-            let message = Message::error(format!("target `{}` is there twice", target.get_ref()));
-            problems.0.push(message.at(campaign.place(target)));
-        }
-    }
-    file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
 }
 
 /// A pose or a target that both the file and a column of it state.
@@ -114,7 +124,8 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
         Err(more) => return problems.0.extend(more.0),
     };
     let inputs = file.exports.iter().map(|e| &e.file).chain(file.logs.iter().map(|l| &l.file));
-    let inputs = inputs.chain([&file.robot]).filter_map(|f| campaign.resolve(f).ok());
+    let stated = |file: &&Spanned<String>| !file.get_ref().is_empty();
+    let inputs = inputs.chain([&file.robot]).filter(stated).filter_map(|f| campaign.resolve(f).ok());
     let parts = |path: &Path| -> Vec<OsString> {
         path.components().filter(|c| *c != Component::CurDir).map(|c| c.as_os_str().to_owned()).collect()
     };
@@ -137,13 +148,13 @@ pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
     let numbered = || poses.iter().copied().enumerate();
     if !numbered().any(|(i, pose)| taken(i, pose)) {
         let message = Message::error("`calibration` selects no pose that was measured");
-        problems.0.push(message.at(campaign.place(&identify.calibration)));
+        problems.0.push(message.at(campaign.place(&identify.calibration)).hint(measured(poses)));
     }
     if let (Some(validation), Some(text)) = (&validation, &identify.validation) {
         let tests = |i: usize, pose: i64| validation.contains(pose, i, taken(i, pose));
         if !numbered().any(|(i, pose)| tests(i, pose)) {
             let message = Message::error("`validation` selects no pose that was measured");
-            problems.0.push(message.at(campaign.place(text)));
+            problems.0.push(message.at(campaign.place(text)).hint(measured(poses)));
         }
         let shared: Vec<String> = numbered()
             .filter(|&(i, pose)| taken(i, pose) && tests(i, pose) && *validation != Selection::Rest)
@@ -171,11 +182,24 @@ pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
     problems.check().map(|_| ())
 }
 
+/// Which poses there are to select from.
+fn measured(poses: &BTreeSet<i64>) -> String {
+    match (poses.first(), poses.last()) {
+        (Some(first), Some(last)) => {
+            format!("{} are measured and joined, from {first} to {last}", count(poses.len(), "pose"))
+        }
+        _ => "no pose is measured and joined".to_owned(),
+    }
+}
+
 /// Features and the world frame: whether each is stated in one way.
 pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     for (name, feature) in &file.features {
         let Some((_, labels)) = feature.element() else {
+            if campaign.lost.touches(&["feature", name]) {
+                continue;
+            }
             problems.0.push(
                 Message::error(format!("feature `{name}` must be exactly one element"))
                     .at(campaign.place_of(&["feature", name]))
@@ -189,6 +213,9 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
                 problems.0.push(Message::error(what).at(campaign.place(label)));
             }
         }
+    }
+    if campaign.lost.touches(&["frame"]) {
+        return;
     }
     let world = file.frame.world.get_ref();
     let ways = [world.plane.is_some(), world.targets.is_some(), world.as_exported];

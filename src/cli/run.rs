@@ -3,6 +3,7 @@
 use super::{Verdict, print, say};
 use crate::campaign::Campaign;
 use crate::document::{AccuracySet, LimitVerdict};
+use crate::message::Message;
 use crate::pipeline;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -22,6 +23,25 @@ pub struct Run {
 
 impl Run {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let result = self.campaign();
+        if let (Err(_), Some(report)) = (&result, self.earlier()) {
+            let what =
+                format!("nothing is written: `{}` and the files beside it are of an earlier run", report.display());
+            say(format_args!(
+                "{}\n",
+                Message::warning(what).hint("do not load its controller files as if they were of this one")
+            ));
+        }
+        result
+    }
+
+    /// The report of an earlier run, if there is one.
+    fn earlier(&self) -> Option<PathBuf> {
+        let (campaign, _) = Campaign::recover(&self.campaign).ok()?;
+        Some(campaign?.output().ok()?.join("report.html")).filter(|report| report.is_file())
+    }
+
+    fn campaign(&self) -> anyhow::Result<Verdict> {
         let campaign = Campaign::read(&self.campaign)?;
         if let Some(name) = campaign.missing_variable().filter(|_| self.skip_missing) {
             say(format_args!("skipped: {} needs data below ${name}, which is not set", campaign.path));

@@ -44,7 +44,10 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
     let mut all = rows(file, text, log.delimiter, None)?;
     let header = if log.header && !all.is_empty() { Some(all.remove(0)) } else { None };
     if all.is_empty() {
-        return Err(Message::error(format!("log `{file}` holds no rows")).at(campaign.place(&log.file)).into());
+        return Err(Message::error(format!("log `{file}` holds no rows"))
+            .at(campaign.place(&log.file))
+            .hint("record it again, or state `header = false` if its only row holds values")
+            .into());
     }
     source.rows_read = all.len();
     let mut problems = Problems::default();
@@ -115,7 +118,19 @@ pub(super) fn read(campaign: &Campaign, log: &Log, text: &str, source: &mut Sour
             let cell = row.fields.get(index).map(String::as_str).unwrap_or("");
             match number(cell, log.decimal) {
                 Ok(value) => values.push(value * factor),
-                Err(message) => problems.0.push(message.at(cell_place(file, row, shown, index))),
+                Err(message) => {
+                    let unread = "every row needs its values: read it from the controller again, or remove the row";
+                    let hint = message.hint.clone().unwrap_or_else(|| unread.to_owned());
+                    problems.0.push(message.at(cell_place(file, row, shown, index)).hint(hint));
+                }
+            }
+        }
+        if name == ASSEMBLY && values.len() == count {
+            for (value, row) in values.iter().zip(&all).filter(|(v, _)| v.abs() != 1.0) {
+                let shown = lines.get(row.line - 1).copied().unwrap_or("");
+                let message = Message::error(format!("{value} is no assembly mode")).expected("1 or -1");
+                let hint = "leave the column out of `columns` if it is not known: then the nearer solution is taken";
+                problems.0.push(message.at(cell_place(file, row, shown, index)).hint(hint));
             }
         }
         if name == "pose" || name == "cycle" {

@@ -24,10 +24,11 @@ pub(crate) use points::{Point, used_labels};
 use crate::campaign::{Campaign, Export, Format, Log, Unit};
 use crate::document::{ImportDocument, Source};
 use crate::files;
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Problems, Result, nearest};
 use crate::pose::Vector;
 use points::PointColumns;
 use polars::prelude::DataFrame;
+use std::path::Path;
 
 /// What a campaign's files hold.
 #[derive(Clone, Debug)]
@@ -56,9 +57,14 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
         statement("robot", campaign.file.robot.get_ref(), campaign.robot_text.as_bytes()),
     ];
     let mut columns = PointColumns::default();
-    for export in &campaign.file.exports {
+    for (i, export) in campaign.file.exports.iter().enumerate() {
+        if export.file.get_ref().is_empty() {
+            continue;
+        }
         let read = campaign.resolve(&export.file).and_then(|path| read_text(&path, campaign.place(&export.file)));
         match read {
+            // what it states of itself is told already
+            Ok(_) if !campaign.export_reads(i) => {}
             Ok((text, bytes)) => {
                 let mut source = statement("export", export.file.get_ref(), &bytes);
                 source.dialect = format!("{}, unit {}", export.format, export.unit.name());
@@ -69,14 +75,18 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
         }
     }
     let mut logs = Vec::new();
-    for stated in &campaign.file.logs {
+    for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
         let read = campaign.resolve(&stated.file).and_then(|path| read_text(&path, campaign.place(&stated.file)));
         match read.and_then(|(text, bytes)| {
+            if campaign.lost.touches(&["log"]) {
+                return Ok(None);
+            }
             let mut source = statement("log", stated.file.get_ref(), &bytes);
             let table = log::read(campaign, stated, &text, &mut source)?;
-            Ok((source, table))
+            Ok(Some((source, table)))
         }) {
-            Ok((source, table)) => {
+            Ok(None) => {}
+            Ok(Some((source, table))) => {
                 sources.push(source);
                 logs.push((stated.name.clone(), table));
             }
@@ -85,8 +95,8 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
     }
     problems.0.extend(columns.measured_twice());
     problems.0.extend(blunders::check(campaign).0);
-    let mut messages = columns.unused_labels(campaign);
-    if problems.0.is_empty() {
+    let mut messages = if campaign.lost.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
+    if problems.0.is_empty() && campaign.lost.is_empty() {
         match blunders::refuse(campaign, &mut columns, &mut sources) {
             Ok(said) => messages.splice(0..0, said).for_each(drop),
             Err(more) => problems.0.extend(more.0),
@@ -147,9 +157,15 @@ fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {
 }
 
 /// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
-fn read_text(path: &std::path::Path, place: crate::message::Place) -> Result<(String, Vec<u8>)> {
+fn read_text(path: &Path, place: crate::message::Place) -> Result<(String, Vec<u8>)> {
+    if path.is_dir() {
+        let message = Message::error(format!("`{}` is a folder", path.display())).at(place);
+        return Err(message.expected("a file").hint(format!("name a file in it; {}", listed(path))).into());
+    }
     if !path.is_file() {
-        return Err(Message::error(format!("there is no file `{}`", path.display())).at(place).into());
+        let message = Message::error(format!("there is no file `{}`", path.display())).at(place);
+        let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+        return Err(message.hint(beside(path.parent().unwrap_or(Path::new("")), &name)).into());
     }
     let bytes = files::read(path)?;
     let text = std::str::from_utf8(&bytes).map_err(|e| {
@@ -158,4 +174,35 @@ fn read_text(path: &std::path::Path, place: crate::message::Place) -> Result<(St
             .hint("export it as UTF-8 or plain ASCII text")
     })?;
     Ok((text.strip_prefix('\u{feff}').unwrap_or(text).to_owned(), bytes))
+}
+
+/// What to do about a file that is not there: the file that may be meant, or how one comes by it.
+fn beside(folder: &Path, wrong: &str) -> String {
+    let names = files_in(folder);
+    let truth = folder.ancestors().map(|folder| folder.join("truth.toml")).find(|truth| truth.is_file());
+    match (nearest(wrong, names.iter().map(String::as_str)), truth) {
+        (Some(name), _) => format!("did you mean `{name}`, which is there?"),
+        (None, Some(truth)) => {
+            let campaign = truth.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            format!("`etalon simulate {}` writes it from truth.toml", campaign.display())
+        }
+        (None, None) if names.is_empty() => {
+            "put it there, or name another: paths begin at the campaign's folder".to_owned()
+        }
+        (None, None) => listed(folder),
+    }
+}
+
+fn listed(folder: &Path) -> String {
+    let names = files_in(folder);
+    let more = if names.len() > 12 { ", ..." } else { "" };
+    format!("there are: {}{more}", names[..names.len().min(12)].join(", "))
+}
+
+/// Names of the files in a folder, sorted.
+fn files_in(folder: &Path) -> Vec<String> {
+    let files = std::fs::read_dir(folder).into_iter().flatten().flatten().filter(|e| e.path().is_file());
+    let mut names: Vec<String> = files.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
 }

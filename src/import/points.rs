@@ -39,7 +39,9 @@ impl PointColumns {
         let file = export.file.get_ref();
         let (rows, mut problems) = super::point_rows(file, text, &export.format, export.unit);
         if rows.is_empty() && problems.0.is_empty() {
-            problems.0.push(Message::error(format!("`{file}` holds no points")));
+            problems.0.push(Message::error(format!("`{file}` holds no points")).hint(
+                "export the points again, or remove this [[export]]; `etalon formats FILE` shows how a text reads",
+            ));
         }
         problems = problems.at(&campaign.place(&export.file));
         problems.0.extend(self.add(campaign, export, rows, source).0);

@@ -3,7 +3,7 @@
 use super::unmatched::Rows;
 use super::{Log, Said};
 use crate::document::Unmatched;
-use crate::message::{Message, Result};
+use crate::message::{Message, Result, count};
 use crate::table;
 use polars::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -51,7 +51,8 @@ pub(super) fn by_time(
     said.unmatched.extend(several);
     if ambiguous > 0 {
         let what = format!(
-            "{ambiguous} measured points have several rows of log `{name}` within {tolerance_s} s: the nearest counts"
+            "{} with several rows of log `{name}` within {tolerance_s} s: the nearest counts",
+            count(ambiguous, "measured point")
         );
         said.messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
     }
@@ -79,7 +80,8 @@ pub(super) fn by_time(
     if !alone.is_empty() {
         let alone = alone.len();
         said.messages.push(Message::warning(format!(
-            "{alone} measured points have no row of log `{name}` within {tolerance_s} s"
+            "{} without a row of log `{name}` within {tolerance_s} s",
+            count(alone, "measured point")
         )));
     }
     said.unmatched.extend(alone);
@@ -94,7 +96,7 @@ pub(super) fn by_time(
     let log_places = Rows::log(log.rows, log.file)?;
     let idle: Vec<usize> = (0..numbers.len()).filter(|&i| !rows_used.contains(&numbers[i])).collect();
     if !idle.is_empty() {
-        let what = format!("{} rows of log `{name}` have no measured point", idle.len());
+        let what = format!("{} of log `{name}` without a measured point", count(idle.len(), "row"));
         said.messages.push(Message::warning(what));
     }
     let reason = "no measured point is nearest to it";

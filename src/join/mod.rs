@@ -7,7 +7,7 @@ mod unmatched;
 use crate::campaign::{Campaign, JoinBy};
 use crate::document::{FramesDocument, Unmatched};
 use crate::import::Imported;
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Problems, Result, count};
 use crate::pose::{Pose, Vector};
 use crate::robots::Robot;
 use crate::table;
@@ -93,10 +93,33 @@ fn with_log(
     };
     if joined.height() == 0 {
         let message = Message::error(format!("no measured point has a partner in log `{}`", log.name));
+        if campaign.file.join.by == JoinBy::Time {
+            let apart =
+                apart_s(campaign, points, log.rows)?.map_or_else(String::new, |s| format!(" are {s:.3} s apart"));
+            let hint = format!(
+                "with this `clock_offset_s` the two nearest times{apart}: check its value and sign; it is the time of the \
+                 measurement minus that of the log"
+            );
+            return Err(message.at(campaign.place_of(&["join", "clock_offset_s"])).hint(hint).into());
+        }
         let hint = "compare the poses and cycles of exports and log, or choose another key with `by` in [join]";
         return Err(message.hint(hint).into());
     }
     Ok(joined)
+}
+
+/// The smallest difference of the times of a point and of a row of the log, clocks set by the campaign's offset.
+fn apart_s(campaign: &Campaign, points: &DataFrame, log: &DataFrame) -> Result<Option<f64>> {
+    let offset_s = campaign.file.join.clock_offset_s.unwrap_or(0.0);
+    let mut logged = table::numbers(log, "time_s")?;
+    logged.sort_by(f64::total_cmp);
+    let nearest = |time_s: f64| {
+        let after = logged.partition_point(|l| *l < time_s);
+        let beside = logged.get(after.saturating_sub(1)..(after + 1).min(logged.len())).unwrap_or_default();
+        beside.iter().map(|l| (l - time_s).abs()).min_by(f64::total_cmp)
+    };
+    let times = table::numbers(points, "time_s")?;
+    Ok(times.into_iter().filter_map(|t| nearest(t - offset_s)).min_by(f64::total_cmp))
 }
 
 /// What the counts of rows say against a join by row, before anything is known of targets and frames.
@@ -148,8 +171,12 @@ fn targets_in_world(
     }
     if !lost.is_empty() {
         said.messages.push(
-            Message::warning(format!("{} poses have no world frame and are left out: {}", lost.len(), listed(&lost)))
-                .hint("their frame targets were refused or not measured: see import.json"),
+            Message::warning(format!(
+                "{} without a world frame, left out: {}",
+                count(lost.len(), "pose"),
+                listed(&lost)
+            ))
+            .hint("their frame targets were refused or not measured: see import.json"),
         );
     }
     let mut kept = points.take(&IdxCa::from_vec("i".into(), keep))?;
@@ -174,16 +201,12 @@ fn by_keys(points: &DataFrame, log: Log, keys: &[&str], said: &mut Said) -> Resu
         })
         .collect();
     if !twice.is_empty() {
-        let what = format!(
-            "log `{name}` has {} key{} more than once: {}",
-            twice.len(),
-            if twice.len() == 1 { "" } else { "s" },
-            twice.join("; ")
-        );
+        let what = format!("log `{name}` has {} more than once: {}", count(twice.len(), "key"), twice.join("; "));
         return Err(Message::error(what).hint("add `cycle` to the key, or remove the rows that do not count").into());
     }
-    let mut report = |what: &str, rows: Rows, here: &Keys, there: &Keys, reason: String| {
+    let mut report = |one: &str, many: &str, rows: Rows, here: &Keys, there: &Keys, reason: String| {
         let alone: Vec<&Vec<i64>> = here.keys().filter(|key| !there.contains_key(*key)).collect();
+        let what = if alone.len() == 1 { one } else { many };
         if !alone.is_empty() {
             let shown: Vec<String> = alone.iter().take(8).map(|k| format!("{k:?}")).collect();
             let more = if alone.len() > 8 { ", ... (all are in import.json)" } else { "" };
@@ -201,8 +224,15 @@ fn by_keys(points: &DataFrame, log: Log, keys: &[&str], said: &mut Said) -> Resu
         }
     };
     let lone = format!("no row of log `{name}` has this key");
-    report("measured keys are beside log", Rows::points(points)?, &measured, &logged, lone);
-    report("keys of log", log_rows, &logged, &measured, "no measured point has this key".to_owned());
+    report(
+        "measured key is beside log",
+        "measured keys are beside log",
+        Rows::points(points)?,
+        &measured,
+        &logged,
+        lone,
+    );
+    report("key of log", "keys of log", log_rows, &logged, &measured, "no measured point has this key".to_owned());
     let mut right = log.rows.clone();
     for column in ["row", "line", "pose", "cycle", "time_s"] {
         if !keys.contains(&column) && right.column(column).is_ok() {
@@ -247,6 +277,9 @@ fn equal_counts(
         if source.rows_read != log.height() {
             let what = format!("`{}` has {} rows, log `{name}` has {}", source.file, source.rows_read, log.height());
             let message = Message::error(what).expected("equal counts for a join by row");
+            let message = message.hint(
+                "one row of the log for each row of the export; else name pose and cycle in both, and join by them",
+            );
             let place = campaign
                 .file
                 .exports

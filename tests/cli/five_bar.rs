@@ -4,7 +4,7 @@ use super::{etalon, text, text_of};
 use crate::laws::five_bar::{SEVEN, measure, robot, truth};
 use std::fmt::Write;
 
-const ROBOT: &str = "model = \"five_bar\"\n[nominal]\nx_o = 263.0\ny_o = 75.0\n";
+const ROBOT: &str = "model = \"five_bar\"\n[nominal]\nl11 = 230.0\nl12 = 230.0\nl21 = 230.0\nl22 = 230.0\nd = 275.0\nl23 = 230.0\nx_o = 263.0\ny_o = 75.0\n";
 
 fn table(with_mode: bool) -> String {
     let mut csv =

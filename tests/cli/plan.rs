@@ -7,8 +7,7 @@ use etalon::robots::Robot;
 use std::fmt::Write;
 use std::path::Path;
 
-const FIVE_BAR: &str =
-    "model = \"five_bar\"\n[reach]\nclearance_mm = 0.0\ntype1_margin_deg = 5.0\ntype2_margin_deg = 25.0\n";
+const FIVE_BAR: &str = "model = \"five_bar\"\n[nominal]\nl11 = 230.0\nl12 = 230.0\nl21 = 230.0\nl22 = 230.0\nd = 275.0\nl23 = 230.0\n[reach]\nclearance_mm = 0.0\ntype1_margin_deg = 5.0\ntype2_margin_deg = 25.0\n";
 
 fn plan(folder: &Path, arguments: &[&str]) -> PlanDocument {
     let fixed = ["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--json"];

@@ -2,7 +2,9 @@
 
 mod causes;
 mod check;
+mod follow_up;
 mod qif;
+mod recovery;
 mod together;
 
 use crate::scratch::{Scratch, copy_sample};
@@ -134,7 +136,7 @@ fn every_repeat_needs_its_row_in_the_log_and_only_one() {
     std::fs::write(scratch.path().join("encoders.csv"), log.replacen(&row, "", 1)).unwrap();
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.contains("1 measured keys are beside log `log` without a partner (pose, cycle): [3, 1]"), "{said}");
+    assert!(said.contains("1 measured key is beside log `log` without a partner (pose, cycle): [3, 1]"), "{said}");
     std::fs::write(scratch.path().join("encoders.csv"), log + &row).unwrap();
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(2));

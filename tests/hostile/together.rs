@@ -143,6 +143,8 @@ fn names_with_quotes_and_accents_are_read() {
     assert!(said.contains("the first is `a\"éa`"), "{said}");
 }
 
+const PREXYT: &str = "model = \"prexyt\"\n[nominal]\ns = 394.0\nd = 116.0\n";
+
 /// What `etalon identify` says about a table of observations that it refuses.
 fn refused(robot: &str, table: &str) -> String {
     let scratch = copy_sample("prexyt-cmm");
@@ -171,17 +173,17 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
         ("1,1,L,1,2,3,4,5,6\n", ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "the row has 9 fields"]),
         ("1,1,K,1,2,3,4,5\n", ["observations.csv:3", "| 1,1,K,1,2,3,4,5", "occurs twice"]),
     ] {
-        let said = refused("model = \"prexyt\"\n", &format!("{head}{good}{rows}"));
+        let said = refused(PREXYT, &format!("{head}{good}{rows}"));
         assert!(parts.iter().all(|part| said.contains(part)), "{parts:?}:\n{said}");
     }
     // all of a table's problems at once
-    let said = refused("model = \"prexyt\"\n", &format!("{head}{good}1.5,1,L,1,2,3,4,5\n2,1,K,1,x,3,4,5\n"));
+    let said = refused(PREXYT, &format!("{head}{good}1.5,1,L,1,2,3,4,5\n2,1,K,1,x,3,4,5\n"));
     assert!(said.contains("observations.csv:3") && said.contains("observations.csv:4"), "{said}");
-    let said = refused("model = \"prexyt\"\n", &(head.replace("rho2_mm", "rho2").replace("cycle", "run") + good));
+    let said = refused(PREXYT, &(head.replace("rho2_mm", "rho2").replace("cycle", "run") + good));
     for part in ["no column `rho2_mm`", "no column `cycle`", "observations.csv:1", "| pose,run,target"] {
         assert!(said.contains(part), "{part:?} is not said:\n{said}");
     }
-    let said = refused("model = \"prexyt\"\n", &(head.replace("rho2_mm", "rho1_mm") + good));
+    let said = refused(PREXYT, &(head.replace("rho2_mm", "rho1_mm") + good));
     assert!(said.contains("the header names `rho1_mm` twice") && said.contains("observations.csv:1"), "{said}");
 }
 

@@ -66,14 +66,17 @@ fn by_time_with_the_stated_offset() {
 fn a_wrong_offset_finds_no_partner() {
     let problems =
         run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 1000.0, None, false)).unwrap_err();
-    assert!(problems.to_string().contains("no measured point has a partner"), "{problems}");
+    let said = problems.to_string();
+    assert!(said.contains("no measured point has a partner"), "{said}");
+    assert!(said.contains("check its value and sign") && said.contains("s apart"), "{said}");
+    assert!(!said.contains("compare the poses and cycles"), "{said}");
 }
 
 #[test]
 fn points_without_a_log_row_are_counted() {
     let outcome = run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 0.0, Some(20), false)).unwrap();
     let said =
-        outcome.messages.iter().any(|m| m.what.contains("2 measured points have no row of log `log` within 1 s"));
+        outcome.messages.iter().any(|m| m.what.contains("2 measured points without a row of log `log` within 1 s"));
     assert!(said, "{:?}", outcome.messages);
     assert_eq!(outcome.accuracy.sets[1].poses, 50);
 }
