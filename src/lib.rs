@@ -29,8 +29,8 @@
 //!
 //! In between: [`table`] (columns and their names), [`frames`] (world frames from features and targets), [`join`]
 //! (measurements meet joint values), [`evaluate`] (errors before and after),
-//! [`geometry`] (what [`geometric`] makes of a campaign), [`simulate`] (campaigns with a known truth), [`visits`] and
-//! [`pose_test`] (tables of a repeatability test become its characteristics).
+//! [`geometry`] (what [`geometric`] makes of a campaign), [`simulate`] (campaigns with a known truth), [`visits`],
+//! [`repeatability`] and [`pose_test`] (labelled visits, or tables of them, become characteristics).
 //!
 //! What comes out: [`document`] (the types behind every JSON document), [`schema`], [`parameters`], [`output`],
 //! [`report`] and [`export`], which read documents and nothing else. [`message`] is how everything says what is wrong.
@@ -99,11 +99,13 @@ pub mod plausible;
 pub mod pose;
 pub mod pose_test;
 pub mod refit;
+pub mod repeatability;
 pub mod report;
 pub mod robots;
 pub mod scalar;
 pub mod schema;
 pub mod simulate;
 pub mod solve;
+mod steps;
 pub mod table;
 pub mod visits;

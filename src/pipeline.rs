@@ -10,7 +10,7 @@ use crate::output::Output;
 use crate::parameters::parameters_document;
 use crate::plausible::doubts;
 use crate::robots::Robot;
-use crate::{export, frames, geometry, join, report};
+use crate::{export, frames, geometry, join, repeatability, report};
 
 /// What a run found, for the one who called it.
 #[derive(Clone, Debug)]
@@ -19,6 +19,8 @@ pub struct Outcome {
     pub parameters: ParametersDocument,
     /// Errors before and after.
     pub accuracy: AccuracyDocument,
+    /// Repeatability, where the campaign has visits.
+    pub iso9283: Option<Iso9283Document>,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
     /// Files written, in order.
@@ -28,6 +30,10 @@ pub struct Outcome {
 /// Runs a campaign from its exports to the report. Nothing is written before all of it is computed.
 /// Where a stage fails, the warnings of those before it come first: they may tell why.
 pub fn run(campaign: &Campaign) -> Result<Outcome> {
+    if !campaign.identifies() {
+        let message = Message::error("the campaign identifies nothing").at(campaign.place_of(&["repeatability"]));
+        return Err(message.expected("[log], [join], [frame] and [identify]").into());
+    }
     let mut warnings = Vec::new();
     stages(campaign, &mut warnings).map_err(|problems| {
         let told = |message: &Message| problems.0.contains(message);
@@ -48,6 +54,9 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
 
     // frames: features and targets become the world
     let frames = frames::make_frames(campaign, &imported.points, &features, robot.dimension() == 2)?;
+
+    // repeatability: visits of poses become characteristics of ISO 9283
+    let iso9283 = repeatability::evaluate(campaign, &imported.points, &frames)?;
 
     // join: measurements meet joint values
     let joined = join::join(campaign, &imported, &frames, robot.as_ref())?;
@@ -97,6 +106,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         accuracy: &accuracy,
         errors: &errors,
         geometric: geometric.as_ref(),
+        iso9283: iso9283.as_ref(),
     })?;
     out.table("points", &mut imported.points)?;
     for (name, log) in &mut imported.logs {
@@ -118,6 +128,10 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         Some(document) => out.json("geometric.json", document)?,
         None => out.remove("geometric.json"),
     }
+    match &iso9283 {
+        Some(document) => out.json("iso9283.json", document)?,
+        None => out.remove("iso9283.json"),
+    }
     for exporter in campaign.file.controllers.iter().filter_map(|name| export::by_name(name.get_ref())) {
         match parameters.is_plausible() {
             true => out.bytes(exporter.file_name(), exporter.write(&parameters)?),
@@ -126,8 +140,52 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     }
     out.bytes("report.html", html.into_bytes());
     let messages = imported.document.messages.iter().chain(&parameters.messages);
-    let messages = messages.chain(geometric.iter().flat_map(|g| &g.messages)).cloned().collect();
-    Ok(Outcome { written: out.write()?, parameters, accuracy, messages })
+    let messages = messages.chain(geometric.iter().flat_map(|g| &g.messages));
+    let messages = messages.chain(iso9283.iter().flat_map(|i| &i.messages)).cloned().collect();
+    Ok(Outcome { written: out.write()?, parameters, accuracy, iso9283, messages })
+}
+
+/// What a test of repeatability found, for the one who called it.
+#[derive(Clone, Debug)]
+pub struct Tested {
+    /// Its characteristics.
+    pub iso9283: Iso9283Document,
+    /// Everything that the report warns of.
+    pub messages: Vec<Message>,
+    /// Files written, in order.
+    pub written: Vec<String>,
+}
+
+/// Runs a campaign that identifies nothing ([`Campaign::identifies`]): import, features and frames as ever, then its test of
+/// repeatability. Nothing is written before all of it is computed.
+pub fn test(campaign: &Campaign) -> Result<Tested> {
+    let mut out = Output::new(campaign.output()?);
+    let mut imported = check(campaign)?;
+    let features = frames::fit_features(campaign, &imported.points)?;
+    imported.document.messages.extend(features.messages.clone());
+    let planar = campaign.build_robot()?.dimension() == 2;
+    let frames = frames::make_frames(campaign, &imported.points, &features, planar)?;
+    let found = repeatability::evaluate(campaign, &imported.points, &frames)?;
+    let iso9283 = found.ok_or_else(|| Message::error("the campaign has neither [identify] nor [repeatability]"))?;
+    let summary = campaign.summary();
+    let html = report::test_html(&report::TestReport {
+        campaign: &summary,
+        import: &imported.document,
+        features: &features,
+        frames: &frames,
+        iso9283: &iso9283,
+    })?;
+    // an earlier run may have identified
+    ["parameters.json", "accuracy.json", "residuals.parquet", "geometric.json"].into_iter().for_each(|n| out.remove(n));
+    out.table("points", &mut imported.points)?;
+    out.json("campaign.json", &summary)?;
+    out.json("import.json", &imported.document)?;
+    out.json("features.json", &features)?;
+    out.json("frames.json", &frames)?;
+    out.json("iso9283.json", &iso9283)?;
+    out.bytes("report.html", html.into_bytes());
+    let messages = imported.document.messages.iter().chain(&iso9283.messages).cloned().collect();
+    Ok(Tested { written: out.write()?, iso9283, messages })
 }
 
 /// A log by its name, its observations and what they identify.

@@ -14,7 +14,7 @@ use crate::iso9283::interval::{self, accuracy_interval, repeatability_interval};
 use crate::iso9283::quarter::quarter;
 use crate::iso9283::repeatability::{angle_repeatability_rad, pose_repeatability};
 use crate::message::{Message, Result};
-use crate::pose::Vector;
+use crate::pose::{Vector, minus};
 use crate::visits::{PoseVisits, Visit, Visits};
 use std::collections::BTreeSet;
 use std::collections::btree_map::{BTreeMap, Entry};
@@ -46,8 +46,13 @@ pub fn evaluate(visits: &Visits, settings: &Settings) -> Result<Iso9283Document>
         let message = Message::warning(format!("fewer than {CYCLES} cycles at pose {}", short.join(", ")));
         messages.push(message.hint("ISO 9283 asks for 30; the intervals say what fewer leave open"));
     }
-    if poses.iter().any(|p| p.quarter_rule_met == Some(false)) {
-        let message = Message::warning("the instrument's uncertainty exceeds a quarter of what it verifies");
+    let coarse: Vec<String> =
+        poses.iter().filter(|p| p.quarter_rule_met == Some(false)).map(|p| p.pose.to_string()).collect();
+    if !coarse.is_empty() {
+        let at = coarse.join(", ");
+        let message = Message::warning(format!(
+            "the instrument's uncertainty exceeds a quarter of what it verifies at pose {at}"
+        ));
         messages.push(message.hint("the values are upper bounds of the robot's; measure with a better instrument"));
     }
     Ok(Iso9283Document {
@@ -58,6 +63,10 @@ pub fn evaluate(visits: &Visits, settings: &Settings) -> Result<Iso9283Document>
         drifts: drifts(visits, settings)?,
         exchangeability_mm: exchanged(visits)?,
         coplanarity_mm: flatness(visits)?,
+        coplanarity_of_four: Vec::new(),
+        homing: None,
+        visits: Vec::new(),
+        limits: Vec::new(),
         poses,
         messages,
     })
@@ -81,20 +90,22 @@ fn poses(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
     for p in &visits.poses {
         let positions = p.positions_mm(|_| true);
         let n = positions.len();
-        let accuracy = pose_accuracy(&positions, p.commanded_mm)?;
-        let mut pose = Iso9283Pose {
-            pose: p.pose,
-            cycles: n,
-            ap_mm: accuracy.ap_mm,
-            ap_x_mm: accuracy.deviation_mm[0],
-            ap_y_mm: accuracy.deviation_mm[1],
-            ap_z_mm: visits.spatial.then_some(accuracy.deviation_mm[2]),
-            ..Iso9283Pose::default()
-        };
+        let mut pose = Iso9283Pose { pose: p.pose, cycles: n, ..Iso9283Pose::default() };
+        let accuracy = p.commanded_mm.map(|commanded| pose_accuracy(&positions, commanded)).transpose()?;
+        if let Some(found) = &accuracy {
+            pose.ap_mm = Some(found.ap_mm);
+            pose.ap_x_mm = Some(found.deviation_mm[0]);
+            pose.ap_y_mm = Some(found.deviation_mm[1]);
+            pose.ap_z_mm = visits.spatial.then_some(found.deviation_mm[2]);
+        }
         angles(&mut pose, visits, p);
         if n >= 2 {
             let found = pose_repeatability(&positions)?;
             pose.rp_mm = Some(found.rp_mm);
+            pose.rp_xy_mm = Some(found.plane_mm);
+            pose.rp_along_x_mm = Some(found.along_mm[0]);
+            pose.rp_along_y_mm = Some(found.along_mm[1]);
+            pose.rp_along_z_mm = visits.spatial.then_some(found.along_mm[2]);
             pose.mean_radius_mm = Some(found.mean_radius_mm);
             pose.sd_radius_mm = Some(found.sd_radius_mm);
             pose.enclosing_radius_mm = Some(found.enclosing_radius_mm);
@@ -107,19 +118,22 @@ fn poses(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
                     Entry::Occupied(shared) => shared.into_mut(),
                     Entry::Vacant(place) => place.insert(Bootstrap::new(n, DRAWS, settings.seed)?),
                 };
-                pose.ap_interval = Some(stated(bootstrap.accuracy(&positions, &accuracy)?));
+                if let Some(accuracy) = &accuracy {
+                    pose.ap_interval = Some(stated(bootstrap.accuracy(&positions, accuracy)?));
+                    pose.ap_interval_analytic = Some(stated(accuracy_interval(&positions, accuracy)?));
+                }
                 pose.rp_interval = Some(stated(bootstrap.repeatability(&positions, &found)?));
-                pose.ap_interval_analytic = Some(stated(accuracy_interval(&positions, &accuracy)?));
                 pose.rp_interval_analytic = Some(stated(repeatability_interval(&positions, &found)?));
             }
         }
         if let Some(uncertainty) = settings.expanded_uncertainty_mm {
-            let ap = quarter(uncertainty, pose.ap_mm);
+            let ap = pose.ap_mm.map(|ap| quarter(uncertainty, ap));
             let rp = pose.rp_mm.map(|rp| quarter(uncertainty, rp));
             // over nothing there is no ratio
-            pose.uncertainty_over_ap = Some(ap.ratio).filter(|r| r.is_finite());
+            pose.uncertainty_over_ap = ap.map(|a| a.ratio).filter(|r| r.is_finite());
             pose.uncertainty_over_rp = rp.map(|r| r.ratio).filter(|r| r.is_finite());
-            pose.quarter_rule_met = Some(ap.met && rp.is_none_or(|r| r.met));
+            let judged = || ap.iter().chain(&rp);
+            pose.quarter_rule_met = judged().next().map(|_| judged().all(|q| q.met));
         }
         all.push(pose);
     }
@@ -145,13 +159,14 @@ fn distances(visits: &Visits) -> Result<Vec<Iso9283Distance>> {
     let mut all = Vec::new();
     for (i, p) in visits.poses.iter().enumerate() {
         for q in &visits.poses[i + 1..] {
+            let (Some(from), Some(to)) = (p.commanded_mm, q.commanded_mm) else { continue };
             let pairs = pairs(p, q);
             if pairs.len() < 2 {
                 continue;
             }
             let positions = |of: fn(&(&Visit, &Visit)) -> Vector| pairs.iter().map(of).collect::<Vec<_>>();
             let (first, second) = (positions(|v| v.0.position_mm), positions(|v| v.1.position_mm));
-            let found = distance(&first, &second, [p.commanded_mm, q.commanded_mm])?;
+            let found = distance(&first, &second, [from, to])?;
             let axes = if visits.spatial { 3 } else { 2 };
             let turned = (0..visits.angles.len()).map(|k| {
                 let (a, b): (Vec<f64>, Vec<f64>) = pairs.iter().map(|v| (v.0.angles_rad[k], v.1.angles_rad[k])).unzip();
@@ -203,8 +218,10 @@ fn approaches(visits: &Visits) -> Result<Vec<Iso9283Variation>> {
         let approach = |(i, name): (usize, &&str)| Iso9283Approach {
             name: (*name).to_owned(),
             cycles: groups[i].len(),
-            deviation_mm: crate::pose::minus(found.means_mm[i], p.commanded_mm),
+            mean_mm: found.means_mm[i],
+            deviation_mm: p.commanded_mm.map(|commanded| minus(found.means_mm[i], commanded)),
             rp_mm: found.within[i].map(|w| w.rp_mm),
+            enclosing_radius_mm: found.within[i].map(|w| w.enclosing_radius_mm),
         };
         all.push(Iso9283Variation {
             pose: p.pose,
@@ -219,13 +236,13 @@ fn approaches(visits: &Visits) -> Result<Vec<Iso9283Variation>> {
 
 fn drifts(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Drift>> {
     let Some(size) = settings.drift_set else { return Ok(Vec::new()) };
-    let drifting = |p: &PoseVisits| -> Result<Iso9283Drift> {
+    let drifting = |(p, commanded): (&PoseVisits, Vector)| -> Result<Iso9283Drift> {
         // in the order of cycles; a set that was cut short does not count
         let mut ordered: Vec<&Visit> = p.visits.iter().collect();
         ordered.sort_by_key(|v| v.cycle);
         let sets: Vec<Vec<Vector>> =
             ordered.chunks_exact(size.max(1)).map(|set| set.iter().map(|v| v.position_mm).collect()).collect();
-        let found = drift(&sets, p.commanded_mm)?;
+        let found = drift(&sets, commanded)?;
         Ok(Iso9283Drift {
             pose: p.pose,
             ap_mm: found.ap_mm,
@@ -235,7 +252,7 @@ fn drifts(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Drift>> {
             settled_after: found.settled_after,
         })
     };
-    visits.poses.iter().map(drifting).collect()
+    visits.poses.iter().filter_map(|p| Some((p, p.commanded_mm?))).map(drifting).collect()
 }
 
 fn exchanged(visits: &Visits) -> Result<Option<f64>> {

@@ -29,8 +29,8 @@ pub struct Visit {
 pub struct PoseVisits {
     /// Number of the pose.
     pub pose: i64,
-    /// Commanded position.
-    pub commanded_mm: Vector,
+    /// Commanded position; where there is none, accuracy and distances are not told.
+    pub commanded_mm: Option<Vector>,
     /// Commanded angles.
     pub commanded_rad: Vec<f64>,
     /// Its visits, at least one.
@@ -77,7 +77,7 @@ impl Visits {
             if poses.iter().any(|p| p.pose == pose) {
                 problems.0.push(at_row(Message::error(format!("pose {pose} is commanded twice")), commanded, i));
             }
-            let (commanded_mm, commanded_rad) = (c.positions_mm[i], c.angles_rad[i].clone());
+            let (commanded_mm, commanded_rad) = (Some(c.positions_mm[i]), c.angles_rad[i].clone());
             poses.push(PoseVisits { pose, commanded_mm, commanded_rad, visits: Vec::new() });
         }
         let mut seen = BTreeSet::new();
@@ -134,6 +134,11 @@ impl PoseVisits {
     }
 }
 
+/// What an approach is called by the pose before.
+pub fn from_pose(pose: i64) -> String {
+    format!("from pose {pose}")
+}
+
 fn explicit(frame: &DataFrame) -> bool {
     frame.column("approach").is_ok()
 }
@@ -149,7 +154,7 @@ fn visits(attained: (&str, &DataFrame), rows: &Rows) -> Result<Vec<Visit>> {
         angles_rad: rows.angles_rad[i].clone(),
         approach: match &approaches {
             Some(names) => Some(names[i].clone()),
-            None => i.checked_sub(1).map(|before| format!("from pose {}", rows.poses[before])),
+            None => i.checked_sub(1).map(|before| from_pose(rows.poses[before])),
         },
         robot: robots.as_ref().map_or_else(String::new, |names| names[i].clone()),
     };

@@ -39,6 +39,7 @@ pub fn copy_sample(name: &str) -> Scratch {
         "exports/plate.txt",
         "exports/poses.txt",
         "exports/geometric.txt",
+        "exports/visits.txt",
     ] {
         if from.join(file).exists() {
             std::fs::copy(from.join(file), scratch.path().join(file)).unwrap();

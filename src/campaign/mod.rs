@@ -4,6 +4,7 @@ mod dialect;
 mod geometric;
 mod lost;
 mod paths;
+mod repeatability;
 mod robot_file;
 mod selection;
 mod toml_problems;
@@ -13,6 +14,7 @@ mod unknown;
 pub use dialect::{Column, Decimal, Delimiter, Dialect, Format, Role, Unit};
 pub use geometric::*;
 pub use lost::Lost;
+pub use repeatability::RepeatabilityDefinition;
 pub use robot_file::RobotFile;
 pub use selection::Selection;
 pub use types::*;
@@ -65,7 +67,8 @@ impl Campaign {
         let text = files::read_text(&path)?;
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
-        let Recovered { value, mut problems, lost } = toml_problems::recover::<CampaignFile>(&name, &text);
+        let Recovered { value, mut problems, lost } =
+            toml_problems::recover::<CampaignFile>(&name, &text, types::defaults(&text));
         let Some(file) = value else { return Ok((None, problems)) };
         let here = Place::span(name.as_str(), &text, file.robot.span());
         let read = paths::resolve(&folder, file.robot.get_ref())
@@ -93,6 +96,11 @@ impl Campaign {
     /// Folder for the documents.
     pub fn output(&self) -> Result<PathBuf> {
         self.resolve(&self.file.output)
+    }
+
+    /// Whether parameters are identified; a campaign may be a test of repeatability alone.
+    pub fn identifies(&self) -> bool {
+        types::identifies(&self.text)
     }
 
     /// The environment variable that the campaign's data hang on, if it is not set: such a campaign is skipped.

@@ -123,7 +123,7 @@ const SERIAL_ONLY: [&str; 5] = ["joint", "gravity", "bending", "coupling", "base
 impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
     pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
-        let Recovered { value, problems, lost } = toml_problems::recover::<Self>(name, text);
+        let Recovered { value, problems, lost } = toml_problems::recover::<Self>(name, text, "");
         (value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), lost, ..robot }), problems)
     }
 

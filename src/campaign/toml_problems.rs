@@ -21,16 +21,21 @@ pub(super) struct Recovered<T> {
 
 /// Reads `text` as a `T`, or reports everything in it that does not fit.
 pub(super) fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
-    let Recovered { value, problems, .. } = recover(file, text);
+    let Recovered { value, problems, .. } = recover(file, text, "");
     value.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
-/// The same, with the value that is left.
-pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str) -> Recovered<T> {
+/// The same, with the value that is left. Keys of the file itself that are missing are taken from the text `defaults`.
+pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, defaults: &'static str) -> Recovered<T> {
     let (mut root, errors) = DeTable::parse_recoverable(text);
     let mut lost = Lost::default();
     if !errors.is_empty() {
         return Recovered { value: None, problems: syntax(file, text, &errors), lost };
+    }
+    for (key, value) in DeTable::parse_recoverable(defaults).0.into_inner() {
+        if !root.get_ref().contains_key(key.get_ref().as_ref()) {
+            root.get_mut().insert(key, value);
+        }
     }
     let mut odd = Vec::new();
     root.get_ref().values().for_each(|value| not_finite(value, &mut odd));

@@ -1,12 +1,32 @@
 //! The keys of `campaign.toml`.
 
 use super::dialect::{Column, Format, Unit};
+use super::toml_problems::find;
 use crate::identify::ResidualKind;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::fmt;
 use toml::Spanned;
+
+/// What a campaign that identifies nothing need not state.
+const NOT_IDENTIFIED: &str = r#"
+    log = []
+    join = { by = ["pose", "cycle"] }
+    frame = { world = { as_exported = true } }
+    identify = { calibration = "" }
+"#;
+
+/// What this `campaign.toml` need not state, and its values.
+pub(super) fn defaults(text: &str) -> &'static str {
+    if identifies(text) { "" } else { NOT_IDENTIFIED }
+}
+
+/// Whether parameters are identified: always, but where [repeatability] is stated and nothing that only identifying needs.
+pub(super) fn identifies(text: &str) -> bool {
+    let stated = |key: &str| find(text, &[key]).is_some();
+    !stated("repeatability") || ["log", "join", "identify", "geometric"].into_iter().any(stated)
+}
 
 /// `campaign.toml`.
 #[derive(Clone, Debug, Deserialize)]
@@ -54,6 +74,8 @@ pub struct CampaignFile {
     pub identify: Identify,
     /// What geometry alone shall find (thesis, chapter 2).
     pub geometric: Option<super::GeometricDefinition>,
+    /// Poses that are visited again and again (thesis 2.4).
+    pub repeatability: Option<super::RepeatabilityDefinition>,
     /// What the result must meet.
     #[serde(default)]
     pub limits: Limits,
@@ -336,16 +358,19 @@ pub struct Limits {
     pub position_rms_mm: Option<f64>,
     /// Largest orientation error.
     pub orientation_max_deg: Option<f64>,
+    /// Largest repeatability RP of all poses.
+    pub repeatability_max_mm: Option<f64>,
 }
 
 impl Limits {
     /// Keys and values.
-    pub fn stated(&self) -> [(&'static str, Option<f64>); 4] {
+    pub fn stated(&self) -> [(&'static str, Option<f64>); 5] {
         [
             ("position_max_mm", self.position_max_mm),
             ("position_mean_mm", self.position_mean_mm),
             ("position_rms_mm", self.position_rms_mm),
             ("orientation_max_deg", self.orientation_max_deg),
+            ("repeatability_max_mm", self.repeatability_max_mm),
         ]
     }
 }

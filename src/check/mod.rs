@@ -9,8 +9,9 @@ use crate::campaign::Campaign;
 use crate::identify::matches_pattern;
 use crate::import::{self, Imported};
 use crate::message::{Problems, Result};
+use crate::pose::Pose;
 use crate::robots::Robot;
-use crate::{frames, geometry, join, table};
+use crate::{frames, geometry, join, repeatability, table};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 
@@ -59,6 +60,9 @@ pub fn everything(campaign: &Campaign) -> (Imported, Problems) {
                 world = made.map_err(|more| found.problems.0.extend(more.0)).ok();
             }
         }
+    }
+    if !campaign.identifies() {
+        return (found.imported, found.problems);
     }
     let mut poses = poses(&points).unwrap_or_default();
     if let (None, Some(robot), true) = (&world, &found.robot, found.read) {
@@ -112,13 +116,17 @@ fn find(campaign: &Campaign) -> Found {
         let missing = geometry::gather(campaign, definition, &imported.points).err();
         problems.0.extend(missing.into_iter().flat_map(|p| p.0));
     }
+    if let (Some(definition), true, true) = (&campaign.file.repeatability, named && whole(&["repeatability"]), read) {
+        let missing = repeatability::gather(campaign, definition, &imported.points, &Pose::identity()).err();
+        problems.0.extend(missing.into_iter().flat_map(|p| p.0));
+    }
     problems.0.extend(more.0);
     let robot = campaign.build_robot().map_err(|more| problems.0.extend(more.0)).ok();
     if let Some(robot) = &robot {
         names::robot(campaign, robot.as_ref(), &mut problems);
         let before = problems.0.len();
         names::logs(campaign, robot.as_ref(), &mut problems);
-        if complete && whole(&["join"]) {
+        if complete && whole(&["join"]) && campaign.identifies() {
             names::targets(campaign, robot.as_ref(), &imported, &mut problems);
         }
         // without its joints a log cannot be joined, nor can points without their targets

@@ -14,7 +14,7 @@ use toml::Spanned;
 pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     let lost = &campaign.lost;
-    if let (Err(more), false) = (campaign.selections(), lost.touches(&["identify"])) {
+    if let (Err(more), false) = (campaign.selections(), !campaign.identifies() || lost.touches(&["identify"])) {
         problems.0.extend(more.0);
     }
     for name in &file.controllers {
@@ -50,6 +50,12 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         if limit.is_some_and(|limit| limit <= 0.0) {
             let message = Message::error(format!("the limit `{key}` must be positive"));
             problems.0.push(message.at(campaign.place_of(&["limits", key])));
+        }
+        let needs = if key == "repeatability_max_mm" { "repeatability" } else { "identify" };
+        let told = if needs == "identify" { campaign.identifies() } else { file.repeatability.is_some() };
+        if limit.is_some() && !told {
+            let message = Message::error(format!("the limit `{key}` needs [{needs}]"));
+            problems.0.push(message.at(campaign.place_of(&["limits", key])).hint("remove it, or state what it judges"));
         }
     }
     output(campaign, problems);

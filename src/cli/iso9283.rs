@@ -79,7 +79,8 @@ impl Iso9283 {
     }
 }
 
-fn as_text(document: &Iso9283Document, all: bool) -> String {
+/// A table of the poses; with `all`, what stands beside them.
+pub(super) fn as_text(document: &Iso9283Document, all: bool) -> String {
     let interval = |i: &Option<Iso9283Interval>| i.map(|i| format!(" [{:.4}, {:.4}]", i.low_mm, i.high_mm));
     let number = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
     let mut text = format!(
@@ -87,7 +88,7 @@ fn as_text(document: &Iso9283Document, all: bool) -> String {
         "pose", "cycles", "AP mm [95 %]", "RP mm [95 %]", "mean l", "sd l", "enclosing"
     );
     for p in &document.poses {
-        let ap = format!("{:.4}{}", p.ap_mm, interval(&p.ap_interval).unwrap_or_default());
+        let ap = number(p.ap_mm) + &interval(&p.ap_interval).unwrap_or_default();
         let rp = number(p.rp_mm) + &interval(&p.rp_interval).unwrap_or_default();
         let (mean, sd, ball) = (number(p.mean_radius_mm), number(p.sd_radius_mm), number(p.enclosing_radius_mm));
         let _ = writeln!(text, "{:>5} {:>6} {ap:>28} {rp:>28} {mean:>9} {sd:>9} {ball:>9}", p.pose, p.cycles);
@@ -116,6 +117,12 @@ fn as_text(document: &Iso9283Document, all: bool) -> String {
             d.drp_mm,
             d.ap_mm.len()
         );
+    }
+    for p in &document.coplanarity_of_four {
+        let _ = writeln!(text, "pose {} is {:.4} mm out of the plane of the other three", p.pose, p.distance_mm);
+    }
+    if let Some(homing) = &document.homing {
+        let _ = writeln!(text, "homing, {} times: RP {} mm", homing.cycles, number(homing.rp_mm));
     }
     for (name, value) in
         [("exchangeability", document.exchangeability_mm), ("coplanarity of means", document.coplanarity_mm)]

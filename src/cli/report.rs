@@ -1,7 +1,7 @@
 //! `etalon report`
 
 use super::{Verdict, print_written};
-use crate::document::GeometricDocument;
+use crate::document::{GeometricDocument, Iso9283Document};
 use crate::message::{Message, Result};
 use crate::{evaluate, files, report, table};
 use serde::de::DeserializeOwned;
@@ -20,20 +20,38 @@ pub struct Report {
 impl Report {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let folder = &self.folder;
+        let optional = |name: &str| folder.join(name).is_file();
+        let iso9283: Option<Iso9283Document> =
+            optional("iso9283.json").then(|| document(folder, "iso9283.json")).transpose()?;
+        let (campaign, import) = (document(folder, "campaign.json")?, document(folder, "import.json")?);
+        let (features, frames) = (document(folder, "features.json")?, document(folder, "frames.json")?);
+        let path = folder.join("report.html");
+        if let Some(iso9283) = iso9283.as_ref().filter(|_| !optional("parameters.json")) {
+            let html = report::test_html(&report::TestReport {
+                campaign: &campaign,
+                import: &import,
+                features: &features,
+                frames: &frames,
+                iso9283,
+            })?;
+            files::write(&path, html.as_bytes())?;
+            print_written(vec![path.display().to_string()], self.json)?;
+            return Ok(Verdict::Met);
+        }
         let errors = evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?;
         let geometric: Option<GeometricDocument> =
-            if folder.join("geometric.json").is_file() { Some(document(folder, "geometric.json")?) } else { None };
+            optional("geometric.json").then(|| document(folder, "geometric.json")).transpose()?;
         let html = report::html(&report::Report {
-            campaign: &document(folder, "campaign.json")?,
-            import: &document(folder, "import.json")?,
-            features: &document(folder, "features.json")?,
-            frames: &document(folder, "frames.json")?,
+            campaign: &campaign,
+            import: &import,
+            features: &features,
+            frames: &frames,
             parameters: &document(folder, "parameters.json")?,
             accuracy: &document(folder, "accuracy.json")?,
             errors: &errors,
             geometric: geometric.as_ref(),
+            iso9283: iso9283.as_ref(),
         })?;
-        let path = folder.join("report.html");
         files::write(&path, html.as_bytes())?;
         print_written(vec![path.display().to_string()], self.json)?;
         Ok(Verdict::Met)

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 pub struct Run {
     /// Folder of the campaign, or its campaign.toml
     campaign: PathBuf,
-    /// Print accuracy.json instead of a summary
+    /// Print accuracy.json (of a test of repeatability iso9283.json) instead of a summary
     #[arg(long)]
     json: bool,
     /// Skip a campaign whose data hang on an environment variable that is not set
@@ -47,6 +47,9 @@ impl Run {
             say(format_args!("skipped: {} needs data below ${name}, which is not set", campaign.path));
             return Ok(Verdict::Met);
         }
+        if !campaign.identifies() {
+            return self.test(&campaign);
+        }
         let outcome = pipeline::run(&campaign)?;
         for message in &outcome.messages {
             say(format_args!("{message}\n"));
@@ -61,6 +64,10 @@ impl Run {
             for limit in &outcome.accuracy.limits {
                 text.push_str(&verdict(limit));
             }
+            if let Some(document) = &outcome.iso9283 {
+                text.push_str(&super::iso9283::as_text(document, true));
+                document.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
+            }
             let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
             print(text)?;
         }
@@ -68,8 +75,27 @@ impl Run {
         if !plausible {
             say("no controller file is written: this result cannot be the robot");
         }
-        let met = plausible && outcome.accuracy.limits.iter().all(|l| l.met);
+        let limits = outcome.accuracy.limits.iter().chain(outcome.iso9283.iter().flat_map(|i| &i.limits));
+        let met = plausible && limits.into_iter().all(|l| l.met);
         Ok(if met { Verdict::Met } else { Verdict::LimitNotMet })
+    }
+
+    /// A campaign that is a test of repeatability.
+    fn test(&self, campaign: &Campaign) -> anyhow::Result<Verdict> {
+        let tested = pipeline::test(campaign)?;
+        for message in &tested.messages {
+            say(format_args!("{message}\n"));
+        }
+        let document = &tested.iso9283;
+        if self.json {
+            print(crate::output::to_json(document)?)?;
+        } else {
+            let mut text = format!("{}\n{}", campaign.file.name, super::iso9283::as_text(document, true));
+            document.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
+            let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
+            print(text)?;
+        }
+        Ok(if document.limits.iter().all(|l| l.met) { Verdict::Met } else { Verdict::LimitNotMet })
     }
 }
 

@@ -24,8 +24,44 @@ pub struct Iso9283Document {
     pub exchangeability_mm: Option<f64>,
     /// Peak to valley of the mean positions about their plane; four poses or more, with z.
     pub coplanarity_mm: Option<f64>,
+    /// Distance of the mean position of each of four poses from the plane of the other three, where a campaign names them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub coplanarity_of_four: Vec<Iso9283OutOfPlane>,
+    /// Homings as visits of one pose, number 0, where a campaign has them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub homing: Option<Iso9283Pose>,
+    /// Every visit of a campaign, in the order of recording.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub visits: Vec<Iso9283Visit>,
+    /// Limits that the campaign states.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<super::LimitVerdict>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,
+}
+
+/// A pose whose mean lies out of the plane of three others (thesis 2.4).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283OutOfPlane {
+    /// Number of the pose.
+    pub pose: i64,
+    /// Distance from the plane.
+    pub distance_mm: f64,
+}
+
+/// One visit of one pose.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Visit {
+    /// Number of the pose.
+    pub pose: i64,
+    /// Number of the cycle.
+    pub cycle: i64,
+    /// How the pose was approached; null for the first visit of all.
+    pub approach: Option<String>,
+    /// Attained position.
+    pub attained_mm: crate::pose::Vector,
 }
 
 /// Two-sided interval of 95 %.
@@ -46,17 +82,26 @@ pub struct Iso9283Pose {
     pub pose: i64,
     /// Visits counted.
     pub cycles: usize,
-    /// AP_p (7.2.1).
-    pub ap_mm: f64,
+    /// AP_p (7.2.1); null where no position was commanded, as its coordinates.
+    pub ap_mm: Option<f64>,
     /// AP_x: mean minus commanded.
-    pub ap_x_mm: f64,
+    pub ap_x_mm: Option<f64>,
     /// AP_y.
-    pub ap_y_mm: f64,
+    pub ap_y_mm: Option<f64>,
     /// AP_z.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ap_z_mm: Option<f64>,
     /// RP_l (7.2.2): mean radius and three standard deviations; null with a single visit, as all that follows.
     pub rp_mm: Option<f64>,
+    /// The same of the projections into xy (thesis, table 2.1).
+    pub rp_xy_mm: Option<f64>,
+    /// The same of x alone.
+    pub rp_along_x_mm: Option<f64>,
+    /// The same of y alone.
+    pub rp_along_y_mm: Option<f64>,
+    /// The same of z alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_along_z_mm: Option<f64>,
     /// Mean distance from the barycentre.
     pub mean_radius_mm: Option<f64>,
     /// Standard deviation of that distance.
@@ -155,10 +200,14 @@ pub struct Iso9283Approach {
     pub name: String,
     /// Visits.
     pub cycles: usize,
-    /// Barycentre minus commanded position.
-    pub deviation_mm: crate::pose::Vector,
+    /// Barycentre.
+    pub mean_mm: crate::pose::Vector,
+    /// Barycentre minus commanded position; null where none was commanded.
+    pub deviation_mm: Option<crate::pose::Vector>,
     /// RP within this approach; null with a single visit.
     pub rp_mm: Option<f64>,
+    /// Radius of the smallest sphere (planar robots: circle) that holds its positions.
+    pub enclosing_radius_mm: Option<f64>,
 }
 
 /// Drift of one pose (7.6).

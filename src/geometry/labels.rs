@@ -4,24 +4,19 @@ use crate::campaign::{Campaign, GeometricDefinition};
 use crate::geometric::{
     BaseMeasurements, LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned,
 };
-use crate::identify::matches_pattern;
-use crate::import::LabelPattern;
 use crate::message::{Message, Problems, Result};
 use crate::pose::{Vector, centroid};
-use crate::table;
+use crate::steps::{Step, Steps};
 use polars::prelude::DataFrame;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use toml::Spanned;
-
-/// Points of one step: by cycle, pose and target, in the order in which they were measured.
-type Step = BTreeMap<(i64, i64, String), Vec<Vector>>;
 
 /// Measurements of the robot, and the pairs of balls of each scale bar.
 pub type Gathered = (Measurements, Vec<Vec<[Vector; 2]>>);
 
 /// Finds the points of every step by their labels; everything that is missing is said at once.
 pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &DataFrame) -> Result<Gathered> {
-    let all = Points { campaign, labels: table::texts(points, "label")?, xyz: table::coordinates(points)? };
+    let all = Steps::new(campaign, points)?;
     let mut problems = Problems::default();
     let mut step = |pattern: &Spanned<String>| {
         all.of(pattern).unwrap_or_else(|more| {
@@ -147,38 +142,7 @@ pub fn labelled(definition: &GeometricDefinition, (found, bars): &Gathered) -> V
     rows
 }
 
-/// All points of a campaign by their labels.
-struct Points<'a> {
-    campaign: &'a Campaign,
-    labels: Vec<String>,
-    xyz: Vec<Vector>,
-}
-
-impl Points<'_> {
-    /// Points whose labels have the form of `pattern`.
-    fn of(&self, pattern: &Spanned<String>) -> Result<Step> {
-        let place = || self.campaign.place(pattern);
-        let form = LabelPattern::parse(pattern.get_ref()).map_err(|m| m.at(place()))?;
-        let mut step = Step::new();
-        for (label, p) in self.labels.iter().zip(&self.xyz) {
-            let Some(named) = form.read(label) else { continue };
-            let key = (named.cycle.unwrap_or(1), named.pose.unwrap_or(1), named.target.unwrap_or_default());
-            step.entry(key).or_default().push(*p);
-        }
-        if step.is_empty() {
-            let what = format!("no point bears a label of the form `{}`", pattern.get_ref());
-            return Err(Message::error(what).at(place()).hint("correct the pattern, or add the export").into());
-        }
-        Ok(step)
-    }
-
-    /// Points whose label is, or matches, one of `names`.
-    fn named<'n>(&self, names: impl IntoIterator<Item = &'n Spanned<String>>) -> Vec<Vector> {
-        let names: Vec<&str> = names.into_iter().map(|n| n.get_ref().as_str()).collect();
-        let bears = |label: &String| names.iter().any(|name| matches_pattern(name, label));
-        self.labels.iter().zip(&self.xyz).filter(|(label, _)| bears(label)).map(|(_, p)| *p).collect()
-    }
-
+impl Steps<'_> {
     /// Rails and ball R: those of the world frame.
     fn base(&self) -> Result<BaseMeasurements> {
         let world = self.campaign.file.frame.world.get_ref();

@@ -113,7 +113,8 @@ impl PointColumns {
     pub fn unused_labels(&self, campaign: &Campaign) -> Vec<Message> {
         let used = used_labels(campaign);
         let geometric = campaign.file.geometric.iter().flat_map(|g| g.patterns());
-        let forms: Vec<Pattern> = geometric.filter_map(|p| Pattern::parse(p.get_ref()).ok()).collect();
+        let visits = campaign.file.repeatability.iter().flat_map(|r| r.patterns());
+        let forms: Vec<Pattern> = geometric.chain(visits).filter_map(|p| Pattern::parse(p.get_ref()).ok()).collect();
         // a join by label tells which points are not touched
         let joined = campaign.file.join.by == JoinBy::Label;
         let idle = |p: &&Point| {

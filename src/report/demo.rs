@@ -36,6 +36,7 @@ impl Documents {
             accuracy: &self.accuracy,
             errors: &self.errors,
             geometric: None,
+            iso9283: None,
         }
     }
 

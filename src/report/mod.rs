@@ -9,6 +9,7 @@ mod by_pose;
 mod demo;
 mod geometric;
 mod histogram;
+mod iso9283;
 mod map;
 mod number;
 mod parameters;
@@ -25,7 +26,7 @@ pub use plan::html as plan_html;
 
 use crate::document::{
     AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument,
-    ParametersDocument, PointError, WorldFrame,
+    Iso9283Document, ParametersDocument, PointError, Provenance, WorldFrame,
 };
 use crate::message::one_line;
 use crate::message::{Message, Result};
@@ -52,6 +53,22 @@ pub struct Report<'a> {
     pub errors: &'a [PointError],
     /// What geometry alone found, where the campaign asks for it.
     pub geometric: Option<&'a GeometricDocument>,
+    /// Repeatability, where the campaign tests it.
+    pub iso9283: Option<&'a Iso9283Document>,
+}
+
+/// What the report of a test of repeatability alone tells.
+pub struct TestReport<'a> {
+    /// What the campaign says about itself.
+    pub campaign: &'a CampaignSummary,
+    /// What was read and refused.
+    pub import: &'a ImportDocument,
+    /// Fitted elements.
+    pub features: &'a FeaturesDocument,
+    /// Frames made from them.
+    pub frames: &'a FramesDocument,
+    /// Repeatability.
+    pub iso9283: &'a Iso9283Document,
 }
 
 /// What the template sees: documents as they are, and what was computed from them.
@@ -70,6 +87,7 @@ struct Page<'a> {
     parameters: Vec<parameters::Row>,
     pictures: Vec<points::Picture>,
     geometric: Option<geometric::Section<'a>>,
+    iso9283: Option<iso9283::Section<'a>>,
     /// errors that are not finite
     undrawn: usize,
 }
@@ -92,6 +110,7 @@ pub fn html(report: &Report) -> Result<String> {
         parameters: parameters::rows(&report.parameters.parameters),
         pictures: pictures(report),
         geometric: report.geometric.map(geometric::section),
+        iso9283: report.iso9283.map(iso9283::section),
         undrawn: report.errors.len() - points::drawable(report.errors).len(),
     };
     // the name's ending turns escaping on
@@ -100,7 +119,46 @@ pub fn html(report: &Report) -> Result<String> {
     Ok(template.render(Serde(page)).map_err(fail)?)
 }
 
-/// Templates with their filters and the style that they share.
+/// What the template of a test of repeatability sees.
+#[derive(Serialize)]
+struct TestPage<'a> {
+    campaign: &'a CampaignSummary,
+    import: &'a ImportDocument,
+    features: &'a FeaturesDocument,
+    world: &'a WorldFrame,
+    provenance: Provenance,
+    messages: Vec<&'a Message>,
+    class: &'static str,
+    sentence: String,
+    iso9283: iso9283::Section<'a>,
+}
+
+/// The report of a test of repeatability alone as one HTML page.
+pub fn test_html(report: &TestReport) -> Result<String> {
+    let fail = |e: minijinja::Error| Message::error(format!("cannot write the report: {e:#}"));
+    let (class, sentence) = iso9283::verdict(report.iso9283);
+    let page = TestPage {
+        campaign: report.campaign,
+        import: report.import,
+        features: report.features,
+        world: &report.frames.world,
+        provenance: Provenance {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            inputs: report.import.inputs(),
+            seed: None,
+        },
+        messages: report.import.messages.iter().chain(&report.iso9283.messages).collect(),
+        class,
+        sentence,
+        iso9283: iso9283::section(report.iso9283),
+    };
+    let mut environment = environment().map_err(fail)?;
+    environment.add_template("repeatability.html", include_str!("repeatability.html")).map_err(fail)?;
+    let template = environment.get_template("repeatability.html").map_err(fail)?;
+    Ok(template.render(Serde(page)).map_err(fail)?)
+}
+
+/// Templates with their filters, and the parts and the style that they share.
 fn environment() -> std::result::Result<Environment<'static>, minijinja::Error> {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
@@ -110,13 +168,25 @@ fn environment() -> std::result::Result<Environment<'static>, minijinja::Error> 
     environment
         .add_filter("stated", |value: f64| if value.is_finite() { value.to_string() } else { "not a number".into() });
     environment.add_filter("one_line", |text: String| one_line(&text));
-    environment.add_template("style.html", include_str!("style.html"))?;
+    for (name, text) in [
+        ("style.html", include_str!("style.html")),
+        ("macros.html", include_str!("parts/macros.html")),
+        ("campaign.html", include_str!("parts/campaign.html")),
+        ("messages.html", include_str!("parts/messages.html")),
+        ("iso9283.html", include_str!("parts/iso9283.html")),
+        ("frames.html", include_str!("parts/frames.html")),
+        ("import.html", include_str!("parts/import.html")),
+        ("provenance.html", include_str!("parts/provenance.html")),
+    ] {
+        environment.add_template(name, text)?;
+    }
     Ok(environment)
 }
 
 fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
     let geometric = report.geometric.iter().flat_map(|g| &g.messages);
-    report.parameters.messages.iter().chain(&report.import.messages).chain(geometric).collect()
+    let iso9283 = report.iso9283.iter().flat_map(|i| &i.messages);
+    report.parameters.messages.iter().chain(&report.import.messages).chain(geometric).chain(iso9283).collect()
 }
 
 fn pictures(report: &Report) -> Vec<points::Picture> {

@@ -22,6 +22,8 @@ pub(super) struct Plane {
     /// units of the picture per millimetre
     pub scale: f64,
     bottom: f64,
+    /// what one unit of the places is called
+    unit: &'static str,
 }
 
 /// The planes of a workspace: xy, and xz where it has a third dimension.
@@ -58,7 +60,13 @@ impl Plane {
             up: Axis::linear(cy - wy, cy + wy, bottom, TOP),
             scale,
             bottom,
+            unit: "mm",
         }
+    }
+
+    /// The same plane where places are given in another unit than millimetres.
+    pub fn in_unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
     }
 
     /// Height of map and axis names together: legends stand below.
@@ -87,8 +95,8 @@ impl Plane {
         svg.line("axis", (LEFT, self.bottom), (right, self.bottom));
         svg.line("axis", (LEFT, TOP), (LEFT, self.bottom));
         let middle = ((LEFT + right) / 2.0, self.bottom + 32.0);
-        svg.text("mid", middle, &format!("{} in mm", axis_name(self.axes.0)));
-        svg.text_upwards((12.0, (TOP + self.bottom) / 2.0), &format!("{} in mm", axis_name(self.axes.1)));
+        svg.text("mid", middle, &format!("{} in {}", axis_name(self.axes.0), self.unit));
+        svg.text_upwards((12.0, (TOP + self.bottom) / 2.0), &format!("{} in {}", axis_name(self.axes.1), self.unit));
     }
 }
 

@@ -1,6 +1,6 @@
 //! An export in the format that the campaign states.
 
-use super::{Scene, Truth, Turn, geometric, text};
+use super::{Scene, Truth, Turn, geometric, repeatability, text};
 use crate::campaign::{Dialect, Export, Format, Role};
 use crate::import;
 use crate::message::{Message, Result};
@@ -20,7 +20,7 @@ struct Row {
 
 /// The text of an export; an error where import would not read back what is meant.
 pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<String> {
-    let rows = rows(scene, export, stream);
+    let rows = rows(scene, export, stream)?;
     let file = export.file.get_ref();
     let place = || scene.campaign.place(&export.file);
     if rows.is_empty() {
@@ -63,7 +63,7 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
 }
 
 /// What was measured: fixed points first, then the targets at every pose.
-fn rows(scene: &Scene, export: &Export, stream: u64) -> Vec<Row> {
+fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     let (truth, instrument) = (scene.truth, &scene.campaign.file.instrument);
     let sigma_mm = truth.noise_um.map_or(instrument.standard_uncertainty_mm(), |um| um / 1000.0);
     let mut noise = Noise::new(truth.seed, stream);
@@ -81,12 +81,13 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Vec<Row> {
             });
         }
     }
-    for (label, xyz) in geometric::points(scene, export, &mut measure) {
+    let labelled = geometric::points(scene, export, &mut measure).into_iter();
+    for (label, xyz) in labelled.chain(repeatability::points(scene, export, &mut measure)?) {
         rows.push(Row { target: label.clone(), label, turn: scene.turn(1), moves: false, xyz });
     }
     let names_target = matches!(&export.format, Format::Delimited(d) if d.columns.contains(&Role::Target));
     if export.label.is_none() && export.target.is_none() && !names_target {
-        return rows;
+        return Ok(rows);
     }
     let pattern = export.label.as_ref().map_or("{target}_{pose}_{cycle}", |label| label.get_ref());
     for turn in scene.turns(truth.cycles) {
@@ -104,7 +105,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Vec<Row> {
             });
         }
     }
-    rows
+    Ok(rows)
 }
 
 /// Whether `point` says of the row what a join or a feature needs.

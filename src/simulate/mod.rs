@@ -3,9 +3,11 @@
 mod export;
 mod geometric;
 mod log;
+mod repeatability;
 mod text;
 mod truth;
 
+pub use repeatability::{Repeating, Scatter};
 pub use truth::{Circle, LabelledPoint, Placement, Poses, Truth, true_values};
 
 use crate::campaign::Campaign;
@@ -109,6 +111,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),
     };
     geometric::check(&scene)?;
+    repeatability::check(&scene)?;
     let mut texts = Vec::new();
     for (stream, stated) in campaign.file.exports.iter().enumerate() {
         // one stream of noise per file: adding a file changes no other

@@ -39,6 +39,8 @@ pub struct Truth {
     pub geometric_export: Option<String>,
     /// Balls, shaft and carriages of the geometric calibration (thesis, chapter 2).
     pub geometric: Option<Setup>,
+    /// How the robot repeats where a trajectory visits its poses again and again.
+    pub repeatability: Option<super::Repeating>,
     /// Poses, numbered from 1 in the order given.
     pub poses: Vec<Poses>,
 }

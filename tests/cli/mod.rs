@@ -313,3 +313,28 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
         assert!(refused.stdout.is_empty() && text_of(&refused).contains(said), "{}", text_of(&refused));
     }
 }
+
+#[test]
+fn a_test_of_repeatability_runs_without_identifying_and_its_report_is_made_again() {
+    let scratch = copy_sample("prexyt-repeatability");
+    let ran = etalon(scratch.root(), &["run", "campaign"]);
+    assert!(ran.status.success(), "{}", text_of(&ran));
+    let said = text(&ran.stdout);
+    for part in ["25 % rule not met", "homing, 10 times", "out of the plane", "limit repeatability_max_mm: met"] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    let report = scratch.path().join("out/report.html");
+    let first = std::fs::read(&report).unwrap();
+    assert!(text(&first).contains("from pose 5 (29)") && text(&first).contains("Synthetic data"));
+    std::fs::remove_file(&report).unwrap();
+    assert!(etalon(scratch.root(), &["report", "campaign/out"]).status.success());
+    assert!(std::fs::read(&report).unwrap() == first);
+    let json = etalon(scratch.root(), &["run", "campaign", "--json"]);
+    let document: etalon::document::Iso9283Document = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!((document.visits.len(), document.poses.len()), (240, 5));
+
+    scratch.replace("campaign.toml", "repeatability_max_mm = 0.040", "repeatability_max_mm = 0.020");
+    assert_eq!(etalon(scratch.root(), &["run", "campaign"]).status.code(), Some(1));
+    let checked = etalon(scratch.root(), &["check", "campaign"]);
+    assert!(checked.status.success() && text(&checked.stdout).contains("nothing is wrong"), "{}", text_of(&checked));
+}

@@ -44,7 +44,7 @@ fn a_noisy_campaign_is_within_its_uncertainties() {
 
 #[test]
 fn samples_are_what_their_truth_makes() {
-    for sample in ["prexyt-cmm", "prexyt-faroarm", "prexyt-geometric"] {
+    for sample in ["prexyt-cmm", "prexyt-faroarm", "prexyt-geometric", "prexyt-repeatability"] {
         let scratch = copy_sample(sample);
         let campaign = Campaign::read(&scratch.path()).unwrap();
         let truth = read_truth(&scratch.path().join("truth.toml")).unwrap();

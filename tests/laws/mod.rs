@@ -16,6 +16,7 @@ mod iso9283;
 mod joins;
 mod plans;
 mod probes;
+mod repeatability;
 mod robots;
 mod serial;
 mod solving;

@@ -1,0 +1,217 @@
+//! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of ISO 9283 out.
+
+use crate::campaign::{Campaign, RepeatabilityDefinition};
+use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit, LimitVerdict};
+use crate::iso9283::coplanarity::from_the_others;
+use crate::message::{Message, Problems, Result};
+use crate::pose::Pose;
+use crate::pose_test::{self, Settings};
+use crate::steps::{Step, Steps};
+use crate::visits::{PoseVisits, Visit, Visits, from_pose};
+use polars::prelude::DataFrame;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Seed of the bootstrap: intervals are the same on every run.
+const SEED: u64 = 1;
+/// The 25 % rule takes the expanded uncertainty with this coverage factor.
+const COVERAGE_FACTOR: f64 = 2.0;
+
+/// The characteristics that the campaign's visits tell, in its world frame; `None` where it has no `[repeatability]`.
+pub fn evaluate(campaign: &Campaign, points: &DataFrame, frames: &FramesDocument) -> Result<Option<Iso9283Document>> {
+    let Some(definition) = &campaign.file.repeatability else { return Ok(None) };
+    let [frame] = &frames.world.poses[..] else {
+        let message = Message::error("[repeatability] needs a world frame that is measured once");
+        return Err(message.at(campaign.place(&campaign.file.frame.world)).into());
+    };
+    let gathered = gather(campaign, definition, points, &frame.export_T_world)?;
+    let settings = Settings {
+        expanded_uncertainty_mm: Some(COVERAGE_FACTOR * campaign.file.instrument.standard_uncertainty_mm()),
+        drift_set: None,
+        rotation_order: None,
+        seed: SEED,
+    };
+    let mut document = pose_test::evaluate(&gathered.visits, &settings)?;
+    document.conventions.push(format!(
+        "approach: the pose before in the trajectory; the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the world \
+         frame ({})",
+        frames.world.definition
+    ));
+    if let Some(homings) = &gathered.homings {
+        let homing = pose_test::evaluate(homings, &settings)?.poses.pop();
+        document.messages.extend(homing.as_ref().and_then(too_coarse));
+        document.homing = homing;
+    }
+    document.coplanarity_of_four = out_of_plane(campaign, definition, &gathered.visits)?;
+    document.limits = limits(campaign, &document.poses);
+    document.visits = gathered.in_order;
+    Ok(Some(document))
+}
+
+/// What the labels of a campaign bring.
+#[derive(Clone, Debug)]
+pub struct Gathered {
+    /// Visits of the trajectory's poses.
+    pub visits: Visits,
+    /// Homings, as visits of pose 0.
+    pub homings: Option<Visits>,
+    /// The visits of the trajectory in the order of recording.
+    pub in_order: Vec<Iso9283Visit>,
+}
+
+/// Finds the visits by their labels; everything that is missing is said at once.
+pub fn gather(
+    campaign: &Campaign,
+    definition: &RepeatabilityDefinition,
+    points: &DataFrame,
+    export_T_world: &Pose,
+) -> Result<Gathered> {
+    let steps = Steps::new(campaign, points)?;
+    let mut problems = statements(campaign, definition);
+    let mut step = |pattern| steps.of(pattern).map_err(|more| problems.0.extend(more.0)).ok();
+    let (visits, homings) = (step(&definition.label), definition.homing.as_ref().map(&mut step));
+    let world_T_export = export_T_world.inverse();
+    let mut warnings = Vec::new();
+    let in_order = visits.map_or_else(Vec::new, |step| {
+        in_order(campaign, definition, step, &world_T_export, &mut warnings, &mut problems)
+    });
+    problems.check()?;
+    let homings = homings.flatten().map(|step| {
+        let homed = |((cycle, _, _), points): ((i64, i64, String), Vec<_>)| {
+            let visit = move |p| visit(0, cycle, None, world_T_export.apply(p));
+            points.into_iter().map(visit).collect::<Vec<_>>()
+        };
+        by_pose(&step.into_iter().flat_map(homed).collect::<Vec<_>>(), Vec::new())
+    });
+    Ok(Gathered { visits: by_pose(&in_order, warnings), homings, in_order })
+}
+
+fn visit(pose: i64, cycle: i64, approach: Option<String>, attained_mm: crate::pose::Vector) -> Iso9283Visit {
+    Iso9283Visit { pose, cycle, approach, attained_mm }
+}
+
+/// Statements that no measurement can meet.
+fn statements(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Problems {
+    let trajectory = definition.trajectory.get_ref();
+    let mut problems = Problems::default();
+    if trajectory.is_empty() {
+        let message = Message::error("the trajectory has no pose").at(campaign.place(&definition.trajectory));
+        problems.0.push(message.hint("state the poses of one cycle in their order, e.g. [1, 2, 1, 3]"));
+    }
+    if let Some(four) = &definition.coplanar {
+        let poses = four.get_ref();
+        let distinct = poses.iter().collect::<BTreeSet<_>>().len() == poses.len();
+        if !distinct || !poses.iter().all(|pose| trajectory.contains(pose)) {
+            let message = Message::error("`coplanar` does not name four poses of the trajectory");
+            problems.0.push(message.at(campaign.place(four)).expected("four of its poses, each once"));
+        }
+    }
+    problems
+}
+
+/// The visits of every cycle along the trajectory. Of a pose that a cycle passes several times all visits must be there:
+/// otherwise nobody knows which one is missing.
+fn in_order(
+    campaign: &Campaign,
+    definition: &RepeatabilityDefinition,
+    mut step: Step,
+    world_T_export: &Pose,
+    warnings: &mut Vec<Message>,
+    problems: &mut Problems,
+) -> Vec<Iso9283Visit> {
+    let trajectory = definition.trajectory.get_ref();
+    let place = || campaign.place(&definition.label);
+    let cycles: BTreeSet<i64> = step.keys().map(|key| key.0).collect();
+    let first = cycles.first().copied();
+    let mut measured: BTreeMap<(i64, i64), std::vec::IntoIter<_>> = BTreeMap::new();
+    for ((cycle, pose, target), points) in std::mem::take(&mut step) {
+        if !trajectory.contains(&pose) {
+            let message = Message::error(format!("pose {pose} (cycle {cycle}) is not in the trajectory")).at(place());
+            problems.0.push(message.hint("correct the label, or add the pose to `trajectory`"));
+        } else if measured.insert((pose, cycle), points.into_iter()).is_some() {
+            let what = format!("pose {pose} (cycle {cycle}) is there with another target than `{target}` as well");
+            problems
+                .0
+                .push(Message::error(what).at(place()).hint("one ball tells the repeatability: name it in `label`"));
+        }
+    }
+    let counts = trajectory.iter().fold(BTreeMap::new(), |mut counts: BTreeMap<i64, usize>, pose| {
+        *counts.entry(*pose).or_default() += 1;
+        counts
+    });
+    let mut missing = Vec::new();
+    for (&cycle, (&pose, &count)) in cycles.iter().flat_map(|cycle| counts.iter().map(move |count| (cycle, count))) {
+        match measured.get(&(pose, cycle)).map_or(0, ExactSizeIterator::len) {
+            0 => missing.push(format!("pose {pose} of cycle {cycle}")),
+            found if found != count => {
+                let what = format!(
+                    "pose {pose} was measured {found} times in cycle {cycle}, the trajectory passes it {count} times"
+                );
+                let hint =
+                    "add the visit, or remove all of this pose and cycle: nobody knows from where the others came";
+                problems.0.push(Message::error(what).at(place()).hint(hint));
+            }
+            _ => {}
+        }
+    }
+    problems.0.truncate(20);
+    if !missing.is_empty() {
+        let shown = missing.iter().take(10).cloned().collect::<Vec<_>>().join(", ");
+        let more = if missing.len() > 10 { ", ..." } else { "" };
+        warnings.push(Message::warning(format!("not measured: {shown}{more}")).at(place()));
+    }
+    let mut all = Vec::new();
+    for &cycle in &cycles {
+        for (i, pose) in trajectory.iter().enumerate() {
+            let before = trajectory[(i + trajectory.len() - 1) % trajectory.len()];
+            // where the robot stood before the test nobody says
+            let approach = (i > 0 || Some(cycle) != first).then(|| from_pose(before));
+            if let Some(p) = measured.get_mut(&(*pose, cycle)).and_then(Iterator::next) {
+                all.push(visit(*pose, cycle, approach, world_T_export.apply(p)));
+            }
+        }
+    }
+    all
+}
+
+fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> Visits {
+    let mut poses: BTreeMap<i64, Vec<Visit>> = BTreeMap::new();
+    for v in in_order {
+        poses.entry(v.pose).or_default().push(Visit {
+            cycle: v.cycle,
+            position_mm: v.attained_mm,
+            angles_rad: Vec::new(),
+            approach: v.approach.clone(),
+            robot: String::new(),
+        });
+    }
+    let of_pose = |(pose, visits)| PoseVisits { pose, commanded_mm: None, commanded_rad: Vec::new(), visits };
+    Visits { poses: poses.into_iter().map(of_pose).collect(), spatial: true, angles: Vec::new(), warnings }
+}
+
+fn out_of_plane(
+    campaign: &Campaign,
+    definition: &RepeatabilityDefinition,
+    visits: &Visits,
+) -> Result<Vec<Iso9283OutOfPlane>> {
+    let Some(four) = &definition.coplanar else { return Ok(Vec::new()) };
+    let poses = *four.get_ref();
+    let of_pose = |pose: i64| {
+        let found = visits.poses.iter().find(|p| p.pose == pose);
+        found.map_or_else(Vec::new, |p| p.positions_mm(|_| true))
+    };
+    let distances_mm = from_the_others(&poses.map(of_pose)).map_err(|more| more.at(&campaign.place(four)))?;
+    Ok(poses.into_iter().zip(distances_mm).map(|(pose, distance_mm)| Iso9283OutOfPlane { pose, distance_mm }).collect())
+}
+
+fn too_coarse(homing: &Iso9283Pose) -> Option<Message> {
+    let rp = homing.rp_mm.filter(|_| homing.quarter_rule_met == Some(false))?;
+    let what = format!("the instrument's uncertainty exceeds a quarter of the repeatability of homing, {rp:.4} mm");
+    Some(Message::warning(what).hint("the value is an upper bound of the robot's"))
+}
+
+fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Vec<LimitVerdict> {
+    let name = "repeatability_max_mm".to_owned();
+    let value = poses.iter().filter_map(|p| p.rp_mm).fold(0.0, f64::max);
+    let judged = |limit| LimitVerdict { name, unit: "mm".to_owned(), limit, value, met: value <= limit };
+    campaign.file.limits.repeatability_max_mm.map(judged).into_iter().collect()
+}

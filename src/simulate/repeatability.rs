@@ -1,0 +1,119 @@
+//! Visits of a test of repeatability (thesis 2.4): where a robot stands depends on where it comes from.
+
+use super::{Scene, Turn};
+use crate::campaign::Export;
+use crate::geometry;
+use crate::message::{Message, Result};
+use crate::noise::Noise;
+use crate::pose::{Vector, minus};
+use serde::Deserialize;
+
+/// Stream of the noise of the robot: no file has it.
+const VISITS: u64 = 1 << 34;
+/// A shorter move leaves the play as it is, in mm.
+const MOVED_MM: f64 = 1e-6;
+
+/// `[repeatability]` of a truth: how the robot repeats.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Repeating {
+    /// The export that the visits go to.
+    pub export: String,
+    /// The ball that is measured: one of the robot's targets.
+    pub target: String,
+    /// From where it stands after a move along −x to where after one along +x, in µm: it lags behind.
+    pub play_x_um: Vector,
+    /// The same along y.
+    pub play_y_um: Vector,
+    /// How each pose of the trajectory repeats by itself, from pose 1.
+    pub pose: Vec<Scatter>,
+    /// Joint values of the home position, in mm or deg.
+    pub home: Vec<f64>,
+    /// How often it is homed.
+    #[serde(default)]
+    pub homings: i64,
+    /// Standard deviation of each coordinate after homing.
+    #[serde(default)]
+    pub homing_um: f64,
+}
+
+/// How a pose repeats by itself.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scatter {
+    /// Standard deviations of x, y and z.
+    pub scatter_um: Vector,
+    /// How far the mechanism, which warps, lifts it.
+    #[serde(default)]
+    pub lift_um: f64,
+}
+
+/// Labelled visits that go to `export`; `measure` gives the reading of a point in the world.
+pub(super) fn points(
+    scene: &Scene,
+    export: &Export,
+    mut measure: impl FnMut(Vector) -> Vector,
+) -> Result<Vec<(String, Vector)>> {
+    let (Some(truth), Some(definition)) = (&scene.truth.repeatability, &scene.campaign.file.repeatability) else {
+        return Ok(Vec::new());
+    };
+    if truth.export != *export.file.get_ref() {
+        return Ok(Vec::new());
+    }
+    let target = scene.robot.targets().iter().position(|t| *t == truth.target).ok_or_else(|| {
+        let message =
+            Message::error(format!("[repeatability] of the truth: the robot has no target `{}`", truth.target));
+        message.hint_names(&truth.target, scene.robot.targets().iter().map(String::as_str))
+    })?;
+    let mut robot = Noise::new(scene.truth.seed, VISITS);
+    let mut scattered = |um: Vector| um.map(|um| robot.gaussian(um / 1e3));
+    let home: Vec<f64> = scene.robot.joints().iter().zip(&truth.home).map(|(j, q)| j.quantity.inward(*q)).collect();
+    let mut home_mm = scene.robot.position(&scene.values, &home, target);
+    home_mm[2] += scene.truth.target_height_mm;
+    let mut rows = Vec::new();
+    let (mut before, mut play) = (home_mm, [0.0; 2]);
+    for cycle in 1..=scene.truth.cycles {
+        for &pose in definition.trajectory.get_ref() {
+            let scatter = usize::try_from(pose - 1).ok().and_then(|i| truth.pose.get(i));
+            let known = (1..=scene.joints.len() as i64).contains(&pose);
+            let Some(scatter) = scatter.filter(|_| known) else {
+                let message = Message::error(format!("pose {pose} of the trajectory is not in the truth"));
+                return Err(message.hint("add it to `joints` of [[poses]] and to [[repeatability.pose]]").into());
+            };
+            let at = scene.target(Turn { pose, cycle, number: pose }, target);
+            // the side that the last move along an axis left it on
+            for (side, d) in play.iter_mut().zip(minus(at, before)) {
+                if d.abs() > MOVED_MM {
+                    *side = -0.5 * d.signum();
+                }
+            }
+            let noise = scattered(scatter.scatter_um);
+            let lagging = |k: usize| (play[0] * truth.play_x_um[k] + play[1] * truth.play_y_um[k]) / 1e3;
+            let lift = [0.0, 0.0, scatter.lift_um / 1e3];
+            let stands = [0, 1, 2].map(|k| at[k] + lagging(k) + lift[k] + noise[k]);
+            rows.push((geometry::label(definition.label.get_ref(), &truth.target, pose, cycle), measure(stands)));
+            before = at;
+        }
+    }
+    for (cycle, pattern) in (1..=truth.homings).flat_map(|cycle| definition.homing.iter().map(move |p| (cycle, p))) {
+        let noise = scattered([truth.homing_um; 3]);
+        let stands = [0, 1, 2].map(|k| home_mm[k] + noise[k]);
+        rows.push((geometry::label(pattern.get_ref(), &truth.target, 0, cycle), measure(stands)));
+    }
+    Ok(rows)
+}
+
+/// Refuses a truth that its campaign cannot name.
+pub(super) fn check(scene: &Scene) -> Result<()> {
+    let Some(truth) = &scene.truth.repeatability else { return Ok(()) };
+    if scene.campaign.file.repeatability.is_none() {
+        return Err(Message::error("the truth has [repeatability], the campaign has not")
+            .hint("state [repeatability] in campaign.toml: it names labels and trajectory")
+            .into());
+    }
+    if truth.home.len() != scene.robot.joints().len() {
+        let what = format!("`home` has {} joint values, the robot {}", truth.home.len(), scene.robot.joints().len());
+        return Err(Message::error(what).into());
+    }
+    Ok(())
+}
