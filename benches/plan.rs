@@ -23,7 +23,7 @@ fn main() {
     let robot = read_robot(&sample.join("robot.toml")).expect("robot").build(&[]).expect("robot");
     let text = std::fs::read_to_string(sample.join("candidates.csv")).expect("candidates");
     let table = import::observations("candidates.csv", &text).expect("candidates");
-    let observations = candidates::configurations(robot.as_ref(), &table).expect("configurations");
+    let observations = candidates::configurations(robot.as_ref(), &table).expect("configurations").observations;
     let settings = Settings {
         kind: ResidualKind::Targets,
         standard_uncertainty_mm: None,

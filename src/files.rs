@@ -2,8 +2,9 @@
 
 use crate::message::{Message, Result};
 use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The bytes of a file.
 pub fn read(path: &Path) -> Result<Vec<u8>> {
@@ -48,4 +49,9 @@ pub fn remove(path: &Path) -> Result<()> {
 /// SHA-256 as `sha256sum` prints it.
 pub fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
+}
+
+/// The same of files, by their names as the user gave them.
+pub fn sha256_of<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<BTreeMap<String, String>> {
+    paths.into_iter().map(|path| Ok((path.display().to_string(), sha256(&read(path)?)))).collect()
 }

@@ -27,6 +27,9 @@ pub struct GeometricDefinition {
     /// Scale bars.
     #[serde(default)]
     pub scale_bar: Vec<ScaleBarDefinition>,
+    /// Single balls, measured again and again while the robot stands still (2.6).
+    #[serde(default)]
+    pub ball: Vec<BallDefinition>,
     /// Tables of errors by pose (2.7).
     #[serde(default)]
     pub table: Vec<TableDefinition>,
@@ -64,6 +67,16 @@ pub struct ScaleBarDefinition {
     pub length_mm: f64,
 }
 
+/// A ball that does not move.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BallDefinition {
+    /// Name for the report.
+    pub name: String,
+    /// Its labels; cycle is the repeat.
+    pub label: Spanned<String>,
+}
+
 /// Poses whose mean errors make a table.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -74,12 +87,10 @@ pub struct TableDefinition {
     pub poses: Spanned<String>,
 }
 
-/// The actuators' travel, and the interval of orientations that shall all be reached.
+/// The interval of orientations that shall all be reached; how far the actuators go says the robot.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct WorkspaceDefinition {
-    /// Travel of each actuator, from home.
-    pub travel_mm: [f64; 3],
     /// Orientations from minus to plus this.
     pub theta_deg: f64,
 }
@@ -89,6 +100,7 @@ impl GeometricDefinition {
     pub fn patterns(&self) -> impl Iterator<Item = &Spanned<String>> {
         let leads = self.lead.iter().map(|l| &l.label);
         let bars = self.scale_bar.iter().map(|b| &b.label);
-        [&self.arc, &self.turn, &self.shaft, &self.offsets].into_iter().chain(leads).chain(bars)
+        let balls = self.ball.iter().map(|b| &b.label);
+        [&self.arc, &self.turn, &self.shaft, &self.offsets].into_iter().chain(leads).chain(bars).chain(balls)
     }
 }

@@ -34,7 +34,7 @@ pub struct RobotFile {
     /// Pairs (joint, by which joint) of a coupled wrist, from 1.
     #[serde(default)]
     pub coupling: Vec<(usize, usize)>,
-    /// What a five-bar can reach.
+    /// What a PreXYT or a five-bar can reach.
     #[serde(default)]
     pub reach: ReachDefinition,
     /// base_rx, base_ry, base_rz are counted after this turn about the world's y axis.
@@ -69,7 +69,7 @@ pub enum Model {
     Serial,
 }
 
-/// What a five-bar can reach; a limit not given is none.
+/// What a robot can reach; a limit not given is none. `travel_mm` is of a PreXYT, the others are of a five-bar.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ReachDefinition {
@@ -83,6 +83,8 @@ pub struct ReachDefinition {
     pub type1_margin_deg: Option<f64>,
     /// Least angle by which the distal links must miss being in line.
     pub type2_margin_deg: Option<f64>,
+    /// How far each actuator goes from zero.
+    pub travel_mm: Option<[f64; 3]>,
 }
 
 impl ReachDefinition {
@@ -119,6 +121,8 @@ pub struct JointDefinition {
 
 /// Keys that only a serial arm has.
 const SERIAL_ONLY: [&str; 5] = ["joint", "gravity", "bending", "coupling", "base_turn_y_deg"];
+/// Keys of [reach] that only a five-bar has.
+const FIVE_BAR_ONLY: [&str; 5] = ["theta1_deg", "theta2_deg", "clearance_mm", "type1_margin_deg", "type2_margin_deg"];
 
 impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
@@ -167,6 +171,10 @@ impl RobotFile {
         let robot = match self.model {
             Model::Prexyt | Model::PrexytFull => {
                 let robot = Prexyt::new(self.model == Model::PrexytFull);
+                let robot = match self.reach.travel_mm {
+                    Some(travel_mm) => robot.with_travel(travel_mm),
+                    None => robot,
+                };
                 self.nominal_of(&robot).map(|nominal| Box::new(robot.with_nominal(&nominal)) as Box<dyn Robot>)
             }
             Model::FiveBar => {
@@ -183,17 +191,19 @@ impl RobotFile {
 
     /// Errors about keys that only another model has.
     fn odd_keys(&self) -> Problems {
-        let own = |model: &str| match self.model {
-            Model::Serial => model == "serial",
-            Model::FiveBar => model == "five_bar",
-            Model::Prexyt | Model::PrexytFull => false,
+        let own = match self.model {
+            Model::Serial => "serial",
+            Model::FiveBar => "five_bar",
+            Model::Prexyt | Model::PrexytFull => "prexyt",
         };
-        let keys = SERIAL_ONLY.iter().map(|key| (*key, "serial")).chain([("reach", "five_bar")]);
-        let odd = |(key, model): (&str, &str)| {
-            let message = Message::error(format!("`{key}` means nothing for this model"));
-            Some(message.at(self.stated(&[key])?).hint(format!("it belongs to `model = \"{model}\"`")))
+        let serial = SERIAL_ONLY.iter().map(|key| (vec![*key], "serial"));
+        let five_bar = FIVE_BAR_ONLY.iter().map(|key| (vec!["reach", *key], "five_bar"));
+        let keys = serial.chain(five_bar).chain([(vec!["reach", "travel_mm"], "prexyt")]);
+        let odd = |(path, model): (Vec<&str>, &str)| {
+            let message = Message::error(format!("`{}` means nothing for this model", path.last()?));
+            Some(message.at(self.stated(&path)?).hint(format!("it belongs to `model = \"{model}\"`")))
         };
-        Problems(keys.filter(|(_, model)| !own(model)).filter_map(odd).collect())
+        Problems(keys.filter(|(_, model)| *model != own).filter_map(odd).collect())
     }
 
     fn serial(&self, targets: &[String]) -> Result<Serial> {

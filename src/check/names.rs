@@ -92,6 +92,12 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             problems.0.push(message.expected("nothing: of this robot all its targets count"));
         }
     }
+    let drawn = campaign.file.geometric.as_ref().is_some_and(|g| g.workspace.is_some());
+    if drawn && robot.planar().is_some_and(|planar| planar.travel_mm().is_none()) {
+        let message = Message::error("the workspace needs the travel of the actuators");
+        let message = message.at(campaign.place_of(&["geometric", "workspace"]));
+        problems.0.push(message.hint("state [reach] with `travel_mm = [..., ..., ...]` in robot.toml"));
+    }
     for (i, export) in campaign.file.exports.iter().enumerate() {
         let Format::Delimited(dialect) = &export.format else { continue };
         if !campaign.export_reads(i) {

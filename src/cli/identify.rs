@@ -1,5 +1,6 @@
 //! `etalon identify`
 
+use super::table_file::TableFile;
 use super::{Verdict, print, say};
 use crate::campaign::read_robot;
 use crate::document::{ParameterStatus, ParametersDocument};
@@ -8,8 +9,7 @@ use crate::identify::{Observation, ResidualKind, Settings, fit_frames, identify_
 use crate::message::{Message, Problems};
 use crate::parameters::parameters_document;
 use crate::plausible::doubts;
-use crate::{files, import, output, table};
-use std::collections::BTreeMap;
+use crate::{files, output};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -53,18 +53,11 @@ impl Identify {
             }
         }
         let robot_file = read_robot(&self.robot)?;
-        let (file, text) = (self.observations.display().to_string(), files::read_text(&self.observations)?);
-        let observed = import::observations(&file, &text)?;
-        let here = |problems: Problems| problems.in_text(&file, &text);
-        let mut targets: Vec<String> = Vec::new();
-        for name in table::texts(&observed, "target").map_err(here)? {
-            if !targets.contains(&name) {
-                targets.push(name);
-            }
-        }
-        let robot = robot_file.build(&targets).map_err(here)?;
+        let observed = TableFile::read(&self.observations)?;
+        let here = |problems: Problems| observed.place(problems);
+        let robot = robot_file.build(&observed.targets()?).map_err(here)?;
         let mut messages = Vec::new();
-        let observations = Observation::from_table(robot.as_ref(), &observed, &mut messages).map_err(here)?;
+        let observations = Observation::from_table(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
         let settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
@@ -78,10 +71,7 @@ impl Identify {
         let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
         let doubts = doubts(robot.as_ref(), &sets.calibration, &settings, &found, &errors);
         found.warnings.splice(0..0, doubts);
-        let mut inputs = BTreeMap::new();
-        for path in [&self.robot, &self.observations] {
-            inputs.insert(path.display().to_string(), files::sha256(&files::read(path)?));
-        }
+        let inputs = files::sha256_of([&self.robot, &self.observations])?;
         let document = parameters_document(robot.as_ref(), &settings, &before, &found, &inputs);
         if self.json {
             print(output::to_json(&document)?)?;

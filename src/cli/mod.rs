@@ -16,6 +16,7 @@ mod report;
 mod run;
 mod schema;
 mod simulate;
+mod table_file;
 
 use crate::document::WrittenDocument;
 use clap::{Parser, Subcommand};

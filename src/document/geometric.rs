@@ -23,6 +23,8 @@ pub struct GeometricDocument {
     pub leads: Vec<LeadResult>,
     /// Scale bars.
     pub scale_bars: Vec<ScaleBarResult>,
+    /// Single balls, measured repeatedly.
+    pub balls: Vec<BallResult>,
     /// Mean errors by pose.
     pub tables: Vec<PoseTable>,
     /// Largest mean errors over all tables, by method.
@@ -133,6 +135,22 @@ pub struct ScaleBarResult {
     pub mean_error_mm: f64,
     /// Standard deviation of the distances.
     pub standard_deviation_mm: f64,
+}
+
+/// One ball that does not move, measured repeatedly: distances of the readings from their mean (thesis, eq. 2.7 to 2.10).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BallResult {
+    /// Its name.
+    pub name: String,
+    /// Readings.
+    pub count: usize,
+    /// Mean distance.
+    pub mean_mm: f64,
+    /// Standard deviation of the distance.
+    pub standard_deviation_mm: f64,
+    /// Mean plus three standard deviations.
+    pub repeatability_mm: f64,
 }
 
 /// Mean errors of some poses (thesis, tables 2.2 to 2.4).

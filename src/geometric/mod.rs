@@ -28,7 +28,7 @@ pub use plane::Plane;
 pub use readings::{Flat, Point, Readings, Scatter};
 pub use repeated::{Repeated, Repeats, mean_and_deviation};
 pub use scale_bar::{ScaleBar, scale_bar};
-pub use setup::{Arc, BarSetup, LeadSetup, OffsetSetup, Setup, ShaftSetup, Turn};
+pub use setup::{Arc, BallSetup, BarSetup, LeadSetup, OffsetSetup, Setup, ShaftSetup, Turn};
 pub use shaft::{Shaft, ShaftMeasurements, intersection};
 pub use uncertain::Uncertain;
 pub use workspace::{Polygon, Workspace, area_mm2};

@@ -24,6 +24,9 @@ pub struct Setup {
     /// Scale bars.
     #[serde(default)]
     pub scale_bar: Vec<BarSetup>,
+    /// Single balls.
+    #[serde(default)]
+    pub ball: Vec<BallSetup>,
 }
 
 /// Ball N on the shaft, turned by actuator 3 alone.
@@ -119,6 +122,16 @@ pub struct BarSetup {
     pub repeats: usize,
 }
 
+/// A ball that does not move.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BallSetup {
+    /// Where it is, in the world.
+    pub at_mm: Vector,
+    /// How often it is measured.
+    pub repeats: usize,
+}
+
 impl Setup {
     /// What is measured on a robot with these parameters; `measure` gives the reading of a point in the world. Rails
     /// and ball R are not of the robot, and left empty.
@@ -201,6 +214,11 @@ impl Setup {
             (0..bar.repeats).map(|_| [measure(a), measure(b)]).collect()
         };
         self.scale_bar.iter().map(bar).collect()
+    }
+
+    /// Readings of every single ball.
+    pub fn balls(&self, mut measure: impl FnMut(Vector) -> Vector) -> Vec<Vec<Vector>> {
+        self.ball.iter().map(|ball| (0..ball.repeats).map(|_| measure(ball.at_mm)).collect()).collect()
     }
 }
 

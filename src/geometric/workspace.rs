@@ -1,6 +1,6 @@
 //! What the platform's centre C reaches (thesis 2.2.2).
 
-use crate::robots::{PlanarPose, Prexyt};
+use crate::robots::{PlanarPose, Prexyt, Robot};
 
 /// A polygon, its corners counterclockwise; empty where nothing is reached.
 pub type Polygon = Vec<[f64; 2]>;
@@ -8,26 +8,23 @@ pub type Polygon = Vec<[f64; 2]>;
 /// A PreXYT with the travel of its actuators.
 #[derive(Clone, Copy, Debug)]
 pub struct Workspace<'a> {
-    /// The robot.
-    pub robot: &'a Prexyt,
-    /// Its parameters.
-    pub parameters: &'a [f64],
-    /// Each actuator goes from zero to this, in mm.
-    pub travel_mm: [f64; 3],
+    robot: &'a Prexyt,
+    parameters: &'a [f64],
+    travel_mm: [f64; 3],
 }
 
 /// Half the square that everything reachable is cut from, in mm.
 const FAR_MM: f64 = 1e4;
 
-impl Workspace<'_> {
-    /// Whether the actuators reach a pose of the platform in the base frame.
-    pub fn contains(&self, pose: PlanarPose) -> bool {
-        self.reaches(&self.robot.inverse(self.parameters, pose))
+impl<'a> Workspace<'a> {
+    /// That of a robot with these parameters; `None` where the travel of its actuators is not stated.
+    pub fn new(robot: &'a Prexyt, parameters: &'a [f64]) -> Option<Self> {
+        Some(Self { robot, parameters, travel_mm: robot.travel_mm()? })
     }
 
-    /// Whether the actuators go as far as these displacements, in mm.
-    pub fn reaches(&self, rho_mm: &[f64]) -> bool {
-        rho_mm.iter().zip(self.travel_mm).all(|(rho, end)| (0.0..=end).contains(rho))
+    /// Whether the actuators reach a pose of the platform in the base frame.
+    pub fn contains(&self, pose: PlanarPose) -> bool {
+        self.robot.beyond(self.parameters, &self.robot.inverse(self.parameters, pose)).is_none()
     }
 
     /// Positions reached with the orientation `theta_rad`, in the base frame (mm).
@@ -82,7 +79,6 @@ pub fn area_mm2(polygon: &[[f64; 2]]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::robots::Robot;
 
     const TRAVEL_MM: [f64; 3] = [170.0, 300.0, 300.0];
 
@@ -92,9 +88,9 @@ mod tests {
 
     #[test]
     fn at_zero_degrees_it_is_the_rectangle_of_the_travels() {
-        let robot = Prexyt::default();
+        let robot = Prexyt::default().with_travel(TRAVEL_MM);
         let nominal = robot.nominal();
-        let workspace = Workspace { robot: &robot, parameters: &nominal, travel_mm: TRAVEL_MM };
+        let workspace = Workspace::new(&robot, &nominal).unwrap();
         let polygon = workspace.at(0.0);
         assert_eq!(polygon.len(), 4);
         assert!((area_mm2(&polygon) - 170.0 * 300.0).abs() < 1e-6, "{polygon:?}");
@@ -103,10 +99,10 @@ mod tests {
     /// d1 = 115 mm as in section 2.6.4: the largest disk is 169.93 mm.
     #[test]
     fn a_disk_of_170_mm_is_reached_with_every_orientation_up_to_17_degrees_as_the_thesis_says() {
-        let robot = Prexyt::default();
+        let robot = Prexyt::default().with_travel(TRAVEL_MM);
         let mut nominal = robot.nominal();
         nominal[5] = 115.0;
-        let workspace = Workspace { robot: &robot, parameters: &nominal, travel_mm: TRAVEL_MM };
+        let workspace = Workspace::new(&robot, &nominal).unwrap();
         assert_eq!(workspace.within(17f64.to_radians()).len(), 6);
         let on_disk = |diameter_mm: f64, deg: i32, theta_deg: f64| {
             let (sin, cos) = f64::from(deg).to_radians().sin_cos();
@@ -121,10 +117,10 @@ mod tests {
     /// Inside a polygon by its edges, against membership by the actuators, with all thirteen errors.
     #[test]
     fn polygons_hold_what_the_actuators_reach_and_nothing_else() {
-        let robot = Prexyt::default();
+        let robot = Prexyt::default().with_travel(TRAVEL_MM);
         let mut p = robot.nominal();
         (p[0], p[1], p[3], p[4], p[5]) = (-0.02, 0.03, 393.9, 0.7, 116.1);
-        let workspace = Workspace { robot: &robot, parameters: &p, travel_mm: TRAVEL_MM };
+        let workspace = Workspace::new(&robot, &p).unwrap();
         let inside = |polygon: &[[f64; 2]], q: [f64; 2]| {
             let next = polygon.iter().cycle().skip(1);
             let left = |(a, b): (&[f64; 2], &[f64; 2])| (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]);
@@ -148,9 +144,9 @@ mod tests {
 
     #[test]
     fn what_cannot_be_reached_is_empty() {
-        let robot = Prexyt::default();
+        let robot = Prexyt::default().with_travel(TRAVEL_MM);
         let nominal = robot.nominal();
-        let workspace = Workspace { robot: &robot, parameters: &nominal, travel_mm: TRAVEL_MM };
+        let workspace = Workspace::new(&robot, &nominal).unwrap();
         assert!(workspace.at(60f64.to_radians()).is_empty());
         assert_eq!(area_mm2(&[]), 0.0);
     }

@@ -11,8 +11,16 @@ use polars::prelude::DataFrame;
 use std::collections::BTreeSet;
 use toml::Spanned;
 
-/// Measurements of the robot, and the pairs of balls of each scale bar.
-pub type Gathered = (Measurements, Vec<Vec<[Vector; 2]>>);
+/// All that is measured.
+#[derive(Clone, Debug)]
+pub struct Gathered {
+    /// The robot.
+    pub robot: Measurements,
+    /// Pairs of balls of each scale bar.
+    pub bars: Vec<Vec<[Vector; 2]>>,
+    /// Readings of each single ball.
+    pub balls: Vec<Vec<Vector>>,
+}
 
 /// Finds the points of every step by their labels; everything that is missing is said at once.
 pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &DataFrame) -> Result<Gathered> {
@@ -28,6 +36,7 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &Da
     let (shaft, offsets) = (step(&definition.shaft), step(&definition.offsets));
     let leads: Vec<Step> = definition.lead.iter().map(|l| step(&l.label)).collect();
     let bars: Vec<Step> = definition.scale_bar.iter().map(|b| step(&b.label)).collect();
+    let balls = definition.ball.iter().map(|b| step(&b.label).into_values().flatten().collect()).collect();
     let mut found = Measurements { base: all.base().map_err(|e| e.with(&mut problems))?, ..Measurements::default() };
     found.base.arc = arc.into_values().flatten().collect();
     gather_leads(campaign, definition, leads, &mut found, &mut problems);
@@ -66,7 +75,7 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &Da
         pairs.push(keys.into_iter().map(|key| [ball(key, "A"), ball(key, "B")]).collect());
     }
     problems.check()?;
-    Ok((found, pairs))
+    Ok(Gathered { robot: found, bars: pairs, balls })
 }
 
 /// The readings of every actuator with the displacements that were commanded.
@@ -104,7 +113,8 @@ pub fn label(pattern: &str, target: &str, pose: i64, cycle: i64) -> String {
 }
 
 /// Measurements as labelled points: what [`gather`] reads. Rails and ball R are not among them.
-pub fn labelled(definition: &GeometricDefinition, (found, bars): &Gathered) -> Vec<(String, Vector)> {
+pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(String, Vector)> {
+    let Gathered { robot: found, bars, balls } = gathered;
     let mut rows = Vec::new();
     let mut row = |pattern: &Spanned<String>, target: &str, pose: i64, cycle: i64, p: Vector| {
         rows.push((label(pattern.get_ref(), target, pose, cycle), p));
@@ -120,6 +130,9 @@ pub fn labelled(definition: &GeometricDefinition, (found, bars): &Gathered) -> V
             row(&bar.label, "A", 1, cycle, *a);
             row(&bar.label, "B", 1, cycle, *b);
         }
+    }
+    for (ball, readings) in definition.ball.iter().zip(balls) {
+        (1..).zip(readings).for_each(|(cycle, p)| row(&ball.label, "", 1, cycle, *p));
     }
     for (pose, p) in (1..).zip(&found.base.arc) {
         row(&definition.arc, "N", pose, 1, *p);

@@ -5,12 +5,14 @@ mod tables;
 
 pub use labels::{Gathered, gather, label, labelled};
 
-use crate::campaign::{Campaign, GeometricDefinition};
+use crate::campaign::{BallDefinition, Campaign, GeometricDefinition};
 use crate::document::*;
 use crate::evaluate::Sets;
 use crate::geometric::{self, Geometry, Repeated, Scatter, Uncertain, Workspace, scale_bar};
 use crate::identify::Identification;
+use crate::iso9283::repeatability::pose_repeatability;
 use crate::message::{Message, Result};
+use crate::pose::Vector;
 use crate::robots::{Prexyt, Robot};
 use polars::prelude::DataFrame;
 
@@ -27,7 +29,7 @@ pub fn calibrate(
     let planar = robot.planar().filter(|r| r.model() == "prexyt").ok_or_else(|| {
         Message::error("[geometric] is the geometric calibration of a PreXYT").expected("a robot with model `prexyt`")
     })?;
-    let (measured, bars) = gather(campaign, definition, points)?;
+    let Gathered { robot: measured, bars, balls } = gather(campaign, definition, points)?;
     let found = geometric::determine(&measured, campaign.file.instrument.standard_uncertainty_mm())?;
     let quantities = quantities(&found);
     let value = |name: &str| quantities.iter().find(|q| q.0 == name).map(|q| q.1.value);
@@ -64,6 +66,8 @@ pub fn calibrate(
             standard_deviation_mm: bar.standard_deviation_mm,
         })
     });
+    let balls: Result<Vec<BallResult>> =
+        definition.ball.iter().zip(&balls).map(|(d, b)| ball(campaign, d, b)).collect();
     Ok(Some(GeometricDocument {
         schema: "etalon/geometric/1".to_owned(),
         definition: "thesis, chapter 2: each quantity from points measured for it, no optimisation of the robot's model; \
@@ -78,6 +82,7 @@ pub fn calibrate(
         leads: leads(definition, &found),
         steps,
         scale_bars: scale_bars.collect(),
+        balls: balls?,
         tables,
         methods,
         workspace: workspace(definition, planar, &geometric),
@@ -132,6 +137,18 @@ fn covariance(quantities: &[Quantity], found: &Geometry) -> Vec<Vec<f64>> {
     quantities.iter().map(|a| quantities.iter().map(|b| entry(a, b)).collect()).collect()
 }
 
+/// How a single ball repeats.
+fn ball(campaign: &Campaign, definition: &BallDefinition, readings: &[Vector]) -> Result<BallResult> {
+    let found = pose_repeatability(readings).map_err(|problems| problems.at(&campaign.place(&definition.label)))?;
+    Ok(BallResult {
+        name: definition.name.clone(),
+        count: readings.len(),
+        mean_mm: found.mean_radius_mm,
+        standard_deviation_mm: found.sd_radius_mm,
+        repeatability_mm: found.rp_mm,
+    })
+}
+
 fn step(name: &str, scatter: &Scatter, coverage_deg: Option<f64>) -> GeometricStep {
     GeometricStep {
         name: name.to_owned(),
@@ -175,8 +192,9 @@ fn leads(definition: &GeometricDefinition, found: &Geometry) -> Vec<LeadResult> 
 }
 
 fn workspace(definition: &GeometricDefinition, robot: &Prexyt, parameters: &[f64]) -> Vec<Region> {
-    let Some(wanted) = definition.workspace else { return Vec::new() };
-    let reached = Workspace { robot, parameters, travel_mm: wanted.travel_mm };
+    let (Some(wanted), Some(reached)) = (definition.workspace, Workspace::new(robot, parameters)) else {
+        return Vec::new();
+    };
     let (deg, theta) = (wanted.theta_deg, wanted.theta_deg.to_radians());
     let regions = [
         ("orientation 0 deg".to_owned(), reached.at(0.0)),

@@ -1,29 +1,53 @@
 //! Candidates from a table: poses with joint values, or positions that the robot finds its own joint values for.
 
 use crate::identify::{Observation, stated_modes};
-use crate::message::{Message, Result};
+use crate::message::{Message, Result, count};
 use crate::robots::Robot;
 use crate::table;
 use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 
-/// Configurations that may be measured, in the order of the table: those of one pose stand together.
-pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Observation>> {
+/// Configurations that may be measured.
+#[derive(Clone, Debug)]
+pub struct Candidates {
+    /// In the order of the table; those of one pose stand together.
+    pub observations: Vec<Observation>,
+    /// Tells which are left out because they are out of reach with nominal parameters ([`Robot::beyond`]).
+    pub beyond: Option<Message>,
+}
+
+/// The candidates of a table.
+pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates> {
     let poses = table::integers(table, "pose")?;
-    let all = if robot.joints().iter().all(|j| table.column(&j.column()).is_err()) && table.column("x_mm").is_ok() {
-        from_positions(robot, table, &poses)?
-    } else {
-        from_joints(robot, table, &poses)?
-    };
-    if all.is_empty() {
-        return Err(Message::error("there are no candidates").into());
-    }
+    let by_joints = robot.joints().iter().any(|j| table.column(&j.column()).is_ok()) || table.column("x_mm").is_err();
+    let all = if by_joints { from_joints(robot, table, &poses)? } else { from_positions(robot, table, &poses)? };
+    let nominal = robot.nominal();
+    let mut beyond = Vec::new();
     let mut by_pose: BTreeMap<i64, Vec<Observation>> = BTreeMap::new();
     for o in all {
-        by_pose.entry(o.pose).or_default().push(o);
+        match robot.beyond(&nominal, &o.joints) {
+            Some(why) => beyond.push(format!("pose {} ({why})", o.pose)),
+            None => by_pose.entry(o.pose).or_default().push(o),
+        }
+    }
+    if by_pose.is_empty() {
+        let mut message = Message::error("there are no candidates");
+        if let Some(first) = beyond.first() {
+            message = Message::error(format!("no candidate is within reach: {first}"));
+        }
+        return Err(message.into());
     }
     let number = |(k, o): (usize, Observation)| Observation { cycle: k as i64 + 1, ..o };
-    Ok(by_pose.into_values().flat_map(|of_pose| of_pose.into_iter().enumerate().map(number)).collect())
+    let observations = by_pose.into_values().flat_map(|of_pose| of_pose.into_iter().enumerate().map(number)).collect();
+    Ok(Candidates { observations, beyond: out_of_reach(&beyond) })
+}
+
+fn out_of_reach(beyond: &[String]) -> Option<Message> {
+    const SHOWN: usize = 5;
+    let more = if beyond.len() > SHOWN { ", ..." } else { "" };
+    let shown = beyond.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
+    let what = format!("{} out of reach, never chosen: {shown}{more}", count(beyond.len(), "configuration"));
+    (!beyond.is_empty()).then(|| Message::warning(what))
 }
 
 /// One configuration a row; rows that differ in the target alone are one configuration of several targets.

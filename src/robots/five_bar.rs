@@ -184,6 +184,10 @@ impl Robot for FiveBar {
         let q = whole.min_by(|a, b| off(a).total_cmp(&off(b)))?;
         Some(vec![q[0], q[1], self.assembly_at(parameters, q, e)])
     }
+    fn beyond(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
+        let &[theta1, theta2, assembly] = joints else { return None };
+        self.forbidden(parameters, [theta1, theta2], &self.direct(parameters, [theta1, theta2], assembly))
+    }
     fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
         Some("measure every position in all working modes that reach it, and positions all around the workspace")
     }

@@ -55,14 +55,34 @@ impl FiveBar {
         }
     }
 
-    /// Whether joint limits, margins and clearance allow a configuration.
-    pub fn is_allowed(&self, p: &[f64], q: [f64; 2], at: &Linkage) -> bool {
-        let reach = &self.reach;
+    /// Which of reach, joint limits, margins and clearance forbids a configuration, if one does.
+    pub fn forbidden(&self, p: &[f64], q: [f64; 2], at: &Linkage) -> Option<String> {
+        let Reach { limits_rad, clearance_mm, type1_margin_rad, type2_margin_rad } = self.reach;
+        if !at.e.iter().all(|v| v.is_finite()) {
+            return Some("the arms do not meet".to_owned());
+        }
+        let outside = |(_, (q, [least, greatest])): &(usize, (f64, [f64; 2]))| !(*least..=*greatest).contains(q);
+        if let Some((i, (q, ends))) = q.into_iter().zip(limits_rad).enumerate().find(outside) {
+            let [q, least, greatest] = [q, ends[0], ends[1]].map(f64::to_degrees);
+            return Some(format!("theta{} = {q:.3} deg, its limits are {least} to {greatest} deg", i + 1));
+        }
         let far = self.singularity_distance(p, at);
-        q.iter().zip(reach.limits_rad).all(|(q, [least, greatest])| (least..=greatest).contains(q))
-            && far.type1_rad.iter().all(|a| *a >= reach.type1_margin_rad)
-            && far.type2_rad >= reach.type2_margin_rad
-            && reach.clearance_mm.is_none_or(|least| self.clearance_mm(p, at) > least)
+        let type1_rad = far.type1_rad[0].min(far.type1_rad[1]);
+        for (name, found, margin) in [
+            ("type 1 (an arm stretched or folded)", type1_rad, type1_margin_rad),
+            ("type 2 (the distal links in line)", far.type2_rad, type2_margin_rad),
+        ] {
+            if found.is_nan() || found < margin {
+                let [found, margin] = [found, margin].map(f64::to_degrees);
+                return Some(format!(
+                    "{found:.3} deg from the singularity of {name}, at least {margin} deg are asked for"
+                ));
+            }
+        }
+        let least = clearance_mm?;
+        let found = self.clearance_mm(p, at);
+        (found.is_nan() || found <= least)
+            .then(|| format!("links {found:.3} mm apart, more than {least} mm are asked for"))
     }
 
     /// Least distance between the proximal link of one arm and the distal link of the other.
@@ -79,8 +99,7 @@ impl FiveBar {
             let joints_rad = self.inverse(p, e, branches);
             let assembly = self.assembly_at(p, joints_rad, e);
             let at = self.direct(p, joints_rad, assembly);
-            let allowed = at.e.iter().all(|v| v.is_finite()) && self.is_allowed(p, joints_rad, &at);
-            allowed.then_some(Configuration { branches, joints_rad, assembly })
+            self.forbidden(p, joints_rad, &at).is_none().then_some(Configuration { branches, joints_rad, assembly })
         };
         WORKING_MODES.into_iter().filter_map(configuration).collect()
     }

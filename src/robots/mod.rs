@@ -67,6 +67,11 @@ pub trait Robot: Send + Sync {
         None
     }
 
+    /// Why the robot cannot go to joint values (and the assembly mode behind them), where limits are stated and they are beyond.
+    fn beyond(&self, _parameters: &[f64], _joints: &[f64]) -> Option<String> {
+        None
+    }
+
     /// The planar model, for robots that have one: pose residuals (eq. 3.26) and orientation errors need it.
     fn planar(&self) -> Option<&Prexyt> {
         None

@@ -41,6 +41,7 @@ const COMMON: [(&str, Quantity, Role, f64); 14] = [
 pub struct Prexyt {
     definition: Definition,
     full: bool,
+    travel_mm: Option<[f64; 3]>,
 }
 
 impl Default for Prexyt {
@@ -64,13 +65,24 @@ impl Prexyt {
         }
         let joints = ["rho1", "rho2", "rho3"].map(|name| Joint { name: name.into(), quantity: Quantity::Length });
         let targets = vec!["K".into(), "L".into()];
-        Self { definition: Definition { parameters, joints: joints.into(), targets }, full }
+        Self { definition: Definition { parameters, joints: joints.into(), targets }, full, travel_mm: None }
     }
 
     /// The same robot with other nominal values, names of targets kept.
     pub fn with_nominal(mut self, values: &[f64]) -> Self {
         self.definition = self.definition.with_nominal(values);
         self
+    }
+
+    /// The same robot with actuators that go from zero to these displacements.
+    pub fn with_travel(mut self, travel_mm: [f64; 3]) -> Self {
+        self.travel_mm = Some(travel_mm);
+        self
+    }
+
+    /// How far each actuator goes from zero, where that is stated.
+    pub fn travel_mm(&self) -> Option<[f64; 3]> {
+        self.travel_mm
     }
 
     /// delta and d of the reduced model (section 3.4, below eq. 3.10).
@@ -213,6 +225,12 @@ impl Robot for Prexyt {
         for (row, value) in out.chunks_exact_mut(parameters.len()).zip(balls.as_flattened()) {
             row.copy_from_slice(&value.gradient[..parameters.len()]);
         }
+    }
+    fn beyond(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
+        let ends = self.travel_mm?;
+        let off = |(_, (rho, end)): &(usize, (&f64, f64))| !(0.0..=*end).contains(*rho);
+        let (i, (rho, end)) = joints.iter().zip(ends).enumerate().find(off)?;
+        Some(format!("rho{} = {rho} mm, its travel is 0 to {end} mm", i + 1))
     }
     fn planar(&self) -> Option<&Prexyt> {
         Some(self)

@@ -1,9 +1,8 @@
-//! The points of the geometric calibration (thesis, chapter 2), and the travel that poses keep within.
+//! The points of the geometric calibration (thesis, chapter 2).
 
 use super::Scene;
 use crate::campaign::Export;
-use crate::geometric::Workspace;
-use crate::geometry;
+use crate::geometry::{self, Gathered};
 use crate::message::{Message, Result};
 use crate::noise::Noise;
 use crate::pose::Vector;
@@ -26,10 +25,11 @@ pub(super) fn points(
     };
     let mut homing = Noise::new(truth.seed, HOMING);
     let found = setup.measure(planar, &scene.values, &mut homing, &mut measure);
-    geometry::labelled(definition, &(found, setup.bars(&mut measure)))
+    let (bars, balls) = (setup.bars(&mut measure), setup.balls(&mut measure));
+    geometry::labelled(definition, &Gathered { robot: found, bars, balls })
 }
 
-/// Refuses a truth that its campaign cannot name, and poses beyond the travel that the campaign states.
+/// Refuses a truth that its campaign cannot name.
 pub(super) fn check(scene: &Scene) -> Result<()> {
     let definition = scene.campaign.file.geometric.as_ref();
     let planar = scene.robot.planar();
@@ -38,13 +38,5 @@ pub(super) fn check(scene: &Scene) -> Result<()> {
             .hint("state [geometric] in campaign.toml: it names the labels")
             .into());
     }
-    let (Some(stated), Some(planar)) = (definition.and_then(|d| d.workspace), planar) else { return Ok(()) };
-    let workspace = Workspace { robot: planar, parameters: &scene.robot.nominal(), travel_mm: stated.travel_mm };
-    match scene.joints.iter().enumerate().find(|(_, q)| !workspace.reaches(q)) {
-        Some((i, q)) => Err(Message::error(format!("pose {} is beyond the travel of an actuator: {q:?} mm", i + 1))
-            .expected(format!("0 to {:?} mm", stated.travel_mm))
-            .hint("correct the pose, or `travel_mm` in [geometric.workspace]")
-            .into()),
-        None => Ok(()),
-    }
+    Ok(())
 }

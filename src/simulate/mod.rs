@@ -12,7 +12,7 @@ pub use truth::{Circle, LabelledPoint, Placement, Poses, Truth, true_values};
 
 use crate::campaign::Campaign;
 use crate::files;
-use crate::message::{Message, Result};
+use crate::message::{Message, Problems, Result};
 use crate::noise::Noise;
 use crate::pose::{Pose, Vector};
 use crate::robots::Robot;
@@ -53,6 +53,17 @@ impl Turn {
 }
 
 impl Scene<'_> {
+    /// Refuses poses that the robot file says the robot cannot go to; all are told.
+    fn check_reach(&self) -> Result<()> {
+        let nominal = self.robot.nominal();
+        let beyond = (1..).zip(&self.joints).filter_map(|(pose, q)| Some((pose, self.robot.beyond(&nominal, q)?)));
+        let told = |(pose, why): (usize, String)| {
+            let message = Message::error(format!("pose {pose} is out of reach: {why}"));
+            message.hint("correct the pose in the truth, or [reach] in robot.toml")
+        };
+        Problems(beyond.map(told).collect()).check().map(|_| ())
+    }
+
     /// The measurement with this number, from 1.
     fn turn(&self, number: i64) -> Turn {
         let poses = (self.joints.len() as i64).max(1);
@@ -110,6 +121,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         stands: truth.stands()?,
         export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),
     };
+    scene.check_reach()?;
     geometric::check(&scene)?;
     repeatability::check(&scene)?;
     let mut texts = Vec::new();

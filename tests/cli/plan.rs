@@ -52,7 +52,9 @@ fn positions_of_a_five_bar_are_planned_twice_to_the_same_bytes_and_read_again() 
 #[test]
 fn one_working_mode_says_what_it_cannot_tell() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("robot.toml"), FIVE_BAR).unwrap();
+    // in one working mode alone, not every one of the seven positions is away from singularities
+    let unlimited = FIVE_BAR.split("[reach]").next().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), unlimited).unwrap();
     let robot = robot();
     let nominal = robot.nominal();
     let mut csv = "pose,theta1_deg,theta2_deg,assembly\n".to_owned();
@@ -74,6 +76,41 @@ fn one_working_mode_says_what_it_cannot_tell() {
     let refused =
         etalon(folder.path(), &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "7"]);
     assert!(text(&refused.stderr).contains("does not state its assembly mode"), "{}", text_of(&refused));
+}
+
+#[test]
+fn what_is_out_of_reach_is_told_and_never_chosen() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = |robot: &str, csv: &str| {
+        std::fs::write(folder.path().join("robot.toml"), robot).unwrap();
+        std::fs::write(folder.path().join("c.csv"), csv).unwrap();
+    };
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/prexyt-cmm/robot.toml");
+    let prexyt = std::fs::read_to_string(sample).unwrap();
+    let csv = "pose,rho1_mm,rho2_mm,rho3_mm\n1,0,300,300\n2,0,0,256\n3,0,300,44\n4,0,0,0\n5,170,300,300\n6,170,0,256\n\
+               7,170,300,44\n8,170,0,0\n9,170.001,0,0\n10,0,-1,0\n";
+    rows(&prexyt, csv);
+    let found = plan(folder.path(), &["--positions", "8", "--nodes", "0"]);
+    assert_eq!(found.chosen.iter().map(|c| c.pose).collect::<Vec<_>>(), [1, 2, 3, 4, 5, 6, 7, 8]);
+    let told = found.messages[0].to_string();
+    for part in ["2 configurations out of reach", "c.csv", "pose 9 (rho1 = 170.001 mm", "pose 10 (rho2 = -1 mm"] {
+        assert!(told.contains(part), "{part}: {told}");
+    }
+    rows(&prexyt, "pose,rho1_mm,rho2_mm,rho3_mm\n1,0,301,300\n");
+    let none = etalon(folder.path(), &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "1"]);
+    assert!(text(&none.stderr).contains("no candidate is within reach: pose 1 (rho2 = 301 mm"), "{}", text_of(&none));
+    // a five-bar with its distal links in line, one folded, one that does not close, and one beyond its encoder
+    let limits = format!("{FIVE_BAR}theta2_deg = [-100.0, 100.0]\n");
+    let joints = ["113.71,66.29,1", "100,80,1", "0,180,1", "50,130,1"];
+    let csv = joints.iter().enumerate().map(|(i, row)| format!("{i},{row}\n")).collect::<String>();
+    rows(&limits, &format!("pose,theta1_deg,theta2_deg,assembly\n{csv}"));
+    let said = text_of(&etalon(
+        folder.path(),
+        &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "1"],
+    ));
+    for part in ["type 2", "theta2 = 180.000 deg"] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
 }
 
 #[test]

@@ -62,6 +62,12 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
     let robot = |to: &str, parts: &[&str]| broken("robot.toml", "[nominal]", to, parts);
     robot("[nominal]\nbetta = 1.0", &["[nominal] names `betta`", "robot.toml:", "betta = 1.0", "did you mean `beta`?"]);
     robot("gravity = [0, 0, -1]\n[nominal]", &["`gravity` means nothing for this model", "robot.toml:"]);
+    broken(
+        "robot.toml",
+        "travel_mm = [170.0, 300.0, 300.0]",
+        "type1_margin_deg = 5.0",
+        &["`type1_margin_deg` means nothing for this model", "five_bar"],
+    );
     broken("robot.toml", "l_kl = 146.0", "l_kl = nan", &["`nan` is no measured value", "robot.toml:"]);
     let campaign = |from: &str, to: &str, parts: &[&str]| broken("campaign.toml", from, to, parts);
     campaign(

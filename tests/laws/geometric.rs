@@ -71,6 +71,7 @@ fn setup(repeats: usize) -> Setup {
             lead(3, 300.0, [420.0, -10.0, 20.0]),
         ],
         scale_bar: Vec::new(),
+        ball: Vec::new(),
     }
 }
 

@@ -5,6 +5,7 @@ use etalon::campaign::{Campaign, read_truth};
 use etalon::document::{GeometricDocument, MethodErrors};
 use etalon::pipeline;
 use etalon::simulate::Truth;
+use std::f64::consts::PI;
 
 const SAMPLE: &str = "prexyt-geometric";
 
@@ -102,14 +103,38 @@ fn with_the_arms_repeatability_repeats_scatter_as_in_the_thesis() {
     assert!(found[0] < 9.0 && found[1] < 2.0 * 3.0 && found[2] < 4.0 * 3.0, "{found:?}");
 }
 
+/// Distances from the mean of Gaussian readings follow Maxwell's distribution.
+#[test]
+fn a_single_ball_repeats_as_its_readings_scatter() {
+    let document = run_with(|truth| {
+        truth.noise_um = Some(2.0);
+        truth.geometric.as_mut().unwrap().ball[0].repeats = 4000;
+    });
+    let [ball] = &document.balls[..] else { panic!("{:?}", document.balls) };
+    let (mean_mm, sd_mm) = (0.002 * (8.0 / PI).sqrt(), 0.002 * (3.0 - 8.0 / PI).sqrt());
+    assert_eq!(ball.count, 4000);
+    assert!((ball.mean_mm / mean_mm - 1.0).abs() < 0.03, "{ball:?}");
+    assert!((ball.standard_deviation_mm / sd_mm - 1.0).abs() < 0.05, "{ball:?}");
+    // the thesis' arm repeated a ball to 7.3 µm, which is these 2 µm
+    assert!((ball.repeatability_mm - 0.0073).abs() < 0.0002, "{ball:?}");
+    let scratch = copy_sample(SAMPLE);
+    scratch.replace("campaign.toml", "single-{cycle}", "lone-{cycle}");
+    let said = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
+    assert!(said.contains("no point bears a label of the form `lone-{cycle}`"), "{said}");
+}
+
 #[test]
 fn the_report_shows_both_ways_side_by_side() {
     let scratch = copy_sample(SAMPLE);
     run(&scratch);
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-    for text in
-        ["Geometry alone, beside the identification", "(table 2.3)", "by geometry alone", "id=\"workspace-title\""]
-    {
+    for text in [
+        "Geometry alone, beside the identification",
+        "(table 2.3)",
+        "by geometry alone",
+        "id=\"workspace-title\"",
+        "K, robot off",
+    ] {
         assert!(html.contains(text), "{text}");
     }
     std::fs::remove_file(scratch.path().join("out/report.html")).unwrap();
@@ -150,5 +175,9 @@ fn poses_beyond_the_travel_are_not_simulated() {
     scratch.replace("truth.toml", "[170.0, 300.0, 300.0],", "[170.1, 300.0, 300.0],");
     let truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
     let problems = etalon::simulate::simulate(&Campaign::read(&scratch.path()).unwrap(), &truth).unwrap_err();
-    assert!(problems.to_string().contains("pose 5 is beyond the travel of an actuator"), "{problems}");
+    assert!(
+        problems.to_string().contains("pose 5 is out of reach: rho1 = 170.1 mm, its travel is 0 to 170 mm"),
+        "{problems}"
+    );
+    assert_eq!(problems.0.len(), 1, "{problems}");
 }

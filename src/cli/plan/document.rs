@@ -24,10 +24,8 @@ impl Plan {
             pose: pose(c),
             configurations: planned.members[c].iter().map(configuration).collect(),
         });
-        let mut inputs = BTreeMap::new();
-        for path in [&self.robot, &self.candidates].into_iter().chain(&self.truth).chain(&self.workspace) {
-            inputs.insert(path.display().to_string(), files::sha256(&files::read(path)?));
-        }
+        let paths = [&self.robot, &self.candidates].into_iter().chain(&self.truth).chain(&self.workspace);
+        let inputs = files::sha256_of(paths)?;
         let compared = (!self.compare.is_empty()).then(|| {
             let value = index_of(planned, observations, self.index, &self.compare);
             let better_by_percent = 100.0 * (planned.index / value - 1.0);

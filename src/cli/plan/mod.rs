@@ -3,15 +3,17 @@
 mod document;
 mod text;
 
+use super::table_file::TableFile;
 use super::{Verdict, print, say};
 use crate::campaign::{RobotFile, read_robot, read_true_parameters};
 use crate::document::StudyDocument;
 use crate::identify::{Observation, ResidualKind, Settings};
-use crate::message::{Message, Problems};
-use crate::plan::{Criterion, Plan as Planned, Request, Setting, candidates, plan, study};
+use crate::message::{Message, Place, Problems, Result};
+use crate::plan::candidates::{self, Candidates};
+use crate::plan::{Criterion, Plan as Planned, Request, Setting, plan, study};
 use crate::robots::Robot;
 use crate::simulate::true_values;
-use crate::{export, files, import, output, report, table};
+use crate::{export, files, output, report};
 use std::path::{Path, PathBuf};
 use text::{as_text, csv};
 
@@ -89,7 +91,7 @@ impl Plan {
             return Err(Problems::from(Message::error("--standard-uncertainty-um must be positive")).into());
         }
         let robot_file = read_robot(&self.robot)?;
-        let (robot, observations) = read(&robot_file, &self.candidates)?;
+        let (robot, Candidates { observations, beyond }) = read(&robot_file, &self.candidates)?;
         let settings = Settings {
             kind: ResidualKind::Targets,
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
@@ -105,9 +107,11 @@ impl Plan {
             seed: self.seed,
             nodes: self.nodes,
         };
-        let planned = plan(robot.as_ref(), &observations, &settings, &request)?;
+        let planned = plan(robot.as_ref(), &observations, &settings, &request)
+            .map_err(|more| Problems(beyond.iter().cloned().chain(more.0).collect()))?;
         let study = self.study(robot.as_ref(), &robot_file, (&observations, &planned), &settings)?;
-        let document = self.document(robot.as_ref(), &observations, &planned, study)?;
+        let mut document = self.document(robot.as_ref(), &observations, &planned, study)?;
+        document.messages.splice(0..0, beyond);
         if let Some(path) = &self.poses {
             files::write(path, csv(robot.as_ref(), &document).as_bytes())?;
         }
@@ -139,7 +143,7 @@ impl Plan {
         let (Some(path), Some(noise_um)) = (&self.truth, self.standard_uncertainty_um) else { return Ok(None) };
         let truth = true_values(robot, &read_true_parameters(path)?)?;
         let elsewhere = self.workspace.as_ref().map(|path| read(robot_file, path)).transpose()?;
-        let everywhere = elsewhere.as_ref().map_or(observations, |(_, all)| all);
+        let everywhere = elsewhere.as_ref().map_or(observations, |(_, all)| &all.observations);
         let setting = Setting { truth, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.seed };
         let studies = study(robot, planned, observations, everywhere, settings, &setting)?;
         Ok(document::study_document(robot, &studies, &setting.truth, noise_um, everywhere.len()))
@@ -147,19 +151,12 @@ impl Plan {
 }
 
 /// The robot with the targets that a table of candidates names, and its configurations.
-fn read(robot_file: &RobotFile, path: &Path) -> anyhow::Result<(Box<dyn Robot>, Vec<Observation>)> {
-    let (file, text) = (path.display().to_string(), files::read_text(path)?);
-    let table = import::observations(&file, &text)?;
-    let here = |problems: Problems| problems.in_text(&file, &text);
-    let mut targets: Vec<String> = Vec::new();
-    if table.column("target").is_ok() {
-        for name in table::texts(&table, "target")? {
-            if !targets.contains(&name) {
-                targets.push(name);
-            }
-        }
-    }
+fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot>, Candidates)> {
+    let file = TableFile::read(path)?;
+    let here = |problems: Problems| file.place(problems);
+    let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };
     let robot = robot_file.build(&targets).map_err(here)?;
-    let observations = candidates::configurations(robot.as_ref(), &table).map_err(here)?;
-    Ok((robot, observations))
+    let mut found = candidates::configurations(robot.as_ref(), &file.table).map_err(here)?;
+    found.beyond = found.beyond.map(|message| message.at(Place::file(file.name.as_str())));
+    Ok((robot, found))
 }

@@ -1,0 +1,38 @@
+//! A table that a command is given.
+
+use crate::message::{Problems, Result};
+use crate::{files, import, table};
+use polars::prelude::DataFrame;
+use std::path::Path;
+
+/// A table with the text that it was read from.
+#[derive(Clone, Debug)]
+pub(super) struct TableFile {
+    /// The file as the user named it.
+    pub name: String,
+    text: String,
+    pub table: DataFrame,
+}
+
+impl TableFile {
+    pub fn read(path: &Path) -> Result<Self> {
+        let (name, text) = (path.display().to_string(), files::read_text(path)?);
+        Ok(Self { table: import::observations(&name, &text)?, name, text })
+    }
+
+    /// The names in the column `target`, each once, in their order.
+    pub fn targets(&self) -> Result<Vec<String>> {
+        let mut targets: Vec<String> = Vec::new();
+        for name in table::texts(&self.table, "target").map_err(|more| self.place(more))? {
+            if !targets.contains(&name) {
+                targets.push(name);
+            }
+        }
+        Ok(targets)
+    }
+
+    /// Problems of the table, with the lines they are about.
+    pub fn place(&self, problems: Problems) -> Problems {
+        problems.in_text(&self.name, &self.text)
+    }
+}
