@@ -155,35 +155,6 @@ impl Unit {
     }
 }
 
-/// A column of a log: by its name in the header, or by its number from 1.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Column {
-    /// Name in the header.
-    Name(String),
-    /// Number from 1.
-    Number(usize),
-}
-
-impl<'de> Deserialize<'de> for Column {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NameOrNumber;
-        impl Visitor<'_> for NameOrNumber {
-            type Value = Column;
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("the name of a column, or its number from 1")
-            }
-            fn visit_str<E: de::Error>(self, name: &str) -> Result<Column, E> {
-                Ok(Column::Name(name.to_owned()))
-            }
-            fn visit_i64<E: de::Error>(self, number: i64) -> Result<Column, E> {
-                let wrong = || E::invalid_value(de::Unexpected::Signed(number), &self);
-                usize::try_from(number).ok().filter(|n| *n > 0).map(Column::Number).ok_or_else(wrong)
-            }
-        }
-        deserializer.deserialize_any(NameOrNumber)
-    }
-}
-
 impl<'de> Deserialize<'de> for Format {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct NameOrDialect;

@@ -1,7 +1,9 @@
 //! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
 
+mod column;
 mod dialect;
 mod geometric;
+mod log;
 mod lost;
 mod paths;
 mod robot_file;
@@ -10,8 +12,10 @@ mod toml_problems;
 mod types;
 mod unknown;
 
-pub use dialect::{Column, Decimal, Delimiter, Dialect, Format, Role, Unit};
+pub use column::{Column, ColumnAt};
+pub use dialect::{Decimal, Delimiter, Dialect, Format, Role, Unit};
 pub use geometric::*;
+pub use log::{ChannelValues, Log, LogFormat, Standstill};
 pub use lost::Lost;
 pub use robot_file::RobotFile;
 pub use selection::Selection;

@@ -1,6 +1,7 @@
 //! The keys of `campaign.toml`.
 
-use super::dialect::{Column, Format, Unit};
+use super::Log;
+use super::dialect::{Format, Unit};
 use crate::identify::ResidualKind;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -142,42 +143,6 @@ pub struct Rigid {
     pub tolerance_mm: f64,
 }
 
-/// A file of a controller.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Log {
-    /// Name of the log where there are several.
-    #[serde(default = "default_log")]
-    pub name: String,
-    /// The file.
-    pub file: Spanned<String>,
-    /// `blank`, `tab`, `,` or `;`.
-    #[serde(default = "default_delimiter")]
-    pub delimiter: super::dialect::Delimiter,
-    /// Decimal mark.
-    #[serde(default)]
-    pub decimal: super::dialect::Decimal,
-    /// The first row names the columns.
-    #[serde(default = "yes")]
-    pub header: bool,
-    /// What stands in which column: `pose`, `cycle`, `time_s`, `label` of the point touched, and the joints with their units.
-    pub columns: BTreeMap<Spanned<String>, Column>,
-    /// `"row"`: the number of the data row is the number of the pose.
-    pub pose: Option<FromRow>,
-}
-
-fn default_log() -> String {
-    "log".to_owned()
-}
-
-fn default_delimiter() -> super::dialect::Delimiter {
-    super::dialect::Delimiter::Comma
-}
-
-fn yes() -> bool {
-    true
-}
-
 /// How measurements meet joint values.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -187,9 +152,56 @@ pub struct Join {
     /// Targets that become observations; all of the robot's if absent.
     pub targets: Option<Vec<Spanned<String>>>,
     /// Time of the measurement minus time of the log, for a join by time.
-    pub clock_offset_s: Option<f64>,
+    pub clock_offset_s: Option<ClockOffset>,
     /// How far two times may lie apart.
     pub tolerance_s: Option<f64>,
+    /// Joint values between the row before and the row after, for a join by time.
+    #[serde(default)]
+    pub interpolate: bool,
+}
+
+/// The offset of two clocks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ClockOffset {
+    /// Known.
+    Stated(f64),
+    /// From the standstills of the log: every point was measured in one.
+    Standstills,
+}
+
+impl<'de> Deserialize<'de> for ClockOffset {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Offset;
+        impl Visitor<'_> for Offset {
+            type Value = ClockOffset;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a number of seconds, or \"standstills\"")
+            }
+            fn visit_f64<E: de::Error>(self, value: f64) -> Result<ClockOffset, E> {
+                Ok(ClockOffset::Stated(value))
+            }
+            fn visit_i64<E: de::Error>(self, value: i64) -> Result<ClockOffset, E> {
+                Ok(ClockOffset::Stated(value as f64))
+            }
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<ClockOffset, E> {
+                match text {
+                    "standstills" => Ok(ClockOffset::Standstills),
+                    _ => Err(E::invalid_value(de::Unexpected::Str(text), &self)),
+                }
+            }
+        }
+        deserializer.deserialize_any(Offset)
+    }
+}
+
+impl Join {
+    /// The offset of the clocks, where it is stated.
+    pub fn stated_offset_s(&self) -> Option<f64> {
+        match self.clock_offset_s? {
+            ClockOffset::Stated(offset_s) => Some(offset_s),
+            ClockOffset::Standstills => None,
+        }
+    }
 }
 
 /// Key of a join.

@@ -8,16 +8,18 @@ mod delimited;
 mod formats;
 mod label;
 mod log;
+mod logs;
 mod observations;
 mod points;
 mod polyworks;
 pub mod qif;
+pub mod standstill;
 mod xml;
 
 pub use formats::propose;
 pub(crate) use label::Pattern as LabelPattern;
 pub use log::is_joint_column;
-pub(crate) use log::meaning as log_column;
+pub(crate) use log::{is_common_column, meaning as log_column};
 pub use observations::observations;
 pub(crate) use points::{Point, used_labels};
 
@@ -74,7 +76,7 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
             Err(more) => problems.0.extend(more.0),
         }
     }
-    let mut logs = Vec::new();
+    let (mut logs, mut said) = (Vec::new(), Vec::new());
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
         let read = campaign.resolve(&stated.file).and_then(|path| read_text(&path, campaign.place(&stated.file)));
         match read.and_then(|(text, bytes)| {
@@ -86,9 +88,10 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
             Ok(Some((source, table)))
         }) {
             Ok(None) => {}
-            Ok(Some((source, table))) => {
+            Ok(Some((source, (table, more)))) => {
                 sources.push(source);
                 logs.push((stated.name.clone(), table));
+                said.extend(more);
             }
             Err(more) => problems.0.extend(more.0),
         }
@@ -96,6 +99,7 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
     problems.0.extend(columns.measured_twice());
     problems.0.extend(blunders::check(campaign).0);
     let mut messages = if campaign.lost.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
+    messages.extend(said);
     if problems.0.is_empty() && campaign.lost.is_empty() {
         match blunders::refuse(campaign, &mut columns, &mut sources) {
             Ok(said) => messages.splice(0..0, said).for_each(drop),
@@ -125,7 +129,7 @@ pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Res
 
 /// The table of a log if this is its text.
 pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<DataFrame> {
-    log::read(campaign, stated, text, &mut statement("log", stated.file.get_ref(), b""))
+    log::read(campaign, stated, text, &mut statement("log", stated.file.get_ref(), b"")).map(|(table, _)| table)
 }
 
 /// Labels and points of a file, in millimetres; every row counts, none is refused.
@@ -153,6 +157,7 @@ fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {
         dialect: if kind == "export" || kind == "log" { String::new() } else { "TOML".to_owned() },
         rows_read: 0,
         refused: Vec::new(),
+        standstills: Vec::new(),
     }
 }
 

@@ -37,7 +37,7 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
             return Err(message.hint("state `polyworks` or a delimited format for this export").into());
         }
         Format::Delimited(dialect) => {
-            let offset_s = scene.campaign.file.join.clock_offset_s.unwrap_or(0.0);
+            let offset_s = scene.campaign.file.join.stated_offset_s().unwrap_or(0.0);
             delimited(&rows, export, dialect, scene.truth, offset_s).map_err(|m| m.at(place()))?
         }
     };

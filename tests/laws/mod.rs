@@ -19,5 +19,6 @@ mod probes;
 mod robots;
 mod serial;
 mod solving;
+mod standstills;
 mod thresholds;
 mod zones;
