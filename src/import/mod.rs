@@ -13,6 +13,7 @@ mod observations;
 mod points;
 mod polyworks;
 pub mod qif;
+pub mod readers;
 pub mod standstill;
 mod xml;
 
@@ -23,7 +24,7 @@ pub(crate) use log::{is_common_column, meaning as log_column};
 pub use observations::observations;
 pub(crate) use points::{Point, used_labels};
 
-use crate::campaign::{Campaign, Export, Format, Log, Unit};
+use crate::campaign::{Campaign, Export, Format, Log, Reader, Unit};
 use crate::document::{ImportDocument, Source};
 use crate::files;
 use crate::message::{Message, Problems, Result, nearest};
@@ -63,7 +64,10 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
         if export.file.get_ref().is_empty() {
             continue;
         }
-        let read = campaign.resolve(&export.file).and_then(|path| read_text(&path, campaign.place(&export.file)));
+        let read = campaign.resolve(&export.file).and_then(|path| match export.format {
+            Format::Own(Reader::Ply, _) => read_bytes(&path, campaign.place(&export.file)).map(as_characters),
+            _ => read_text(&path, campaign.place(&export.file)),
+        });
         match read {
             // what it states of itself is told already
             Ok(_) if !campaign.export_reads(i) => {}
@@ -144,6 +148,7 @@ fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point
     match format {
         Format::Polyworks => polyworks::rows(file, text, unit),
         Format::Qif => qif::rows(file, text, unit),
+        Format::Own(reader, decimal) => readers::rows(*reader, file, text, *decimal, unit),
         Format::Delimited(dialect) => delimited::point_rows(file, text, dialect, unit),
     }
 }
@@ -161,8 +166,13 @@ fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {
     }
 }
 
-/// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
-fn read_text(path: &Path, place: crate::message::Place) -> Result<(String, Vec<u8>)> {
+/// A file that may be binary: one character for each byte.
+fn as_characters(bytes: Vec<u8>) -> (String, Vec<u8>) {
+    (bytes.iter().map(|byte| char::from(*byte)).collect(), bytes)
+}
+
+/// Bytes of an input file; where it cannot be read the message points at the campaign.
+fn read_bytes(path: &Path, place: crate::message::Place) -> Result<Vec<u8>> {
     if path.is_dir() {
         let message = Message::error(format!("`{}` is a folder", path.display())).at(place);
         return Err(message.expected("a file").hint(format!("name a file in it; {}", listed(path))).into());
@@ -172,7 +182,12 @@ fn read_text(path: &Path, place: crate::message::Place) -> Result<(String, Vec<u
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         return Err(message.hint(beside(path.parent().unwrap_or(Path::new("")), &name)).into());
     }
-    let bytes = files::read(path)?;
+    files::read(path)
+}
+
+/// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
+fn read_text(path: &Path, place: crate::message::Place) -> Result<(String, Vec<u8>)> {
+    let bytes = read_bytes(path, place.clone())?;
     let text = std::str::from_utf8(&bytes).map_err(|e| {
         Message::error(format!("`{}` is not UTF-8 text (byte {})", path.display(), e.valid_up_to()))
             .at(place)

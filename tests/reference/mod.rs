@@ -8,3 +8,4 @@ mod nist_geometry;
 mod nist_strd;
 mod prexyt;
 mod qif;
+mod readers;
