@@ -1,5 +1,6 @@
 //! How a delimited text is to be read: stated by the campaign, never guessed in silence.
 
+use super::Reader;
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::fmt;
@@ -11,6 +12,8 @@ pub enum Format {
     Polyworks,
     /// QIF 2.0, 2.1 or 3.0: measured features and their points, labelled by the name of the feature.
     Qif,
+    /// A format with a reader of its own, and its decimal mark.
+    Own(Reader, Decimal),
     /// Delimited text.
     Delimited(Dialect),
 }
@@ -155,48 +158,26 @@ impl Unit {
     }
 }
 
-/// A column of a log: by its name in the header, or by its number from 1.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Column {
-    /// Name in the header.
-    Name(String),
-    /// Number from 1.
-    Number(usize),
-}
-
-impl<'de> Deserialize<'de> for Column {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NameOrNumber;
-        impl Visitor<'_> for NameOrNumber {
-            type Value = Column;
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("the name of a column, or its number from 1")
-            }
-            fn visit_str<E: de::Error>(self, name: &str) -> Result<Column, E> {
-                Ok(Column::Name(name.to_owned()))
-            }
-            fn visit_i64<E: de::Error>(self, number: i64) -> Result<Column, E> {
-                let wrong = || E::invalid_value(de::Unexpected::Signed(number), &self);
-                usize::try_from(number).ok().filter(|n| *n > 0).map(Column::Number).ok_or_else(wrong)
-            }
-        }
-        deserializer.deserialize_any(NameOrNumber)
-    }
-}
-
 impl<'de> Deserialize<'de> for Format {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct NameOrDialect;
         impl<'de> Visitor<'de> for NameOrDialect {
             type Value = Format;
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("\"polyworks\", \"qif\" or { delimiter = .., decimal = .., columns = [..] }")
+                write!(
+                    f,
+                    "\"polyworks\", \"qif\", \"{}\" or {{ delimiter = .., decimal = .., columns = [..] }}",
+                    Reader::names().collect::<Vec<_>>().join("\", \"")
+                )
             }
             fn visit_str<E: de::Error>(self, name: &str) -> Result<Format, E> {
                 match name {
                     "polyworks" => Ok(Format::Polyworks),
                     "qif" => Ok(Format::Qif),
-                    _ => Err(E::invalid_value(de::Unexpected::Str(name), &self)),
+                    _ => {
+                        let own = Reader::stated(name).map(|(reader, decimal)| Format::Own(reader, decimal));
+                        own.ok_or_else(|| E::invalid_value(de::Unexpected::Str(name), &self))
+                    }
                 }
             }
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Format, A::Error> {
@@ -212,6 +193,8 @@ impl fmt::Display for Format {
         match self {
             Self::Polyworks => f.write_str("PolyWorks text"),
             Self::Qif => f.write_str("QIF"),
+            Self::Own(reader, Decimal::Point) => f.write_str(reader.in_words()),
+            Self::Own(reader, Decimal::Comma) => write!(f, "{}, decimal `,`", reader.in_words()),
             Self::Delimited(d) => {
                 write!(
                     f,

@@ -1,9 +1,13 @@
 //! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
 
+mod column;
 mod dialect;
 mod geometric;
+mod join;
+mod log;
 mod lost;
 mod paths;
+mod reader;
 mod repeatability;
 mod robot_file;
 mod selection;
@@ -11,9 +15,13 @@ mod toml_problems;
 mod types;
 mod unknown;
 
-pub use dialect::{Column, Decimal, Delimiter, Dialect, Format, Role, Unit};
+pub use column::{Column, ColumnAt};
+pub use dialect::{Decimal, Delimiter, Dialect, Format, Role, Unit};
 pub use geometric::*;
+pub use join::{ClockOffset, Join, JoinBy};
+pub use log::{ChannelValues, Log, LogFormat, Standstill};
 pub use lost::Lost;
+pub use reader::Reader;
 pub use repeatability::RepeatabilityDefinition;
 pub use robot_file::RobotFile;
 pub use selection::Selection;

@@ -1,7 +1,8 @@
 //! The keys of `campaign.toml`.
 
-use super::dialect::{Column, Format, Unit};
+use super::dialect::{Format, Unit};
 use super::toml_problems::find;
+use super::{Join, Log};
 use crate::identify::ResidualKind;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -162,105 +163,6 @@ pub struct Rigid {
     pub targets: Vec<Spanned<String>>,
     /// How far a distance may lie from its median before the pose is refused.
     pub tolerance_mm: f64,
-}
-
-/// A file of a controller.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Log {
-    /// Name of the log where there are several.
-    #[serde(default = "default_log")]
-    pub name: String,
-    /// The file.
-    pub file: Spanned<String>,
-    /// `blank`, `tab`, `,` or `;`.
-    #[serde(default = "default_delimiter")]
-    pub delimiter: super::dialect::Delimiter,
-    /// Decimal mark.
-    #[serde(default)]
-    pub decimal: super::dialect::Decimal,
-    /// The first row names the columns.
-    #[serde(default = "yes")]
-    pub header: bool,
-    /// What stands in which column: `pose`, `cycle`, `time_s`, `label` of the point touched, and the joints with their units.
-    pub columns: BTreeMap<Spanned<String>, Column>,
-    /// `"row"`: the number of the data row is the number of the pose.
-    pub pose: Option<FromRow>,
-}
-
-fn default_log() -> String {
-    "log".to_owned()
-}
-
-fn default_delimiter() -> super::dialect::Delimiter {
-    super::dialect::Delimiter::Comma
-}
-
-fn yes() -> bool {
-    true
-}
-
-/// How measurements meet joint values.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Join {
-    /// The key.
-    pub by: JoinBy,
-    /// Targets that become observations; all of the robot's if absent.
-    pub targets: Option<Vec<Spanned<String>>>,
-    /// Time of the measurement minus time of the log, for a join by time.
-    pub clock_offset_s: Option<f64>,
-    /// How far two times may lie apart.
-    pub tolerance_s: Option<f64>,
-}
-
-/// Key of a join.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum JoinBy {
-    /// Pose and cycle.
-    PoseAndCycle,
-    /// Pose: the log has one row for all cycles.
-    Pose,
-    /// Number of the row; the counts must agree.
-    Row,
-    /// Nearest time.
-    Time,
-    /// Label of the point that the log says the robot touches: measured once, touched often.
-    Label,
-}
-
-impl<'de> Deserialize<'de> for JoinBy {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Key;
-        impl<'de> Visitor<'de> for Key {
-            type Value = JoinBy;
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("[\"pose\", \"cycle\"], [\"pose\"], \"row\", \"time\" or \"label\"")
-            }
-            fn visit_str<E: de::Error>(self, text: &str) -> Result<JoinBy, E> {
-                match text {
-                    "row" => Ok(JoinBy::Row),
-                    "time" => Ok(JoinBy::Time),
-                    "label" => Ok(JoinBy::Label),
-                    "pose" => Ok(JoinBy::Pose),
-                    _ => Err(E::invalid_value(de::Unexpected::Str(text), &self)),
-                }
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<JoinBy, A::Error> {
-                let mut keys: Vec<String> = Vec::new();
-                while let Some(key) = seq.next_element()? {
-                    keys.push(key);
-                }
-                keys.sort();
-                match keys.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-                    ["cycle", "pose"] => Ok(JoinBy::PoseAndCycle),
-                    ["pose"] => Ok(JoinBy::Pose),
-                    _ => Err(de::Error::custom(format!("`by` names {}", keys.join(", ")))),
-                }
-            }
-        }
-        deserializer.deserialize_any(Key)
-    }
 }
 
 /// An element to fit: one of the four with the labels of its points.

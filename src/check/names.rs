@@ -127,8 +127,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
             problems.0.push(message.expected("letters, digits, `_` and `-`, another name for each log"));
         }
         let known = |key: &str| {
-            let own = ["pose", "cycle", "time_s", table::ASSEMBLY, table::LABEL].contains(&key);
-            own || robot.joints().iter().any(|joint| import::is_joint_column(key, joint))
+            import::is_common_column(key) || robot.joints().iter().any(|joint| import::is_joint_column(key, joint))
         };
         for key in log.columns.keys().filter(|key| !known(key.get_ref()) && import::log_column(key.get_ref()).is_some())
         {

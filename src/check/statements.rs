@@ -1,6 +1,6 @@
 //! Statements of a campaign that contradict each other or mean nothing, whatever the files hold.
 
-use crate::campaign::{Campaign, Export, Format, JoinBy, Role, Selection};
+use crate::campaign::{Campaign, ClockOffset, Export, Format, JoinBy, Role, Selection};
 use crate::export;
 use crate::identify::ResidualKind;
 use crate::message::{Message, Problems, Result, count};
@@ -76,8 +76,9 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
 fn join(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     let by_time = file.join.by == JoinBy::Time;
-    let clocks = [("clock_offset_s", file.join.clock_offset_s), ("tolerance_s", file.join.tolerance_s)];
-    if by_time && clocks.iter().any(|(_, value)| value.is_none()) {
+    let clocks =
+        [("clock_offset_s", file.join.clock_offset_s.is_some()), ("tolerance_s", file.join.tolerance_s.is_some())];
+    if by_time && clocks.iter().any(|(_, stated)| !stated) {
         problems.0.push(
             Message::error("a join by time needs the offset of the clocks and a tolerance")
                 .at(campaign.place_of(&["join", "by"]))
@@ -86,7 +87,23 @@ fn join(campaign: &Campaign, problems: &mut Problems) {
                 ),
         );
     }
-    for (key, _) in clocks.iter().filter(|(_, value)| value.is_some() && !by_time) {
+    let estimated = file.join.clock_offset_s == Some(ClockOffset::Standstills);
+    for log in file.logs.iter().filter(|_| !campaign.lost.touches(&["log"]) && by_time) {
+        let what = match (estimated, file.join.interpolate, log.standstill.is_some()) {
+            (true, _, false) => "the offset of the clocks cannot come from standstills of a log that states none",
+            (_, true, true) => "between standstills there is nothing to interpolate",
+            _ => continue,
+        };
+        let message = Message::error(format!("{what}: `{}`", log.name)).at(campaign.place_of(&["join", "by"]));
+        let hint = if log.standstill.is_some() {
+            "leave `interpolate` out: a point meets the standstill that it falls into"
+        } else {
+            "add [log.standstill] with `at_least_s` and `within_deg` or `within_mm`, or state `clock_offset_s` as a number"
+        };
+        problems.0.push(message.hint(hint));
+    }
+    let beside = [clocks[0], clocks[1], ("interpolate", file.join.interpolate)];
+    for (key, _) in beside.iter().filter(|(_, stated)| *stated && !by_time) {
         let message = Message::error(format!("`{key}` means nothing for this join"));
         problems.0.push(message.at(campaign.place_of(&["join", key])).hint("it belongs to `by = \"time\"`"));
     }

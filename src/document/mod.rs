@@ -8,6 +8,7 @@ mod geometric;
 mod iso9283;
 mod plan;
 mod refit;
+mod standstill;
 mod stated;
 mod study;
 
@@ -19,6 +20,7 @@ pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };
 pub use refit::{FitProbe, FitStated};
+pub use standstill::{StandingInterval, StandingJoint};
 pub use stated::{CampaignSummary, ContactSummary, ResidualSummary};
 pub use study::{CandidatePlace, StudiedParameter, StudiedPlace, StudyDocument, StudyStep};
 
@@ -77,6 +79,9 @@ pub struct Source {
     pub rows_read: usize,
     /// Rows that were refused.
     pub refused: Vec<Refused>,
+    /// Of a log recorded while the robot moved: where it stood, one row of the joint values each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub standstills: Vec<StandingInterval>,
 }
 
 /// A row that was refused.

@@ -8,20 +8,23 @@ mod delimited;
 mod formats;
 mod label;
 mod log;
+mod logs;
 mod observations;
 mod points;
 mod polyworks;
 pub mod qif;
+pub mod readers;
+pub mod standstill;
 mod xml;
 
 pub use formats::propose;
 pub(crate) use label::Pattern as LabelPattern;
 pub use log::is_joint_column;
-pub(crate) use log::meaning as log_column;
+pub(crate) use log::{is_common_column, meaning as log_column};
 pub use observations::observations;
 pub(crate) use points::{Point, used_labels};
 
-use crate::campaign::{Campaign, Export, Format, Log, Unit};
+use crate::campaign::{Campaign, Export, Format, Log, Reader, Unit};
 use crate::document::{ImportDocument, Source};
 use crate::files;
 use crate::message::{Message, Problems, Result, nearest};
@@ -61,7 +64,10 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
         if export.file.get_ref().is_empty() {
             continue;
         }
-        let read = campaign.resolve(&export.file).and_then(|path| read_text(&path, campaign.place(&export.file)));
+        let read = campaign.resolve(&export.file).and_then(|path| match export.format {
+            Format::Own(Reader::Ply, _) => read_bytes(&path, campaign.place(&export.file)).map(as_characters),
+            _ => read_text(&path, campaign.place(&export.file)),
+        });
         match read {
             // what it states of itself is told already
             Ok(_) if !campaign.export_reads(i) => {}
@@ -74,7 +80,7 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
             Err(more) => problems.0.extend(more.0),
         }
     }
-    let mut logs = Vec::new();
+    let (mut logs, mut said) = (Vec::new(), Vec::new());
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
         let read = campaign.resolve(&stated.file).and_then(|path| read_text(&path, campaign.place(&stated.file)));
         match read.and_then(|(text, bytes)| {
@@ -86,9 +92,10 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
             Ok(Some((source, table)))
         }) {
             Ok(None) => {}
-            Ok(Some((source, table))) => {
+            Ok(Some((source, (table, more)))) => {
                 sources.push(source);
                 logs.push((stated.name.clone(), table));
+                said.extend(more);
             }
             Err(more) => problems.0.extend(more.0),
         }
@@ -96,6 +103,7 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
     problems.0.extend(columns.measured_twice());
     problems.0.extend(blunders::check(campaign).0);
     let mut messages = if campaign.lost.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
+    messages.extend(said);
     if problems.0.is_empty() && campaign.lost.is_empty() {
         match blunders::refuse(campaign, &mut columns, &mut sources) {
             Ok(said) => messages.splice(0..0, said).for_each(drop),
@@ -125,7 +133,7 @@ pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Res
 
 /// The table of a log if this is its text.
 pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<DataFrame> {
-    log::read(campaign, stated, text, &mut statement("log", stated.file.get_ref(), b""))
+    log::read(campaign, stated, text, &mut statement("log", stated.file.get_ref(), b"")).map(|(table, _)| table)
 }
 
 /// Labels and points of a file, in millimetres; every row counts, none is refused.
@@ -140,6 +148,7 @@ fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point
     match format {
         Format::Polyworks => polyworks::rows(file, text, unit),
         Format::Qif => qif::rows(file, text, unit),
+        Format::Own(reader, decimal) => readers::rows(*reader, file, text, *decimal, unit),
         Format::Delimited(dialect) => delimited::point_rows(file, text, dialect, unit),
     }
 }
@@ -153,11 +162,17 @@ fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {
         dialect: if kind == "export" || kind == "log" { String::new() } else { "TOML".to_owned() },
         rows_read: 0,
         refused: Vec::new(),
+        standstills: Vec::new(),
     }
 }
 
-/// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
-fn read_text(path: &Path, place: crate::message::Place) -> Result<(String, Vec<u8>)> {
+/// A file that may be binary: one character for each byte.
+fn as_characters(bytes: Vec<u8>) -> (String, Vec<u8>) {
+    (bytes.iter().map(|byte| char::from(*byte)).collect(), bytes)
+}
+
+/// Bytes of an input file; where it cannot be read the message points at the campaign.
+fn read_bytes(path: &Path, place: crate::message::Place) -> Result<Vec<u8>> {
     if path.is_dir() {
         let message = Message::error(format!("`{}` is a folder", path.display())).at(place);
         return Err(message.expected("a file").hint(format!("name a file in it; {}", listed(path))).into());
@@ -167,7 +182,12 @@ fn read_text(path: &Path, place: crate::message::Place) -> Result<(String, Vec<u
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         return Err(message.hint(beside(path.parent().unwrap_or(Path::new("")), &name)).into());
     }
-    let bytes = files::read(path)?;
+    files::read(path)
+}
+
+/// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
+fn read_text(path: &Path, place: crate::message::Place) -> Result<(String, Vec<u8>)> {
+    let bytes = read_bytes(path, place.clone())?;
     let text = std::str::from_utf8(&bytes).map_err(|e| {
         Message::error(format!("`{}` is not UTF-8 text (byte {})", path.display(), e.valid_up_to()))
             .at(place)

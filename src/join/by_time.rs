@@ -1,122 +1,227 @@
-//! Points meet the log by the clock.
+//! Points meet the log by the clock: with the nearest row, with the standstill they fall into, or between two rows.
 
 use super::unmatched::Rows;
 use super::{Log, Said};
-use crate::document::Unmatched;
 use crate::message::{Message, Result, count};
-use crate::table;
+use crate::table::{self, ASSEMBLY};
 use polars::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Joins each point with the nearest row of the log in time; the log's row becomes the pose where no label names one.
-pub(super) fn by_time(
-    points: &DataFrame,
-    log: Log,
-    offset_s: f64,
-    tolerance_s: f64,
-    said: &mut Said,
-) -> Result<DataFrame> {
+/// How times meet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Clocks {
+    /// Time of the measurement minus time of the log.
+    pub offset_s: f64,
+    /// How far apart a point and the rows that it meets may be.
+    pub tolerance_s: f64,
+    /// Joint values are those between the row before and the row after.
+    pub interpolate: bool,
+}
+
+/// The rows of the log that a point meets: the nearer one, and with a share of the other where it lies between two.
+#[derive(Clone, Copy)]
+struct Met {
+    row: usize,
+    other: Option<(usize, f64)>,
+}
+
+/// Joins each point with what the log says of its time; where no label names a pose, the log's row becomes the pose, or
+/// between rows the number of the time.
+pub(super) fn by_time(points: &DataFrame, log: Log, clocks: Clocks, said: &mut Said) -> Result<DataFrame> {
     let name = log.name;
-    let nanoseconds = |frame: &DataFrame, offset: f64, whose: &str| -> Result<Vec<i64>> {
-        let times = table::numbers(frame, "time_s")?;
-        if times.iter().any(|t| !t.is_finite()) {
-            return Err(Message::error(format!("{whose} has rows without a time"))
-                .hint("a join by time needs `time_s` in the columns of exports and log")
-                .into());
-        }
-        Ok(times.into_iter().map(|t| ((t - offset) * 1e9).round() as i64).collect())
-    };
-    let times = nanoseconds(points, offset_s, "the export")?;
-    let log_times = nanoseconds(log.rows, 0.0, "the log")?;
-    if let Some(i) = log_times.windows(2).position(|w| w[1] <= w[0]) {
-        let what = format!("times of log `{name}` do not increase at its row {}", i + 2);
+    let stated_s = table::numbers(points, "time_s")?;
+    let times = nanoseconds(&stated_s, clocks.offset_s, "the export")?;
+    let spans = spans(log)?;
+    let tolerance_ns = (clocks.tolerance_s * 1e9).round() as i64;
+    let met: Vec<Option<Met>> = times
+        .iter()
+        .map(|&t| if clocks.interpolate { between(&spans, t, tolerance_ns) } else { nearest(&spans, t, tolerance_ns) })
+        .collect();
+    if !clocks.interpolate {
+        let within = |t: i64| {
+            let before = spans.partition_point(|s| s.1 < t.saturating_sub(tolerance_ns));
+            spans.partition_point(|s| s.0 <= t.saturating_add(tolerance_ns)).saturating_sub(before)
+        };
+        report_several(points, &times, &within, clocks, name, said)?;
+    }
+    report_alone(points, &met, clocks, name, said)?;
+    let used: BTreeSet<usize> =
+        met.iter().flatten().flat_map(|m| [Some(m.row), m.other.map(|(row, _)| row)]).flatten().collect();
+    report_idle(log, &used, clocks, said)?;
+    refuse_twice(points, &times, &met, clocks, log)?;
+    joined(points, log, &times, &met)
+}
+
+/// First and last time of each row of the log in nanoseconds: the same, but for standstills.
+fn spans(log: Log) -> Result<Vec<(i64, i64)>> {
+    let (from, to) = if log.rows.column("from_s").is_ok() { ("from_s", "to_s") } else { ("time_s", "time_s") };
+    let from = nanoseconds(&table::numbers(log.rows, from)?, 0.0, "the log")?;
+    let to = nanoseconds(&table::numbers(log.rows, to)?, 0.0, "the log")?;
+    if let Some(i) = from.windows(2).position(|w| w[1] <= w[0]) {
+        let what = format!("times of log `{}` do not increase at its row {}", log.name, i + 2);
         return Err(Message::error(what).hint("sort the log by time, and remove rows with equal times").into());
     }
-    let tolerance_ns = (tolerance_s * 1e9).round() as i64;
-    let within = |t: &i64| {
-        let first = log_times.partition_point(|l| *l < t.saturating_sub(tolerance_ns));
-        log_times.partition_point(|l| *l <= t.saturating_add(tolerance_ns)) - first
-    };
+    Ok(from.into_iter().zip(to).collect())
+}
+
+fn nanoseconds(times_s: &[f64], offset_s: f64, whose: &str) -> Result<Vec<i64>> {
+    if times_s.iter().any(|t| !t.is_finite()) {
+        return Err(Message::error(format!("{whose} has rows without a time"))
+            .hint("a join by time needs `time_s` in the columns of exports and log")
+            .into());
+    }
+    Ok(times_s.iter().map(|t| ((t - offset_s) * 1e9).round() as i64).collect())
+}
+
+/// How far a time is from a row.
+fn apart((from, to): &(i64, i64), t: i64) -> i64 {
+    from.saturating_sub(t).max(t.saturating_sub(*to)).max(0)
+}
+
+fn nearest(spans: &[(i64, i64)], t: i64, tolerance_ns: i64) -> Option<Met> {
+    let after = spans.partition_point(|s| s.0 <= t);
+    let beside = after.saturating_sub(1)..(after + 1).min(spans.len());
+    let row = beside.min_by_key(|&i| apart(&spans[i], t))?;
+    (apart(&spans[row], t) <= tolerance_ns).then_some(Met { row, other: None })
+}
+
+/// The rows before and after a time, both within the tolerance.
+fn between(spans: &[(i64, i64)], t: i64, tolerance_ns: i64) -> Option<Met> {
+    let after = spans.partition_point(|s| s.0 < t);
+    if spans.get(after).is_some_and(|s| s.0 == t) {
+        return Some(Met { row: after, other: None });
+    }
+    let before = after.checked_sub(1)?;
+    let (low, high) = (spans[before].0, spans.get(after)?.0);
+    if t - low > tolerance_ns || high - t > tolerance_ns {
+        return None;
+    }
+    let share = (t - low) as f64 / (high - low) as f64;
+    let (row, other) = if share <= 0.5 { (before, (after, share)) } else { (after, (before, 1.0 - share)) };
+    Some(Met { row, other: Some(other) })
+}
+
+fn at(t: f64) -> String {
+    format!("{t} s")
+}
+
+/// Points that could have met several rows.
+fn report_several(
+    points: &DataFrame,
+    times: &[i64],
+    within: &dyn Fn(i64) -> usize,
+    clocks: Clocks,
+    name: &str,
+    said: &mut Said,
+) -> Result<()> {
     let (stated_s, places) = (table::numbers(points, "time_s")?, Rows::points(points)?);
-    let at = |t: f64| format!("{t} s");
-    let several: Vec<Unmatched> = (0..times.len())
-        .filter(|&i| within(&times[i]) > 1)
-        .map(|i| {
-            let reason =
-                format!("{} rows of log `{name}` are within {tolerance_s} s: the nearest counts", within(&times[i]));
-            places.unmatched(i, at(stated_s[i]), &reason)
-        })
-        .collect();
-    let ambiguous = several.len();
-    said.unmatched.extend(several);
-    if ambiguous > 0 {
-        let what = format!(
-            "{} with several rows of log `{name}` within {tolerance_s} s: the nearest counts",
-            count(ambiguous, "measured point")
-        );
-        said.messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
+    let tolerance_s = clocks.tolerance_s;
+    let several: Vec<(usize, usize)> =
+        times.iter().map(|&t| within(t)).enumerate().filter(|(_, rows)| *rows > 1).collect();
+    if several.is_empty() {
+        return Ok(());
     }
-    let group = |n: usize| Column::new("all".into(), vec![1i64; n]);
-    let mut left = points.clone();
-    left.with_column(Column::new("t_ns".into(), times))?.with_column(group(points.height()))?;
-    let left = left.sort(["t_ns"], SortMultipleOptions::default().with_maintain_order(true))?;
-    let mut right = log.rows.clone();
-    right.with_column(Column::new("t_ns".into(), log_times))?.with_column(group(log.rows.height()))?;
-    right.rename("row", "log_row".into())?;
-    for column in ["line", "pose", "cycle", "time_s"] {
-        if right.column(column).is_ok() {
-            right = right.drop(column)?;
-        }
-    }
-    let tolerance = AnyValue::Int64(tolerance_ns);
-    let (by, nearest) = (["all"], AsofStrategy::Nearest);
-    let joined = left.join_asof_by(&right, "t_ns", "t_ns", by, by, nearest, Some(tolerance), true, false)?;
-    let log_rows = table::optional_integers(&joined, "log_row")?;
-    let targets = table::texts(&joined, "target")?;
-    let (stated_s, places) = (table::numbers(&joined, "time_s")?, Rows::points(&joined)?);
-    let reason = format!("no row of log `{name}` is within {tolerance_s} s");
-    let alone = (0..joined.height()).filter(|&i| log_rows[i].is_none());
-    let alone: Vec<Unmatched> = alone.map(|i| places.unmatched(i, at(stated_s[i]), &reason)).collect();
+    let what = format!(
+        "{} with several rows of log `{name}` within {tolerance_s} s: the nearest counts",
+        count(several.len(), "measured point")
+    );
+    said.messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
+    said.unmatched.extend(several.into_iter().map(|(i, rows)| {
+        let reason = format!("{rows} rows of log `{name}` are within {tolerance_s} s: the nearest counts");
+        places.unmatched(i, at(stated_s[i]), &reason)
+    }));
+    Ok(())
+}
+
+/// Points that met no row.
+fn report_alone(points: &DataFrame, met: &[Option<Met>], clocks: Clocks, name: &str, said: &mut Said) -> Result<()> {
+    let (stated_s, places) = (table::numbers(points, "time_s")?, Rows::points(points)?);
+    let reason = match clocks.interpolate {
+        true => format!("no rows of log `{name}` before and after it are within {} s", clocks.tolerance_s),
+        false => format!("no row of log `{name}` is within {} s", clocks.tolerance_s),
+    };
+    let alone: Vec<usize> = (0..met.len()).filter(|&i| met[i].is_none()).collect();
     if !alone.is_empty() {
-        let alone = alone.len();
-        said.messages.push(Message::warning(format!(
-            "{} without a row of log `{name}` within {tolerance_s} s",
-            count(alone, "measured point")
-        )));
-    }
-    said.unmatched.extend(alone);
-    let mut used: BTreeMap<(i64, &str), Vec<usize>> = BTreeMap::new();
-    for (i, (row, target)) in log_rows.iter().zip(&targets).enumerate() {
-        if let Some(row) = row {
-            used.entry((*row, target)).or_default().push(i);
-        }
-    }
-    let rows_used: BTreeSet<i64> = used.keys().map(|(row, _)| *row).collect();
-    let (numbers, times_s) = (table::integers(log.rows, "row")?, table::numbers(log.rows, "time_s")?);
-    let log_places = Rows::log(log.rows, log.file)?;
-    let idle: Vec<usize> = (0..numbers.len()).filter(|&i| !rows_used.contains(&numbers[i])).collect();
-    if !idle.is_empty() {
-        let what = format!("{} of log `{name}` without a measured point", count(idle.len(), "row"));
+        let points = count(alone.len(), "measured point");
+        let what = format!("{points} without a row of log `{name}` within {} s", clocks.tolerance_s);
         said.messages.push(Message::warning(what));
     }
-    let reason = "no measured point is nearest to it";
-    said.unmatched.extend(idle.into_iter().map(|i| log_places.unmatched(i, at(times_s[i]), reason)));
-    let twice: Vec<String> = used
-        .iter()
-        .filter(|(_, points)| points.len() > 1)
-        .map(|((row, target), points)| {
-            let lines: Vec<String> = points.iter().map(|&i| places.line(i).to_string()).collect();
-            let (n, lines) = (points.len(), lines.join(", "));
-            format!("row {row} of log `{name}` is nearest to {n} points of target `{target}` (lines {lines})")
-        })
-        .collect();
-    if !twice.is_empty() {
-        return Err(Message::error(twice.join("; ")).hint("lower `tolerance_s`, or check `clock_offset_s`").into());
+    said.unmatched.extend(alone.into_iter().map(|i| places.unmatched(i, at(stated_s[i]), &reason)));
+    Ok(())
+}
+
+/// Rows of the log that no point met; between the rows of a log that runs on there are many.
+fn report_idle(log: Log, used: &BTreeSet<usize>, clocks: Clocks, said: &mut Said) -> Result<()> {
+    let (times_s, places) = (table::numbers(log.rows, "time_s")?, Rows::log(log.rows, log.file)?);
+    let idle: Vec<usize> = (0..times_s.len()).filter(|i| !used.contains(i)).collect();
+    if idle.is_empty() || clocks.interpolate {
+        return Ok(());
     }
-    let keep: BooleanChunked = log_rows.iter().map(|r| Some(r.is_some())).collect();
+    let what = format!("{} of log `{}` without a measured point", count(idle.len(), "row"), log.name);
+    said.messages.push(Message::warning(what));
+    let reason = "no measured point is nearest to it";
+    said.unmatched.extend(idle.into_iter().map(|i| places.unmatched(i, at(times_s[i]), reason)));
+    Ok(())
+}
+
+/// An error about points of one target that met the same row, or between rows have the same time.
+fn refuse_twice(points: &DataFrame, times: &[i64], met: &[Option<Met>], clocks: Clocks, log: Log) -> Result<()> {
+    let (targets, places) = (table::texts(points, "target")?, Rows::points(points)?);
+    let numbers = table::integers(log.rows, "row")?;
+    let mut used: BTreeMap<(i64, &str), Vec<usize>> = BTreeMap::new();
+    for (i, met) in met.iter().enumerate() {
+        let Some(met) = met else { continue };
+        let key = if clocks.interpolate { times[i] } else { numbers[met.row] };
+        used.entry((key, targets[i].as_str())).or_default().push(i);
+    }
+    let twice = used.iter().filter(|(_, points)| points.len() > 1).map(|((key, target), points)| {
+        let lines: Vec<String> = points.iter().map(|&i| places.line(i).to_string()).collect();
+        let (n, lines, name) = (points.len(), lines.join(", "), log.name);
+        match clocks.interpolate {
+            true => format!("{n} points of target `{target}` have the same time (lines {lines})"),
+            false => format!("row {key} of log `{name}` is nearest to {n} points of target `{target}` (lines {lines})"),
+        }
+    });
+    let twice: Vec<String> = twice.collect();
+    if twice.is_empty() {
+        return Ok(());
+    }
+    Err(Message::error(twice.join("; ")).hint("lower `tolerance_s`, or check `clock_offset_s`").into())
+}
+
+/// The points that met something, with the columns of the log.
+fn joined(points: &DataFrame, log: Log, times: &[i64], met: &[Option<Met>]) -> Result<DataFrame> {
+    let kept: Vec<(usize, Met)> = met.iter().enumerate().filter_map(|(i, met)| met.map(|met| (i, met))).collect();
+    let mut order: Vec<usize> = (0..kept.len()).collect();
+    order.sort_by_key(|&k| times[kept[k].0]);
+    let kept: Vec<(usize, Met)> = order.into_iter().map(|k| kept[k]).collect();
+    let taken: Vec<IdxSize> = kept.iter().map(|(i, _)| *i as IdxSize).collect();
+    let mut joined = points.take(&IdxCa::from_vec("i".into(), taken))?;
+    let interpolated = kept.iter().any(|(_, met)| met.other.is_some());
+    let numbers = table::integers(log.rows, "row")?;
+    let distinct: BTreeSet<i64> = kept.iter().map(|(i, _)| times[*i]).collect();
+    let rank: BTreeMap<i64, i64> = distinct.into_iter().zip(1..).collect();
     let poses = table::optional_integers(&joined, "pose")?;
-    let pose: Vec<Option<i64>> = poses.iter().zip(&log_rows).map(|(pose, row)| pose.or(*row)).collect();
-    let mut joined = joined;
+    let own = |(i, met): &(usize, Met)| if interpolated { rank[&times[*i]] } else { numbers[met.row] };
+    let pose: Vec<Option<i64>> = poses.iter().zip(&kept).map(|(pose, kept)| pose.or(Some(own(kept)))).collect();
     joined.with_column(Column::new("pose".into(), pose))?;
-    Ok(joined.filter(&keep)?)
+    for column in log.rows.columns() {
+        let column_name = column.name().as_str();
+        if ["row", "line", "pose", "cycle", "time_s", "from_s", "to_s"].contains(&column_name) {
+            continue;
+        }
+        let rows: Vec<IdxSize> = kept.iter().map(|(_, met)| met.row as IdxSize).collect();
+        let nearer = column.take(&IdxCa::from_vec("i".into(), rows))?;
+        if !column.dtype().is_float() || column_name == ASSEMBLY || !interpolated {
+            joined.with_column(nearer)?;
+            continue;
+        }
+        let all = table::numbers(log.rows, column_name)?;
+        let value = |(_, met): &(usize, Met)| {
+            let other = met.other.map_or(0.0, |(other, share)| share * (all[other] - all[met.row]));
+            all[met.row] + other
+        };
+        joined.with_column(Column::new(column_name.into(), kept.iter().map(value).collect::<Vec<f64>>()))?;
+    }
+    Ok(joined)
 }

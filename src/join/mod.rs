@@ -2,9 +2,10 @@
 
 mod by_label;
 mod by_time;
+pub mod clock;
 mod unmatched;
 
-use crate::campaign::{Campaign, JoinBy};
+use crate::campaign::{Campaign, ClockOffset, JoinBy};
 use crate::document::{FramesDocument, Unmatched};
 use crate::import::Imported;
 use crate::message::{Message, Problems, Result, count};
@@ -12,7 +13,7 @@ use crate::pose::{Pose, Vector};
 use crate::robots::Robot;
 use crate::table;
 use by_label::by_label;
-use by_time::by_time;
+use by_time::{Clocks, by_time};
 use polars::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use unmatched::{Rows, key_in_words};
@@ -85,8 +86,9 @@ fn with_log(
         }
         JoinBy::Time => {
             let join = &campaign.file.join;
-            let (offset, tolerance) = (join.clock_offset_s.unwrap_or(0.0), join.tolerance_s.unwrap_or(0.0));
-            by_time(points, log, offset, tolerance, said)?
+            let offset_s = offset_s(campaign, points, log, said)?;
+            let tolerance_s = join.tolerance_s.unwrap_or(0.0);
+            by_time(points, log, Clocks { offset_s, tolerance_s, interpolate: join.interpolate }, said)?
         }
         // what the log touches has no partner among the robot's targets
         JoinBy::Label => DataFrame::empty(),
@@ -108,9 +110,30 @@ fn with_log(
     Ok(joined)
 }
 
+/// The offset of the clocks: as stated, or from the standstills of the log, which is said.
+fn offset_s(campaign: &Campaign, points: &DataFrame, log: Log, said: &mut Said) -> Result<f64> {
+    let join = &campaign.file.join;
+    if join.clock_offset_s != Some(ClockOffset::Standstills) {
+        return Ok(join.stated_offset_s().unwrap_or(0.0));
+    }
+    let (from, to) = (table::numbers(log.rows, "from_s")?, table::numbers(log.rows, "to_s")?);
+    let standstills: Vec<(f64, f64)> = from.into_iter().zip(to).collect();
+    let place = || campaign.place_of(&["join", "clock_offset_s"]);
+    let found = clock::offset(&table::numbers(points, "time_s")?, &standstills).map_err(|m| m.at(place()))?;
+    let what = format!(
+        "the clock of log `{}` is set by its {}: offset {:.3} s, at most {:.3} s off",
+        log.name,
+        count(standstills.len(), "standstill"),
+        found.offset_s,
+        found.half_width_s
+    );
+    said.messages.push(Message::warning(what).at(place()).hint("every measured point falls into a standstill so"));
+    Ok(found.offset_s)
+}
+
 /// The smallest difference of the times of a point and of a row of the log, clocks set by the campaign's offset.
 fn apart_s(campaign: &Campaign, points: &DataFrame, log: &DataFrame) -> Result<Option<f64>> {
-    let offset_s = campaign.file.join.clock_offset_s.unwrap_or(0.0);
+    let offset_s = campaign.file.join.stated_offset_s().unwrap_or(0.0);
     let mut logged = table::numbers(log, "time_s")?;
     logged.sort_by(f64::total_cmp);
     let nearest = |time_s: f64| {

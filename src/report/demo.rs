@@ -136,6 +136,7 @@ fn import() -> ImportDocument {
         dialect: dialect.to_owned(),
         rows_read: 590,
         refused,
+        standstills: Vec::new(),
     };
     let refused = Refused {
         line: 17,

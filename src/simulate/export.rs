@@ -32,12 +32,12 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
     let decimals = scene.truth.decimals;
     let written = match &export.format {
         Format::Polyworks => rows.iter().map(|row| polyworks_line(row, decimals)).collect(),
-        Format::Qif => {
-            let message = Message::error("simulate writes no QIF").at(place());
+        other @ (Format::Qif | Format::Own(..)) => {
+            let message = Message::error(format!("simulate writes no {other}")).at(place());
             return Err(message.hint("state `polyworks` or a delimited format for this export").into());
         }
         Format::Delimited(dialect) => {
-            let offset_s = scene.campaign.file.join.clock_offset_s.unwrap_or(0.0);
+            let offset_s = scene.campaign.file.join.stated_offset_s().unwrap_or(0.0);
             delimited(&rows, export, dialect, scene.truth, offset_s).map_err(|m| m.at(place()))?
         }
     };

@@ -1,7 +1,7 @@
 //! A log with the columns that the campaign reads.
 
 use super::{Scene, Turn, text};
-use crate::campaign::{Column, JoinBy, Log};
+use crate::campaign::{Column, ColumnAt, JoinBy, Log, LogFormat};
 use crate::import;
 use crate::message::{Message, Result};
 use crate::noise::Noise;
@@ -26,6 +26,12 @@ enum Content {
 
 /// The text of a log; an error where import would not read it.
 pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
+    let counted = log.columns.values().any(|c| c.per_count.is_some() || c.occurrence.is_some());
+    if log.format != LogFormat::Delimited || log.period_s.is_some() || counted {
+        let message = Message::error("simulate writes logs as delimited text, in units and with a clock of their own");
+        let hint = "leave out `format`, `period_s`, `per_count` and `occurrence` of this log";
+        return Err(message.at(scene.campaign.place(&log.file)).hint(hint).into());
+    }
     let places = places(log).map_err(|m| m.at(scene.campaign.place(&log.file)))?;
     let width = places.iter().map(|p| p.1 + 1).max().unwrap_or(0);
     let mut header: Vec<String> = (1..=width).map(|n| format!("column_{n}")).collect();
@@ -36,7 +42,7 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
             header[at].clone_from(name);
         }
     }
-    let line = |fields: &[String]| text::line(fields, log.delimiter, None);
+    let line = |fields: &[String]| text::line(fields, log.delimiter(), None);
     let mut all = if log.header { line(&header)? } else { String::new() };
     // a join by pose alone wants one row for all rounds
     let once = scene.campaign.file.join.by == JoinBy::Pose;
@@ -54,14 +60,14 @@ type Placed<'a> = (&'a toml::Spanned<String>, usize, Option<&'a String>);
 
 /// Index and name of each column: numbered ones stand where they say, named ones fill the gaps in their order.
 fn places(log: &Log) -> std::result::Result<Vec<Placed<'_>>, Message> {
-    let number = |column: &Column| if let Column::Number(n) = column { Some(n - 1) } else { None };
+    let number = |column: &Column| if let ColumnAt::Number(n) = column.at { Some(n - 1) } else { None };
     let taken: Vec<usize> = log.columns.values().filter_map(number).collect();
     let mut free = (0..).filter(|i| !taken.contains(i));
     let mut places: Vec<Placed> = Vec::new();
     for (key, column) in &log.columns {
-        let (at, name) = match column {
-            Column::Number(n) => (n - 1, None),
-            Column::Name(name) => (free.next().unwrap_or(0), Some(name)),
+        let (at, name) = match &column.at {
+            ColumnAt::Number(n) => (n - 1, None),
+            ColumnAt::Name(name) => (free.next().unwrap_or(0), Some(name)),
         };
         let twice = places.iter().any(|p| p.1 == at || name.is_some() && p.2 == name);
         if twice || at >= MOST_COLUMNS {

@@ -3,7 +3,10 @@
 mod causes;
 mod check;
 mod follow_up;
+mod fuzz;
+mod logs;
 mod qif;
+mod readers;
 mod recovery;
 mod together;
 

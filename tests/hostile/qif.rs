@@ -207,11 +207,11 @@ fn other_documents_are_told_apart() {
 
 #[test]
 fn time_grows_with_the_file_and_not_with_its_square() {
-    // each is an answer within a second; in the square of the size it would be hours
+    // each is an answer within a second, and on a busy machine within a minute; in the square of the size it would be hours
     let quick = |text: String| {
         let start = std::time::Instant::now();
         let read = qif::read("f.qif", &text, None).unwrap();
-        assert!(start.elapsed().as_secs() < 5, "{:?}", start.elapsed());
+        assert!(start.elapsed().as_secs() < 60, "{:?}", start.elapsed());
         read
     };
     let astray = "<PlaneFeatureMeasurement id=\"9\"><FeatureItemId>7</FeatureItemId><PointList n=\"1\"><WholePointSetId>3\

@@ -20,5 +20,6 @@ mod repeatability;
 mod robots;
 mod serial;
 mod solving;
+mod standstills;
 mod thresholds;
 mod zones;

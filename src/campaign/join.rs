@@ -1,0 +1,116 @@
+//! `[join]`: how measurements meet joint values.
+
+use serde::de::{self, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
+use toml::Spanned;
+
+/// How measurements meet joint values.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Join {
+    /// The key.
+    pub by: JoinBy,
+    /// Targets that become observations; all of the robot's if absent.
+    pub targets: Option<Vec<Spanned<String>>>,
+    /// Time of the measurement minus time of the log, for a join by time.
+    pub clock_offset_s: Option<ClockOffset>,
+    /// How far two times may lie apart.
+    pub tolerance_s: Option<f64>,
+    /// Joint values between the row before and the row after, for a join by time.
+    #[serde(default)]
+    pub interpolate: bool,
+}
+
+/// The offset of two clocks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ClockOffset {
+    /// Known.
+    Stated(f64),
+    /// From the standstills of the log: every point was measured in one.
+    Standstills,
+}
+
+impl<'de> Deserialize<'de> for ClockOffset {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Offset;
+        impl Visitor<'_> for Offset {
+            type Value = ClockOffset;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a number of seconds, or \"standstills\"")
+            }
+            fn visit_f64<E: de::Error>(self, value: f64) -> Result<ClockOffset, E> {
+                Ok(ClockOffset::Stated(value))
+            }
+            fn visit_i64<E: de::Error>(self, value: i64) -> Result<ClockOffset, E> {
+                Ok(ClockOffset::Stated(value as f64))
+            }
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<ClockOffset, E> {
+                match text {
+                    "standstills" => Ok(ClockOffset::Standstills),
+                    _ => Err(E::invalid_value(de::Unexpected::Str(text), &self)),
+                }
+            }
+        }
+        deserializer.deserialize_any(Offset)
+    }
+}
+
+impl Join {
+    /// The offset of the clocks, where it is stated.
+    pub fn stated_offset_s(&self) -> Option<f64> {
+        match self.clock_offset_s? {
+            ClockOffset::Stated(offset_s) => Some(offset_s),
+            ClockOffset::Standstills => None,
+        }
+    }
+}
+
+/// Key of a join.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JoinBy {
+    /// Pose and cycle.
+    PoseAndCycle,
+    /// Pose: the log has one row for all cycles.
+    Pose,
+    /// Number of the row; the counts must agree.
+    Row,
+    /// Nearest time.
+    Time,
+    /// Label of the point that the log says the robot touches: measured once, touched often.
+    Label,
+}
+
+impl<'de> Deserialize<'de> for JoinBy {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Key;
+        impl<'de> Visitor<'de> for Key {
+            type Value = JoinBy;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("[\"pose\", \"cycle\"], [\"pose\"], \"row\", \"time\" or \"label\"")
+            }
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<JoinBy, E> {
+                match text {
+                    "row" => Ok(JoinBy::Row),
+                    "time" => Ok(JoinBy::Time),
+                    "label" => Ok(JoinBy::Label),
+                    "pose" => Ok(JoinBy::Pose),
+                    _ => Err(E::invalid_value(de::Unexpected::Str(text), &self)),
+                }
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<JoinBy, A::Error> {
+                let mut keys: Vec<String> = Vec::new();
+                while let Some(key) = seq.next_element()? {
+                    keys.push(key);
+                }
+                keys.sort();
+                match keys.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+                    ["cycle", "pose"] => Ok(JoinBy::PoseAndCycle),
+                    ["pose"] => Ok(JoinBy::Pose),
+                    _ => Err(de::Error::custom(format!("`by` names {}", keys.join(", ")))),
+                }
+            }
+        }
+        deserializer.deserialize_any(Key)
+    }
+}

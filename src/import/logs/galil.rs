@@ -1,0 +1,69 @@
+//! Galil array upload as CSV: the names of the arrays in alphabetical order, then one row for each index.
+//!
+//! Values are encoder counts; the shorter of several arrays leaves empty places at its end. There is no clock: the period
+//! is that of the controller's `RC` command. Source: galil.com, "Comma-Separated Values (CSV Files)".
+
+use super::Wanted;
+use super::sheet::{Sheet, row_place};
+use crate::document::Refused;
+use crate::message::{Message, Problems};
+
+/// An error where a column is read as if it held mm or deg.
+pub(super) fn states_counts(wanted: &Wanted) -> Option<Message> {
+    let missing = wanted.is_joint() && wanted.column.per_count.is_none();
+    let key = wanted.key.get_ref();
+    missing.then(|| {
+        Message::error(format!(
+            "an array of a Galil controller holds counts, and `{key}` does not say what one is worth"
+        ))
+        .expected(format!("`{key} = {{ name = \"...\", per_count = 0.001 }}`, with the worth in the unit of the key"))
+    })
+}
+
+/// Takes away the rows at the end where arrays that are wanted have ended; an empty place before the end is an error.
+pub(super) fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) -> Vec<Refused> {
+    let filled = |at: usize| sheet.rows.iter().rposition(|row| row.fields.get(at).is_some_and(|f| !f.is_empty()));
+    let ends: Vec<usize> = wanted.iter().map(|(at, _)| filled(*at).map_or(0, |last| last + 1)).collect();
+    let (shortest, longest) = (ends.iter().min().copied().unwrap_or(0), ends.iter().max().copied().unwrap_or(0));
+    for row in &sheet.rows[..shortest] {
+        for (at, wanted) in wanted.iter().filter(|(at, _)| row.fields.get(*at).is_some_and(String::is_empty)) {
+            let message = Message::error(format!("the array of `{}` has a hole", wanted.key.get_ref()));
+            let hint = "an array is short at its end alone: upload it again";
+            problems.0.push(message.at(sheet.cell(row, *at)).hint(hint));
+        }
+    }
+    let ended = |i: usize| {
+        let short = wanted.iter().zip(&ends).filter(|(_, end)| **end <= i).map(|((_, w), _)| w.key.get_ref().as_str());
+        format!("no count: the array of {} has ended", short.collect::<Vec<_>>().join(", "))
+    };
+    let refused = (shortest..longest).map(|i| {
+        let line = sheet.rows[i].line;
+        Refused { line, text: sheet.line(line).to_owned(), reason: ended(i) }
+    });
+    let refused = refused.collect();
+    sheet.rows.truncate(shortest);
+    if sheet.rows.is_empty() {
+        let message = Message::error("one of the arrays is empty");
+        problems.0.push(message.at(row_place(sheet, 1)).hint("upload the arrays again, after the recording has ended"));
+    }
+    refused
+}
+
+/// Counts are whole numbers of 32 bits; a step by more than half their range is a wrap, which no scale can undo.
+pub(super) fn check_counts(sheet: &Sheet, at: usize, counts: &[f64], problems: &mut Problems) {
+    const RANGE: f64 = 4_294_967_296.0;
+    for (row, count) in sheet.rows.iter().zip(counts) {
+        if count.fract() != 0.0 || count.abs() > RANGE / 2.0 {
+            let message = Message::error(format!("{count} is no count")).expected("a whole number of 32 bits");
+            problems
+                .0
+                .push(message.at(sheet.cell(row, at)).hint("is the array already scaled? Then it is no Galil upload"));
+        }
+    }
+    for (i, pair) in counts.windows(2).enumerate().filter(|(_, pair)| (pair[1] - pair[0]).abs() > RANGE / 2.0) {
+        let message = Message::error(format!("the counter goes from {} to {}: it wrapped", pair[0], pair[1]));
+        problems
+            .0
+            .push(message.at(sheet.cell(&sheet.rows[i + 1], at)).hint("set the encoder to zero before it is recorded"));
+    }
+}

@@ -1,0 +1,181 @@
+//! Zeiss Calypso table files, separated by tabs: characteristics (`_chr`), features (`_fet`), and the head of a run (`_hdr`).
+//!
+//! Columns are found by their names, whose order and number change with the version. Rows are ragged: a row may end where
+//! its last value stands, though the header goes on. The last row is the word `END`. Of characteristics a point is what
+//! `xValue`, `yValue` and `zValue` of one feature in one run say. The names of a `_fet` file are not documented: `x`, `y`,
+//! `z` and `featureid` or `id` are taken.
+
+use super::super::points::Point;
+use super::pivot::{Pivot, Said};
+use super::{Text, unit_agrees};
+use crate::campaign::{Decimal, Unit};
+use crate::import::delimited::{Row, cell_place, number};
+use crate::message::{Message, Place, Problems};
+
+/// A table with a header.
+struct Table<'a> {
+    text: &'a Text<'a>,
+    names: Vec<&'a str>,
+    rows: Vec<(usize, Vec<&'a str>)>,
+}
+
+impl<'a> Table<'a> {
+    fn column(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|n| *n == name)
+    }
+
+    fn cell(&self, row: &[&'a str], column: Option<usize>) -> &'a str {
+        column.and_then(|at| row.get(at)).copied().unwrap_or("")
+    }
+
+    fn place(&self, line: usize, fields: &[&str], at: usize) -> Place {
+        let row = Row { line, fields: fields.iter().map(|f| (*f).to_owned()).collect() };
+        cell_place(self.text.file, &row, self.text.shown(line), at)
+    }
+}
+
+/// The points of a table.
+pub(super) fn rows(text: &Text, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
+    let mut problems = Problems::default();
+    let table = table(text, &mut problems);
+    let has = |names: &[&str]| names.iter().all(|name| table.column(name).is_some());
+    if has(&["featureid", "idsymbol", "actual"]) {
+        (characteristics(&table, decimal, unit, &mut problems), problems)
+    } else if has(&["x", "y", "z"]) && (has(&["featureid"]) || has(&["id"])) {
+        (features(&table, decimal, unit, &mut problems), problems)
+    } else {
+        problems.0.push(no_table(&table).at(text.place(1)));
+        (Vec::new(), problems)
+    }
+}
+
+/// What is wrong with a file that has no points.
+fn no_table(table: &Table) -> Message {
+    let head = ["planid", "lengthunit", "temperatureworkpiece"];
+    if head.iter().any(|name| table.column(name).is_none()) {
+        return Message::error("the first row names no columns of a Calypso table")
+            .expected("`featureid`, `idsymbol` and `actual`, or `x`, `y`, `z` and `featureid`, separated by tabs");
+    }
+    let empty = Vec::new();
+    let first = table.rows.first().map_or(&empty, |(_, row)| row);
+    let said = |name: &str| match table.cell(first, table.column(name)) {
+        "" => "not stated".to_owned(),
+        value => value.to_owned(),
+    };
+    let (unit, temperature) = (said("lengthunit"), said("temperatureworkpiece"));
+    Message::error("this is the head of a run: it holds no points")
+        .expected("the `_chr` or `_fet` file beside it")
+        .hint(format!("its length unit is {unit}, the workpiece had {temperature} degrees: state both in the campaign"))
+}
+
+/// Splits the file; surplus fields and rows after the end are reported.
+fn table<'a>(text: &'a Text, problems: &mut Problems) -> Table<'a> {
+    let split = |line: &'a str| -> Vec<&'a str> { line.split('\t').map(|f| f.trim().trim_matches('"')).collect() };
+    let names = text.lines.first().map_or(Vec::new(), |line| split(line));
+    for (at, name) in names.iter().enumerate().filter(|(at, name)| !name.is_empty() && names[..*at].contains(name)) {
+        let message = Message::error(format!("the header names `{name}` twice"));
+        let row = Row { line: 1, fields: names.iter().map(|n| (*n).to_owned()).collect() };
+        problems.0.push(message.at(cell_place(text.file, &row, text.shown(1), at)));
+    }
+    let mut table = Table { text, names, rows: Vec::new() };
+    let mut ended = false;
+    for (i, line) in text.lines.iter().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty()) {
+        let fields = split(line);
+        if ended {
+            problems.0.push(Message::error("the table goes on after its `END`").at(text.place(i + 1)));
+            return table;
+        }
+        if line.trim() == "END" {
+            ended = true;
+        } else if fields.iter().skip(table.names.len()).any(|f| !f.is_empty()) {
+            let message = Message::error(format!("the row has {} fields", fields.len())).at(text.place(i + 1));
+            problems.0.push(message.expected(format!("at most {}, as the header", table.names.len())));
+        } else {
+            table.rows.push((i + 1, fields));
+        }
+    }
+    table
+}
+
+/// One point for each feature and run that has the three coordinates.
+fn characteristics(table: &Table, decimal: Decimal, unit: Unit, problems: &mut Problems) -> Vec<Point> {
+    let column = |name: &str| table.column(name);
+    let (feature, symbol, actual) = (column("featureid"), column("idsymbol"), column("actual"));
+    let mut pivot = Pivot::default();
+    for (line, row) in &table.rows {
+        let (label, symbol) = (table.cell(row, feature), table.cell(row, symbol));
+        let run = format!("{}\t{}", table.cell(row, column("planid")), table.cell(row, column("partnb")));
+        if label.is_empty() || symbol.is_empty() {
+            let message = Message::error("the row does not say which characteristic of which feature it is");
+            problems.0.push(message.at(table.text.place(*line)).hint("was the file cut off?"));
+            continue;
+        }
+        let said = match ["xValue", "yValue", "zValue"].iter().position(|axis| *axis == symbol) {
+            Some(axis) => match coordinate(table, *line, row, actual, decimal) {
+                Ok(value) => {
+                    let stated = unit_of(table, *line, row, unit);
+                    problems.0.extend(stated.err());
+                    Said::Coordinate(axis, value)
+                }
+                Err(message) => {
+                    problems.0.push(message);
+                    continue;
+                }
+            },
+            None => Said::Other(symbol.to_owned()),
+        };
+        pivot.add(*line, label, &run, said);
+    }
+    pivot.rows(table.text, unit)
+}
+
+/// One point for each row.
+fn features(table: &Table, decimal: Decimal, unit: Unit, problems: &mut Problems) -> Vec<Point> {
+    let label = table.column("featureid").or(table.column("id"));
+    let axes = ["x", "y", "z"].map(|axis| table.column(axis));
+    let mut points = Vec::new();
+    for (line, row) in &table.rows {
+        let name = table.cell(row, label);
+        if axes.iter().all(|at| table.cell(row, *at).is_empty()) {
+            points.push(table.text.no_point(*line, name, "not measured: no coordinates"));
+            continue;
+        }
+        let xyz = axes.map(|at| {
+            coordinate(table, *line, row, at, decimal).unwrap_or_else(|message| {
+                problems.0.push(message);
+                f64::NAN
+            })
+        });
+        problems.0.extend(unit_of(table, *line, row, unit).err());
+        points.push(table.text.point(*line, name, xyz, unit));
+    }
+    points
+}
+
+fn coordinate(table: &Table, line: usize, row: &[&str], at: Option<usize>, decimal: Decimal) -> Result<f64, Message> {
+    number(table.cell(row, at), decimal).map_err(|message| {
+        let place = match at {
+            Some(at) if at < row.len() => table.place(line, row, at),
+            _ => table.text.place(line),
+        };
+        let hint = "a decimal comma? Then state `format = \"calypso, decimal comma\"`; a row may also be cut off";
+        message.at(place).hint(hint)
+    })
+}
+
+/// An error where the row states another unit than the campaign; older versions state none.
+fn unit_of(table: &Table, line: usize, row: &[&str], stated: Unit) -> Result<(), Message> {
+    let Some(at) = table.column("unit") else { return Ok(()) };
+    let of_file = match table.cell(row, Some(at)) {
+        "" => return Ok(()),
+        "mm" => Unit::Millimetre,
+        "inch" | "in" => Unit::Inch,
+        "m" => Unit::Metre,
+        "um" | "µm" | "μm" => Unit::Micrometre,
+        other => {
+            let message = Message::error(format!("`{other}` is no unit of a coordinate"));
+            return Err(message.at(table.place(line, row, at)).expected("mm, m, um or inch"));
+        }
+    };
+    unit_agrees(stated, of_file, "column `unit`", table.place(line, row, at))
+}

@@ -1,0 +1,59 @@
+//! PC-DMIS `.xyz`: a first line `XYZIJK`, `METRIC` in its columns 11 to 16 (without it the file is in inch), then numbers
+//! separated by commas: 3 are a point, 4 a point and a diameter, 6 a point and a vector, 7 both and a diameter; 5, 8 and more
+//! have numbers that mean nothing. Source: PC-DMIS 2019 R1, "Notes on XYZ Files".
+
+use super::super::points::Point;
+use super::{Text, unit_agrees};
+use crate::campaign::{Decimal, Unit};
+use crate::import::delimited::{Row, cell_place, number};
+use crate::message::{Message, Problems};
+
+/// The points.
+pub(super) fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
+    let mut problems = Problems::default();
+    match head(text.shown(1)) {
+        Ok((of_file, how)) => problems.0.extend(unit_agrees(unit, of_file, how, text.place(1)).err()),
+        Err(message) => {
+            problems.0.push(message.at(text.place(1)));
+            return (Vec::new(), problems);
+        }
+    }
+    let mut points = Vec::new();
+    for (i, line) in text.lines.iter().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty()) {
+        let row = Row { line: i + 1, fields: line.split(',').map(|f| f.trim().to_owned()).collect() };
+        if row.fields.len() < 3 {
+            let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(i + 1));
+            let message = message.expected("three to eight numbers separated by commas");
+            problems.0.push(message.hint("a file with names or tabs is no PC-DMIS xyz: state it as delimited text"));
+            continue;
+        }
+        let mut values = Vec::new();
+        for (at, field) in row.fields.iter().enumerate() {
+            match number(field, Decimal::Point) {
+                Ok(value) => values.push(value),
+                Err(message) => problems.0.push(message.at(cell_place(text.file, &row, line, at))),
+            }
+        }
+        let xyz = if values.len() == row.fields.len() { [values[0], values[1], values[2]] } else { [f64::NAN; 3] };
+        points.push(text.point(i + 1, "", xyz, unit));
+    }
+    (points, problems)
+}
+
+/// The unit of the file by its first line.
+fn head(line: &str) -> Result<(Unit, &'static str), Message> {
+    let expected = "`XYZIJK` in columns 1 to 6, and `METRIC` in columns 11 to 16 of a metric file";
+    let Some(rest) = line.strip_prefix("XYZIJK") else {
+        return Err(Message::error("this is no PC-DMIS xyz file").expected(expected));
+    };
+    match (rest.get(..4), rest.get(4..).map(str::trim_end), rest.trim()) {
+        (_, _, "") => Ok((Unit::Inch, "no METRIC in line 1")),
+        (Some("    "), Some("METRIC"), _) => Ok((Unit::Millimetre, "METRIC in line 1")),
+        (.., "METRIC") => Err(Message::error(
+            "`METRIC` does not stand in columns 11 to 16: by PC-DMIS' rule the file is in inch, by its word in mm",
+        )
+        .expected(expected)
+        .hint("ask who wrote it, then correct line 1, or state it as delimited text with its unit")),
+        _ => Err(Message::error(format!("`{}` means nothing after `XYZIJK`", rest.trim())).expected(expected)),
+    }
+}

@@ -1,0 +1,194 @@
+//! PolyWorks|Inspector report tables as CSV: one row for each control of a feature, not for each point.
+//!
+//! Columns `Name,Control,Nom,Meas,Tol,Dev,Test,Out Tol`, found by their words: a report may begin with title lines, and
+//! what separates its columns is what stands after `Name`. A point has the controls `X`, `Y` and `Z`, or such of a kind
+//! (`Surface Point X`). Layout from a quoted report and a vendor page; no whole real file was found.
+
+use super::super::points::Point;
+use super::Text;
+use super::pivot::{Pivot, Said};
+use crate::campaign::{Decimal, Unit};
+use crate::import::delimited::{Row, cell_place, number};
+use crate::message::{Message, Problems, Result};
+
+/// A control of a feature: what was asked and what was found, in the unit of the report.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Control {
+    /// Its line, from 1.
+    pub line: usize,
+    /// The feature.
+    pub name: String,
+    /// `X`, `Diameter`, `Y Distance` ...
+    pub control: String,
+    /// Nominal value, where it is a number.
+    pub nominal: Option<f64>,
+    /// Measured value; none where a word stands in its place.
+    pub measured: Option<f64>,
+    /// Upper and lower tolerance.
+    pub tolerance: Option<(f64, f64)>,
+}
+
+/// The controls of a report; everything that does not read is reported.
+pub fn controls(file: &str, text: &str, decimal: Decimal) -> Result<Vec<Control>> {
+    let lines = Text { file, lines: text.lines().collect() };
+    let (controls, problems) = read(&lines, text, decimal);
+    problems.check().map(|_| controls)
+}
+
+/// The points of a report.
+pub(super) fn rows(text: &Text, whole: &str, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
+    let (controls, problems) = read(text, whole, decimal);
+    let mut pivot = Pivot::default();
+    for control in controls {
+        let (kind, axis) = control.control.rsplit_once(' ').unwrap_or(("", &control.control));
+        let said = match (["X", "Y", "Z"].iter().position(|a| *a == axis), control.measured) {
+            (Some(axis), Some(value)) => Said::Coordinate(axis, value),
+            (Some(_), None) => Said::Other(format!("{} without a value", control.control)),
+            (None, _) => Said::Other(control.control.clone()),
+        };
+        let kind = if axis.len() == 1 { kind } else { "" };
+        pivot.add(control.line, &control.name, kind, said);
+    }
+    (pivot.rows(text, unit), problems)
+}
+
+/// Places of the columns that count.
+struct Columns {
+    name: usize,
+    control: usize,
+    nominal: Option<usize>,
+    measured: usize,
+    tolerance: Option<usize>,
+    width: usize,
+}
+
+fn read(text: &Text, whole: &str, decimal: Decimal) -> (Vec<Control>, Problems) {
+    let mut problems = Problems::default();
+    let Some((first, separator, columns)) = header(text) else {
+        let message = Message::error(format!("no row of `{}` names the columns of a PolyWorks report", text.file));
+        let message = message.expected("a row with `Name`, `Control` and `Meas`");
+        problems.0.push(message.hint("a report in another language? State it as delimited text, one control a file"));
+        return (Vec::new(), problems);
+    };
+    if separator == ',' && decimal == Decimal::Comma {
+        let message = Message::error("the report is separated by commas, and its decimal mark would be a comma");
+        problems.0.push(message.at(text.place(first + 1)).hint("export it with semicolons or tabs"));
+        return (Vec::new(), problems);
+    }
+    let skipped: usize = whole.split_inclusive('\n').take(first + 1).map(str::len).sum();
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(separator as u8)
+        .has_headers(false)
+        .flexible(true)
+        .from_reader(whole.as_bytes().get(skipped..).unwrap_or_default());
+    let mut controls = Vec::new();
+    for record in reader.records() {
+        let record = match record {
+            Ok(record) => record,
+            Err(error) => {
+                problems.0.push(Message::error(format!("cannot split the report: {error}")));
+                break;
+            }
+        };
+        let line = first + 1 + record.position().map_or(1, |p| p.line() as usize);
+        let fields: Vec<String> = record.iter().map(|f| f.trim().to_owned()).collect();
+        let row = Row { line, fields };
+        if row.fields.iter().all(String::is_empty) || row.fields == text_fields(text, first, separator) {
+            continue;
+        }
+        controls.extend(control(text, &columns, &row, decimal, &mut problems));
+    }
+    (controls, problems)
+}
+
+fn text_fields(text: &Text, line: usize, separator: char) -> Vec<String> {
+    text.shown(line + 1).split(separator).map(|f| f.trim().trim_matches('"').to_owned()).collect()
+}
+
+/// Index of the line that names the columns, what separates them, and where they are.
+fn header(text: &Text) -> Option<(usize, char, Columns)> {
+    text.lines.iter().enumerate().take(1000).find_map(|(i, line)| {
+        let after = line.trim_start_matches('"').strip_prefix("Name")?.trim_start_matches('"').chars().next()?;
+        let separator = [',', ';', '\t'].into_iter().find(|s| *s == after)?;
+        let fields = text_fields(text, i, separator);
+        let place = |name: &str| fields.iter().position(|f| f == name);
+        let columns = Columns {
+            name: place("Name")?,
+            control: place("Control")?,
+            nominal: place("Nom"),
+            measured: place("Meas")?,
+            tolerance: place("Tol"),
+            width: fields.len(),
+        };
+        Some((i, separator, columns))
+    })
+}
+
+fn control(text: &Text, columns: &Columns, row: &Row, decimal: Decimal, problems: &mut Problems) -> Option<Control> {
+    let field = |at: usize| row.fields.get(at).map_or("", String::as_str);
+    let place = |at: usize| cell_place(text.file, row, text.shown(row.line), at);
+    let surplus = row.fields.iter().skip(columns.width).any(|f| !f.is_empty());
+    if surplus || row.fields.len() <= columns.measured {
+        let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(row.line));
+        let message = message.expected(format!("{}, as the row of names", columns.width));
+        problems.0.push(message.hint("was the file cut off, or is a decimal comma in a file separated by commas?"));
+        return None;
+    }
+    if field(columns.name).is_empty() {
+        problems.0.push(Message::error("the row names no feature").at(text.place(row.line)));
+        return None;
+    }
+    // a word in place of a value means that it was not measured; what begins like a number must be one
+    let mut value = |at: usize| {
+        let text = field(at);
+        let numeric = text.starts_with(|c: char| c.is_ascii_digit() || "+-.,\u{2212}".contains(c)) && text != "-";
+        match number(&text.replace('\u{2212}', "-"), decimal) {
+            Ok(value) => Some(value),
+            Err(message) if numeric && text.bytes().any(|b| b.is_ascii_digit()) => {
+                let decimal_comma = "a decimal comma? Then state `format = \"polyworks_report, decimal comma\"`";
+                problems.0.push(message.at(place(at)).hint(decimal_comma));
+                None
+            }
+            Err(_) => None,
+        }
+    };
+    let (nominal, measured) = (columns.nominal.and_then(&mut value), value(columns.measured));
+    let stated = columns.tolerance.map_or("", field);
+    let tolerance = tolerance(stated, decimal);
+    if let (None, false, Some(at)) = (tolerance, stated.is_empty(), columns.tolerance) {
+        let message =
+            Message::error(format!("`{stated}` is no tolerance")).at(place(at)).expected("`±0.5` or `+0.5/-0.2`");
+        let wrong_encoding = stated.contains('Â') || stated.contains('\u{fffd}');
+        problems.0.push(if wrong_encoding {
+            message.hint("the text was decoded in another encoding than it was written in: state the right one")
+        } else {
+            message
+        });
+    }
+    let (name, control) = (field(columns.name).to_owned(), field(columns.control).to_owned());
+    Some(Control { line: row.line, name, control, nominal, measured, tolerance })
+}
+
+/// Upper and lower tolerance: `±2.000`, `+0.5/-0.2`.
+fn tolerance(text: &str, decimal: Decimal) -> Option<(f64, f64)> {
+    let read = |text: &str| number(text.trim().trim_start_matches('+'), decimal).ok();
+    if let Some(both) = text.strip_prefix('±') {
+        return read(both).map(|t| (t, -t));
+    }
+    let (upper, lower) = text.split_once('/')?;
+    Some((read(upper)?, read(lower)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tolerances_are_symmetric_or_have_two_sides() {
+        assert_eq!(tolerance("±2.000", Decimal::Point), Some((2.0, -2.0)));
+        assert_eq!(tolerance("+0,5/-0,25", Decimal::Comma), Some((0.5, -0.25)));
+        for wrong in ["Â±2.000", "2.000", "±", "", "±1,5"] {
+            assert_eq!(tolerance(wrong, Decimal::Point), None, "{wrong}");
+        }
+    }
+}

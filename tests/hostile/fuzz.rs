@@ -1,0 +1,132 @@
+//! Random damage to sound files of every format: no reader may panic, or take long. `ETALON_FUZZ_SECONDS` says for how long
+//! each reader is run (a fraction of a second without it); the seed of a run is printed with what failed.
+
+use super::{logs, readers};
+use etalon::campaign::{Campaign, Format, Reader, Unit};
+use etalon::import::{import, labelled_points};
+use etalon::noise::Noise;
+use std::time::{Duration, Instant};
+
+/// Pieces that formats give a meaning to, and numbers that break arithmetic.
+const PIECES: [&str; 40] = [
+    "\0",
+    "\n",
+    "\r\n",
+    "\t",
+    ",",
+    ";",
+    ":",
+    " ",
+    "\"",
+    "'",
+    "$",
+    "$$",
+    "#03:",
+    "#12:",
+    "#",
+    "=",
+    "/",
+    "END",
+    "EOF",
+    "Name",
+    "BEGIN OBJECT 0\n",
+    "END OBJECT 0\n",
+    "FA(",
+    ")=FEAT/",
+    "UNITS/INCH\n",
+    "element vertex 4294967296\n",
+    "property list uchar int x\n",
+    "-1",
+    "1e308",
+    "1e-320",
+    "-0",
+    "nan",
+    "inf",
+    "9223372036854775808",
+    "18446744073709551616",
+    "1.5.5",
+    "±",
+    "\u{feff}",
+    "\u{2212}",
+    "é",
+];
+
+fn duration() -> Duration {
+    let seconds = std::env::var("ETALON_FUZZ_SECONDS").ok().and_then(|s| s.parse().ok());
+    Duration::from_secs_f64(seconds.unwrap_or(0.2))
+}
+
+/// A random number below a bound.
+fn below(noise: &mut Noise, bound: usize) -> usize {
+    (((noise.uniform(1.0) + 1.0) * 0.5 * bound as f64) as usize).min(bound.saturating_sub(1))
+}
+
+/// The text with some damage; characters stand for bytes where it is binary.
+fn damaged(text: &str, other: &str, noise: &mut Noise) -> String {
+    let mut all: Vec<char> = text.chars().collect();
+    let other: Vec<char> = other.chars().collect();
+    for _ in 0..1 + below(noise, 6) {
+        let at = below(noise, all.len() + 1);
+        let to = (at + below(noise, 20)).min(all.len());
+        match below(noise, 8) {
+            0 => drop(all.drain(at..to)),
+            1 => all.truncate(at.max(1)),
+            2 => {
+                let piece: Vec<char> = all[at..to].to_vec();
+                let to = below(noise, all.len() + 1);
+                all.splice(to..to, piece);
+            }
+            3 if at < all.len() => all[at] = char::from(below(noise, 256) as u8),
+            4 => {
+                let from = below(noise, other.len() + 1);
+                let piece = other[from..(from + 30).min(other.len())].to_vec();
+                all.splice(at..to, piece);
+            }
+            5 if at < all.len() && all[at].is_ascii_digit() => all[at] = '9',
+            _ => {
+                let piece = PIECES[below(noise, PIECES.len())];
+                all.splice(at..at, piece.chars());
+            }
+        }
+    }
+    all.into_iter().collect()
+}
+
+/// Runs a reader on damaged texts; a panic names the seed.
+fn run(name: &str, texts: &[&String], read: impl Fn(&str)) {
+    let (start, mut runs) = (Instant::now(), 0u64);
+    while start.elapsed() < duration() {
+        let mut noise = Noise::new(2026, runs);
+        let text = damaged(texts[below(&mut noise, texts.len())], texts[below(&mut noise, texts.len())], &mut noise);
+        let before = Instant::now();
+        let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| read(&text)));
+        assert!(outcome.is_ok(), "{name}: trial {runs} panics on {text:?}");
+        assert!(before.elapsed().as_secs_f64() < 20.0, "{name}: trial {runs} takes {:?} for {text:?}", before.elapsed());
+        runs += 1;
+    }
+    println!("{name}: {runs} damaged files in {:.1} s", start.elapsed().as_secs_f64());
+}
+
+#[test]
+fn readers_of_points() {
+    let samples = readers::samples();
+    for name in Reader::names() {
+        let own: Vec<&String> = samples.iter().filter(|(of, _)| *of == name).map(|(_, text)| text).collect();
+        let (reader, decimal) = Reader::stated(name).unwrap();
+        let format = Format::Own(reader, decimal);
+        run(name, &own, |text| drop(labelled_points("f.txt", text, &format, Unit::Millimetre)));
+    }
+}
+
+#[test]
+fn readers_of_logs() {
+    for (stated, text) in logs::samples() {
+        let scratch = logs::with_log(&text, &stated);
+        let campaign = Campaign::read(&scratch.path()).unwrap();
+        let path = scratch.path().join("encoders.csv");
+        run(stated.lines().next().unwrap_or(""), &[&text], |text| {
+            std::fs::write(&path, text).unwrap();
+            drop(import(&campaign));
+        });
+    }
+}

@@ -1,0 +1,334 @@
+//! Damaged, ambiguous and hostile exports of formats with a reader of their own: an error with its place and a hint, all of
+//! them in one go, never a panic, never more memory or time than the file is worth. All texts are synthetic.
+
+use etalon::campaign::{Format, Reader, Unit};
+use etalon::import::labelled_points;
+use etalon::pose::Vector;
+use std::time::Instant;
+
+fn read(name: &str, text: &str, unit: Unit) -> Result<Vec<(String, Vector)>, String> {
+    let (reader, decimal) = Reader::stated(name).unwrap_or_else(|| panic!("{name}"));
+    labelled_points("f.txt", text, &Format::Own(reader, decimal), unit).map_err(|e| e.to_string())
+}
+
+fn mm(name: &str, text: &str) -> Vec<(String, Vector)> {
+    read(name, text, Unit::Millimetre).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+fn refused(name: &str, text: &str, parts: &[&str]) {
+    let said = read(name, text, Unit::Millimetre).expect_err(name);
+    for part in parts {
+        assert!(said.contains(part), "{name}: {part:?} is not said:\n{said}");
+    }
+    assert!(said.len() < 20_000, "{} bytes of message", said.len());
+}
+
+fn p(label: &str, xyz: Vector) -> (String, Vector) {
+    (label.to_owned(), xyz)
+}
+
+const REPORT: &str = "Part: bracket\nDate: 2026-01-01\nName,Control,Nom,Meas,Tol,Dev,Test,Out Tol\n\
+                      A,X,1.000,1.002,±2.000,0.002,Pass,\nA,Y,2.000,1.998,±2.000,-0.002,Pass,\n\
+                      A,Diameter,5.000,5.001,+0.5/-0.2,0.001,Pass,\nA,Z,3.000,3.500,±0.100,0.500,Fail,0.400\n\
+                      B,Surface Point X,4.0,4.5,±1.0,0.5,Pass,\nB,Surface Point Y,5.0,5.5,±1.0,0.5,Pass,\n\
+                      B,Surface Point Z,6.0,6.5,±1.0,0.5,Pass,\n";
+
+#[test]
+fn a_report_with_a_row_for_each_control_becomes_points_by_name() {
+    assert_eq!(mm("polyworks_report", REPORT), [p("A", [1.002, 1.998, 3.5]), p("B", [4.5, 5.5, 6.5])]);
+    let semicolons: String = REPORT.replace(',', ";").replace('.', ",");
+    assert_eq!(mm("polyworks_report, decimal comma", &semicolons), mm("polyworks_report", REPORT));
+    // a second X of the same name is the next piece
+    let pieces = format!("{REPORT}A,X,1,1.1,±1,0,Pass,\nA,Y,2,2.2,±1,0,Pass,\nA,Z,3,3.3,±1,0,Pass,\n");
+    assert_eq!(mm("polyworks_report", &pieces)[2], p("A", [1.1, 2.2, 3.3]));
+}
+
+#[test]
+fn trap_1_a_tolerance_in_another_encoding_is_told() {
+    let wrong = REPORT.replacen("±2.000", "Â±2.000", 1);
+    refused("polyworks_report", &wrong, &["`Â±2.000` is no tolerance", "f.txt:4:17", "another encoding"]);
+}
+
+#[test]
+fn all_that_is_wrong_in_a_report_is_told_at_once() {
+    let wrong = REPORT.replace("1.002", "1,002").replace("3.500", "3.5x0").replace("6.5", "6.5.1");
+    let said = read("polyworks_report", &wrong, Unit::Millimetre).unwrap_err();
+    for part in ["f.txt:4", "f.txt:7:", "f.txt:10:", "`3.5x0` is no number", "`6.5.1` is no number", "hint:"] {
+        assert!(said.contains(part), "{part}:\n{said}");
+    }
+    refused("polyworks_report", "no report\n", &["no row of `f.txt` names the columns"]);
+}
+
+const CHR: &str = "planid\tpartnb\tid\tidsymbol\tactual\tnominal\tfeatureid\tunit\tgroup1\tgroup2\t\n\
+                   P\t1\tA_X\txValue\t1.5\t0\tA\tmm\n\
+                   P\t1\tA_Y\tyValue\t2.5\t0\tA\tmm\tg\n\
+                   P\t1\tA_Z\tzValue\t-3.5\t0\tA\tmm\tg\th\n\
+                   P\t1\tA_D\tdiameter\t9.0\t0\tA\tmm\n\
+                   P\t2\tA_X\txValue\t1.6\t0\tA\tmm\nP\t2\tA_Y\tyValue\t2.6\t0\tA\tmm\nP\t2\tA_Z\tzValue\t-3.6\t0\tA\tmm\nEND\n";
+
+#[test]
+fn trap_10_rows_of_calypso_are_ragged_and_end_in_a_word() {
+    let expected = [p("A", [1.5, 2.5, -3.5]), p("A", [1.6, 2.6, -3.6])];
+    assert_eq!(mm("calypso", CHR), expected);
+    assert_eq!(mm("calypso", &CHR.replace('\n', "\r\n")), expected);
+    assert_eq!(mm("calypso, decimal comma", &CHR.replace('.', ",")), expected);
+    // the columns in another order, one more among them
+    let turned: String = CHR
+        .lines()
+        .map(|line| {
+            let mut fields: Vec<&str> = line.split('\t').collect();
+            if fields.len() > 1 {
+                fields.resize(11, "");
+                fields.reverse();
+                fields.insert(3, if line.starts_with("planid") { "mine" } else { "7" });
+            }
+            fields.join("\t") + "\n"
+        })
+        .collect();
+    assert_eq!(mm("calypso", &turned), expected);
+    refused("calypso", &CHR.replace("\tmm\tg\n", "\tmm\tg\th\ti\tj\n"), &["the row has 12 fields", "f.txt:3"]);
+    refused("calypso", &format!("{CHR}P\t3\n"), &["goes on after its `END`", "f.txt:10"]);
+    refused(
+        "calypso",
+        &CHR.replace("1.5", "1,5").replace("2.6", "zwei"),
+        &["`1,5`", "f.txt:2:16", "decimal comma", "`zwei`", "f.txt:7:16"],
+    );
+    refused(
+        "calypso",
+        &CHR.replace("-3.5\t0\tA\tmm", "-3.5\t0\tA\tdeg"),
+        &["`deg` is no unit of a coordinate", "f.txt:4:"],
+    );
+}
+
+#[test]
+fn the_head_of_a_calypso_run_names_its_unit_and_temperature_and_holds_no_points() {
+    let names = "planid\tpartnb\tdate\tlengthunit\ttemperatureworkpiece\n";
+    let parts = ["holds no points", "length unit is mm", "21.4 degrees", "_chr"];
+    refused("calypso", &format!("{names}P\t1\t2026-01-01\tmm\t21.4\nEND\n"), &parts);
+    refused("calypso", "a\tb\n1\t2\n", &["names no columns of a Calypso table", "f.txt:1"]);
+    let features = "planid\tfeatureid\tx\ty\tz\nP\tA\t1\t2\t3\nP\tB\t\t\t\nEND\n";
+    assert_eq!(mm("calypso", features)[0], p("A", [1.0, 2.0, 3.0]));
+}
+
+const DMIS: &str = "$$ comment $\nFILNAM/'a, b = c/d'\nunits/mm, angdec\nF(N) = FEAT/POINT, CART, 9, 9, 9, 0, 0, 1\n\
+                    FA(A 1) = FEAT/POINT, CART, 1.5, 2.5, $\n  3.5, 0, 0, 1\nTA(T)=TOL/POS,0.1,INTOL\n\
+                    FA(S)=FEAT/SPHERE,OUTER,CART,1,2,3,25.4\nENDFIL\n";
+
+#[test]
+fn dmis_records_go_on_after_a_dollar_and_hold_nominals_that_are_not_measured() {
+    assert_eq!(mm("dmis", DMIS), [p("A 1", [1.5, 2.5, 3.5]), p("S", [1.0, 2.0, 3.0])]);
+    refused("dmis", &DMIS.replace("mm, ang", "inch, ang"), &["the file is in inch (UNITS)", "f.txt:3:7"]);
+    refused("dmis", &DMIS.replace("TA(T)", "UNITS/INCH\nTA(T)"), &["the file is in inch", "f.txt:7:7"]);
+    refused("dmis", &DMIS.replace("CART, 1.5", "POL, 1.5"), &["polar coordinates", "f.txt:5:23"]);
+    refused(
+        "dmis",
+        &DMIS.replace("3.5, 0", "3.5x, 0").replace("25.4", "d"),
+        &["f.txt:6:3", "`3.5x`", "`d`", "f.txt:8:"],
+    );
+    refused("dmis", &DMIS.replace("2.5, $", "2.5,"), &["`` is no number", "f.txt:5:38"]);
+    refused("dmis", &DMIS.replace("0, 0, 1\nTA", "0, 0, 7\nTA"), &["neither a unit vector nor angles"]);
+}
+
+#[test]
+fn trap_8_pcdmis_is_in_inch_unless_metric_stands_in_its_place() {
+    let rows = "10.0,20.0,5.0,0,0,1\n1,2,3\n1,2,3,4\n1,2,3,4,5,6,7,8,9\n";
+    let expected =
+        vec![p("", [10.0, 20.0, 5.0]), p("", [1.0, 2.0, 3.0]), p("", [1.0, 2.0, 3.0]), p("", [1.0, 2.0, 3.0])];
+    assert_eq!(mm("pcdmis_xyz", &format!("XYZIJK    METRIC\n{rows}")), expected);
+    assert_eq!(read("pcdmis_xyz", "XYZIJK\n1,2,3\n", Unit::Inch).unwrap(), [p("", [25.4, 2.0 * 25.4, 3.0 * 25.4])]);
+    refused(
+        "pcdmis_xyz",
+        &format!("XYZIJK\n{rows}"),
+        &["the file is in inch (no METRIC in line 1)", "unit = \"inch\""],
+    );
+    refused(
+        "pcdmis_xyz",
+        &format!("XYZIJK METRIC\n{rows}"),
+        &["by PC-DMIS' rule the file is in inch, by its word in mm"],
+    );
+    refused("pcdmis_xyz", "XYZIJK    METRIC\nPT_001\t10.2\t3\n1,x,3\n", &["the row has 1 fields", "f.txt:3:3", "`x`"]);
+    refused("pcdmis_xyz", "1,2,3\n", &["no PC-DMIS xyz file", "f.txt:1"]);
+}
+
+#[test]
+fn records_of_a_gws_scan_stand_anywhere_on_a_line() {
+    let scan =
+        "#00:GEOPAK-WIN Scanning #02:slot #04:ZX(Y)#06:MM#03: 1 2 3#12: 4 5 6 0 0 1\n#03:\n 7 8\n 9 #02:end #03: 1 1 1";
+    let expected =
+        [p("slot", [2.0, 3.0, 1.0]), p("slot", [5.0, 6.0, 4.0]), p("slot", [8.0, 9.0, 7.0]), p("end", [1.0; 3])];
+    assert_eq!(mm("geopak_gws", scan), expected);
+    // without heads it is XY(Z) in mm
+    assert_eq!(mm("geopak_gws", "#03: 1 2 3"), [p("", [1.0, 2.0, 3.0])]);
+    let inch = read("geopak_gws", "#03: 1 2 3", Unit::Inch).unwrap_err();
+    assert!(inch.contains("MM is the default of the format"), "{inch}");
+    let wrong = scan.replace("ZX(Y)", "RZ(P)").replace("4 5 6", "4 5x 6").replace("1 1 1", "1 1") + "#99: x";
+    refused("geopak_gws", &wrong, &["polar", "f.txt:1:34", "`5x`", "2 numbers", "f.txt:4:12", "`#99:` is no record"]);
+}
+
+#[test]
+fn inspec_rows_without_a_feature_or_a_value_are_told() {
+    let good = "\"A b+: Location X\",1\n\"A b+: Location Y\",2\n\"A b+: Location Z\",3\n\"A b+: 3D MCS Points\",1,2,3\n\
+                \"C: Diameter\",9\n\"C: 3D MCS Points\"\n4,5,6\n7,8,9\n";
+    let all = [
+        p("A b+: Location", [1.0, 2.0, 3.0]),
+        p("A b+", [1.0, 2.0, 3.0]),
+        p("C", [4.0, 5.0, 6.0]),
+        p("C", [7.0, 8.0, 9.0]),
+    ];
+    assert_eq!(mm("inspec", good), all);
+    let wrong = format!("1,2,3\n{}", good.replace("7,8,9", "7,8\n7,x,9").replace("\"C: Diameter\"", "\"C\""));
+    refused(
+        "inspec",
+        &wrong,
+        &["belongs to no feature", "f.txt:1", "f.txt:9", "2 values", "f.txt:10:3", "names no property"],
+    );
+    refused("inspec", &good.replace("\"C: 3D MCS", "\"C: 2D PCS"), &["the points of `C` are `2D PCS`"]);
+}
+
+const VDA: &str = "ABC = HEADER / 1                                                        00000001\n\
+                   any = / text, 00                                                        00000002\n\
+                   P1 = POINT / 1.5, 2., -3.0D+00 $$ a comment\n\
+                   S = PSET / 2, 1, 2, 3,\n 4, 5,\n 6\n\
+                   M = MDI / 1, 1, 2, 3, 0, 0, 1\nABC = END\n";
+
+#[test]
+fn vda_points_are_read_without_the_numbers_of_their_lines() {
+    let expected =
+        [p("P1", [1.5, 2.0, -3.0]), p("S", [1.0, 2.0, 3.0]), p("S", [4.0, 5.0, 6.0]), p("M", [1.0, 2.0, 3.0])];
+    assert_eq!(mm("vda_fs", VDA), expected);
+    refused(
+        "vda_fs",
+        &VDA.replace("PSET / 2", "PSET / 4000000000000000000"),
+        &["states 4000000000000000000 points", "f.txt:4:12"],
+    );
+    refused("vda_fs", VDA.trim_end().trim_end_matches("ABC = END"), &["the file has no end"]);
+    refused(
+        "vda_fs",
+        &VDA.replace("4, 5,", "4, 5x,").replace("2., -3", "-3"),
+        &["`5x`", "f.txt:5:5", "the last point of `P1`"],
+    );
+    let long = format!("P2 = POINT / 1.0, 2.0, {:<49}{}\nABC = END\n", "", 12345678);
+    refused("vda_fs", &long, &["a number of the line, or a value?", "f.txt:1"]);
+}
+
+/// Four vertices as text, with a face behind them.
+const PLY: &str = "ply\nformat ascii 1.0\ncomment made up\nelement vertex 4\nproperty float x\nproperty double y\nproperty uchar red\n\
+                   property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+                   0 0.5 255 1\n1 1.5 0 1\n2 2.5 1 -1\n3 3.5 2 0.25\n3 0 1 2\n";
+
+/// The same in binary; one character for each byte.
+fn binary(big: bool, list_first: bool) -> String {
+    let (vertex, face) =
+        PLY.split_once("element vertex").map_or(("", ""), |(_, rest)| rest.split_once("element face").unwrap());
+    let (vertex, face) =
+        (format!("element vertex{vertex}"), format!("element face{}", face.split("end_header").next().unwrap()));
+    let elements = if list_first { face + &vertex } else { vertex + &face };
+    let encoding = if big { "big" } else { "little" };
+    let mut bytes = format!("ply\nformat binary_{encoding}_endian 1.0\n{elements}end_header\n").into_bytes();
+    let f32 = |v: f32| if big { v.to_be_bytes() } else { v.to_le_bytes() };
+    let f64 = |v: f64| if big { v.to_be_bytes() } else { v.to_le_bytes() };
+    let mut vertices = Vec::new();
+    for (i, (red, z)) in [(255u8, 1.0f32), (0, 1.0), (1, -1.0), (2, 0.25)].into_iter().enumerate() {
+        vertices.extend(f32(i as f32));
+        vertices.extend(f64(i as f64 + 0.5));
+        vertices.push(red);
+        vertices.extend(f32(z));
+    }
+    let int = |v: i32| if big { v.to_be_bytes() } else { v.to_le_bytes() };
+    let face: Vec<u8> = std::iter::once(3).chain([0, 1, 2].into_iter().flat_map(int)).collect();
+    bytes.extend(if list_first { [face, vertices] } else { [vertices, face] }.concat());
+    bytes.into_iter().map(char::from).collect()
+}
+
+#[test]
+fn ply_is_the_same_as_text_and_in_both_orders_of_bytes() {
+    let expected = [[0.0, 0.5, 1.0], [1.0, 1.5, 1.0], [2.0, 2.5, -1.0], [3.0, 3.5, 0.25]].map(|xyz| p("", xyz));
+    assert_eq!(mm("ply", PLY), expected);
+    for (big, list_first) in [(false, false), (true, false), (false, true), (true, true)] {
+        assert_eq!(mm("ply", &binary(big, list_first)), expected, "{big} {list_first}");
+    }
+}
+
+#[test]
+fn counts_that_no_file_can_hold_are_refused_at_once() {
+    let start = Instant::now();
+    let huge = |text: &str| text.replace("vertex 4\n", "vertex 4000000000\n");
+    refused("ply", &huge(PLY), &["states 4000000000 of `vertex`, and the file ends after 5", "f.txt:4"]);
+    let ended = huge(PLY).replace("3 0 1 2\n", "");
+    refused("ply", &ended, &["states 4000000000 of `vertex`, and the file ends after 4", "f.txt:4"]);
+    refused("ply", &huge(&binary(false, false)), &["states 4000000000 of `vertex`"]);
+    refused("ply", &binary(false, true).replace("face 1", "face 18446744073709551615"), &["of `face`"]);
+    refused("ply", &PLY.replace("vertex 4", "vertex 99999999999999999999"), &["is no number of elements"]);
+    refused("vda_fs", "A = HEADER / 4000000000000\n", &["the file has no end"]);
+    assert!(start.elapsed().as_secs_f64() < 1.0, "{:?}", start.elapsed());
+}
+
+/// A sound file of each format.
+pub fn samples() -> Vec<(&'static str, String)> {
+    let project = "# === PolyWorks|Inspector project description file ===\nBEGIN OBJECT 0\nCLASS\t=\tPrimitive\nTYPE\t=\tPoint\n\
+                   NAME\t=\tUNICODE( 00410042 )\nBEGIN X\nA = 1\nEND X\nPOINT\t=\t1.5\t2.5\t3.5\nEND OBJECT 0\n";
+    let gws = "#00:GEOPAK-WIN Scanning\n#02:slot\n#04:ZX(Y)\n#06:MM\n#03: 1 2 3\n#12: 4 5 6 0 0 1\n";
+    let inspec = "\"C: Center X\",9\n\"C: 3D MCS Points\"\n4,5,6\n7,8,9\n\"P: 3D MCS Points\",1,2,3\n";
+    let angles = DMIS.replace("0, 0, 1\nTA", "90, 90, 0\nTA");
+    let all = [
+        ("polyworks_report", REPORT.to_owned()),
+        ("polyworks_project", project.to_owned()),
+        ("calypso", CHR.to_owned()),
+        ("dmis", DMIS.to_owned()),
+        ("geopak_dmis", angles),
+        ("pcdmis_xyz", "XYZIJK    METRIC\n10.0,20.0,5.0,0,0,1\n1,2,3\n".to_owned()),
+        ("geopak_gws", gws.to_owned()),
+        ("inspec", inspec.to_owned()),
+        ("vda_fs", VDA.to_owned()),
+        ("ply", PLY.to_owned()),
+        ("ply", binary(false, true)),
+        ("ply", binary(true, false)),
+    ];
+    all.into_iter().collect()
+}
+
+#[test]
+fn every_sample_is_sound_and_every_reader_has_one() {
+    let samples = samples();
+    for (name, text) in &samples {
+        assert!(!mm(name, text).is_empty(), "{name}");
+    }
+    assert!(Reader::names().all(|name| samples.iter().any(|(sample, _)| *sample == name)));
+}
+
+#[test]
+fn every_truncation_and_nul_byte_ends_without_a_panic_and_changes_no_label() {
+    for (name, text) in samples() {
+        let whole: Vec<String> = mm(name, &text).into_iter().map(|(label, _)| label).collect();
+        for end in (0..text.len()).filter(|&end| text.is_char_boundary(end)) {
+            if let Ok(points) = read(name, &text[..end], Unit::Millimetre) {
+                assert!(points.len() <= whole.len() + 1, "{name}: {end}");
+            }
+        }
+        for at in (0..text.len()).filter(|&at| text.is_char_boundary(at)) {
+            let _ = read(name, &format!("{}\0{}", &text[..at], &text[at..]), Unit::Millimetre);
+        }
+    }
+}
+
+#[test]
+fn deep_nesting_and_endless_lines_end_within_a_second() {
+    let head = "# === PolyWorks|Inspector project description file ===\n";
+    let start = Instant::now();
+    refused(
+        "polyworks_project",
+        &format!("{head}{}", "BEGIN OBJECT 1\n".repeat(100_000)),
+        &["nested 32 deep", "f.txt:34"],
+    );
+    refused("polyworks_project", &format!("{head}END OBJECT 1\n"), &["ends no block"]);
+    refused("polyworks_project", &format!("{head}BEGIN OBJECT 1\n"), &["`BEGIN OBJECT 1` has no end"]);
+    let long = "7".repeat(5_000_000);
+    for (name, text) in samples() {
+        let start = Instant::now();
+        let _ = read(name, &format!("{text}{long}"), Unit::Millimetre);
+        let _ = read(name, &format!("{long}{text}"), Unit::Millimetre);
+        let _ = read(name, &text.replace('\n', " "), Unit::Millimetre);
+        assert!(start.elapsed().as_secs_f64() < 2.0, "{name}: {:?}", start.elapsed());
+    }
+    assert!(start.elapsed().as_secs_f64() < 20.0);
+}
