@@ -30,7 +30,10 @@
 //! In between: [`table`] (columns and their names), [`frames`] (world frames from features and targets), [`join`]
 //! (measurements meet joint values), [`evaluate`] (errors before and after),
 //! [`geometry`] (what [`geometric`] makes of a campaign), [`simulate`] (campaigns with a known truth), [`visits`],
-//! [`repeatability`] and [`pose_test`] (labelled visits, or tables of them, become characteristics).
+//! [`repeatability`] and [`pose_test`] (labelled visits, or tables of them, become characteristics),
+//! [`recording`] and [`stream_test`] (so do recorded motions), [`load_test`] (and a loaded robot's),
+//! [`reference_targets`] (drift of the set-up taken out), [`coordinates`] (what
+//! their tables share), [`test_plan`] (what to command in such a test).
 //!
 //! What comes out: [`document`] (the types behind every JSON document), [`schema`], [`parameters`], [`output`],
 //! [`report`] and [`export`], which read documents and nothing else. [`message`] is how everything says what is wrong.
@@ -77,6 +80,7 @@
 pub mod campaign;
 pub mod check;
 pub mod cli;
+pub mod coordinates;
 pub mod document;
 pub mod evaluate;
 pub mod export;
@@ -89,6 +93,7 @@ pub mod identify;
 pub mod import;
 pub mod iso9283;
 pub mod join;
+pub mod load_test;
 pub mod message;
 pub mod noise;
 pub mod output;
@@ -98,6 +103,8 @@ pub mod plan;
 pub mod plausible;
 pub mod pose;
 pub mod pose_test;
+pub mod recording;
+pub mod reference_targets;
 pub mod refit;
 pub mod repeatability;
 pub mod report;
@@ -107,5 +114,7 @@ pub mod schema;
 pub mod simulate;
 pub mod solve;
 mod steps;
+pub mod stream_test;
 pub mod table;
+pub mod test_plan;
 pub mod visits;

@@ -1,5 +1,7 @@
 //! From the visits of a test to its characteristics by ISO 9283.
 
+mod beyond;
+
 use crate::document::{
     Iso9283Approach, Iso9283Distance, Iso9283Document, Iso9283Drift, Iso9283Interval, Iso9283Pose, Iso9283Variation,
 };
@@ -16,6 +18,7 @@ use crate::iso9283::repeatability::{angle_repeatability_rad, pose_repeatability}
 use crate::message::{Message, Result};
 use crate::pose::{Vector, minus};
 use crate::visits::{PoseVisits, Visit, Visits};
+use beyond::beyond;
 use std::collections::BTreeSet;
 use std::collections::btree_map::{BTreeMap, Entry};
 
@@ -30,6 +33,10 @@ pub struct Settings {
     pub rotation_order: Option<String>,
     /// Seed of the bootstrap.
     pub seed: u64,
+    /// Limit of AP, for conformity.
+    pub ap_limit_mm: Option<f64>,
+    /// Limit of RP likewise.
+    pub rp_limit_mm: Option<f64>,
 }
 
 /// Cycles that the standard asks for (read).
@@ -67,6 +74,7 @@ pub fn evaluate(visits: &Visits, settings: &Settings) -> Result<Iso9283Document>
         homing: None,
         visits: Vec::new(),
         limits: Vec::new(),
+        reference: Vec::new(),
         poses,
         messages,
     })
@@ -77,6 +85,15 @@ fn conventions(visits: &Visits, settings: &Settings) -> Vec<String> {
         "AP: mean minus commanded; RP: mean radius + 3 s, s with n - 1; intervals 95 %, Gaussian scatter".to_owned(),
         "RP follows the standard's text (7.2.2); the other clauses were not compared with a bought copy".to_owned(),
     ];
+    if settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
+        said.push(
+            "conformity: ISO 14253-1's rule with the 95 % interval (unverified): proved only where all of it is on one side"
+                .to_owned(),
+        );
+    }
+    if visits.poses.iter().flat_map(|p| &p.visits).any(|v| v.readings_mm.len() > 1) {
+        said.push("readings of one visit are averaged; their scatter is the instrument's noise".to_owned());
+    }
     if !visits.angles.is_empty() {
         let order = settings.rotation_order.as_deref().unwrap_or("not stated (--rotation-order)");
         said.push(format!("angles a, b, c are unwrapped and treated each alone; order of rotations: {order}"));
@@ -126,6 +143,7 @@ fn poses(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
                 pose.rp_interval_analytic = Some(stated(repeatability_interval(&positions, &found)?));
             }
         }
+        beyond(&mut pose, p, &positions, settings)?;
         if let Some(uncertainty) = settings.expanded_uncertainty_mm {
             let ap = pose.ap_mm.map(|ap| quarter(uncertainty, ap));
             let rp = pose.rp_mm.map(|rp| quarter(uncertainty, rp));

@@ -29,6 +29,8 @@ pub fn evaluate(campaign: &Campaign, points: &DataFrame, frames: &FramesDocument
         drift_set: None,
         rotation_order: None,
         seed: SEED,
+        ap_limit_mm: None,
+        rp_limit_mm: campaign.file.limits.repeatability_max_mm,
     };
     let mut document = pose_test::evaluate(&gathered.visits, &settings)?;
     document.conventions.push(format!(
@@ -182,6 +184,7 @@ fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> Visits {
             angles_rad: Vec::new(),
             approach: v.approach.clone(),
             robot: String::new(),
+            readings_mm: vec![v.attained_mm],
         });
     }
     let of_pose = |(pose, visits)| PoseVisits { pose, commanded_mm: None, commanded_rad: Vec::new(), visits };

@@ -1,13 +1,12 @@
 //! Visits of a repeatability test: tables of attained and commanded poses, checked and grouped by pose.
 
+use crate::coordinates::{Coordinates, at_row, coordinates, in_file, like};
+use crate::iso9283::wrapped;
 use crate::message::{Message, Place, Problems, Result};
-use crate::pose::Vector;
+use crate::pose::{Vector, centroid};
 use crate::table;
 use polars::prelude::DataFrame;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Columns of the angles, in degrees: rotations about the axes named in the rotation order that the user states.
-const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 
 /// One visit of one pose, in the order of recording.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +21,8 @@ pub struct Visit {
     pub approach: Option<String>,
     /// What the column `robot` says.
     pub robot: String,
+    /// Readings whose mean the position is; one where it was read once.
+    pub readings_mm: Vec<Vector>,
 }
 
 /// A commanded pose with its visits.
@@ -60,17 +61,13 @@ struct Rows {
 }
 
 impl Visits {
-    /// From tables `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot]` and the same without
-    /// `cycle`, each with the file's name and, for messages, a column `line`.
+    /// From tables `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]` and the same without
+    /// `cycle`; rows of one visit with a `reading` are averaged. Each with the file's name and, for messages, a column `line`.
     pub fn from_tables(attained: (&str, &DataFrame), commanded: (&str, &DataFrame)) -> Result<Self> {
         let mut problems = Problems::default();
         let mut read = |(file, frame)| rows(file, frame).map_err(|p| problems.0.extend(p.0)).ok();
         let (Some(a), Some(c)) = (read(attained), read(commanded)) else { return Err(problems) };
-        if (a.spatial, &a.angles) != (c.spatial, &c.angles) {
-            let message = Message::error("attained and commanded poses have different coordinates");
-            let message = message.at(Place::file(commanded.0)).expected(format!("those of `{}`", attained.0));
-            return Err(message.hint("planar robots leave out z_mm in both tables").into());
-        }
+        like((c.spatial, &c.angles[..]), (a.spatial, &a.angles[..]), (commanded.0, attained.0))?;
         let visits = visits(attained, &a)?;
         let mut poses: Vec<PoseVisits> = Vec::new();
         for (i, &pose) in c.poses.iter().enumerate() {
@@ -81,22 +78,27 @@ impl Visits {
             poses.push(PoseVisits { pose, commanded_mm, commanded_rad, visits: Vec::new() });
         }
         let mut seen = BTreeSet::new();
+        let several = attained.1.column("reading").is_ok();
         for (i, (visit, pose)) in visits.into_iter().zip(&a.poses).enumerate() {
-            if !seen.insert((
-                *pose,
-                visit.cycle,
-                visit.robot.clone(),
-                explicit(attained.1).then(|| visit.approach.clone()),
-            )) {
-                let message = Message::error(format!("pose {pose} is there twice in cycle {}", visit.cycle));
-                problems.0.push(at_row(message, attained, i).hint("number the cycles, or name them in `approach`"));
-            }
-            match poses.iter_mut().find(|p| p.pose == *pose) {
-                Some(place) => place.visits.push(visit),
-                None => {
-                    let message = Message::error(format!("pose {pose} is not among the commanded poses"));
-                    problems.0.push(at_row(message, attained, i).hint(format!("add it to `{}`", commanded.0)));
+            let approach = explicit(attained.1).then(|| visit.approach.clone());
+            let first = seen.insert((*pose, visit.cycle, visit.robot.clone(), approach.clone()));
+            let Some(place) = poses.iter_mut().find(|p| p.pose == *pose) else {
+                let message = Message::error(format!("pose {pose} is not among the commanded poses"));
+                problems.0.push(at_row(message, attained, i).hint(format!("add it to `{}`", commanded.0)));
+                continue;
+            };
+            let same = |v: &&mut Visit| {
+                (v.cycle, &v.robot) == (visit.cycle, &visit.robot) && approach.as_ref().is_none_or(|a| v.approach == *a)
+            };
+            match place.visits.iter_mut().find(same) {
+                Some(before) if several => before.read_again(&visit),
+                _ if !first => {
+                    let message = Message::error(format!("pose {pose} is there twice in cycle {}", visit.cycle));
+                    let hint =
+                        "number the cycles, or name them in `approach`, or number readings of one visit in `reading`";
+                    problems.0.push(at_row(message, attained, i).hint(hint));
                 }
+                _ => place.visits.push(visit),
             }
         }
         // one message a kind of mistake is enough of the same
@@ -110,6 +112,18 @@ impl Visits {
             return Err(Message::error("no pose was measured").at(Place::file(attained.0)).into());
         }
         Ok(Self { poses, spatial: a.spatial, angles: a.angles, warnings })
+    }
+}
+
+impl Visit {
+    /// Takes one more reading of the same visit into its means.
+    fn read_again(&mut self, reading: &Self) {
+        self.readings_mm.push(reading.position_mm);
+        let n = self.readings_mm.len() as f64;
+        self.position_mm = centroid(&self.readings_mm).unwrap_or(self.position_mm);
+        for (mean, angle) in self.angles_rad.iter_mut().zip(&reading.angles_rad) {
+            *mean += wrapped(angle - *mean) / n;
+        }
     }
 }
 
@@ -157,40 +171,14 @@ fn visits(attained: (&str, &DataFrame), rows: &Rows) -> Result<Vec<Visit>> {
             None => i.checked_sub(1).map(|before| from_pose(rows.poses[before])),
         },
         robot: robots.as_ref().map_or_else(String::new, |names| names[i].clone()),
+        readings_mm: vec![rows.positions_mm[i]],
     };
     Ok((0..rows.poses.len()).map(visit).collect())
 }
 
 fn rows(file: &str, frame: &DataFrame) -> Result<Rows> {
-    let read = || -> Result<Rows> {
-        let has = |name: &str| frame.column(name).is_ok();
-        let angles: Vec<usize> = (0..3).filter(|&k| has(ANGLES[k])).collect();
-        let columns = angles.iter().map(|&k| table::numbers(frame, ANGLES[k])).collect::<Result<Vec<Vec<f64>>>>()?;
-        let poses = table::integers(frame, "pose")?;
-        let turned = |i: usize| columns.iter().map(|column| column[i].to_radians()).collect();
-        Ok(Rows {
-            positions_mm: table::coordinates(frame)?,
-            angles_rad: (0..poses.len()).map(turned).collect(),
-            spatial: has(table::XYZ[2]) && table::numbers(frame, table::XYZ[2])?.iter().any(|z| !z.is_nan()),
-            poses,
-            angles,
-        })
-    };
-    let rows = read().map_err(|p| in_file(p, file))?;
-    // beyond this squares of millimetres are no numbers
-    let usable = |v: &f64| v.abs() < 1e100;
-    let bad = (0..rows.poses.len())
-        .filter(|&i| !rows.positions_mm[i].iter().chain(&rows.angles_rad[i]).all(usable))
-        .map(|i| at_row(Message::error("a coordinate is missing or is not a finite number"), (file, frame), i));
-    Problems(bad.take(20).collect()).check()?;
-    Ok(rows)
-}
-
-fn in_file(problems: Problems, file: &str) -> Problems {
-    Problems(problems.0.into_iter().map(|m| if m.place.is_none() { m.at(Place::file(file)) } else { m }).collect())
-}
-
-fn at_row(message: Message, (file, frame): (&str, &DataFrame), row: usize) -> Message {
-    let line = table::integers(frame, "line").ok().and_then(|lines| usize::try_from(*lines.get(row)?).ok());
-    message.at(Place { file: file.to_owned(), line, ..Place::default() })
+    let poses = table::integers(frame, "pose").map_err(|p| in_file(p, file))?;
+    let Coordinates { positions_mm, angles_rad, spatial, angles } = coordinates((file, frame))?;
+    let angles_rad = (0..poses.len()).map(|i| angles_rad.iter().map(|column| column[i]).collect()).collect();
+    Ok(Rows { poses, positions_mm, angles_rad, spatial, angles })
 }

@@ -1,8 +1,9 @@
 //! `etalon fit`
 
 use super::fit_text::as_text;
+use super::text_format::TextFormat;
 use super::{Verdict, print, say};
-use crate::campaign::{Decimal, Delimiter, Dialect, Format, Role, Unit};
+use crate::campaign::Unit;
 use crate::document::FitDocument;
 use crate::fit::{self, CircleMethod, Element, Probe, Settings, Side};
 use crate::message::{Message, Place, Problems};
@@ -25,21 +26,8 @@ pub struct Fit {
     /// Files with points
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Length unit of the files: mm, m, um or inch; never guessed (QIF states its own)
-    #[arg(long)]
-    unit: Option<String>,
-    /// What the columns hold, e.g. label,x,y,z; `-` for a column that is not read
-    #[arg(long, value_delimiter = ',', requires = "delimiter")]
-    columns: Vec<String>,
-    /// blank, tab, comma or semicolon
-    #[arg(long, requires = "columns")]
-    delimiter: Option<String>,
-    /// Decimal mark: point or comma
-    #[arg(long, default_value = "point", requires = "columns")]
-    decimal: String,
-    /// Rows before the data
-    #[arg(long, default_value_t = 0, requires = "columns")]
-    header: usize,
+    #[command(flatten)]
+    text: TextFormat,
     /// One fit for each label instead of one over all points
     #[arg(long)]
     by_label: bool,
@@ -124,12 +112,12 @@ impl Fit {
 
     /// The measured features of QIF files; one that cannot be fitted is told and left out.
     fn measured_features(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
-        if self.radius_mm.is_some() || self.delimiter.is_some() {
+        if self.radius_mm.is_some() || self.text.stated() {
             let message = Message::error("a QIF file has neither columns nor one radius for all its features");
             return Err(message.hint("leave out --columns, --delimiter and --radius-mm").into());
         }
         let wanted = (!self.all_features()).then(|| self.element.parse::<Element>()).transpose()?;
-        let unit = self.unit.as_deref().map(|name| word::<Unit>("--unit", name)).transpose()?;
+        let unit = self.text.stated_unit()?;
         let probe = ProbeStated { radius_mm: self.probe_radius_mm, side: self.side()? };
         let mut documents = Vec::new();
         let mut seen = Vec::new();
@@ -200,23 +188,7 @@ impl Fit {
 
     /// Labels and points of all files, in millimetres.
     fn read(&self, texts: &[(String, String)]) -> Result<Vec<(String, Vector)>, Problems> {
-        let unit: Unit = match &self.unit {
-            Some(name) => word("--unit", name)?,
-            None => {
-                let message = Message::error("the files do not say their length unit");
-                return Err(message.hint("state it: --unit mm, m, um or inch; it is never guessed").into());
-            }
-        };
-        let format = match &self.delimiter {
-            None => Format::Polyworks,
-            Some(delimiter) => Format::Delimited(Dialect {
-                delimiter: word::<Delimiter>("--delimiter", delimiter)?,
-                decimal: word::<Decimal>("--decimal", &self.decimal)?,
-                columns: self.columns.iter().map(|c| word::<Role>("--columns", c)).collect::<Result<_, _>>()?,
-                header: self.header,
-                comment: None,
-            }),
-        };
+        let (unit, format) = (self.text.unit()?, self.text.format()?);
         let mut all = Vec::new();
         for (file, text) in texts {
             all.extend(import::labelled_points(file, text, &format, unit)?);
@@ -252,10 +224,4 @@ impl Fit {
             }
         }
     }
-}
-
-/// A word of an option, as the campaign spells it.
-fn word<T: serde::de::DeserializeOwned>(option: &str, text: &str) -> Result<T, Problems> {
-    let value = serde::de::value::StrDeserializer::<serde::de::value::Error>::new(text);
-    T::deserialize(value).map_err(|e| Message::error(format!("{option}: {e}")).into())
 }

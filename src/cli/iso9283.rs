@@ -1,29 +1,52 @@
 //! `etalon iso9283`
 
+mod compliance;
+mod plan;
+mod stream;
+mod stream_text;
+
 use super::{Verdict, print, say};
-use crate::document::{Iso9283Document, Iso9283Interval};
+use crate::document::{Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose};
 use crate::message::{Message, Problems, Result};
 use crate::pose_test::{Settings, evaluate};
+use crate::reference_targets::carry_back;
 use crate::visits::Visits;
 use crate::{files, import, output};
+use plan::PlanOptions;
 use polars::prelude::DataFrame;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use stream::StreamOptions;
 
 /// Pose accuracy, repeatability and what goes with them, by ISO 9283
 ///
 /// Tables are CSV: pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], rows in the order of recording; planar robots
-/// leave out z_mm. A column `approach` names directions of approach (else it is the pose before), a column `robot` robots.
+/// leave out z_mm. A column `approach` names directions of approach (else it is the pose before), a column `robot` robots, a
+/// column `reading` several readings of one visit.
+///
+/// A recorded motion (--stream) gives standstills, settling, and with --path the characteristics of a path; --compliance
+/// how a robot gives way under load; --plan the test itself.
 #[derive(Debug, clap::Args)]
+#[command(group(clap::ArgGroup::new("what").required(true).args(["poses", "stream", "compliance", "plan"])))]
 pub struct Iso9283 {
     /// Attained poses
-    poses: PathBuf,
+    poses: Option<PathBuf>,
     /// Commanded poses: the same columns without cycle
-    #[arg(long)]
-    commanded: PathBuf,
+    #[arg(long, required_unless_present_any = ["stream", "compliance", "plan"])]
+    commanded: Option<PathBuf>,
     /// Expanded uncertainty of a measured position in micrometres, for the 25 % rule; not met is exit code 1
     #[arg(long, value_name = "UM")]
     expanded_uncertainty_um: Option<f64>,
+    /// Limit of AP: conforming, not conforming or neither, by its interval; anything but conforming is exit code 1
+    #[arg(long, value_name = "MM", requires = "poses")]
+    ap_limit_mm: Option<f64>,
+    /// Limit of RP, likewise
+    #[arg(long, value_name = "MM", requires = "poses")]
+    rp_limit_mm: Option<f64>,
+    /// Reference targets that stand still beside the robot: cycle,target,x_mm,y_mm[,z_mm], measured from time to time; positions
+    /// are carried back to the first time
+    #[arg(long, value_name = "FILE", requires = "poses")]
+    reference: Option<PathBuf>,
     /// Cycles of one set of a drift test, e.g. 10
     #[arg(long, value_name = "CYCLES")]
     drift_set: Option<usize>,
@@ -36,15 +59,42 @@ pub struct Iso9283 {
     /// Distances, approaches, drift, exchangeability and coplanarity as well; with --json one object instead of a list
     #[arg(long)]
     all: bool,
-    /// Print JSON: a list with one object per pose
+    /// Print JSON: a list with one object per pose; one object for all else
     #[arg(long)]
     json: bool,
+    /// Static compliance: direction,cycle,force_n,x_mm,y_mm[,z_mm]; direction +x to -z, in each cycle a row of force 0
+    #[arg(long, value_name = "FILE")]
+    compliance: Option<PathBuf>,
+    #[command(flatten)]
+    stream: StreamOptions,
+    #[command(flatten)]
+    plan: PlanOptions,
 }
 
 impl Iso9283 {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        if self.plan.plan {
+            return self.plan.run(self.json);
+        }
+        if let Some(table) = &self.compliance {
+            return compliance::run(table, self.json);
+        }
+        match (&self.stream.stream, &self.poses, &self.commanded) {
+            (Some(stream), _, commanded) => self.stream.run(stream, commanded.as_deref(), self.json),
+            (None, Some(poses), Some(commanded)) => self.poses(poses, commanded),
+            _ => Err(Problems::from(Message::error("nothing to evaluate is stated")).into()),
+        }
+    }
+
+    /// Characteristics of poses.
+    fn poses(&self, poses: &Path, commanded: &Path) -> anyhow::Result<Verdict> {
         if self.expanded_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
             return Err(Problems::from(Message::error("--expanded-uncertainty-um must be positive")).into());
+        }
+        for (option, limit) in [("--ap-limit-mm", self.ap_limit_mm), ("--rp-limit-mm", self.rp_limit_mm)] {
+            if limit.is_some_and(|limit| !(limit > 0.0 && limit.is_finite())) {
+                return Err(Problems::from(Message::error(format!("{option} must be positive"))).into());
+            }
         }
         if self.drift_set.is_some_and(|size| size < 2) {
             return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
@@ -54,18 +104,31 @@ impl Iso9283 {
             let table = import::observations(&file, &text)?;
             Ok((file, text, table))
         };
-        let (attained, commanded) = (read(&self.poses)?, read(&self.commanded)?);
-        let visits = Visits::from_tables((&attained.0, &attained.2), (&commanded.0, &commanded.2))
+        let (attained, commanded) = (read(poses)?, read(commanded)?);
+        let mut visits = Visits::from_tables((&attained.0, &attained.2), (&commanded.0, &commanded.2))
             .map_err(|p| p.in_text(&attained.0, &attained.1).in_text(&commanded.0, &commanded.1))?;
-        let document = evaluate(
+        let reference = match &self.reference {
+            None => Vec::new(),
+            Some(path) => {
+                let (file, text, table) = read(path)?;
+                carry_back(&mut visits, (&file, &table)).map_err(|p| p.in_text(&file, &text))?
+            }
+        };
+        let mut document = evaluate(
             &visits,
             &Settings {
                 expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
                 drift_set: self.drift_set,
-                rotation_order: self.rotation_order,
+                rotation_order: self.rotation_order.clone(),
                 seed: self.seed,
+                ap_limit_mm: self.ap_limit_mm,
+                rp_limit_mm: self.rp_limit_mm,
             },
         )?;
+        if !reference.is_empty() {
+            document.conventions.push("positions are carried back by reference targets; angles are not".to_owned());
+        }
+        document.reference = reference;
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }
@@ -74,7 +137,10 @@ impl Iso9283 {
             (true, false) => print(output::to_json(&document.poses)?)?,
             (false, all) => print(as_text(&document, all))?,
         }
-        let met = document.poses.iter().all(|p| p.quarter_rule_met != Some(false));
+        let proved = |c: Option<Iso9283Conformity>| c.is_none_or(|c| c == Iso9283Conformity::Conforming);
+        let met =
+            |p: &Iso9283Pose| p.quarter_rule_met != Some(false) && proved(p.ap_conformity) && proved(p.rp_conformity);
+        let met = document.poses.iter().all(met);
         Ok(if met { Verdict::Met } else { Verdict::LimitNotMet })
     }
 }
@@ -92,6 +158,18 @@ pub(super) fn as_text(document: &Iso9283Document, all: bool) -> String {
         let rp = number(p.rp_mm) + &interval(&p.rp_interval).unwrap_or_default();
         let (mean, sd, ball) = (number(p.mean_radius_mm), number(p.sd_radius_mm), number(p.enclosing_radius_mm));
         let _ = writeln!(text, "{:>5} {:>6} {ap:>28} {rp:>28} {mean:>9} {sd:>9} {ball:>9}", p.pose, p.cycles);
+        for (name, proved) in [("AP", p.ap_conformity), ("RP", p.rp_conformity)] {
+            let said = match proved {
+                None => continue,
+                Some(Iso9283Conformity::Conforming) => "conforming",
+                Some(Iso9283Conformity::NotConforming) => "not conforming",
+                Some(Iso9283Conformity::Neither) => "neither conforming nor not: the limit is within the interval",
+            };
+            let _ = writeln!(text, "      {name} against its limit: {said}");
+        }
+        if let Some(rp) = p.rp_without_noise_mm {
+            let _ = writeln!(text, "      RP without the instrument's noise {rp:.4} mm");
+        }
         if let Some(met) = p.quarter_rule_met {
             let (ap, rp) = (number(p.uncertainty_over_ap), number(p.uncertainty_over_rp));
             let verdict = if met { "met" } else { "not met" };
@@ -123,6 +201,13 @@ pub(super) fn as_text(document: &Iso9283Document, all: bool) -> String {
     }
     if let Some(homing) = &document.homing {
         let _ = writeln!(text, "homing, {} times: RP {} mm", homing.cycles, number(homing.rp_mm));
+    }
+    for e in &document.reference {
+        let _ = writeln!(
+            text,
+            "reference targets of cycle {}: moved by {:.4} mm, {:.4} mm left",
+            e.cycle, e.moved_mm, e.rms_mm
+        );
     }
     for (name, value) in
         [("exchangeability", document.exchangeability_mm), ("coplanarity of means", document.coplanarity_mm)]

@@ -17,6 +17,7 @@ mod run;
 mod schema;
 mod simulate;
 mod table_file;
+mod text_format;
 
 use crate::document::WrittenDocument;
 use clap::{Parser, Subcommand};
@@ -49,7 +50,7 @@ enum Command {
     Run(run::Run),
     Identify(identify::Identify),
     Plan(plan::Plan),
-    Iso9283(iso9283::Iso9283),
+    Iso9283(Box<iso9283::Iso9283>),
     Report(report::Report),
     Export(export::Export),
     Simulate(simulate::Simulate),

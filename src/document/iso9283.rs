@@ -36,8 +36,23 @@ pub struct Iso9283Document {
     /// Limits that the campaign states.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<super::LimitVerdict>,
+    /// Measurements of the reference targets by which positions were carried back, where there are any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub reference: Vec<Iso9283Epoch>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,
+}
+
+/// One measurement of the reference targets.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Epoch {
+    /// Cycle from which on it holds.
+    pub cycle: i64,
+    /// Largest movement of a target since the first.
+    pub moved_mm: f64,
+    /// Root mean square distance that is left when the targets are carried back.
+    pub rms_mm: f64,
 }
 
 /// A pose whose mean lies out of the plane of three others (thesis 2.4).
@@ -143,6 +158,20 @@ pub struct Iso9283Pose {
     pub ap_interval_analytic: Option<Iso9283Interval>,
     /// 95 % interval of RP in closed form.
     pub rp_interval_analytic: Option<Iso9283Interval>,
+    /// Where the next position lies with 95 % probability; null with fewer than five visits (planar robots: four).
+    pub ellipsoid: Option<Iso9283Ellipsoid>,
+    /// RP without the instrument's noise, where visits were read several times.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_without_noise_mm: Option<f64>,
+    /// Standard deviation of one reading, by coordinate, likewise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub noise_mm: Option<crate::pose::Vector>,
+    /// What the interval of AP proves about the stated limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ap_conformity: Option<Iso9283Conformity>,
+    /// What the interval of RP proves about the stated limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_conformity: Option<Iso9283Conformity>,
     /// The instrument's expanded uncertainty over AP, where it is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_over_ap: Option<f64>,
@@ -152,6 +181,28 @@ pub struct Iso9283Pose {
     /// Whether both are at most a quarter (clause 6).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quarter_rule_met: Option<bool>,
+}
+
+/// Ellipsoid about the mean position, flat in directions without scatter.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Ellipsoid {
+    /// Semi-axes, the longest first.
+    pub semi_axes_mm: crate::pose::Vector,
+    /// Their unit vectors.
+    pub axes: [crate::pose::Vector; 3],
+}
+
+/// Conformity with a limit by ISO 14253-1's decision rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Iso9283Conformity {
+    /// The whole interval is within the limit.
+    Conforming,
+    /// The whole interval is beyond the limit.
+    NotConforming,
+    /// The limit is within the interval: neither is proved.
+    Neither,
 }
 
 /// Distance between two poses (7.3).

@@ -6,6 +6,8 @@ mod answer;
 mod fit;
 mod geometric;
 mod iso9283;
+mod iso9283_plan;
+mod iso9283_stream;
 mod plan;
 mod refit;
 mod standstill;
@@ -16,6 +18,8 @@ pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocume
 pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
 pub use geometric::*;
 pub use iso9283::*;
+pub use iso9283_plan::*;
+pub use iso9283_stream::*;
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };

@@ -10,7 +10,7 @@ mod targets;
 #[cfg(test)]
 mod tests;
 
-pub use targets::targets;
+pub use targets::{places, targets};
 
 use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
 use crate::message::{Message, Problems, Result, Severity};

@@ -27,7 +27,7 @@ pub(crate) use points::{Point, used_labels};
 use crate::campaign::{Campaign, Export, Format, Log, Reader, Unit};
 use crate::document::{ImportDocument, Source};
 use crate::files;
-use crate::message::{Message, Problems, Result, nearest};
+use crate::message::{Message, Place, Problems, Result, nearest};
 use crate::pose::Vector;
 use points::PointColumns;
 use polars::prelude::DataFrame;
@@ -143,6 +143,17 @@ pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> R
     Ok(rows.into_iter().map(|row| (row.label, row.xyz_mm)).collect())
 }
 
+/// Samples of a recording in the stated format, as a table `line time_s x_mm y_mm z_mm`; every row must be measured.
+pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
+    let (points, mut problems) = point_rows(file, text, format, unit);
+    for point in points.iter().filter(|point| point.refused.is_some()) {
+        let message = Message::error("the sample has no coordinates");
+        problems.0.push(message.at(Place::line(file, point.line, &point.text)).hint("remove the row"));
+    }
+    problems.check()?;
+    PointColumns { points }.table()
+}
+
 /// Rows of an export in the stated format, and what does not read.
 fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point>, Problems) {
     match format {
@@ -172,7 +183,7 @@ fn as_characters(bytes: Vec<u8>) -> (String, Vec<u8>) {
 }
 
 /// Bytes of an input file; where it cannot be read the message points at the campaign.
-fn read_bytes(path: &Path, place: crate::message::Place) -> Result<Vec<u8>> {
+fn read_bytes(path: &Path, place: Place) -> Result<Vec<u8>> {
     if path.is_dir() {
         let message = Message::error(format!("`{}` is a folder", path.display())).at(place);
         return Err(message.expected("a file").hint(format!("name a file in it; {}", listed(path))).into());

@@ -10,29 +10,63 @@
 //! | pose repeatability RP | 7.2.2 | [`repeatability`] | read; thesis eq. 1.7 to 1.12 |
 //! | multi-directional pose accuracy variation vAP | 7.2.3 | [`directions`] | unverified |
 //! | distance accuracy AD and repeatability RD | 7.3 | [`distance`] | unverified |
+//! | position stabilisation time | 7.4 | [`stabilisation`] | unverified |
+//! | position overshoot OV | 7.5 | [`overshoot`] | unverified |
 //! | drift dAP, dRP | 7.6 | [`drift`] | unverified |
 //! | exchangeability E | 7.7 | [`exchangeability`] | unverified |
+//! | path accuracy AT, on reorientation | 8.2, 8.4 | [`path_accuracy`] | unverified |
+//! | path repeatability RT | 8.3 | [`path_repeatability`] | unverified |
+//! | cornering CR, CO | 8.5 | [`cornering`] | unverified |
+//! | path velocity AV, RV, FV | 8.6 | [`path_velocity`] | unverified |
+//! | minimum posing time | 9 | [`posing_time`] | unverified |
+//! | static compliance | 10 | [`compliance`] | unverified |
+//! | weaving WS, WF | 11 | [`weaving`] | unverified |
+//! | cube, test plane, poses, paths, cycles | 6 | [`layout`], [`programme`] | poses, loads, velocities and 30 cycles read |
 //! | uncertainty at most 25 % of the characteristic | 6 | [`quarter`] | unverified |
 //!
 //! Not of the standard: smallest enclosing sphere and circle beside mean + 3 s ([`repeatability`]), intervals of AP and RP
-//! ([`interval`], [`bootstrap`]), spread by the pose approached from ([`directions`]), coplanarity of mean positions
-//! ([`coplanarity`], thesis 2.4).
+//! ([`interval`], [`bootstrap`]), conformity with a limit ([`conformity`]), the ellipsoid of the next position
+//! ([`ellipsoid`]), RP without the instrument's noise ([`noise_free`]), drift of the set-up by reference targets
+//! ([`mod@reference`]), spread by the pose approached from ([`directions`]), coplanarity of mean positions ([`coplanarity`],
+//! thesis 2.4).
+//!
+//! Recorded motions ([`stream`]) are cut into standstills ([`standstill`]) and passes of a commanded path ([`path`],
+//! [`passes`]).
 //!
 //! A planar robot has z = 0 throughout. Angles are rotations about a, b, c in an order that the caller states; the
 //! formulas treat each alone. They are unwrapped about their first value, so a test may straddle ±180°.
 
 pub mod accuracy;
 pub mod bootstrap;
+pub mod compliance;
+pub mod conformity;
 pub mod coplanarity;
+pub mod cornering;
 pub mod directions;
 pub mod distance;
 pub mod drift;
+pub mod ellipsoid;
 pub mod exchangeability;
 pub mod interval;
+pub mod layout;
+pub mod noise_free;
+pub mod overshoot;
+pub mod passes;
+pub mod path;
+pub mod path_accuracy;
+pub mod path_repeatability;
+pub mod path_velocity;
+pub mod posing_time;
+pub mod programme;
 pub mod quarter;
+pub mod reference;
 pub mod repeatability;
 mod sample;
 mod scatter;
+pub mod stabilisation;
+pub mod standstill;
+pub mod stream;
+pub mod weaving;
 
 use crate::message::{Message, Result};
 use crate::pose::{Vector, norm};

@@ -48,7 +48,7 @@ pub fn pose_repeatability(attained_mm: &[Vector]) -> Result<PoseRepeatability> {
 }
 
 /// Distances l_j of the attained positions from their barycentre, by these coordinates (thesis eq. 2.10).
-fn radii_mm(attained_mm: &[Vector], axes: &[usize]) -> Vec<f64> {
+pub(super) fn radii_mm(attained_mm: &[Vector], axes: &[usize]) -> Vec<f64> {
     let mean = mean_position(attained_mm);
     let along = |d: Vector| [0, 1, 2].map(|k| if axes.contains(&k) { d[k] } else { 0.0 });
     attained_mm.iter().map(|p| norm(along(minus(*p, mean)))).collect()

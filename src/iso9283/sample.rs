@@ -50,3 +50,13 @@ pub fn unwrapped(angles_rad: &[f64]) -> Vec<f64> {
     let first = angles_rad.first().copied().unwrap_or_default();
     angles_rad.iter().map(|a| first + wrapped(a - first)).collect()
 }
+
+/// Angles along a motion without jumps of 2π: each within half a turn of the one before.
+pub(super) fn followed(angles_rad: &[f64]) -> Vec<f64> {
+    let mut all: Vec<f64> = Vec::with_capacity(angles_rad.len());
+    for &angle in angles_rad {
+        let before = all.last().copied().unwrap_or(angle);
+        all.push(before + wrapped(angle - before));
+    }
+    all
+}

@@ -46,7 +46,7 @@ pub(super) fn dimensions(variances: Vector) -> f64 {
 }
 
 /// Variances about their mean, so that Σv and Σv² are without bias (moments of the Wishart distribution).
-fn drawn_together(found: Vector, degrees: f64) -> Vector {
+pub(super) fn drawn_together(found: Vector, degrees: f64) -> Vector {
     let largest = found[2];
     let is_there = |v: f64| v > 1e-12 * largest;
     let count = found.iter().filter(|&&v| is_there(v)).count() as f64;

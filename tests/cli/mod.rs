@@ -2,6 +2,7 @@
 
 mod fit;
 mod five_bar;
+mod iso9283;
 mod plan;
 
 use crate::scratch::copy_sample;

@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 const AT: Vector = [500.0, -300.0, 800.0];
 
 /// Positions about `at`, with a scatter that differs by axis.
-fn cloud(noise: &mut Noise, n: usize, at: Vector, sigma: Vector) -> Vec<Vector> {
+pub fn cloud(noise: &mut Noise, n: usize, at: Vector, sigma: Vector) -> Vec<Vector> {
     (0..n).map(|_| [0, 1, 2].map(|k| at[k] + noise.gaussian(sigma[k]))).collect()
 }
 
@@ -34,7 +34,7 @@ fn clouds(trial: u64, count: usize) -> Vec<Vec<Vector>> {
 }
 
 /// Mean distance of all pairs tells the variance without a mean: Σ(a-b)² over ordered pairs = 2 n (n-1) s².
-fn deviation_by_pairs(values: &[f64]) -> f64 {
+pub fn deviation_by_pairs(values: &[f64]) -> f64 {
     let n = values.len() as f64;
     let pairs: f64 = values.iter().flat_map(|a| values.iter().map(move |b| (a - b).powi(2))).sum();
     (pairs / (2.0 * n * (n - 1.0))).sqrt()
@@ -49,7 +49,7 @@ fn running_mean(points: &[Vector]) -> Vector {
     mean
 }
 
-fn close(a: f64, b: f64) {
+pub fn close(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-10, "{a} {b}");
 }
 

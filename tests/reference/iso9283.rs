@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Two poses that the robot shuttles between, and the first approached from arbitrary directions.
 const SERIES: [(&str, &str); 3] = [("pose1", "0.0120"), ("pose2", "0.0134"), ("anfahrt_pose1", "0.4085")];
 
-fn folder() -> Option<PathBuf> {
+pub fn folder() -> Option<PathBuf> {
     crate::reference_data("robots/kit_iso9283_tracker")
 }
 

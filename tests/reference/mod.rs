@@ -3,6 +3,7 @@ mod bounded;
 mod enclosing;
 mod irb120;
 mod iso9283;
+mod iso9283_streams;
 mod logs;
 mod nist_geometry;
 mod nist_strd;

@@ -1,0 +1,32 @@
+//! `etalon iso9283 --compliance`
+
+use super::super::{Verdict, print, say};
+use crate::document::Iso9283ComplianceDocument;
+use crate::load_test::evaluate;
+use crate::{files, import, output};
+use std::fmt::Write;
+use std::path::Path;
+
+pub(super) fn run(path: &Path, json: bool) -> anyhow::Result<Verdict> {
+    let (file, text) = (path.display().to_string(), files::read_text(path)?);
+    let table = import::observations(&file, &text)?;
+    let document = evaluate((&file, &table)).map_err(|p| p.in_text(&file, &text))?;
+    for message in &document.messages {
+        say(format_args!("{message}\n"));
+    }
+    print(if json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
+    Ok(Verdict::Met)
+}
+
+fn as_text(document: &Iso9283ComplianceDocument) -> String {
+    let mut text = String::new();
+    for d in &document.directions {
+        let u = d.standard_uncertainty_mm_n.map(|u| format!(" (u = {u:.1e})")).unwrap_or_default();
+        let _ = writeln!(
+            text,
+            "{}: {:.6} mm/N{u} up to {} N, off the line {:.4} mm, {} readings in {} cycles",
+            d.direction, d.compliance_mm_n, d.force_n, d.off_line_mm, d.readings, d.cycles
+        );
+    }
+    text
+}

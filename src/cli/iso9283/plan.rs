@@ -1,0 +1,116 @@
+//! `etalon iso9283 --plan`
+
+use super::super::{Verdict, print, print_written};
+use crate::coordinates::ANGLES;
+use crate::document::{Iso9283Places, Iso9283PlanDocument};
+use crate::message::{Message, Problems};
+use crate::table::XYZ;
+use crate::test_plan::{Request, plan};
+use crate::{export, files, output};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// The test itself.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Plan of a test")]
+pub(super) struct PlanOptions {
+    /// Lay out the test: cube, test plane, poses, paths, cycles
+    #[arg(long, requires = "workspace_mm")]
+    pub plan: bool,
+    /// Workspace: smallest x,y,z, then largest x,y,z; of planar robots x,y, then x,y
+    #[arg(long, value_name = "MM,...", value_delimiter = ',', allow_hyphen_values = true, requires = "plan")]
+    workspace_mm: Vec<f64>,
+    /// Test plane: C1-C2-C7-C8 (default), C2-C3-C8-C5, C3-C4-C5-C6 or C4-C1-C6-C7
+    #[arg(long, value_name = "CORNERS", requires = "plan")]
+    test_plane: Option<String>,
+    /// Commanded angles a,b,c; of planar robots c
+    #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "plan")]
+    orientation_deg: Vec<f64>,
+    /// Change of the angles along the path with reorientation, there and back
+    #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "plan")]
+    reorientation_deg: Vec<f64>,
+    /// Write each list of places as CSV, and as targets of a controller (.json, .h), and the programme, into this folder
+    #[arg(long, value_name = "FOLDER", requires = "plan")]
+    write: Option<PathBuf>,
+}
+
+impl PlanOptions {
+    pub fn run(&self, json: bool) -> anyhow::Result<Verdict> {
+        let workspace_mm = match self.workspace_mm[..] {
+            [x0, y0, x1, y1] => [[x0, y0, 0.0], [x1, y1, 0.0]],
+            [x0, y0, z0, x1, y1, z1] => [[x0, y0, z0], [x1, y1, z1]],
+            _ => {
+                let message = Message::error(format!("--workspace-mm has {} numbers", self.workspace_mm.len()));
+                return Err(Problems::from(message.expected("six, or four for planar robots")).into());
+            }
+        };
+        let document = plan(&Request {
+            workspace_mm,
+            plane: self.test_plane.clone(),
+            orientation_deg: self.orientation_deg.clone(),
+            reorientation_deg: self.reorientation_deg.clone(),
+        })?;
+        if let Some(folder) = &self.write {
+            let written = write(folder, &document)?;
+            if !json {
+                print_written(written, false)?;
+                return Ok(Verdict::Met);
+            }
+        }
+        print(if json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
+        Ok(Verdict::Met)
+    }
+}
+
+fn write(folder: &Path, document: &Iso9283PlanDocument) -> anyhow::Result<Vec<String>> {
+    let mut all = vec![("programme.csv".to_owned(), programme(document).into_bytes())];
+    for places in &document.places {
+        all.push((format!("{}.csv", places.name), csv(places).into_bytes()));
+        for ending in ["json", "h"] {
+            let name = format!("{}.{ending}", places.name);
+            all.push((name.clone(), export::places(places, &name)?));
+        }
+    }
+    for (name, bytes) in &all {
+        files::write(&folder.join(name), bytes)?;
+    }
+    Ok(all.into_iter().map(|(name, _)| folder.join(name).display().to_string()).collect())
+}
+
+/// A list of places as a table: commanded poses, or a commanded path.
+fn csv(places: &Iso9283Places) -> String {
+    let there = |name: &&str| places.points.first().is_some_and(|p| p.contains_key(*name));
+    let columns: Vec<&str> = XYZ.into_iter().chain(ANGLES).filter(there).collect();
+    let mut text = format!("pose,{}\n", columns.join(","));
+    for (i, point) in places.points.iter().enumerate() {
+        let cells: Vec<String> = columns.iter().filter_map(|name| Some(point.get(*name)?.to_string())).collect();
+        let _ = writeln!(text, "{},{}", i + 1, cells.join(","));
+    }
+    text
+}
+
+fn programme(document: &Iso9283PlanDocument) -> String {
+    let list = |all: &[u32]| all.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
+    let mut text = "characteristic,clause,visits,velocities_percent,cycles,read_in_the_standard\n".to_owned();
+    for item in &document.programme {
+        let quoted = [&item.characteristic, &item.clause, &item.visits].map(|cell| format!("\"{cell}\""));
+        let (velocities, read) = (list(&item.velocities_percent), if item.read { "yes" } else { "no" });
+        let _ = writeln!(text, "{},{velocities},{},{read}", quoted.join(","), item.cycles);
+    }
+    text
+}
+
+fn as_text(document: &Iso9283PlanDocument) -> String {
+    let mut text = format!("side {} mm, test plane {}\n", document.side_mm, document.test_plane);
+    for (k, [x, y, z]) in (1..).zip(&document.corners_mm) {
+        let _ = writeln!(text, "C{k} {x:.3} {y:.3} {z:.3}");
+    }
+    for places in &document.places {
+        let _ = writeln!(text, "{}: {}, {} points", places.name, places.purpose, places.points.len());
+    }
+    for (k, point) in document.places.iter().take(1).flat_map(|poses| (1..).zip(&poses.points)) {
+        let cells = XYZ.into_iter().chain(ANGLES).filter_map(|name| Some(format!("{:.3}", point.get(name)?)));
+        let _ = writeln!(text, "P{k} {}", cells.collect::<Vec<_>>().join(" "));
+    }
+    text + &programme(document)
+}

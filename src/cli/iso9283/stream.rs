@@ -1,0 +1,161 @@
+//! `etalon iso9283 --stream`
+
+use super::super::text_format::TextFormat;
+use super::super::{Verdict, print, say};
+use super::stream_text::as_text;
+use crate::coordinates::ANGLES;
+use crate::document::Iso9283StreamDocument;
+use crate::iso9283::standstill::Stillness;
+use crate::message::{Message, Problems, Result};
+use crate::pose::Vector;
+use crate::recording::{Recording, commanded_path, commanded_poses};
+use crate::stream_test::{PathSettings, Settings, evaluate};
+use crate::table::XYZ;
+use crate::{files, import, output};
+use std::path::{Path, PathBuf};
+
+/// A recorded motion.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Recorded motion")]
+pub(super) struct StreamOptions {
+    /// Recorded motion: time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], or any text whose --columns and --unit are stated
+    #[arg(long, value_name = "FILE")]
+    pub stream: Option<PathBuf>,
+    #[command(flatten)]
+    text: TextFormat,
+    /// Sampling rate of the recording, instead of its time stamps: those of some exports are full seconds
+    #[arg(long, value_name = "HZ", requires = "stream")]
+    rate_hz: Option<f64>,
+    /// Standing: all positions within this distance of their mean
+    #[arg(long, value_name = "MM", default_value_t = 0.1)]
+    still_mm: f64,
+    /// Standing: for at least this time
+    #[arg(long, value_name = "S", default_value_t = 0.2)]
+    still_s: f64,
+    /// How near a standstill is to its pose, and an attained path to the commanded one
+    #[arg(long, value_name = "MM", default_value_t = 10.0)]
+    near_mm: f64,
+    /// Limit band about the attained pose, for stabilisation time, overshoot, posing time; about a leg after its corner
+    #[arg(long, value_name = "MM", requires = "stream")]
+    band_mm: Option<f64>,
+    /// Write the standstills as a table of poses, which `etalon iso9283 FILE` evaluates
+    #[arg(long, value_name = "FILE", requires = "stream")]
+    write_poses: Option<PathBuf>,
+    /// Commanded path: the recording's columns without time, a row a point
+    #[arg(long, value_name = "FILE", requires = "stream")]
+    path: Option<PathBuf>,
+    /// Command points on the path, at whose normal planes passes are compared
+    #[arg(long, value_name = "N", default_value_t = 50)]
+    path_points: usize,
+    /// Commanded velocity on the path
+    #[arg(long, value_name = "MM_S", requires = "path")]
+    velocity_mm_s: Option<f64>,
+    /// Central part of the path over which velocities are compared, in per cent
+    #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
+    central_percent: f64,
+    /// The path is the centre line of a weave with this stroke from side to side
+    #[arg(long, value_name = "MM", requires_all = ["path", "weave_hz", "weave_across"])]
+    weave_stroke_mm: Option<f64>,
+    /// Swings there and back by second
+    #[arg(long, value_name = "HZ", requires = "weave_stroke_mm")]
+    weave_hz: Option<f64>,
+    /// The way it swings, e.g. 0,1,0
+    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', allow_hyphen_values = true)]
+    weave_across: Vec<f64>,
+}
+
+impl StreamOptions {
+    pub fn run(&self, file: &Path, commanded: Option<&Path>, json: bool) -> anyhow::Result<Verdict> {
+        self.check()?;
+        let recording = self.recording(file)?;
+        let settings = Settings {
+            still: Stillness { radius_mm: self.still_mm, duration_s: self.still_s },
+            near_mm: self.near_mm,
+            band_mm: self.band_mm,
+            poses: commanded.map(poses).transpose()?,
+            path: self.path.as_deref().map(|path| self.path(path, (file, &recording))).transpose()?,
+            time: match self.rate_hz {
+                Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
+                None => "times: as stamped in the recording".to_owned(),
+            },
+        };
+        let document = evaluate(&recording, &settings)?;
+        if let Some(path) = &self.write_poses {
+            files::write(path, csv(&document, &recording).as_bytes())?;
+        }
+        for message in &document.messages {
+            say(format_args!("{message}\n"));
+        }
+        print(if json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
+        Ok(Verdict::Met)
+    }
+
+    fn check(&self) -> Result<()> {
+        let positive = [
+            ("--rate-hz", self.rate_hz),
+            ("--still-mm", Some(self.still_mm)),
+            ("--still-s", Some(self.still_s)),
+            ("--near-mm", Some(self.near_mm)),
+            ("--band-mm", self.band_mm),
+            ("--velocity-mm-s", self.velocity_mm_s),
+            ("--central-percent", Some(self.central_percent)),
+        ];
+        let wrong = positive.iter().filter(|(_, value)| value.is_some_and(|v| !(v > 0.0 && v.is_finite())));
+        let mut problems = Problems(wrong.map(|(n, _)| Message::error(format!("{n} must be positive"))).collect());
+        if self.central_percent > 100.0 {
+            problems.0.push(Message::error("--central-percent is more than the path"));
+        }
+        if !(2..=100_000).contains(&self.path_points) {
+            problems.0.push(Message::error("--path-points must be 2 to 100000"));
+        }
+        if self.weave_stroke_mm.is_some() && self.weave_across.len() != 3 {
+            problems.0.push(Message::error("--weave-across has not three numbers").expected("x,y,z"));
+        }
+        problems.check().map(|_| ())
+    }
+
+    fn recording(&self, path: &Path) -> Result<Recording> {
+        let (file, text) = (path.display().to_string(), files::read_text(path)?);
+        let table = match self.text.stated() {
+            true => import::recorded_points(&file, &text, &self.text.format()?, self.text.unit()?)?,
+            false => import::observations(&file, &text)?,
+        };
+        Recording::from_table((&file, &table), self.rate_hz).map_err(|p| p.in_text(&file, &text))
+    }
+
+    fn path(&self, path: &Path, (of, recording): (&Path, &Recording)) -> Result<PathSettings> {
+        let (file, text) = (path.display().to_string(), files::read_text(path)?);
+        let table = import::observations(&file, &text)?;
+        let path = commanded_path((&file, &table), (&of.display().to_string(), recording));
+        let weave = match (self.weave_stroke_mm, self.weave_hz, &self.weave_across[..]) {
+            (Some(stroke_mm), Some(hz), &[x, y, z]) => Some(([x, y, z], stroke_mm, hz)),
+            _ => None,
+        };
+        Ok(PathSettings {
+            path: path.map_err(|p| p.in_text(&file, &text))?,
+            points: self.path_points,
+            velocity_mm_s: self.velocity_mm_s,
+            central: self.central_percent / 100.0,
+            weave,
+        })
+    }
+}
+
+fn poses(path: &Path) -> Result<Vec<(i64, Vector)>> {
+    let (file, text) = (path.display().to_string(), files::read_text(path)?);
+    commanded_poses((&file, &import::observations(&file, &text)?)).map_err(|p| p.in_text(&file, &text))
+}
+
+/// Standstills at poses as a table of poses.
+fn csv(document: &Iso9283StreamDocument, recording: &Recording) -> String {
+    let axes = if recording.spatial { 3 } else { 2 };
+    let columns = XYZ[..axes].iter().copied().chain(recording.angles.iter().map(|&k| ANGLES[k]));
+    let mut text = format!("pose,cycle,{}\n", columns.collect::<Vec<_>>().join(","));
+    for s in &document.standstills {
+        if let (Some(pose), Some(cycle)) = (s.pose, s.cycle) {
+            let cells: Vec<String> = s.mean_mm.iter().chain(&s.mean_deg).map(f64::to_string).collect();
+            text += &format!("{pose},{cycle},{}\n", cells.join(","));
+        }
+    }
+    text
+}

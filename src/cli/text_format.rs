@@ -1,0 +1,62 @@
+//! Options that state how a text of points is read.
+
+use crate::campaign::{Decimal, Delimiter, Dialect, Format, Role, Unit};
+use crate::message::{Message, Problems};
+
+/// Unit and columns of a text.
+#[derive(Debug, clap::Args)]
+pub(super) struct TextFormat {
+    /// Length unit of the files: mm, m, um or inch; never guessed (QIF states its own)
+    #[arg(long)]
+    unit: Option<String>,
+    /// What the columns hold, e.g. label,x,y,z; `-` for a column that is not read
+    #[arg(long, value_delimiter = ',', requires = "delimiter")]
+    columns: Vec<String>,
+    /// blank, tab, comma or semicolon
+    #[arg(long, requires = "columns")]
+    delimiter: Option<String>,
+    /// Decimal mark: point or comma
+    #[arg(long, default_value = "point", requires = "columns")]
+    decimal: String,
+    /// Rows before the data
+    #[arg(long, default_value_t = 0, requires = "columns")]
+    header: usize,
+}
+
+impl TextFormat {
+    /// Whether columns are stated.
+    pub fn stated(&self) -> bool {
+        self.delimiter.is_some()
+    }
+
+    /// The unit, where it is stated.
+    pub fn stated_unit(&self) -> Result<Option<Unit>, Problems> {
+        self.unit.as_deref().map(|name| word("--unit", name)).transpose()
+    }
+
+    /// The unit, which must be stated.
+    pub fn unit(&self) -> Result<Unit, Problems> {
+        self.stated_unit()?.ok_or_else(|| {
+            let message = Message::error("the files do not say their length unit");
+            message.hint("state it: --unit mm, m, um or inch; it is never guessed").into()
+        })
+    }
+
+    /// The stated columns, else PolyWorks text.
+    pub fn format(&self) -> Result<Format, Problems> {
+        let Some(delimiter) = &self.delimiter else { return Ok(Format::Polyworks) };
+        Ok(Format::Delimited(Dialect {
+            delimiter: word::<Delimiter>("--delimiter", delimiter)?,
+            decimal: word::<Decimal>("--decimal", &self.decimal)?,
+            columns: self.columns.iter().map(|c| word::<Role>("--columns", c)).collect::<Result<_, _>>()?,
+            header: self.header,
+            comment: None,
+        }))
+    }
+}
+
+/// A word of an option, as the campaign spells it.
+fn word<T: serde::de::DeserializeOwned>(option: &str, text: &str) -> Result<T, Problems> {
+    let value = serde::de::value::StrDeserializer::<serde::de::value::Error>::new(text);
+    T::deserialize(value).map_err(|e| Message::error(format!("{option}: {e}")).into())
+}

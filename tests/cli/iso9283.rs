@@ -1,0 +1,274 @@
+//! `etalon iso9283`: recorded motions, paths, loads and plans of tests.
+
+use super::{etalon, text_of};
+use etalon::document::{Iso9283ComplianceDocument, Iso9283PlanDocument, Iso9283StreamDocument};
+use std::path::Path;
+use std::process::Output;
+
+/// Synthetic: to and fro between x = 0 and x = 100 mm at 100 mm/s, half a second at each end, three times, at 100 Hz.
+fn to_and_fro() -> String {
+    let mut text = "time_s,x_mm,y_mm,c_deg\n".to_owned();
+    let mut row = 0;
+    let mut sample = |x: f64, off: f64| {
+        text += &format!("{},{x},{off},{}\n", f64::from(row) / 100.0, if row % 2 == 0 { 180.0 } else { -180.0 });
+        row += 1;
+    };
+    for pass in 0..3 {
+        (0..50).for_each(|_| sample(0.0, 0.0));
+        (1..100).for_each(|i| sample(f64::from(i), 0.1 * f64::from(pass)));
+        (0..50).for_each(|_| sample(100.0, 0.0));
+        (1..100).rev().for_each(|i| sample(f64::from(i), 0.0));
+    }
+    text
+}
+
+fn run(folder: &Path, line: &str) -> Output {
+    etalon(folder, &line.split(' ').collect::<Vec<_>>())
+}
+
+#[test]
+fn a_recording_tells_stops_path_and_poses_that_the_command_takes_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    std::fs::write(here.join("stream.csv"), to_and_fro()).unwrap();
+    std::fs::write(here.join("path.csv"), "x_mm,y_mm,c_deg\n0,0,180\n100,0,180\n").unwrap();
+    std::fs::write(here.join("commanded.csv"), "pose,x_mm,y_mm,c_deg\n7,0,0,180\n8,100,0,180\n").unwrap();
+    let line = "iso9283 --stream stream.csv --commanded commanded.csv --path path.csv --path-points 10 --velocity-mm-s 80 \
+                --band-mm 0.5 --write-poses poses.csv";
+    let answered = run(here, &format!("{line} --json"));
+    assert!(answered.status.success(), "{}", text_of(&answered));
+    let document: Iso9283StreamDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    let visits: Vec<(i64, i64)> = document.standstills.iter().map(|s| (s.pose.unwrap(), s.cycle.unwrap())).collect();
+    assert_eq!(visits, [(7, 1), (8, 1), (7, 2), (8, 2), (7, 3), (8, 3)]);
+    let path = document.path.unwrap();
+    let velocity = path.velocity.unwrap();
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-9, "{a} {b}");
+    assert_eq!((path.passes, path.incomplete, path.reorientation), (3, 0, false));
+    near(path.at_mm, 0.1);
+    // radii 0.1, 0, 0.1 mm: mean 1/15 and three times their standard deviation 0.1/√3
+    near(path.rt_mm.unwrap(), 0.2 / 3.0 + 0.3 / 3f64.sqrt());
+    near(path.at_angles_deg[0], 0.0);
+    near(velocity.av_percent, 25.0);
+    near(velocity.rv_percent.unwrap(), 0.0);
+    assert!(document.standstills.iter().all(|s| s.mean_mm.len() == 2));
+
+    assert!(text_of(&run(here, line)).is_empty() && !run(here, line).stdout.is_empty());
+    let poses = run(here, "iso9283 poses.csv --commanded commanded.csv --json");
+    let list: Vec<serde_json::Value> = serde_json::from_slice(&poses.stdout).unwrap();
+    assert!(list.len() == 2 && list.iter().all(|p| p["ap_mm"].as_f64().unwrap() < 1e-9 && p["cycles"] == 3));
+}
+
+#[test]
+fn hostile_recordings_and_paths_are_refused_with_their_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let good = to_and_fro();
+    std::fs::write(here.join("path.csv"), "x_mm,y_mm,c_deg\n0,0,180\n100,0,180\n").unwrap();
+    let stamped = |line: &str| good.replacen("\n0.02,", line, 1);
+    for (stream, options, said) in [
+        (String::new(), "", "the table has no rows"),
+        ("time_s,x_mm,y_mm\n".to_owned(), "", "the table has no rows"),
+        ("time_s,x_mm,y_mm\n0,1,2\n".to_owned(), "", "two samples or more"),
+        (good.replacen("time_s", "clock_s", 1), "", "the recording tells no time"),
+        (stamped("\n0.01,"), "", "stream.csv:4"),
+        (stamped("\n0.005,"), "", "time does not go on"),
+        (stamped("\nNaN,"), "", "`NaN` is no number"),
+        (stamped("\n,"), "", "stream.csv:4"),
+        (stamped("\n0.02,1e200,0,180\n0.021,"), "", "a coordinate is missing or is not a finite number"),
+        (good.clone(), "--rate-hz 1000000", "no robot moves like this"),
+        (good.clone(), "--rate-hz 0", "--rate-hz must be positive"),
+        (good.clone(), "--still-mm NaN", "--still-mm must be positive"),
+        (good.clone(), "--band-mm -1", "unexpected argument"),
+        (good.clone(), "--near-mm inf", "--near-mm must be positive"),
+        (good.clone(), "--path path.csv --path-points 1", "--path-points must be"),
+        (good.clone(), "--path far.csv", "no pass of the commanded path"),
+        (good.clone(), "--path spatial.csv", "different coordinates"),
+        (good.clone(), "--path point.csv", "commanded path: points 1 and 2 are the same"),
+        (good.clone(), "--path nowhere.csv", "cannot read `nowhere.csv`"),
+        (good.clone(), "--commanded twice.csv", "pose 1 is commanded twice"),
+        (good.clone(), "--columns x,y --delimiter comma", "do not say their length unit"),
+        (good.clone(), "--path path.csv --weave-stroke-mm 2 --weave-hz 3 --weave-across 1,0,0", "weaving"),
+    ] {
+        std::fs::write(here.join("stream.csv"), &stream).unwrap();
+        std::fs::write(here.join("spatial.csv"), "x_mm,y_mm,z_mm\n0,0,0\n1,0,0\n").unwrap();
+        std::fs::write(here.join("point.csv"), "x_mm,y_mm,c_deg\n0,0,180\n0,0,180\n").unwrap();
+        std::fs::write(here.join("twice.csv"), "pose,x_mm,y_mm,c_deg\n1,0,0,180\n1,0,0,180\n").unwrap();
+        std::fs::write(here.join("far.csv"), "x_mm,y_mm,c_deg\n0,50,180\n100,50,180\n").unwrap();
+        let refused = run(here, format!("iso9283 --stream stream.csv {options}").trim_end());
+        assert_eq!(refused.status.code(), Some(2), "{options} {said}: {}", text_of(&refused));
+        assert!(refused.stdout.is_empty() && text_of(&refused).contains(said), "{said}: {}", text_of(&refused));
+    }
+}
+
+#[test]
+fn a_loaded_robot_gives_way_by_what_the_table_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut table = "direction,cycle,force_n,x_mm,y_mm,z_mm\n".to_owned();
+    for (direction, sign, mm_n) in [("+x", 1.0, 0.001), ("-x", -1.0, 0.002)] {
+        for cycle in 1..=3 {
+            for step in 0..=10 {
+                let force = 10.0 * f64::from(step);
+                table += &format!("{direction},{cycle},{force},{},5,9\n", 500.0 + sign * mm_n * force);
+            }
+        }
+    }
+    let answer = |table: &str| {
+        std::fs::write(folder.path().join("loads.csv"), table).unwrap();
+        run(folder.path(), "iso9283 --compliance loads.csv --json")
+    };
+    let document: Iso9283ComplianceDocument = serde_json::from_slice(&answer(&table).stdout).unwrap();
+    let told: Vec<(&str, usize, usize)> =
+        document.directions.iter().map(|d| (d.direction.as_str(), d.readings, d.cycles)).collect();
+    assert_eq!(told, [("+x", 30, 3), ("-x", 30, 3)]);
+    for (d, mm_n) in document.directions.iter().zip([0.001, 0.002]) {
+        assert!((d.compliance_mm_n - mm_n).abs() < 1e-12 && d.off_line_mm < 1e-9 && d.force_n == 100.0, "{d:?}");
+        assert!((d.largest_mm - 100.0 * mm_n).abs() < 1e-9);
+    }
+    for (from, to, said) in [
+        ("+x,1,10,", "up,1,10,", "`up` is no direction"),
+        ("+x,1,10,", "+x,1,-10,", "`-10` is no force"),
+        ("+x,1,0,", "+x,1,5,", "no row without force"),
+        ("force_n", "force", "no column `force_n`"),
+        ("+x,1,10,500.01", "+x,1,10,", "a coordinate is missing"),
+    ] {
+        let refused = answer(&table.replacen(from, to, 1));
+        assert_eq!(refused.status.code(), Some(2), "{said}");
+        assert!(text_of(&refused).contains(said), "{said}: {}", text_of(&refused));
+    }
+}
+
+#[test]
+fn a_plan_writes_tables_that_the_command_takes_and_targets() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let line = "iso9283 --plan --workspace-mm 300,-250,100,900,350,500 --orientation-deg 180,0,90 --reorientation-deg \
+                0,10,0 --test-plane C2-C3-C8-C5 --write test";
+    let answered = run(here, &format!("{line} --json"));
+    assert!(answered.status.success(), "{}", text_of(&answered));
+    let document: Iso9283PlanDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    assert_eq!((document.side_mm, document.test_plane.as_str()), (400.0, "C2-C3-C8-C5"));
+    let read = |name: &str| std::fs::read_to_string(here.join("test").join(name)).unwrap();
+    assert_eq!(read("poses.csv").lines().count(), 6);
+    assert!(read("poses.csv").starts_with("pose,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n1,600,50,300,180,0,90\n"));
+    assert_eq!(read("circle-large.csv").lines().count(), 74);
+    assert!(read("reorientation.csv").lines().nth(2).unwrap().ends_with(",180,10,90"));
+    assert!(read("programme.csv").contains("\"7.2.1, 7.2.2\",\"P5 P4 P3 P2 P1\",100 50 10,30,yes"));
+    let targets: serde_json::Value = serde_json::from_str(&read("poses.json")).unwrap();
+    assert_eq!(targets["targets"][0]["coordinates"]["x_mm"], 600.0);
+    assert!(read("rectangle.h").contains("#define ETALON_ISO9283_RECTANGLE_TARGETS 5"));
+    // P1 attained as commanded
+    std::fs::write(
+        here.join("attained.csv"),
+        read("poses.csv")
+            .replace("pose,", "pose,cycle,")
+            .replace("\n1,", "\n1,1,")
+            .lines()
+            .take(2)
+            .collect::<Vec<_>>()
+            .join("\n"),
+    )
+    .unwrap();
+    let poses = run(here, "iso9283 attained.csv --commanded test/poses.csv --json");
+    let list: Vec<serde_json::Value> = serde_json::from_slice(&poses.stdout).unwrap();
+    assert_eq!((list.len(), list[0]["ap_mm"].as_f64()), (1, Some(0.0)));
+
+    let planar = run(here, "iso9283 --plan --workspace-mm 0,0,300,200 --orientation-deg 45 --json");
+    let planar: Iso9283PlanDocument = serde_json::from_slice(&planar.stdout).unwrap();
+    assert_eq!(planar.places[0].points[0].keys().collect::<Vec<_>>(), ["c_deg", "x_mm", "y_mm"]);
+
+    for (options, said) in [
+        ("", "--workspace-mm"),
+        (" --workspace-mm 1,2,3", "has 3 numbers"),
+        (" --workspace-mm 0,0,0,0,0,0", "no box"),
+        (" --workspace-mm 0,0,0,NaN,1,1", "no box"),
+        (" --workspace-mm 0,0,0,1,1,1 --test-plane C1-C2", "is no test plane"),
+        (" --workspace-mm 0,0,1,1 --test-plane C1-C2-C7-C8", "one test plane"),
+        (" --workspace-mm 0,0,0,1,1,1 --orientation-deg 1,2", "has 2 angles"),
+        (" --workspace-mm 0,0,0,1,1,1 --reorientation-deg 1,2,3", "without an orientation"),
+    ] {
+        let refused = run(here, &format!("iso9283 --plan{options}"));
+        assert_eq!(refused.status.code(), Some(2), "{options}");
+        assert!(text_of(&refused).contains(said), "{said}: {}", text_of(&refused));
+    }
+    let nothing = run(here, "iso9283");
+    assert_eq!(nothing.status.code(), Some(2));
+}
+
+#[test]
+fn readings_are_averaged_and_limits_judged_by_the_interval() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let mut table = "pose,cycle,reading,x_mm,y_mm\n".to_owned();
+    for cycle in 0..30 {
+        let (sin, cos) = f64::from(cycle).sin_cos();
+        for (reading, shake) in [(1, 0.01), (2, -0.01)] {
+            table += &format!("1,{cycle},{reading},{},{}\n", 100.0 + 0.1 * cos + shake, 0.1 * sin);
+        }
+    }
+    std::fs::write(here.join("poses.csv"), &table).unwrap();
+    std::fs::write(here.join("commanded.csv"), "pose,x_mm,y_mm\n1,100,0\n").unwrap();
+    let line = "iso9283 poses.csv --commanded commanded.csv";
+    let pose = |options: &str| -> (Option<i32>, etalon::document::Iso9283Pose) {
+        let answered = run(here, &format!("{line} --json{options}"));
+        let mut list: Vec<etalon::document::Iso9283Pose> = serde_json::from_slice(&answered.stdout).unwrap();
+        (answered.status.code(), list.remove(0))
+    };
+    let (_, found) = pose("");
+    // two readings 0.02 mm apart: s = 0.01 √2 in x, nothing in y; their means lie on a circle of 0.1 mm
+    assert_eq!((found.cycles, found.ap_conformity, found.rp_conformity), (30, None, None));
+    let [x, y, z] = found.noise_mm.unwrap();
+    assert!((x - 0.01 * 2f64.sqrt()).abs() < 1e-9 && y.abs() < 1e-9 && z == 0.0);
+    assert!(found.rp_without_noise_mm.unwrap() < found.rp_mm.unwrap());
+    assert!((found.mean_radius_mm.unwrap() - 0.1).abs() < 1e-3 && found.ellipsoid.unwrap().semi_axes_mm[2] == 0.0);
+    for (options, code, expected) in [
+        (" --rp-limit-mm 10", 0, "Conforming"),
+        (" --rp-limit-mm 0.001", 1, "NotConforming"),
+        (" --ap-limit-mm 0.002", 1, "Neither"),
+    ] {
+        let (status, judged) = pose(options);
+        let proved = judged.rp_conformity.or(judged.ap_conformity).unwrap();
+        assert_eq!((status, format!("{proved:?}").as_str()), (Some(code), expected));
+    }
+    for (options, said) in
+        [(" --rp-limit-mm 0", "--rp-limit-mm must be positive"), (" --ap-limit-mm NaN", "must be positive")]
+    {
+        let refused = run(here, &format!("{line}{options}"));
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(text_of(&refused).contains(said), "{}", text_of(&refused));
+    }
+    std::fs::write(here.join("poses.csv"), table.replacen("reading", "label", 1)).unwrap();
+    assert!(text_of(&run(here, line)).contains("pose 1 is there twice in cycle 0"));
+}
+
+#[test]
+fn reference_targets_carry_positions_back_and_must_be_there_from_the_first_cycle_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    // from cycle 3 on everything is 0.5 mm farther along x
+    let shift = |cycle: i32| if cycle < 3 { 0.0 } else { 0.5 };
+    let poses: String = (1..=5).map(|c| format!("1,{c},{},0,0\n", 100.0 + shift(c))).collect();
+    let nests = |cycle: i32| -> String {
+        let at = [("a", [0, 0, 0]), ("b", [900, 0, 0]), ("c", [0, 700, 0])];
+        at.map(|(name, [x, y, z])| format!("{cycle},{name},{},{y},{z}\n", f64::from(x) + shift(cycle))).concat()
+    };
+    std::fs::write(here.join("poses.csv"), format!("pose,cycle,x_mm,y_mm,z_mm\n{poses}")).unwrap();
+    std::fs::write(here.join("commanded.csv"), "pose,x_mm,y_mm,z_mm\n1,100,0,0\n").unwrap();
+    let answer = |rows: &str| {
+        std::fs::write(here.join("nests.csv"), format!("cycle,target,x_mm,y_mm,z_mm\n{rows}")).unwrap();
+        run(here, "iso9283 poses.csv --commanded commanded.csv --reference nests.csv --all --json")
+    };
+    let answered = answer(&(nests(1) + &nests(3)));
+    let document: etalon::document::Iso9283Document = serde_json::from_slice(&answered.stdout).unwrap();
+    assert!(document.poses[0].ap_mm.unwrap() < 1e-9 && document.poses[0].rp_mm.unwrap() < 1e-9);
+    assert_eq!(document.reference.iter().map(|e| (e.cycle, e.moved_mm)).collect::<Vec<_>>(), [(1, 0.0), (3, 0.5)]);
+    for (rows, said) in [
+        (nests(3), "cycle 1 was measured before any reference target"),
+        (nests(1) + &nests(3).replace("3,c,", "3,d,"), "reference targets of cycle 3 are others"),
+        (nests(1) + &nests(1), "target `a` is there twice in cycle 1"),
+        (nests(1).replace(",700,", ",0,"), "nests.csv"),
+    ] {
+        let refused = answer(&rows);
+        assert_eq!(refused.status.code(), Some(2), "{said}");
+        assert!(text_of(&refused).contains(said), "{said}: {}", text_of(&refused));
+    }
+}

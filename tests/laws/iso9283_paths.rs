@@ -1,0 +1,383 @@
+//! Paths, corners, velocities, weaves and loads against a second implementation, written in another way, and by laws.
+
+use super::iso9283::{close, deviation_by_pairs};
+use etalon::iso9283::compliance::{Loaded, compliance};
+use etalon::iso9283::cornering::cornering;
+use etalon::iso9283::passes::{Passes, passes};
+use etalon::iso9283::path::{CommandPoint, CommandedPath};
+use etalon::iso9283::path_accuracy::{path_accuracy, path_accuracy_on_reorientation, path_angle_accuracy_rad};
+use etalon::iso9283::path_repeatability::{path_angle_repeatability_rad, path_repeatability};
+use etalon::iso9283::path_velocity::path_velocity;
+use etalon::iso9283::stream::Stream;
+use etalon::iso9283::weaving::{Weave, weaving};
+use etalon::noise::Noise;
+use etalon::pose::{Pose, Vector, dot, minus, norm};
+
+const RATE_HZ: f64 = 500.0;
+/// A corner of a right angle, and one of 45°.
+const PATH: [Vector; 4] = [[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [300.0, 200.0, 0.0], [400.0, 300.0, 0.0]];
+
+fn path() -> CommandedPath {
+    CommandedPath::new(PATH.to_vec(), &[vec![3.0, 3.1, 3.2, -3.0]]).unwrap()
+}
+
+/// Where a robot is that follows the corners of `PATH`, from 20 mm before its begin to 20 mm behind its end.
+fn along(mm: f64) -> Vector {
+    let lengths = [300.0, 200.0, 20_000f64.sqrt()];
+    let mut left = mm;
+    for (leg, length) in lengths.iter().enumerate() {
+        if left <= *length || leg == 2 {
+            let way = minus(PATH[leg + 1], PATH[leg]);
+            return [0, 1, 2].map(|k| PATH[leg][k] + left / length * way[k]);
+        }
+        left -= length;
+    }
+    unreachable!()
+}
+
+const TO: f64 = 300.0 + 200.0 + 141.421_356_237_309_5;
+
+/// Synthetic: passes at `speeds_mm_s`, each off by its own slowly waving deviation, and the ways back in a wide arc; the
+/// angle goes from 3 rad on by 0.0005 rad/mm and is written within half a turn.
+fn driven(noise: &mut Noise, speeds_mm_s: &[f64], off_mm: f64, sigma_mm: f64) -> (Vec<Vector>, Vec<f64>) {
+    let (mut points, mut angles) = (Vec::new(), Vec::new());
+    for &speed in speeds_mm_s {
+        let wave = [(); 6].map(|()| noise.gaussian(off_mm));
+        let tilt = noise.gaussian(0.001 * f64::from(off_mm > 0.0));
+        let mut mm = -20.0;
+        while mm < TO + 20.0 {
+            let p = along(mm);
+            points.push([0, 1, 2].map(|k| p[k] + wave[k] + wave[k + 3] * (mm / 40.0).sin() + noise.gaussian(sigma_mm)));
+            let angle: f64 = 3.0 + 0.0005 * mm + tilt;
+            angles.push(angle.sin().atan2(angle.cos()));
+            mm += speed / RATE_HZ;
+        }
+        for i in 1..400 {
+            let turn = f64::from(i) / 400.0;
+            let (from, to) = (along(TO + 20.0), along(-20.0));
+            let out = 150.0 * (std::f64::consts::PI * turn).sin();
+            points.push([0, 1, 2].map(|k| from[k] + turn * (to[k] - from[k]) + if k == 2 { out } else { 0.0 }));
+            angles.push(-3.0);
+        }
+    }
+    (points, angles)
+}
+
+fn stream((points, angles): (Vec<Vector>, Vec<f64>)) -> Stream {
+    let time_s = (0..points.len()).map(|i| i as f64 / RATE_HZ).collect();
+    Stream::new(time_s, points, &[angles]).unwrap()
+}
+
+/// Where the straight lines between samples meet the plane: the interval is halved until nothing is left of it.
+fn met(stream: &Stream, samples: std::ops::Range<usize>, plane: &CommandPoint) -> (f64, Vector, f64) {
+    let at = |t: f64| -> (Vector, f64) {
+        let i = ((t.floor() as usize).max(samples.start)).min(samples.end - 2);
+        let share = t - i as f64;
+        let mix = |a: f64, b: f64| (1.0 - share) * a + share * b;
+        let (p, q) = (stream.positions_mm()[i], stream.positions_mm()[i + 1]);
+        ([0, 1, 2].map(|k| mix(p[k], q[k])), mix(stream.angles_rad()[0][i], stream.angles_rad()[0][i + 1]))
+    };
+    // the nearest sample to begin with: other parts of the path may go through the same plane
+    let away = |i: &usize| norm(minus(stream.positions_mm()[*i], plane.position_mm));
+    let nearest = samples.clone().min_by(|a, b| away(a).total_cmp(&away(b))).unwrap() as f64;
+    let (mut low, mut high) = (nearest - 3.0, nearest + 3.0);
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        let beyond = dot(minus(at(middle).0, plane.position_mm), plane.tangent) > 0.0;
+        (low, high) = if beyond { (low, middle) } else { (middle, high) };
+    }
+    let (position, angle) = at(low);
+    (low / RATE_HZ, position, angle)
+}
+
+/// Samples of each pass: those with z below 50 mm, as long as there are many.
+fn cut(stream: &Stream) -> Vec<std::ops::Range<usize>> {
+    let low = |i: &usize| stream.positions_mm()[*i][2] < 20.0;
+    let mut all: Vec<std::ops::Range<usize>> = Vec::new();
+    for i in (0..stream.len()).filter(low) {
+        match all.last_mut().filter(|r| r.end == i) {
+            Some(range) => range.end = i + 1,
+            None => all.push(i..i + 1),
+        }
+    }
+    // the end of the way back is low as well, and runs on into the next pass
+    all.into_iter().filter(|r| r.len() > 200).collect()
+}
+
+#[test]
+fn accuracy_and_repeatability_of_a_path_agree_with_a_second_implementation() {
+    for trial in 0..5 {
+        let stream = stream(driven(&mut Noise::new(31, trial), &[250.0; 10], 0.05, 0.0));
+        let points = path().command_points(37);
+        let found = passes(&stream, &points, 10.0).unwrap();
+        assert_eq!((found.complete.len(), found.incomplete), (10, 0));
+        let cuts = cut(&stream);
+        assert_eq!(cuts.len(), 10);
+        let (mut at, mut rt, mut at_angle, mut rt_angle) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);
+        for (i, plane) in points.iter().enumerate() {
+            let met: Vec<(f64, Vector, f64)> = cuts.iter().map(|c| met(&stream, c.clone(), plane)).collect();
+            for (pass, (time_s, position, _)) in found.complete.iter().zip(&met) {
+                assert!((pass.crossings[i].time_s - time_s).abs() < 1e-9);
+                assert!(norm(minus(pass.crossings[i].position_mm, *position)) < 1e-9);
+            }
+            let mean = [0, 1, 2].map(|k| met.iter().map(|m| m.1[k]).sum::<f64>() / 10.0);
+            let radii: Vec<f64> = met.iter().map(|m| norm(minus(m.1, mean))).collect();
+            at = at.max(norm(minus(mean, plane.position_mm)));
+            rt = rt.max(radii.iter().sum::<f64>() / 10.0 + 3.0 * deviation_by_pairs(&radii));
+            // commanded 3, 3.1, 3.2, then the short way to -3 + 2π
+            let turn = std::f64::consts::TAU;
+            let commanded = match plane.along_mm {
+                s if s < 300.0 => 3.0 + 0.1 * s / 300.0,
+                s if s < 500.0 => 3.1 + 0.1 * (s - 300.0) / 200.0,
+                s => 3.2 + (turn - 6.2) * (s - 500.0) / (TO - 500.0),
+            };
+            let off: Vec<f64> = met.iter().map(|m| (m.2 - commanded).sin().asin()).collect();
+            at_angle = at_angle.max((off.iter().sum::<f64>() / 10.0).abs());
+            rt_angle = rt_angle.max(3.0 * deviation_by_pairs(&off));
+        }
+        let accuracy = path_accuracy(&found.complete, &points).unwrap();
+        let repeated = path_repeatability(&found.complete, &points).unwrap();
+        assert!((accuracy.at_mm - at).abs() < 1e-9 && (repeated.rt_mm - rt).abs() < 1e-9);
+        assert_eq!(accuracy.at_mm, accuracy.deviations_mm[accuracy.worst]);
+        assert_eq!(repeated.rt_mm, repeated.points_mm[repeated.worst]);
+        close(path_angle_accuracy_rad(&found.complete, &points, 0), at_angle);
+        close(path_angle_repeatability_rad(&found.complete, &points, 0), rt_angle);
+        let turning = path_accuracy_on_reorientation(&found.complete, &points, &path()).unwrap();
+        assert_eq!(turning, accuracy);
+        let straight = CommandedPath::new(PATH.to_vec(), &[vec![0.1; 4]]).unwrap();
+        assert!(path_accuracy_on_reorientation(&found.complete, &points, &straight).is_err());
+    }
+}
+
+#[test]
+fn a_path_without_deviation_has_none() {
+    let stream = stream(driven(&mut Noise::new(32, 0), &[100.0, 100.0, 100.0], 0.0, 0.0));
+    let points = path().command_points(50);
+    let Passes { complete, .. } = passes(&stream, &points, 10.0).unwrap();
+    assert_eq!(complete.len(), 3);
+    // corners are cut between two samples of 0.2 mm; of the planes none is there
+    assert!(path_accuracy(&complete, &points).unwrap().at_mm < 1e-9);
+    assert!(path_repeatability(&complete, &points).unwrap().rt_mm < 1e-9);
+    let points = CommandedPath::new(PATH[..2].to_vec(), &[vec![0.0; 2]]).unwrap().command_points(30);
+    let complete = passes(&stream, &points, 10.0).unwrap().complete;
+    let velocity = path_velocity(&complete, &points, (100.0, 0.5)).unwrap();
+    assert!(velocity.av_percent.abs() < 1e-6 && velocity.rv_percent < 1e-6 && velocity.fv_mm_s < 1e-6, "{velocity:?}");
+}
+
+#[test]
+fn noise_of_a_slow_robot_makes_no_pass_more_and_none_less() {
+    // 0.01 mm a sample, 0.02 mm of noise: every plane is gone through many times
+    let line = CommandedPath::new(vec![[0.0; 3], [2.0, 0.0, 0.0]], &[]).unwrap();
+    let mut noise = Noise::new(33, 0);
+    let points: Vec<Vector> = (0..1200)
+        .map(|i| [f64::from((i % 300).min(250)) * 0.01 - 0.2, 0.0, 0.0].map(|x| x + noise.gaussian(0.02)))
+        .collect();
+    let time_s = (0..points.len()).map(|i| i as f64 / RATE_HZ).collect();
+    let stream = Stream::new(time_s, points, &[]).unwrap();
+    let found = passes(&stream, &line.command_points(20), 0.3).unwrap();
+    assert_eq!(found.complete.len(), 4);
+}
+
+#[test]
+fn a_pass_that_is_left_does_not_count() {
+    let mut noise = Noise::new(34, 0);
+    let (mut points, mut angles) = driven(&mut noise, &[250.0], 0.0, 0.0);
+    let half = points[..700].to_vec();
+    let home: Vec<Vector> = (0..700).rev().map(|i| [half[i][0], half[i][1], 60.0]).collect();
+    let (more, turned) = driven(&mut noise, &[250.0], 0.0, 0.0);
+    angles = [angles, vec![3.0; 1400], turned].concat();
+    points = [points, half, home, more].concat();
+    let points_of_path = path().command_points(20);
+    let found = passes(&stream((points, angles)), &points_of_path, 10.0).unwrap();
+    assert_eq!((found.complete.len(), found.incomplete), (2, 1));
+}
+
+#[test]
+fn velocities_are_those_driven() {
+    // each pass at its own speed: means and standard deviations are those of the speeds
+    let speeds = [198.0, 203.0, 200.5, 201.0, 196.0];
+    let stream = stream(driven(&mut Noise::new(35, 0), &speeds, 0.0, 0.0));
+    let points = CommandedPath::new(PATH[..2].to_vec(), &[vec![0.0; 2]]).unwrap().command_points(30);
+    let found = passes(&stream, &points, 10.0).unwrap().complete;
+    let velocity = path_velocity(&found, &points, (200.0, 0.5)).unwrap();
+    close(velocity.mean_mm_s, 199.7);
+    close(velocity.av_percent, -0.15);
+    assert!((velocity.rv_percent - 3.0 * deviation_by_pairs(&speeds) / 2.0).abs() < 1e-9);
+    assert!(velocity.fv_mm_s < 1e-6);
+
+    // faster by 10 % in the second half
+    let line = CommandedPath::new(vec![[0.0; 3], [100.0, 0.0, 0.0]], &[]).unwrap();
+    let at = |i: i32| -> f64 { if i < 300 { f64::from(i) * 0.2 - 10.0 } else { 50.0 + f64::from(i - 300) * 0.22 } };
+    let time_s = (0..600).map(|i| f64::from(i) / RATE_HZ).collect();
+    let stepped = Stream::new(time_s, (0..600).map(|i| [at(i), 0.0, 0.0]).collect(), &[]).unwrap();
+    let points = line.command_points(40);
+    let found = passes(&stepped, &points, 1.0).unwrap().complete;
+    let velocity = path_velocity(&found, &points, (100.0, 0.5)).unwrap();
+    assert!((velocity.fv_mm_s - 10.0).abs() < 1e-6 && velocity.rv_percent.is_nan(), "{velocity:?}");
+    assert!(
+        path_velocity(&found, &points, (100.0, 0.01)).is_err() && path_velocity(&found, &points, (0.0, 0.5)).is_err()
+    );
+}
+
+/// A corner rounded by an arc of radius r is missed by r (√2 - 1); one that is overrun by a half-circle of radius r leaves
+/// the second leg by r.
+#[test]
+fn round_off_and_overshoot_of_a_corner_are_those_drawn() {
+    let corner = CommandedPath::new(vec![[0.0; 3], [100.0, 0.0, 0.0], [100.0, 100.0, 0.0]], &[]).unwrap();
+    let points = corner.command_points(40);
+    let corners = corner.corners(0.5);
+    assert_eq!(corners.len(), 1);
+    let drawn = |turn: &dyn Fn(f64) -> Vector| {
+        let straight = |from: Vector, to: Vector| {
+            (0..2000).map(move |i| [0, 1, 2].map(|k| from[k] + f64::from(i) / 2000.0 * (to[k] - from[k])))
+        };
+        let turned: Vec<Vector> = (0..=2000).map(|i| turn(f64::from(i) / 2000.0)).collect();
+        let ends = (turned[0], turned[2000]);
+        straight([-5.0, 0.0, 0.0], ends.0)
+            .chain(turned)
+            .chain(straight(ends.1, [100.0, 105.0, 0.0]))
+            .collect::<Vec<_>>()
+    };
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let measure = |all: Vec<Vector>, limit: f64| {
+        // a curve ends where the next begins: the same place twice, but later
+        let time_s = (0..all.len()).map(|i| i as f64 / RATE_HZ).collect();
+        let stream = Stream::new(time_s, all, &[]).unwrap();
+        let found = passes(&stream, &points, 15.0).unwrap();
+        assert_eq!(found.complete.len(), 1);
+        cornering(&stream, (&found.complete, &points), &corners[0], Some(limit)).unwrap()
+    };
+    let round = measure(
+        drawn(&|t| {
+            let (sin, cos) = (quarter * t).sin_cos();
+            [95.0 + 5.0 * sin, 5.0 - 5.0 * cos, 0.0]
+        }),
+        0.1,
+    );
+    assert!((round.round_off_mm - 5.0 * (2f64.sqrt() - 1.0)).abs() < 1e-4 && round.overshoot_mm < 1e-12, "{round:?}");
+    // on the arc 0.1 mm of the second leg are left where 5 (1 - sin) = 0.1
+    let left = 5.0 - 5.0 * (1.0f64 - 0.98 * 0.98).sqrt();
+    assert!((round.stabilisation_mm.unwrap() - left).abs() < 0.01, "{round:?} {left}");
+
+    let over = measure(
+        drawn(&|t| {
+            let (sin, cos) = (2.0 * quarter * t).sin_cos();
+            [100.0 + 2.0 * sin, 2.0 - 2.0 * cos, 0.0]
+        }),
+        0.1,
+    );
+    assert!((over.overshoot_mm - 2.0).abs() < 1e-3 && over.round_off_mm < 1e-3, "{over:?}");
+    assert_eq!(measure(drawn(&|_| [100.0, 0.0, 0.0]), 0.1).round_off_mm, 0.0);
+}
+
+#[test]
+fn rigid_motion_changes_no_path_and_scaling_scales_it() {
+    let motion = Pose::from_xyz_rpy([40.0, -900.0, 120.0], [0.3, -1.1, 2.0]);
+    let (points, _) = driven(&mut Noise::new(36, 0), &[250.0, 251.0, 249.0], 0.05, 0.002);
+    let told = |f: &dyn Fn(Vector) -> Vector, length: f64| {
+        let time_s = (0..points.len()).map(|i| i as f64 / RATE_HZ).collect();
+        let stream = Stream::new(time_s, points.iter().map(|p| f(*p)).collect(), &[]).unwrap();
+        let path = CommandedPath::new(PATH.map(f).to_vec(), &[]).unwrap();
+        let planes = path.command_points(37);
+        let found = passes(&stream, &planes, 10.0 * length).unwrap().complete;
+        assert_eq!(found.len(), 3);
+        let velocity = path_velocity(&found, &planes, (250.0 * length, 0.4)).unwrap();
+        let corner = cornering(&stream, (&found, &planes), &path.corners(0.5)[0], Some(0.3 * length)).unwrap();
+        let lengths = [
+            path_accuracy(&found, &planes).unwrap().at_mm,
+            path_repeatability(&found, &planes).unwrap().rt_mm,
+            velocity.mean_mm_s,
+            velocity.fv_mm_s,
+            corner.round_off_mm,
+            corner.overshoot_mm,
+            corner.stabilisation_mm.unwrap(),
+        ];
+        (lengths.map(|l| l / length), [velocity.av_percent, velocity.rv_percent])
+    };
+    let still = told(&|p| p, 1.0);
+    assert!(still.0.iter().all(|l| *l > 0.0), "{still:?}");
+    for other in [told(&|p| motion.apply(p), 1.0), told(&|p| p.map(|x| 3.0 * x), 3.0)] {
+        for (a, b) in still.0.iter().chain(&still.1).zip(other.0.iter().chain(&other.1)) {
+            assert!((a - b).abs() < 1e-8, "{a} {b}");
+        }
+    }
+}
+
+#[test]
+fn a_weave_has_the_stroke_and_the_frequency_that_were_drawn() {
+    let motion = Pose::from_xyz_rpy([4.0, -9.0, 12.0], [0.3, -1.1, 2.0]);
+    let mut noise = Noise::new(37, 0);
+    let weave = Weave { along: [1.0, 0.0, 0.0], across: [0.3, 1.0, 0.0], stroke_mm: 5.0, frequency_hz: 3.0 };
+    for sigma in [0.0, 0.01] {
+        let points: Vec<Vector> = (0..5000)
+            .map(|i| {
+                let t = f64::from(i) / RATE_HZ;
+                let swing = 2.6 * (std::f64::consts::TAU * 2.9 * t).sin();
+                motion.apply([10.0 * t, swing, 0.0].map(|x| x + noise.gaussian(sigma)))
+            })
+            .collect();
+        let time_s = (0..points.len()).map(|i| i as f64 / RATE_HZ).collect();
+        let stream = Stream::new(time_s, points, &[]).unwrap();
+        let turned = Weave { along: motion.rotate(weave.along), across: motion.rotate(weave.across), ..weave };
+        let found = weaving(&stream, 0..stream.len(), &turned).unwrap();
+        // extremes of noisy samples lie outside by some sigma; ten seconds at 2.9 Hz have 58 turns, two do not count
+        assert!((found.stroke_mm - 5.2).abs() < 1e-3 + 5.0 * sigma, "{found:?}");
+        assert!((found.frequency_hz - 2.9).abs() < 1e-3 + 1.0 * sigma && (55..=57).contains(&found.turns), "{found:?}");
+        close(found.ws_percent, (found.stroke_mm - 5.0) / 5.0 * 100.0);
+        close(found.wf_percent, (found.frequency_hz - 3.0) / 3.0 * 100.0);
+        assert!(weaving(&stream, 0..100, &turned).is_err() && weaving(&stream, 0..0, &turned).is_err());
+        assert!(weaving(&stream, 0..5000, &Weave { across: turned.along, ..turned }).is_err());
+        assert!(weaving(&stream, 0..5000, &Weave { stroke_mm: f64::NAN, ..turned }).is_err());
+    }
+}
+
+#[test]
+fn compliance_is_the_slope_that_least_squares_by_hand_gives() {
+    let motion = Pose::from_xyz_rpy([40.0, -900.0, 120.0], [0.3, -1.1, 2.0]);
+    let mut noise = Noise::new(38, 0);
+    let readings: Vec<Loaded> = (0..30)
+        .map(|i| {
+            let force_n = 10.0 * f64::from(i % 10 + 1);
+            let given = [0.002 * force_n + noise.gaussian(0.001), noise.gaussian(0.5), 0.0];
+            Loaded { force_n, position_mm: motion.apply(given), unloaded_mm: motion.apply([0.0; 3]) }
+        })
+        .collect();
+    let along = motion.rotate([1.0, 0.0, 0.0]);
+    let found = compliance(&readings, along).unwrap();
+    let given = |r: &Loaded| dot(minus(r.position_mm, r.unloaded_mm), along);
+    // the slope at which Σ (d - c F)² does not fall any more, by search
+    let cost = |c: f64| readings.iter().map(|r| (given(r) - c * r.force_n).powi(2)).sum::<f64>();
+    let (mut low, mut high) = (0.0, 0.01);
+    for _ in 0..200 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        (low, high) = if cost(a) < cost(b) { (low, b) } else { (a, high) };
+    }
+    assert!((found.compliance_mm_n - low).abs() < 1e-9, "{found:?} {low}");
+    let off = readings.iter().map(|r| (given(r) - found.compliance_mm_n * r.force_n).abs()).fold(0.0, f64::max);
+    close(found.off_line_mm, off);
+    close(found.largest_mm, readings.iter().map(given).fold(0.0, f64::max));
+    let forces: f64 = readings.iter().map(|r| r.force_n.powi(2)).sum();
+    close(found.standard_uncertainty_mm_n, (cost(found.compliance_mm_n) / 29.0 / forces).sqrt());
+    assert!((found.compliance_mm_n - 0.002).abs() < 4.0 * found.standard_uncertainty_mm_n);
+    assert!(compliance(&[], along).is_err());
+    assert!(compliance(&[Loaded { force_n: 0.0, ..readings[0] }], along).is_err());
+    assert!(compliance(&[Loaded { position_mm: [f64::NAN; 3], ..readings[0] }], along).is_err());
+}
+
+#[test]
+fn paths_that_are_none_are_refused() {
+    assert!(CommandedPath::new(vec![], &[]).is_err() && CommandedPath::new(vec![[0.0; 3]], &[]).is_err());
+    assert!(CommandedPath::new(vec![[0.0; 3]; 2], &[]).is_err(), "no length");
+    assert!(CommandedPath::new(vec![[0.0; 3], [f64::NAN, 0.0, 0.0]], &[]).is_err());
+    assert!(CommandedPath::new(PATH.to_vec(), &[vec![0.0; 3]]).is_err());
+    assert!(CommandedPath::new(PATH.to_vec(), &[vec![0.0, f64::INFINITY, 0.0, 0.0]]).is_err());
+    let stream = Stream::new(vec![0.0, 1.0], vec![[0.0; 3]; 2], &[]).unwrap();
+    let points = path().command_points(10);
+    for near in [0.0, -1.0, f64::NAN] {
+        assert!(passes(&stream, &points, near).is_err());
+    }
+    assert!(passes(&stream, &points[..1], 1.0).is_err());
+    assert!(path_accuracy(&[], &points).is_err() && path_repeatability(&[], &points).is_err());
+    assert!(path_velocity(&[], &points, (1.0, 0.5)).is_err());
+    assert!(cornering(&stream, (&[], &points), &path().corners(0.5)[0], None).is_err());
+}
