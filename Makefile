@@ -2,6 +2,7 @@
 # make test    run the tests
 # make bench   compare with a peer, side by side in the same run (needs Python with numpy and scipy)
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
+# make bench-import read ten million points beside polars and pandas (installs them beside the build)
 # make samples make the synthetic samples again from their truth
 # make help    this text
 SHELL := /bin/bash
@@ -19,7 +20,7 @@ SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all test bench bench-fit samples help clean
+.PHONY: all test bench bench-fit bench-import samples help clean
 all: $(CAMPAIGNS:%=samples/%/out/report.html)
 
 $(ETALON): $(SOURCES)
@@ -35,7 +36,13 @@ test:
 	if command -v cargo-nextest >/dev/null; then cargo test --locked --doc && cargo nextest run --locked; else cargo test --locked; fi
 
 bench:
-	cargo bench --locked
+	cargo bench --locked --bench identify --bench plan
+
+# peers that are not there are left out
+bench-import:
+	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv
+	$(SHARED)/venv/bin/pip install --quiet polars pandas || echo "polars and pandas could not be installed: left out"
+	PYTHON=$(SHARED)/venv/bin/python cargo bench --locked --bench import
 
 # peers that are not there are left out, and nothing is installed with root
 bench-fit:

@@ -1,8 +1,12 @@
 //! How a delimited text is to be read: stated by the campaign, never guessed in silence.
 
 use super::Reader;
+use super::columns::{Columns, Role};
+use super::presets::PRESETS;
+use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// Format of an export.
@@ -14,26 +18,49 @@ pub enum Format {
     Qif,
     /// A format with a reader of its own, and its decimal mark.
     Own(Reader, Decimal),
+    /// SpatialAnalyzer's ASCII points: `[[collection,] group,] target, x, y, z`, comments that may state axes and unit.
+    SpatialAnalyzer,
     /// Delimited text.
-    Delimited(Dialect),
+    Delimited(Box<Dialect>),
 }
 
-/// A delimited text.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+impl Format {
+    /// Whether coordinates that are all zero say "not measured".
+    pub fn origin_is_missing(&self) -> bool {
+        if let Self::Delimited(dialect) = self { dialect.missing.origin() } else { true }
+    }
+}
+
+/// A text of rows and columns. Exactly one of `delimiter`, `widths` and `sheet` says what separates columns.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct Dialect {
     /// What separates columns.
-    pub delimiter: Delimiter,
+    pub delimiter: Option<Delimiter>,
+    /// Width of each column in characters, where nothing separates them.
+    pub widths: Vec<usize>,
+    /// Sheet of an Excel workbook.
+    pub sheet: Option<String>,
     /// Decimal mark.
-    #[serde(default)]
     pub decimal: Decimal,
-    /// What each column holds, from the left; more columns than stated are refused.
-    pub columns: Vec<Role>,
-    /// Rows before the data.
-    #[serde(default)]
-    pub header: usize,
+    /// What stands between groups of three digits.
+    pub thousands: Option<Thousands>,
+    /// What each column holds.
+    pub columns: Columns,
+    /// For files that mix coordinate types: what the columns `c1`, `c2`, `c3` are in rows whose `type` says so.
+    pub types: BTreeMap<String, Vec<Role>>,
+    /// Unit of azimuth, zenith and elevation: never guessed.
+    pub angle_unit: Option<AngleUnit>,
+    /// Says that the coordinates are what `columns` calls them, whatever they look like.
+    pub coordinates: Option<CoordinateType>,
+    /// What comes before the data.
+    pub header: Header,
     /// Lines that start with this are skipped.
     pub comment: Option<String>,
+    /// Cells that say "not measured", instead of those of [`NOT_MEASURED`](super::NOT_MEASURED).
+    pub missing: Missing,
+    /// A row of this word alone ends the data.
+    pub end: Option<String>,
 }
 
 /// What separates columns.
@@ -51,6 +78,9 @@ pub enum Delimiter {
     /// A semicolon.
     #[serde(rename = ";", alias = "semicolon")]
     Semicolon,
+    /// A vertical bar.
+    #[serde(rename = "|", alias = "bar")]
+    Bar,
 }
 
 impl Delimiter {
@@ -61,6 +91,7 @@ impl Delimiter {
             Self::Tab => Some(b'\t'),
             Self::Comma => Some(b','),
             Self::Semicolon => Some(b';'),
+            Self::Bar => Some(b'|'),
         }
     }
 
@@ -71,6 +102,7 @@ impl Delimiter {
             Self::Tab => "tab",
             Self::Comma => ",",
             Self::Semicolon => ";",
+            Self::Bar => "|",
         }
     }
 }
@@ -92,31 +124,6 @@ impl Decimal {
     pub fn name(self) -> &'static str {
         if self == Self::Point { "." } else { "," }
     }
-}
-
-/// What a column holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Role {
-    /// Label of the point.
-    Label,
-    /// Name of the target.
-    Target,
-    /// Number of the pose.
-    Pose,
-    /// Number of the repeat.
-    Cycle,
-    /// Coordinate.
-    X,
-    /// Coordinate.
-    Y,
-    /// Coordinate.
-    Z,
-    /// Time in seconds.
-    TimeS,
-    /// Not read.
-    #[serde(rename = "-", alias = "skip")]
-    Skip,
 }
 
 /// Length unit of an export.
@@ -164,24 +171,24 @@ impl<'de> Deserialize<'de> for Format {
         impl<'de> Visitor<'de> for NameOrDialect {
             type Value = Format;
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                write!(
-                    f,
-                    "\"polyworks\", \"qif\", \"{}\" or {{ delimiter = .., decimal = .., columns = [..] }}",
-                    Reader::names().collect::<Vec<_>>().join("\", \"")
-                )
+                let known = ["polyworks", "qif", "spatialanalyzer"].into_iter().chain(Reader::names()).chain(PRESETS);
+                known.into_iter().try_for_each(|name| write!(f, "\"{name}\", "))?;
+                f.write_str("or { delimiter = .., decimal = .., columns = [..] }")
             }
             fn visit_str<E: de::Error>(self, name: &str) -> Result<Format, E> {
                 match name {
                     "polyworks" => Ok(Format::Polyworks),
                     "qif" => Ok(Format::Qif),
+                    "spatialanalyzer" => Ok(Format::SpatialAnalyzer),
                     _ => {
                         let own = Reader::stated(name).map(|(reader, decimal)| Format::Own(reader, decimal));
-                        own.ok_or_else(|| E::invalid_value(de::Unexpected::Str(name), &self))
+                        let preset = || Dialect::preset(name).map(|dialect| Format::Delimited(Box::new(dialect)));
+                        own.or_else(preset).ok_or_else(|| E::invalid_value(de::Unexpected::Str(name), &self))
                     }
                 }
             }
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Format, A::Error> {
-                Ok(Format::Delimited(Dialect::deserialize(de::value::MapAccessDeserializer::new(map))?))
+                Ok(Format::Delimited(Box::new(Dialect::deserialize(de::value::MapAccessDeserializer::new(map))?)))
             }
         }
         deserializer.deserialize_any(NameOrDialect)
@@ -195,15 +202,8 @@ impl fmt::Display for Format {
             Self::Qif => f.write_str("QIF"),
             Self::Own(reader, Decimal::Point) => f.write_str(reader.in_words()),
             Self::Own(reader, Decimal::Comma) => write!(f, "{}, decimal `,`", reader.in_words()),
-            Self::Delimited(d) => {
-                write!(
-                    f,
-                    "delimited by `{}`, decimal `{}`, {} header rows",
-                    d.delimiter.name(),
-                    d.decimal.name(),
-                    d.header
-                )
-            }
+            Self::SpatialAnalyzer => f.write_str("SpatialAnalyzer ASCII"),
+            Self::Delimited(dialect) => write!(f, "{dialect}"),
         }
     }
 }

@@ -14,10 +14,12 @@ pub struct Log {
     pub name: String,
     /// The file.
     pub file: Spanned<String>,
+    /// How its bytes become characters; UTF-8, or what its byte-order mark says, if it is absent.
+    pub encoding: Option<super::Encoding>,
     /// Who wrote it; any delimited text if absent.
     #[serde(default)]
     pub format: LogFormat,
-    /// `blank`, `tab`, `,` or `;`; a comma if absent.
+    /// `blank`, `tab`, `,`, `;` or `|`; a comma if absent.
     pub delimiter: Option<Delimiter>,
     /// Decimal mark.
     #[serde(default)]

@@ -1,30 +1,40 @@
 //! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
 
 mod column;
+mod columns;
 mod dialect;
+mod dialect_check;
+mod dialect_text;
 mod geometric;
 mod join;
 mod log;
 mod lost;
 mod paths;
+mod presets;
 mod reader;
 mod repeatability;
 mod robot_file;
 mod selection;
+mod text;
 mod toml_problems;
 mod types;
 mod unknown;
 
 pub use column::{Column, ColumnAt};
-pub use dialect::{Decimal, Delimiter, Dialect, Format, Role, Unit};
+pub use columns::{Columns, Role};
+pub use dialect::{Decimal, Delimiter, Dialect, Format, Unit};
+pub use dialect_check::coordinate_type;
+pub(crate) use dialect_check::two_commas;
 pub use geometric::*;
 pub use join::{ClockOffset, Join, JoinBy};
 pub use log::{ChannelValues, Log, LogFormat, Standstill};
 pub use lost::Lost;
+pub use presets::PRESETS;
 pub use reader::Reader;
 pub use repeatability::RepeatabilityDefinition;
 pub use robot_file::RobotFile;
 pub use selection::Selection;
+pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};
 pub use types::*;
 
 use crate::document::{CampaignSummary, ContactSummary};

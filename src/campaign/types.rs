@@ -61,6 +61,9 @@ pub struct CampaignFile {
     /// Targets whose distances cannot change.
     #[serde(default, rename = "rigid")]
     pub rigid: Vec<Rigid>,
+    /// Targets that stand still, measured again and again.
+    #[serde(default)]
+    pub fixed: Vec<Fixed>,
     /// Files of the controller. The first is used to identify, others are compared with it.
     #[serde(rename = "log", deserialize_with = "one_or_many")]
     pub logs: Vec<Log>,
@@ -137,6 +140,8 @@ pub struct Export {
     pub file: Spanned<String>,
     /// Its format.
     pub format: Format,
+    /// How its bytes become characters; UTF-8, or what its byte-order mark says, if it is absent.
+    pub encoding: Option<super::Encoding>,
     /// Its length unit: never guessed.
     pub unit: Unit,
     /// How a label names target, pose and cycle, e.g. `{target}_{pose}_{cycle}`.
@@ -163,6 +168,16 @@ pub struct Rigid {
     pub targets: Vec<Spanned<String>>,
     /// How far a distance may lie from its median before the pose is refused.
     pub tolerance_mm: f64,
+}
+
+/// Targets that stand still.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fixed {
+    /// Their names.
+    pub targets: Vec<Spanned<String>>,
+    /// How far they may wander in the course of the campaign before it is told.
+    pub drift_mm: f64,
 }
 
 /// An element to fit: one of the four with the labels of its points.

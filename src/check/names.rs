@@ -55,7 +55,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Imported, complete: bool, p
         let among: &[&BTreeSet<String>] = if world.each.is_some() { &[&targets] } else { &[&targets, &labels] };
         want(name, among, "export brings the target");
     }
-    let rigid = file.rigid.iter().flat_map(|r| &r.targets);
+    let rigid = file.rigid.iter().flat_map(|r| &r.targets).chain(file.fixed.iter().flat_map(|f| &f.targets));
     for name in rigid.chain(file.join.targets.iter().flatten()) {
         want(name, &[&targets], "export brings the target");
     }
@@ -103,13 +103,8 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
         if !campaign.export_reads(i) {
             continue;
         }
-        for role in [Role::Label, Role::Target, Role::Pose, Role::Cycle, Role::X, Role::Y, Role::Z, Role::TimeS] {
-            if dialect.columns.iter().filter(|r| **r == role).count() > 1 {
-                let what = format!("`columns` names {role:?} twice");
-                problems.0.push(Message::error(what).at(campaign.place(&export.file)));
-            }
-        }
-        if robot.dimension() == 3 && !dialect.columns.contains(&Role::Z) {
+        let holds = |role| dialect.columns.contains(role);
+        if robot.dimension() == 3 && (holds(Role::X) || holds(Role::Radius)) && !holds(Role::Z) {
             let what = "`columns` has no z, which a robot in space needs";
             problems.0.push(Message::error(what).at(campaign.place(&export.file)));
         }

@@ -133,7 +133,7 @@ fn join(campaign: &Campaign, problems: &mut Problems) {
 fn stated_twice(campaign: &Campaign, export: &Export, problems: &mut Problems) {
     let Format::Delimited(dialect) = &export.format else { return };
     let stated = [("pose", export.pose.is_some(), Role::Pose), ("target", export.target.is_some(), Role::Target)];
-    for (key, _, _) in stated.into_iter().filter(|(_, stated, role)| *stated && dialect.columns.contains(role)) {
+    for (key, _, _) in stated.into_iter().filter(|(_, stated, role)| *stated && dialect.columns.contains(*role)) {
         let message = Message::error(format!("`{key}` is stated twice: by this export, and by a column of it"));
         problems.0.push(message.at(campaign.place(&export.file)).hint("leave one of them out"));
     }

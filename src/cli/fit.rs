@@ -9,7 +9,7 @@ use crate::fit::{self, CircleMethod, Element, Probe, Settings, Side};
 use crate::message::{Message, Place, Problems};
 use crate::pose::Vector;
 use crate::refit::{ProbeStated, refit};
-use crate::{files, import, output};
+use crate::{files, import, output, table};
 use std::path::PathBuf;
 
 /// Fit a geometric element to the points of files
@@ -53,9 +53,14 @@ pub struct Fit {
 
 impl Fit {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let texts = self.texts()?;
-        let qif = texts.iter().any(|(_, text)| import::qif::is_xml(text));
-        let documents = if qif { self.measured_features(&texts)? } else { self.groups(&texts)? };
+        let (documents, qif) = match self.plain()? {
+            Some(points) => (vec![self.fit("", &points)?], false),
+            None => {
+                let texts = self.texts()?;
+                let qif = texts.iter().any(|(_, text)| import::qif::is_xml(text));
+                (if qif { self.measured_features(&texts)? } else { self.groups(&texts)? }, qif)
+            }
+        };
         for message in documents.iter().flat_map(|d| &d.messages) {
             say(format_args!("{message}\n"));
         }
@@ -194,6 +199,22 @@ impl Fit {
             all.extend(import::labelled_points(file, text, &format, unit)?);
         }
         Ok(all)
+    }
+
+    /// The points of all files, if all are plain tables and no label matters.
+    fn plain(&self) -> Result<Option<Vec<Vector>>, Problems> {
+        if self.by_label || self.all_features() || self.text.stated_unit()?.is_none() {
+            return Ok(None);
+        }
+        let (unit, format) = (self.text.unit()?, self.text.format()?);
+        let mut all = Vec::new();
+        for path in self.files.iter() {
+            match import::cloud(path, &format, unit) {
+                Ok(Some(cloud)) => all.extend(table::coordinates(&cloud.table)?),
+                _ => return Ok(None),
+            }
+        }
+        Ok((!all.is_empty()).then_some(all))
     }
 
     fn fit(&self, label: &str, points: &[Vector]) -> Result<FitDocument, Problems> {

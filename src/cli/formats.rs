@@ -3,7 +3,7 @@
 use super::{Verdict, print};
 use std::path::PathBuf;
 
-/// Propose how to read a delimited text, as lines to paste into campaign.toml
+/// Propose how to read a file, with reasons and doubts, as lines to paste into campaign.toml
 #[derive(Debug, clap::Args)]
 pub struct Formats {
     /// The file
@@ -15,8 +15,7 @@ pub struct Formats {
 
 impl Formats {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let text = crate::files::read_text(&self.file)?;
-        let document = crate::import::propose(&self.file.display().to_string(), &text);
+        let document = crate::import::propose_file(&self.file)?;
         if self.json {
             print(crate::output::to_json(&document)?)?;
         } else {

@@ -1,6 +1,6 @@
 //! Options that state how a text of points is read.
 
-use crate::campaign::{Decimal, Delimiter, Dialect, Format, Role, Unit};
+use crate::campaign::{Decimal, Delimiter, Dialect, Format, Header, Role, Unit};
 use crate::message::{Message, Problems};
 
 /// Unit and columns of a text.
@@ -12,7 +12,7 @@ pub(super) struct TextFormat {
     /// What the columns hold, e.g. label,x,y,z; `-` for a column that is not read
     #[arg(long, value_delimiter = ',', requires = "delimiter")]
     columns: Vec<String>,
-    /// blank, tab, comma or semicolon
+    /// blank, tab, comma, semicolon or bar
     #[arg(long, requires = "columns")]
     delimiter: Option<String>,
     /// Decimal mark: point or comma
@@ -45,13 +45,14 @@ impl TextFormat {
     /// The stated columns, else PolyWorks text.
     pub fn format(&self) -> Result<Format, Problems> {
         let Some(delimiter) = &self.delimiter else { return Ok(Format::Polyworks) };
-        Ok(Format::Delimited(Dialect {
-            delimiter: word::<Delimiter>("--delimiter", delimiter)?,
+        let columns = self.columns.iter().map(|c| word::<Role>("--columns", c)).collect::<Result<Vec<_>, _>>()?;
+        Ok(Format::Delimited(Box::new(Dialect {
+            delimiter: Some(word::<Delimiter>("--delimiter", delimiter)?),
             decimal: word::<Decimal>("--decimal", &self.decimal)?,
-            columns: self.columns.iter().map(|c| word::<Role>("--columns", c)).collect::<Result<_, _>>()?,
-            header: self.header,
-            comment: None,
-        }))
+            columns: columns.into(),
+            header: Header::Rows(self.header),
+            ..Dialect::default()
+        })))
     }
 }
 

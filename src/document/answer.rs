@@ -78,9 +78,18 @@ pub struct FormatsDocument {
     pub schema: String,
     /// The file as the user named it.
     pub file: String,
-    /// The reading that is proposed, then others that explain the file as well; empty if none gives rows of numbers.
+    /// Name of the format, where the file says what it is; it needs no reading then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub format: Option<String>,
+    /// The reading that is proposed, then others that explain the file as well.
     pub readings: Vec<Reading>,
-    /// The proposal as lines for campaign.toml, with what the file cannot say.
+    /// Why the first is proposed.
+    pub reasons: Vec<String>,
+    /// What speaks against it.
+    pub doubts: Vec<String>,
+    /// What the file cannot say, and the campaign must.
+    pub questions: Vec<String>,
+    /// The proposal as lines for campaign.toml, with all that as comments.
     pub toml: String,
 }
 
@@ -92,11 +101,14 @@ pub struct Reading {
     pub delimiter: String,
     /// As `decimal` states it.
     pub decimal: String,
+    /// As `thousands` states it, where numbers have groups of digits.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thousands: Option<String>,
     /// Rows before the data.
     pub header: usize,
     /// As `columns` states them.
     pub columns: Vec<String>,
-    /// How well it explains the rows, from 0 to 1.
+    /// Share of the rows looked at that have as many fields as most, two of them numbers; from 0 to 1.
     pub share: f64,
 }
 

@@ -1,7 +1,7 @@
-//! Delimited text in a stated dialect: rows of fields with their places, and numbers read strictly.
+//! Text of rows and columns: fields with their places.
 
-use crate::campaign::{Decimal, Delimiter, Dialect, Role, Unit};
-use crate::import::points::Point;
+pub(super) use super::number::{WHOLE, number};
+use crate::campaign::{Delimiter, Dialect};
 use crate::message::{Message, Place, Problems, Result};
 
 /// A row of fields.
@@ -15,31 +15,105 @@ pub(super) struct Row {
 
 /// Splits a text into rows; empty lines and comment lines are no rows.
 pub(super) fn rows(file: &str, text: &str, delimiter: Delimiter, comment: Option<&str>) -> Result<Vec<Row>> {
-    let lines: Vec<&str> = text.lines().collect();
-    let line_of = |line: usize| line.checked_sub(1).and_then(|i| lines.get(i)).copied().unwrap_or("");
-    let is_comment = |line: &str| comment.is_some_and(|c| line.trim_start().starts_with(c));
-    let Some(byte) = delimiter.byte() else {
-        let row = |(i, line): (usize, &str)| Row { line: i + 1, fields: blank_fields(line) };
-        let held = |(_, line): &(usize, &str)| !line.trim().is_empty() && !is_comment(line);
-        return Ok(lines.iter().copied().enumerate().filter(held).map(row).collect());
+    let dialect = Dialect { delimiter: Some(delimiter), comment: comment.map(str::to_owned), ..Dialect::default() };
+    let (rows, problems) = split(file, text, &dialect);
+    problems.check()?;
+    Ok(rows)
+}
+
+/// The rows of a text in a dialect, and those that do not split.
+pub(super) fn split(file: &str, text: &str, dialect: &Dialect) -> (Vec<Row>, Problems) {
+    let mut problems = Problems::default();
+    let mut rows = Vec::new();
+    let is_comment = |line: &str| dialect.comment.as_ref().is_some_and(|c| line.trim_start().starts_with(c.as_str()));
+    for (i, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty() && !is_comment(line)) {
+        match fields(line, dialect) {
+            Ok(fields) => rows.push(Row { line: i + 1, fields }),
+            Err((what, column)) => {
+                let message = Message::error(what).at(Place::line(file, i + 1, line).at(column, 1));
+                problems.0.push(message.hint("a quote inside a quoted field is written twice"));
+            }
+        }
+    }
+    (rows, problems)
+}
+
+/// Fields of a line; or what is wrong with it, and the column from 1.
+fn fields(line: &str, dialect: &Dialect) -> std::result::Result<Vec<String>, (&'static str, usize)> {
+    if !dialect.widths.is_empty() {
+        return Ok(fixed(line, &dialect.widths));
+    }
+    // a sheet was written with tabs
+    match dialect.delimiter.unwrap_or(Delimiter::Tab).byte() {
+        Some(byte) => separated(line, char::from(byte)),
+        None => Ok(blank_fields(line)),
+    }
+}
+
+/// Fields of so many characters each; what comes behind them is one more.
+fn fixed(line: &str, widths: &[usize]) -> Vec<String> {
+    let mut rest = line;
+    let mut take = |width: usize| {
+        let end = rest.char_indices().nth(width).map_or(rest.len(), |(i, _)| i);
+        let (field, after) = rest.split_at(end);
+        rest = after;
+        field.trim().to_owned()
     };
-    let mut reader =
-        csv::ReaderBuilder::new().delimiter(byte).has_headers(false).flexible(true).from_reader(text.as_bytes());
-    let mut all = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|e| {
-            let line = e.position().map_or(0, |p| p.line() as usize);
-            Message::error(format!("cannot split the row: {e}")).at(Place::line(file, line, line_of(line)))
-        })?;
-        let line = record.position().map_or(0, |p| p.line() as usize);
-        // the reader's position is before blank lines that it skips
-        let line = (line..=lines.len()).find(|&l| !line_of(l).trim().is_empty()).unwrap_or(line);
-        if is_comment(line_of(line)) || record.iter().all(|f| f.trim().is_empty()) && line_of(line).trim().is_empty() {
+    let mut fields: Vec<String> = widths.iter().map(|width| take(*width)).collect();
+    let behind = take(usize::MAX);
+    if !behind.is_empty() {
+        fields.push(behind);
+    }
+    fields
+}
+
+/// Fields between separators; one in double quotes may hold some, and a quote as two.
+fn separated(line: &str, separator: char) -> std::result::Result<Vec<String>, (&'static str, usize)> {
+    let blank = |c: char| c.is_whitespace() && c != separator;
+    let mut fields = Vec::new();
+    let mut rest = line;
+    loop {
+        let start = rest.trim_start_matches(blank);
+        if !start.starts_with('"') {
+            let (field, after) = match start.split_once(separator) {
+                Some((field, after)) => (field, Some(after)),
+                None => (start, None),
+            };
+            fields.push(field.trim_end().to_owned());
+            match after {
+                Some(after) => rest = after,
+                None => return Ok(fields),
+            }
             continue;
         }
-        all.push(Row { line, fields: record.iter().map(|f| f.trim().to_owned()).collect() });
+        let column = |at: &str| line[..line.len() - at.len()].chars().count() + 1;
+        let (field, after) =
+            quoted(&start[1..]).ok_or(("a quote is opened and not closed on its line", column(start)))?;
+        fields.push(field);
+        let after = after.trim_start_matches(blank);
+        match after.strip_prefix(separator) {
+            Some(next) => rest = next,
+            None if after.is_empty() => return Ok(fields),
+            None => return Err(("there is text behind a closing quote", column(after))),
+        }
     }
-    Ok(all)
+}
+
+/// The text up to the closing quote, and what is behind it.
+fn quoted(text: &str) -> Option<(String, &str)> {
+    let mut field = String::new();
+    let mut rest = text;
+    loop {
+        let (before, after) = rest.split_once('"')?;
+        field.push_str(before);
+        match after.strip_prefix('"') {
+            Some(more) => {
+                field.push('"');
+                rest = more;
+            }
+            None => return Some((field.trim().to_owned(), after)),
+        }
+    }
 }
 
 /// Fields of a line separated by blanks; a name in double quotes may hold some.
@@ -77,126 +151,9 @@ pub(super) fn cell_place(file: &str, row: &Row, shown: &str, index: usize) -> Pl
     Place::line(file, row.line, shown).at(column, width)
 }
 
-/// Whole numbers up to here are exact.
-pub(super) const WHOLE: f64 = 9e15;
-
-/// A number in the stated decimal mark, nothing else around it.
-pub(super) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
-    let wrong = || {
-        Message::error(format!("`{field}` is no number"))
-            .expected(format!("a number with decimal mark `{}`", decimal.name()))
-    };
-    let (text, other) = match decimal {
-        Decimal::Point => (field.to_owned(), ','),
-        Decimal::Comma => (field.replace(',', "."), '.'),
-    };
-    if field.contains(other) {
-        let hint = if decimal == Decimal::Point {
-            "a decimal comma? then state `decimal = \",\"`"
-        } else {
-            "a decimal point? then state `decimal = \".\"`"
-        };
-        return Err(wrong().hint(hint));
-    }
-    // words that `parse` would take for infinity or NaN are no measured values
-    let digits = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E'));
-    text.parse().ok().filter(|v: &f64| digits && v.is_finite()).ok_or_else(wrong)
-}
-
-/// Points of a delimited export, and what does not read.
-pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
-    let mut problems = Problems::default();
-    for role in [Role::X, Role::Y] {
-        if !dialect.columns.contains(&role) {
-            let message = Message::error(format!("the format of `{file}` has no column for {role:?}"));
-            problems.0.push(message.expected("`columns` that name at least x and y"));
-        }
-    }
-    let all = match rows(file, text, dialect.delimiter, dialect.comment.as_deref()) {
-        Ok(all) if problems.0.is_empty() => all,
-        Ok(_) => return (Vec::new(), problems),
-        Err(more) => {
-            problems.0.extend(more.0);
-            return (Vec::new(), problems);
-        }
-    };
-    let lines: Vec<&str> = text.lines().collect();
-    let mut points = Vec::new();
-    for row in all.into_iter().skip(dialect.header) {
-        let shown = lines.get(row.line - 1).copied().unwrap_or("");
-        let surplus = row.fields.iter().skip(dialect.columns.len()).any(|f| !f.is_empty());
-        if surplus || row.fields.len() < dialect.columns.iter().rposition(|r| *r != Role::Skip).map_or(0, |i| i + 1) {
-            problems.0.push(
-                Message::error(format!("the row has {} columns", row.fields.len()))
-                    .at(Place::line(file, row.line, shown))
-                    .expected(format!("{} columns, as `columns` states", dialect.columns.len()))
-                    .hint("`etalon formats FILE` proposes how to read the file"),
-            );
-            continue;
-        }
-        points.push(point(&row, dialect, unit, (file, shown), &mut problems));
-    }
-    (points, problems)
-}
-
-/// One point; numbers that do not read are reported and left as no numbers.
-fn point(row: &Row, dialect: &Dialect, unit: Unit, (file, shown): (&str, &str), problems: &mut Problems) -> Point {
-    let mut point = Point { line: row.line, text: shown.to_owned(), ..Point::default() };
-    let coordinate = |role: &Role| matches!(role, Role::X | Role::Y | Role::Z);
-    let pairs = || dialect.columns.iter().zip(&row.fields);
-    let unmeasured = pairs().filter(|(r, _)| coordinate(r)).all(|(_, f)| f.is_empty());
-    let before = problems.0.len();
-    let mut xyz = [0.0; 3];
-    for ((role, field), column) in pairs().zip(columns_of(shown, &row.fields)) {
-        let mut wrong = |m: Message| {
-            problems.0.push(m.at(Place::line(file, row.line, shown).at(column, field.chars().count())));
-        };
-        let mut value = || number(field, dialect.decimal).map_err(&mut wrong).unwrap_or(f64::NAN);
-        match role {
-            Role::Label => point.label.clone_from(field),
-            Role::Target => point.target = Some(field.clone()),
-            Role::TimeS => point.time_s = Some(value()),
-            Role::Skip => {}
-            Role::X | Role::Y | Role::Z if unmeasured => {}
-            Role::X => xyz[0] = value(),
-            Role::Y => xyz[1] = value(),
-            Role::Z => xyz[2] = value(),
-            Role::Pose | Role::Cycle => {
-                let whole = field.parse().map_err(|_| wrong(Message::error(format!("`{field}` is no whole number"))));
-                *(if *role == Role::Pose { &mut point.pose } else { &mut point.cycle }) = whole.ok();
-            }
-        }
-    }
-    if unmeasured {
-        point.refused = Some("not measured: no coordinates".to_owned());
-    }
-    if problems.0.len() > before {
-        xyz = [f64::NAN; 3];
-    }
-    point.xyz_mm = xyz.map(|v| v * unit.in_mm());
-    point
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_are_read_strictly() {
-        assert_eq!(number("-1.5e+003", Decimal::Point).unwrap(), -1500.0);
-        assert_eq!(number("1,25", Decimal::Comma).unwrap(), 1.25);
-        for (field, decimal) in [
-            ("1,25", Decimal::Point),
-            ("1.25", Decimal::Comma),
-            ("nan", Decimal::Point),
-            ("inf", Decimal::Point),
-            ("1 000", Decimal::Point),
-            ("", Decimal::Point),
-            ("1.2.3", Decimal::Point),
-        ] {
-            assert!(number(field, decimal).is_err(), "{field}");
-        }
-    }
 
     #[test]
     fn the_same_rows_in_every_delimiter() {
@@ -206,8 +163,25 @@ mod tests {
             ("# head\nP 1\t1.5\t-2\r\n", Delimiter::Tab),
             ("# head\nP 1, 1.5,-2\n", Delimiter::Comma),
             ("# head\nP 1;1.5;-2", Delimiter::Semicolon),
+            ("# \"head\n\"P 1\" | 1.5|\"-2\"", Delimiter::Bar),
         ] {
             assert_eq!(rows("f", text, delimiter, Some("#")).unwrap(), expected, "{delimiter:?}");
         }
+    }
+
+    #[test]
+    fn quotes_that_do_not_match_are_told_on_their_line_and_hide_no_row() {
+        let dialect = Dialect { delimiter: Some(Delimiter::Comma), ..Dialect::default() };
+        let (rows, problems) = split("f", "\"a,1\n\"b \"\"c\"\"\",2\n\"d\" e,3\n1.5\" ball,4\n", &dialect);
+        let lines: Vec<_> = problems.0.iter().map(|m| m.place.as_ref().map(|p| (p.line, p.column))).collect();
+        assert_eq!(lines, [Some((Some(1), Some(1))), Some((Some(3), Some(5)))]);
+        let fields: Vec<&str> = rows.iter().flat_map(|r| &r.fields).map(String::as_str).collect();
+        assert_eq!(fields, ["b \"c\"", "2", "1.5\" ball", "4"]);
+    }
+
+    #[test]
+    fn fixed_widths_count_characters() {
+        assert_eq!(fixed("µ 1  2.5 rest", &[3, 5]), ["µ 1".trim(), "2.5", "rest"].map(str::to_owned));
+        assert_eq!(fixed("ab", &[1, 3, 2]), ["a", "b", ""].map(str::to_owned));
     }
 }

@@ -1,123 +1,304 @@
-//! What a delimited text could be: a proposal with its reasons and its questions, to paste into a campaign.
+//! What a text could be: a proposal with its reasons, doubts and questions, to paste into a campaign.
 
-use super::delimited::{number, rows};
-use crate::campaign::{Decimal, Delimiter};
+use super::guess::{Guess, guesses};
+use super::known::{Known, known};
+use super::point_rows::point_rows;
+use super::roles::{is_joint, looks_like_a_log, names, roles};
+use super::{bytes_of, encoding, workbook};
+use crate::campaign::{Columns, CoordinateType, Dialect, Encoding, Header, Role, Unit};
 use crate::document::{FormatsDocument, Reading};
+use crate::message::{Message, Place, Result, count};
 use std::fmt::Write;
+use std::path::Path;
 
-/// How a file could be read.
-struct Guess {
-    delimiter: Delimiter,
-    decimal: Decimal,
-    header: usize,
-    columns: usize,
-    /// share of data rows that this reading explains
-    share: f64,
-    /// per column: share of numbers
-    numeric: Vec<bool>,
+/// Problems of a trial that are repeated as doubts.
+const SHOWN: usize = 3;
+
+/// Proposes readings of a file, the first also as lines for campaign.toml.
+///
+/// # Errors
+/// If there is no such file, if it is empty or no text, or if no reading gives rows of numbers.
+pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
+    let name = path.display().to_string();
+    let bytes = bytes_of(path)?;
+    let refused = |what: String| Message::error(what).at(Place::file(name.as_str()));
+    if bytes.is_empty() {
+        return Err(refused("the file is empty".to_owned()).hint("export it again").into());
+    }
+    if workbook::is_workbook(&bytes) {
+        return of_workbook(&name, &bytes).map_err(|m| m.at(Place::file(name.as_str())).into());
+    }
+    let (text, encoding) = decoded(bytes).map_err(|m| m.at(Place::file(name.as_str())))?;
+    if let Some(Known { format: None, what, .. }) = known(&text) {
+        return Err(refused(format!("this is {what}")).expected("measured points, or a log").into());
+    }
+    let mut document = propose(&name, &text);
+    if document.readings.is_empty() && document.format.is_none() {
+        let message = refused("no reading as delimited text gives rows with two or more numbers".to_owned());
+        return Err(message.hint("export the points as text, one row each").into());
+    }
+    if let Some(encoding) = encoding {
+        let line = format!("encoding = {:?}\n", encoding.name());
+        document.toml = document.toml.replacen("format = ", &format!("{line}format = "), 1);
+        document
+            .doubts
+            .push(format!("the file is no UTF-8; as {} its letters make sense or not: look at them", encoding.name()));
+        document.toml.insert_str(0, &format!("# DOUBT: {}\n", document.doubts.last().map_or("", String::as_str)));
+    }
+    Ok(document)
 }
 
-/// Proposes readings of a delimited text, the first also as `[[export]]` lines. What the file cannot say is asked.
+/// The first sheet that holds rows of numbers.
+fn of_workbook(file: &str, bytes: &[u8]) -> std::result::Result<FormatsDocument, Message> {
+    let names = workbook::sheets(bytes)?;
+    for name in &names {
+        let mut document = propose_in(file, &workbook::text(bytes, name)?, Some(name));
+        if !document.readings.is_empty() {
+            if let Some(doubt) = workbook::others(&names, name) {
+                document.toml.insert_str(0, &format!("# DOUBT: {doubt}\n"));
+                document.doubts.push(doubt);
+            }
+            return Ok(document);
+        }
+    }
+    Err(Message::error("no sheet of the workbook holds rows with two or more numbers"))
+}
+
+/// The text, and the encoding that the campaign must state for it.
+fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Message> {
+    let first = match encoding::decode(bytes.clone(), None) {
+        Ok(text) => return Ok((text, None)),
+        Err(message) => message,
+    };
+    let nul = |odd: usize| bytes.iter().skip(odd).step_by(2).filter(|b| **b == 0).count() * 8 > bytes.len() * 3;
+    let stated = match (nul(1), nul(0)) {
+        (true, false) => Encoding::Utf16Le,
+        (false, true) => Encoding::Utf16Be,
+        _ => Encoding::Windows1252,
+    };
+    match encoding::decode(bytes, Some(stated)) {
+        Ok(text) => Ok((text, Some(stated))),
+        Err(_) => Err(first),
+    }
+}
+
+/// Proposes readings of a text, the first also as lines for campaign.toml. What the file cannot say is asked.
 pub fn propose(file: &str, text: &str) -> FormatsDocument {
-    let mut guesses: Vec<Guess> = [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Comma, Delimiter::Blank]
-        .into_iter()
-        .flat_map(|delimiter| [Decimal::Point, Decimal::Comma].map(|decimal| guess(file, text, delimiter, decimal)))
-        .flatten()
-        .collect();
-    guesses.sort_by(|a, b| b.share.total_cmp(&a.share));
-    let best = guesses.first().map_or(0.0, |g| g.share);
-    guesses.retain(|g| g.share > 0.99 * best);
-    FormatsDocument {
+    propose_in(file, text, None)
+}
+
+/// The same of a file, or of a sheet whose cells are separated by tabs.
+fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
+    let mut document = FormatsDocument {
         schema: "etalon/formats/1".to_owned(),
         file: file.to_owned(),
-        readings: guesses.iter().map(reading).collect(),
-        toml: to_toml(file, &guesses),
+        format: None,
+        readings: Vec::new(),
+        reasons: Vec::new(),
+        doubts: Vec::new(),
+        questions: Vec::new(),
+        toml: String::new(),
+    };
+    if let Some(Known { format: Some(format), what, unit }) = known(text).filter(|_| sheet.is_none()) {
+        document.format = Some(format.to_owned());
+        document.reasons.push(format!("it is {what}"));
+        let lines = format!("[[export]]\nfile = {file:?}\nformat = {format:?}\n{}", unit_line(unit));
+        if unit.is_none() {
+            document.questions.push("the unit of lengths".to_owned());
+        }
+        document.toml = with_remarks(&document, &lines);
+        return document;
     }
+    let guesses = guesses(text, sheet);
+    document.readings = guesses.iter().map(reading).collect();
+    let Some(best) = guesses.first() else {
+        document.toml = format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
+        return document;
+    };
+    document.reasons = reasons(best);
+    document.doubts = doubts(&guesses);
+    let lines = match looks_like_a_log(best) {
+        Some(why) => {
+            document.reasons.push(format!("a log: {why}"));
+            document.questions.push("which joint each column is, and its unit".to_owned());
+            log_lines(file, best)
+        }
+        None => {
+            document.doubts.extend(tried(file, text, best));
+            document.questions.push("the unit of lengths".to_owned());
+            document
+                .questions
+                .push("whether the columns are x, y, z in this order, or angles and distances".to_owned());
+            export_lines(file, best)
+        }
+    };
+    document.toml = with_remarks(&document, &lines);
+    document
 }
 
 fn reading(guess: &Guess) -> Reading {
     Reading {
-        delimiter: guess.delimiter.name().to_owned(),
-        decimal: guess.decimal.name().to_owned(),
+        delimiter: guess.dialect.delimiter.map_or("", |d| d.name()).to_owned(),
+        decimal: guess.dialect.decimal.name().to_owned(),
+        thousands: guess.dialect.thousands.map(|t| t.name().to_owned()),
         header: guess.header,
-        columns: roles(guess).into_iter().map(str::to_owned).collect(),
-        share: guess.share,
+        columns: roles(guess).into_iter().map(|role| role.name().to_owned()).collect(),
+        share: guess.share(),
     }
 }
 
-/// The best reading as TOML, with comments on the others.
-fn to_toml(file: &str, guesses: &[Guess]) -> String {
-    let mut out = String::new();
-    let Some(best) = guesses.first() else {
-        return format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
-    };
-    let _ = writeln!(
-        out,
-        "# proposed for `{file}`: {:.0} % of its rows read this way, {} columns",
-        100.0 * best.share,
-        best.columns
-    );
-    if guesses.len() > 1 {
-        let _ = writeln!(out, "# DOUBT: {} other readings explain it as well; check a row by eye:", guesses.len() - 1);
-        for g in guesses.iter().skip(1) {
-            let _ = writeln!(
-                out,
-                "#   delimiter \"{}\", decimal \"{}\", {} columns",
-                g.delimiter.name(),
-                g.decimal.name(),
-                g.columns
-            );
+/// Why the first reading is the first.
+fn reasons(best: &Guess) -> Vec<String> {
+    let delimiter = best.dialect.delimiter.map_or("", |d| d.name());
+    let mut reasons = vec![
+        format!(
+            "{} of {} have {} fields separated by `{delimiter}`",
+            best.read,
+            count(best.rows, "row"),
+            best.numeric.len()
+        ),
+        format!(
+            "{} of {} have the decimal mark `{}`",
+            best.fractions,
+            count(best.numbers, "number"),
+            best.dialect.decimal.name()
+        ),
+    ];
+    if let Some(row) = &best.names {
+        let names = if names(best).is_some() { "names the columns" } else { "is the last before the data" };
+        reasons.push(format!("line {} {names}", row.line));
+    }
+    if let Some(comment) = &best.dialect.comment {
+        reasons.push(format!("lines that start with `{comment}` are comments"));
+    }
+    if let Some(end) = &best.dialect.end {
+        reasons.push(format!("the last row is the word `{end}`"));
+    }
+    reasons
+}
+
+/// What speaks against the first reading.
+fn doubts(guesses: &[Guess]) -> Vec<String> {
+    let [best, others @ ..] = guesses else { return Vec::new() };
+    let mut doubts: Vec<String> = others
+        .iter()
+        .map(|g| {
+            let thousands = g.dialect.thousands.map(|t| format!(", thousands {:?}", t.name())).unwrap_or_default();
+            let delimiter = g.dialect.delimiter.map_or("", |d| d.name());
+            let decimal = g.dialect.decimal.name();
+            format!("delimiter {delimiter:?}, decimal {decimal:?}{thousands}, {} columns explains it as well: check a row by eye", g.numeric.len())
+        })
+        .collect();
+    let mark = best.dialect.decimal.name();
+    if best.fractions == 0 {
+        doubts.push(format!("no number has a decimal mark: that it is `{mark}` is not proved"));
+    } else if best.threes == best.fractions && best.dialect.thousands.is_none() {
+        doubts.push(format!("every `{mark}` stands before three digits: it may be a thousands mark"));
+    }
+    if let Some(line) = best.unread {
+        doubts.push(format!("{} not read this way, the first is line {line}", count(best.rows - best.read, "row")));
+    }
+    if let (Some(row), None) = (&best.names, names(best)) {
+        let (words, columns) = (row.fields.len(), best.numeric.len());
+        if row.fields.iter().any(|f| f.contains(char::is_alphabetic)) && words > 1 {
+            doubts.push(format!("line {} has {words} words for {columns} columns: their order is not known", row.line));
         }
     }
-    let _ = writeln!(out, "[[export]]\nfile = {file:?}");
-    let _ = writeln!(
-        out,
-        "format = {{ delimiter = {:?}, decimal = {:?}, header = {}, columns = [{}] }}",
-        best.delimiter.name(),
-        best.decimal.name(),
-        best.header,
-        roles(best).iter().map(|role| format!("{role:?}")).collect::<Vec<_>>().join(", ")
+    doubts
+}
+
+/// What reading the whole file this way runs into.
+fn tried(file: &str, text: &str, best: &Guess) -> Vec<String> {
+    let (points, problems) = point_rows(file, text, &dialect(best), Unit::Millimetre);
+    let mut doubts: Vec<String> = problems
+        .0
+        .iter()
+        .take(SHOWN)
+        .map(|m| {
+            let line = m.place.as_ref().and_then(|p| p.line).map(|line| format!("line {line}: ")).unwrap_or_default();
+            format!("{line}{}", m.what)
+        })
+        .collect();
+    if problems.0.len() > SHOWN {
+        doubts.push(format!("and {} more like that", count(problems.0.len() - SHOWN, "problem")));
+    }
+    let origin = points.iter().find(|p| p.refused.is_none() && p.xyz_mm == [0.0; 3]);
+    let refused = points.iter().find(|p| p.refused.is_some());
+    doubts.extend(
+        origin.map(|p| format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` says otherwise", p.line)),
     );
-    out.push_str("# the file cannot say these; they are never guessed:\n");
-    out.push_str("unit = \"?\"                 # mm, m, um or inch\n");
-    out.push_str("# are the columns x, y, z in this order, and Cartesian?\n");
-    if best.numeric.first() == Some(&false) {
+    doubts.extend(refused.map(|p| format!("line {}: {}", p.line, p.refused.as_deref().unwrap_or(""))));
+    doubts
+}
+
+/// The dialect as it would be stated.
+fn dialect(best: &Guess) -> Dialect {
+    Dialect { columns: Columns::InOrder(roles(best)), ..best.dialect.clone() }
+}
+
+fn unit_line(unit: Option<&str>) -> String {
+    match unit {
+        Some(unit) => format!("unit = {unit:?}                # the file says it\n"),
+        None => "unit = \"?\"                 # mm, m, um or inch: the file cannot say it, and it is never guessed\n"
+            .to_owned(),
+    }
+}
+
+fn export_lines(file: &str, best: &Guess) -> String {
+    let mut out = format!("[[export]]\nfile = {file:?}\nformat = {}\n{}", dialect(best), unit_line(None));
+    let kinds = CoordinateType::Cartesian.name();
+    let _ = writeln!(out, "# are the columns x, y, z in this order, and {kinds}?");
+    let roles = roles(best);
+    if roles.contains(&Role::Label) {
         out.push_str("label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n");
-    } else {
+    } else if !roles.contains(&Role::Target) {
         out.push_str("target = \"?\"               # which target the rows are of\npose = \"row\"               # if the number of the row is the number of the pose\n");
     }
     out
 }
 
-fn guess(file: &str, text: &str, delimiter: Delimiter, decimal: Decimal) -> Option<Guess> {
-    let all = rows(file, text, delimiter, None).ok()?;
-    let is_number = |field: &String| number(field, decimal).is_ok();
-    let numbers = |fields: &[String]| fields.iter().filter(|f| is_number(f)).count();
-    let header = all.iter().position(|r| numbers(&r.fields) >= 2)?;
-    let data = &all[header..];
-    let columns = data.first()?.fields.len();
-    let good: Vec<_> = data.iter().filter(|r| r.fields.len() == columns && numbers(&r.fields) >= 2).collect();
-    let used: usize = good.iter().map(|r| numbers(&r.fields)).sum();
-    // a reading that splits decimal numbers in two has whole numbers everywhere: prefer more digits per field
-    let fractions = good.iter().flat_map(|r| &r.fields).filter(|f| is_number(f) && f.contains([',', '.'])).count();
-    let share = good.len() as f64 / data.len() as f64 * (0.5 + 0.5 * fractions as f64 / used.max(1) as f64);
-    let numeric = (0..columns).map(|c| good.iter().all(|r| is_number(&r.fields[c]))).collect();
-    (!good.is_empty()).then_some(Guess { delimiter, decimal, header, columns, share, numeric })
+fn log_lines(file: &str, best: &Guess) -> String {
+    let names = names(best);
+    let decimal = best.dialect.decimal.name();
+    let delimiter = best.dialect.delimiter.map_or("", |d| d.name());
+    let mut out = format!(
+        "[log]\nfile = {file:?}\ndelimiter = {delimiter:?}\ndecimal = {decimal:?}\nheader = {}\n",
+        names.is_some()
+    );
+    let mut number = 0;
+    let mut joint = || {
+        number += 1;
+        format!("q{number}_UNIT")
+    };
+    let columns: Vec<String> = match &names {
+        Some(names) => names
+            .iter()
+            .filter_map(|name| match name.trim().to_lowercase().as_str() {
+                key @ ("pose" | "cycle" | "time_s") => Some(format!("{key} = {name:?}")),
+                "run" | "repeat" => Some(format!("cycle = {name:?}")),
+                _ if is_joint(name) => Some(format!("{} = {name:?}", joint())),
+                _ => None,
+            })
+            .collect(),
+        None => (1..=best.numeric.len()).map(|column| format!("{} = {column}", joint())).collect(),
+    };
+    let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));
+    out.push_str(
+        "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file cannot say it\n",
+    );
+    if best.header > 1 && best.dialect.header != Header::Rows(1) {
+        out.push_str("# a log has one row of names at most: take the other rows before the data out of the file\n");
+    }
+    out
 }
 
-/// Roles by position: a leading text is the label, the first numbers after it x, y, z.
-fn roles(guess: &Guess) -> Vec<&'static str> {
-    let mut axes = ["x", "y", "z"].into_iter();
-    let mut labelled = false;
-    guess
-        .numeric
-        .iter()
-        .map(|numeric| match numeric {
-            true => axes.next().unwrap_or("-"),
-            false if !std::mem::replace(&mut labelled, true) => "label",
-            false => "-",
-        })
-        .collect()
+/// The lines under comments that say why, what speaks against them, and what is asked.
+fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
+    let mut out = format!("# proposed for `{}`\n", document.file);
+    document.reasons.iter().for_each(|reason| out.push_str(&format!("# because {reason}\n")));
+    document.doubts.iter().for_each(|doubt| out.push_str(&format!("# DOUBT: {doubt}\n")));
+    document.questions.iter().for_each(|question| out.push_str(&format!("# QUESTION: {question}\n")));
+    out + lines
 }
 
 #[cfg(test)]
@@ -127,22 +308,55 @@ mod tests {
     #[test]
     fn delimiter_and_decimal_are_proposed_and_the_unit_is_asked() {
         let text = propose("p.txt", "Name;X;Y;Z\nA;1,25;2,5;-3,75\nB;4,125;5,5;6,25\n").toml;
-        assert!(
-            text.contains("delimiter = \";\", decimal = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"]"),
-            "{text}"
-        );
-        assert!(text.contains("unit = \"?\""));
+        let stated = "delimiter = \";\", decimal = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"]";
+        assert!(text.contains(stated), "{text}");
+        assert!(text.contains("unit = \"?\"") && text.contains("# because 2 of 2 rows have 4 fields"), "{text}");
         let text = propose("p.txt", "1.25 2.5 3.5\n4.5 5.5 6.5\n").toml;
+        assert!(text.contains("delimiter = \"blank\", decimal = \".\", columns = [\"x\", \"y\", \"z\"]"), "{text}");
+    }
+
+    #[test]
+    fn comma_and_comma_is_never_proposed() {
+        let text = propose("p.txt", "1,25\t2,50\t3,75\n").toml;
+        assert!(text.contains("decimal = \",\""), "{text}");
+        assert!(!propose("p.txt", "1,25,2,50,3,75\n").toml.contains("decimal = \",\""));
+        assert!(propose("p.txt", "no numbers here\n").toml.contains("no reading"));
+    }
+
+    #[test]
+    fn the_share_is_one_of_rows() {
+        let document = propose("p.txt", "a 1 2 3\nb 4 5 6\nc 7 8\nd 9 10 11\n");
+        assert_eq!(document.readings[0].share, 0.75);
         assert!(
-            text.contains("delimiter = \"blank\", decimal = \".\", header = 0, columns = [\"x\", \"y\", \"z\"]"),
-            "{text}"
+            document.doubts.iter().any(|d| d.contains("1 row not read this way, the first is line 3")),
+            "{document:?}"
+        );
+        assert!(document.doubts.iter().any(|d| d.contains("no number has a decimal mark")), "{document:?}");
+    }
+
+    #[test]
+    fn a_log_is_no_export() {
+        for (text, columns) in [
+            (
+                "pose,run,RP1,RP2,RP3\n1,1,0.5,3.25,4.5\n",
+                "columns = { pose = \"pose\", cycle = \"run\", q1_UNIT = \"RP1\", q2_UNIT",
+            ),
+            ("1.5 2.5 3.5 4.5 5.5 6.5\n", "columns = { q1_UNIT = 1, q2_UNIT = 2"),
+            ("timestamp,actual_q_0,actual_q_1\n0.1,0.2,0.3\n", "q1_UNIT = \"actual_q_0\""),
+        ] {
+            let toml = propose("l.csv", text).toml;
+            assert!(toml.contains("[log]") && !toml.contains("[[export]]") && toml.contains(columns), "{toml}");
+        }
+        assert!(
+            propose("p.xyz", "1.5 2.5 3.5 0.0 0.6 0.8\n").toml.contains("\"x\", \"y\", \"z\", \"i\", \"j\", \"k\"")
         );
     }
 
     #[test]
-    fn comma_and_comma_is_a_doubt() {
-        let text = propose("p.txt", "1,25\t2,50\t3,75\n").toml;
-        assert!(text.contains("decimal = \",\""), "{text}");
-        assert!(propose("p.txt", "no numbers here\n").toml.contains("no reading"));
+    fn what_a_mark_means_may_be_in_doubt() {
+        let doubts = propose("p.txt", "a;1,250;2,500;3,750\nb;4,125;5,500;6,250\n").doubts;
+        assert!(doubts.iter().any(|d| d.contains("it may be a thousands mark")), "{doubts:?}");
+        let thousands = propose("p.txt", "a;1.234,50;-2.345,25;3,75\nb;4.125,00;5,50;6,25\n").toml;
+        assert!(thousands.contains("decimal = \",\", thousands = \".\""), "{thousands}");
     }
 }

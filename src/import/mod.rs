@@ -3,28 +3,46 @@
 //! No input is repaired in silence: a row that means "not measured" is refused by rule and listed, anything else that
 //! does not read as stated is an error with its place, and one run reports all of them.
 
+mod binary;
 mod blunders;
+mod bounded;
+mod cloud;
+mod coordinates;
 mod delimited;
+mod encoding;
 mod formats;
+mod guess;
+mod known;
 mod label;
 mod log;
 mod logs;
+mod names;
+mod number;
 mod observations;
+mod places;
+mod plain_line;
+mod point_rows;
 mod points;
 mod polyworks;
 pub mod qif;
 pub mod readers;
+mod roles;
+mod rounding;
+mod spatialanalyzer;
 pub mod standstill;
+mod workbook;
 mod xml;
 
-pub use formats::propose;
+pub use cloud::{Cloud, cloud};
+pub use formats::propose_file;
 pub(crate) use label::Pattern as LabelPattern;
 pub use log::is_joint_column;
 pub(crate) use log::{is_common_column, meaning as log_column};
 pub use observations::observations;
-pub(crate) use points::{Point, used_labels};
+pub use points::Point;
+pub(crate) use points::used_labels;
 
-use crate::campaign::{Campaign, Export, Format, Log, Reader, Unit};
+use crate::campaign::{Campaign, Encoding, Export, Format, Log, Reader, Unit};
 use crate::document::{ImportDocument, Source};
 use crate::files;
 use crate::message::{Message, Place, Problems, Result, nearest};
@@ -60,14 +78,14 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
         statement("robot", campaign.file.robot.get_ref(), campaign.robot_text.as_bytes()),
     ];
     let mut columns = PointColumns::default();
+    let mut frames = Vec::new();
     for (i, export) in campaign.file.exports.iter().enumerate() {
         if export.file.get_ref().is_empty() {
             continue;
         }
-        let read = campaign.resolve(&export.file).and_then(|path| match export.format {
-            Format::Own(Reader::Ply, _) => read_bytes(&path, campaign.place(&export.file)).map(as_characters),
-            _ => read_text(&path, campaign.place(&export.file)),
-        });
+        let read = campaign
+            .resolve(&export.file)
+            .and_then(|path| read_export(&path, export.encoding, &export.format, campaign.place(&export.file)));
         match read {
             // what it states of itself is told already
             Ok(_) if !campaign.export_reads(i) => {}
@@ -75,6 +93,11 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
                 let mut source = statement("export", export.file.get_ref(), &bytes);
                 source.dialect = format!("{}, unit {}", export.format, export.unit.name());
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
+                if let Some(frame) = spatialanalyzer::frame(&text).filter(|_| export.format == Format::SpatialAnalyzer)
+                {
+                    source.dialect.push_str(&format!(", relative to `{frame}`"));
+                    frames.push((campaign.place(&export.file), frame.to_owned()));
+                }
                 sources.push(source);
             }
             Err(more) => problems.0.extend(more.0),
@@ -82,7 +105,9 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
     }
     let (mut logs, mut said) = (Vec::new(), Vec::new());
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
-        let read = campaign.resolve(&stated.file).and_then(|path| read_text(&path, campaign.place(&stated.file)));
+        let read = campaign
+            .resolve(&stated.file)
+            .and_then(|path| read_text(&path, stated.encoding, campaign.place(&stated.file)));
         match read.and_then(|(text, bytes)| {
             if campaign.lost.touches(&["log"]) {
                 return Ok(None);
@@ -102,13 +127,19 @@ pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
     }
     problems.0.extend(columns.measured_twice());
     problems.0.extend(blunders::check(campaign).0);
+    problems.0.extend(places::check(campaign).0);
     let mut messages = if campaign.lost.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
     messages.extend(said);
+    messages.append(&mut columns.remarks);
+    messages.extend(spatialanalyzer::frames_differ(&frames));
     if problems.0.is_empty() && campaign.lost.is_empty() {
         match blunders::refuse(campaign, &mut columns, &mut sources) {
             Ok(said) => messages.splice(0..0, said).for_each(drop),
             Err(more) => problems.0.extend(more.0),
         }
+        // of what is left
+        messages.extend(places::misplaced(campaign, &columns.points));
+        messages.extend(places::drifting(campaign, &columns.points));
     }
     let document = ImportDocument {
         schema: "etalon/import/1".to_owned(),
@@ -136,9 +167,26 @@ pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<Da
     log::read(campaign, stated, text, &mut statement("log", stated.file.get_ref(), b"")).map(|(table, _)| table)
 }
 
-/// Labels and points of a file, in millimetres; every row counts, none is refused.
+/// Rows of a file in a format, without a campaign; those that were not measured say so in `refused`.
+///
+/// # Errors
+/// Everything in it that does not read, with its line.
+pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit: Unit) -> Result<Vec<Point>> {
+    let name = path.display().to_string();
+    let (text, _) = read_export(path, encoding, format, Place::file(name.as_str()))?;
+    let (points, problems) = point_rows(&name, &text, format, unit);
+    problems.at(&Place::file(name)).check()?;
+    Ok(points)
+}
+
+/// Labels and points of a file, in millimetres; every row counts: one that was not measured is an
+/// error.
 pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<(String, Vector)>> {
-    let (rows, problems) = point_rows(file, text, format, unit);
+    let (rows, mut problems) = point_rows(file, text, format, unit);
+    let refused = rows.iter().filter_map(|row| Some((row, row.refused.as_ref()?)));
+    problems.0.extend(refused.map(|(row, reason)| {
+        Message::error(reason.as_str()).at(Place::line(file, row.line, &row.text)).hint("take the row out of the file")
+    }));
     problems.check()?;
     Ok(rows.into_iter().map(|row| (row.label, row.xyz_mm)).collect())
 }
@@ -151,7 +199,7 @@ pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> R
         problems.0.push(message.at(Place::line(file, point.line, &point.text)).hint("remove the row"));
     }
     problems.check()?;
-    PointColumns { points }.table()
+    PointColumns { points, ..PointColumns::default() }.table()
 }
 
 /// Rows of an export in the stated format, and what does not read.
@@ -160,7 +208,8 @@ fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point
         Format::Polyworks => polyworks::rows(file, text, unit),
         Format::Qif => qif::rows(file, text, unit),
         Format::Own(reader, decimal) => readers::rows(*reader, file, text, *decimal, unit),
-        Format::Delimited(dialect) => delimited::point_rows(file, text, dialect, unit),
+        Format::SpatialAnalyzer => spatialanalyzer::rows(file, text, unit),
+        Format::Delimited(dialect) => point_rows::point_rows(file, text, dialect, unit),
     }
 }
 
@@ -177,34 +226,53 @@ fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {
     }
 }
 
-/// A file that may be binary: one character for each byte.
-fn as_characters(bytes: Vec<u8>) -> (String, Vec<u8>) {
-    (bytes.iter().map(|byte| char::from(*byte)).collect(), bytes)
+/// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
+fn read_text(path: &Path, encoding: Option<Encoding>, place: Place) -> Result<(String, Vec<u8>)> {
+    let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
+    let text = encoding::decode(bytes.clone(), encoding).map_err(|mut message| {
+        message.what = format!("`{}`: {}", path.display(), message.what);
+        message.at(place)
+    })?;
+    Ok((text, bytes))
 }
 
-/// Bytes of an input file; where it cannot be read the message points at the campaign.
-fn read_bytes(path: &Path, place: Place) -> Result<Vec<u8>> {
+/// The same of a file in a format, which may be a sheet of a workbook, or bytes.
+fn read_export(path: &Path, encoding: Option<Encoding>, format: &Format, place: Place) -> Result<(String, Vec<u8>)> {
+    let dialect = match format {
+        // it may be binary: one character for each byte
+        Format::Own(Reader::Ply, _) => {
+            let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
+            return Ok((bytes.iter().map(|byte| char::from(*byte)).collect(), bytes));
+        }
+        Format::Delimited(dialect) => dialect,
+        _ => return read_text(path, encoding, place),
+    };
+    let Some(sheet) = &dialect.sheet else { return read_text(path, encoding, place) };
+    let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
+    let text = workbook::text(&bytes, sheet).map_err(|mut message| {
+        message.what = format!("`{}`: {}", path.display(), message.what);
+        message.at(place)
+    })?;
+    Ok((text, bytes))
+}
+
+/// Bytes of an input file, or why it is none.
+fn bytes_of(path: &Path) -> Result<Vec<u8>> {
     if path.is_dir() {
-        let message = Message::error(format!("`{}` is a folder", path.display())).at(place);
+        let message = Message::error(format!("`{}` is a folder", path.display()));
         return Err(message.expected("a file").hint(format!("name a file in it; {}", listed(path))).into());
     }
     if !path.is_file() {
-        let message = Message::error(format!("there is no file `{}`", path.display())).at(place);
+        let message = Message::error(format!("there is no file `{}`", path.display()));
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         return Err(message.hint(beside(path.parent().unwrap_or(Path::new("")), &name)).into());
     }
-    files::read(path)
-}
-
-/// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
-fn read_text(path: &Path, place: crate::message::Place) -> Result<(String, Vec<u8>)> {
-    let bytes = read_bytes(path, place.clone())?;
-    let text = std::str::from_utf8(&bytes).map_err(|e| {
-        Message::error(format!("`{}` is not UTF-8 text (byte {})", path.display(), e.valid_up_to()))
-            .at(place)
-            .hint("export it as UTF-8 or plain ASCII text")
-    })?;
-    Ok((text.strip_prefix('\u{feff}').unwrap_or(text).to_owned(), bytes))
+    let file = std::fs::File::open(path);
+    let file = file.map_err(|e| Message::error(format!("cannot read `{}`: {e}", path.display())))?;
+    Ok(bounded::read(file).map_err(|mut message| {
+        message.what = format!("`{}`: {}", path.display(), message.what);
+        message
+    })?)
 }
 
 /// What to do about a file that is not there: the file that may be meant, or how one comes by it.

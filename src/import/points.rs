@@ -6,23 +6,35 @@ use crate::document::{Refused, Source};
 use crate::identify::matches_pattern;
 use crate::message::{Message, Place, Problems, Result};
 use crate::pose::Vector;
-use polars::prelude::{DataFrame, NamedFrom, Series};
+use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 
 /// A row of an export. A reader fills in what the row says; what the campaign says of the export comes after.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Point {
+pub struct Point {
+    /// File, as the campaign names it.
     pub export: String,
     /// Number among the data rows of its export, from 1, refused ones counted.
     pub row: i64,
+    /// Line of the file, from 1.
     pub line: usize,
+    /// The line itself.
     pub text: String,
+    /// As the row bears it; several parts joined by `::`.
     pub label: String,
+    /// Name of the target.
     pub target: Option<String>,
+    /// Number of the pose.
     pub pose: Option<i64>,
+    /// Number of the repeat.
     pub cycle: Option<i64>,
+    /// Time in seconds.
     pub time_s: Option<f64>,
-    /// No numbers where one of them does not read.
+    /// Place; no numbers where one of them does not read.
     pub xyz_mm: Vector,
+    /// Of x, y and z, where the file says it.
+    pub standard_uncertainty_mm: Option<Vector>,
+    /// Direction of surface or probe, of length 1, where the file says it.
+    pub direction: Option<Vector>,
     /// The rule that refuses it.
     pub refused: Option<String>,
 }
@@ -31,6 +43,8 @@ pub(crate) struct Point {
 #[derive(Clone, Debug, Default)]
 pub(super) struct PointColumns {
     pub points: Vec<Point>,
+    /// Warnings about exports as a whole.
+    pub remarks: Vec<Message>,
 }
 
 impl PointColumns {
@@ -44,6 +58,7 @@ impl PointColumns {
             ));
         }
         problems = problems.at(&campaign.place(&export.file));
+        self.remarks.extend(super::rounding::coarse(campaign, export, &rows));
         problems.0.extend(self.add(campaign, export, rows, source).0);
         problems
     }
@@ -61,7 +76,7 @@ impl PointColumns {
         let world = campaign.file.frame.world.get_ref();
         let frame_targets = world.targets.as_deref().filter(|_| world.each.is_none()).unwrap_or_default();
         for (i, row) in rows.into_iter().enumerate() {
-            let zero = row.xyz_mm == [0.0; 3];
+            let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
             let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
             if let Some(reason) = reason {
                 source.refused.push(Refused { line: row.line, text: row.text, reason });
@@ -69,6 +84,13 @@ impl PointColumns {
             }
             let named = pattern.as_ref().and_then(|p| p.read(&row.label)).unwrap_or_default();
             let target = row.target.clone().or(named.target).or_else(|| export.target.clone());
+            if target.as_ref().is_some_and(|t| t.starts_with(['=', '@', '+', '-'])) {
+                let target = target.unwrap_or_default();
+                let message = Message::error(format!("the target `{target}` would be a formula in a spreadsheet"));
+                let hint = "give it another name, or state a `label` that leaves the first character out";
+                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
+                continue;
+            }
             let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|_| i as i64 + 1));
             let unreadable = row.xyz_mm.iter().any(|v| v.is_nan());
             let in_frame = |t: &String| frame_targets.iter().any(|f| f.get_ref() == t);
@@ -138,31 +160,38 @@ impl PointColumns {
     /// The points as a table.
     pub fn table(&self) -> Result<DataFrame> {
         let p = &self.points;
-        let strings = |name: &str, f: &dyn Fn(&Point) -> Option<&str>| {
+        let strings = |name: &str, f: &dyn Fn(&Point) -> Option<&str>| -> Column {
             Series::new(name.into(), p.iter().map(f).collect::<Vec<_>>()).into()
         };
-        let whole = |name: &str, f: &dyn Fn(&Point) -> Option<i64>| {
+        let whole = |name: &str, f: &dyn Fn(&Point) -> Option<i64>| -> Column {
             Series::new(name.into(), p.iter().map(f).collect::<Vec<_>>()).into()
         };
-        let real = |name: &str, f: &dyn Fn(&Point) -> Option<f64>| {
+        let real = |name: &str, f: &dyn Fn(&Point) -> Option<f64>| -> Column {
             Series::new(name.into(), p.iter().map(f).collect::<Vec<_>>()).into()
         };
-        Ok(DataFrame::new(
-            p.len(),
-            vec![
-                strings("export", &|p| Some(&p.export)),
-                whole("row", &|p| Some(p.row)),
-                whole("line", &|p| Some(p.line as i64)),
-                strings("label", &|p| Some(&p.label)),
-                strings("target", &|p| p.target.as_deref()),
-                whole("pose", &|p| p.pose),
-                whole("cycle", &|p| p.cycle),
-                real("time_s", &|p| p.time_s),
-                real("x_mm", &|p| Some(p.xyz_mm[0])),
-                real("y_mm", &|p| Some(p.xyz_mm[1])),
-                real("z_mm", &|p| Some(p.xyz_mm[2])),
-            ],
-        )?)
+        let mut columns = vec![
+            strings("export", &|p| Some(&p.export)),
+            whole("row", &|p| Some(p.row)),
+            whole("line", &|p| Some(p.line as i64)),
+            strings("label", &|p| Some(&p.label)),
+            strings("target", &|p| p.target.as_deref()),
+            whole("pose", &|p| p.pose),
+            whole("cycle", &|p| p.cycle),
+            real("time_s", &|p| p.time_s),
+            real("x_mm", &|p| Some(p.xyz_mm[0])),
+            real("y_mm", &|p| Some(p.xyz_mm[1])),
+            real("z_mm", &|p| Some(p.xyz_mm[2])),
+        ];
+        // few files say these
+        if p.iter().any(|p| p.standard_uncertainty_mm.is_some()) {
+            let of = |axis: usize| move |p: &Point| p.standard_uncertainty_mm.map(|u| u[axis]);
+            columns.extend([real("ux_mm", &of(0)), real("uy_mm", &of(1)), real("uz_mm", &of(2))]);
+        }
+        if p.iter().any(|p| p.direction.is_some()) {
+            let of = |axis: usize| move |p: &Point| p.direction.map(|d| d[axis]);
+            columns.extend([real("i", &of(0)), real("j", &of(1)), real("k", &of(2))]);
+        }
+        Ok(DataFrame::new(p.len(), columns)?)
     }
 }
 

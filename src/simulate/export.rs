@@ -1,7 +1,7 @@
 //! An export in the format that the campaign states.
 
 use super::{Scene, Truth, Turn, geometric, repeatability, text};
-use crate::campaign::{Dialect, Export, Format, Role};
+use crate::campaign::{ColumnAt, Columns, Dialect, Encoding, Export, Format, Header, Role};
 use crate::import;
 use crate::message::{Message, Result};
 use crate::noise::Noise;
@@ -30,12 +30,17 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
             .into());
     }
     let decimals = scene.truth.decimals;
+    if export.encoding.is_some_and(|encoding| encoding != Encoding::Utf8) {
+        let message = Message::error("simulate writes UTF-8").at(place());
+        return Err(message.hint("leave out `encoding` of this export").into());
+    }
     let written = match &export.format {
         Format::Polyworks => rows.iter().map(|row| polyworks_line(row, decimals)).collect(),
         other @ (Format::Qif | Format::Own(..)) => {
             let message = Message::error(format!("simulate writes no {other}")).at(place());
             return Err(message.hint("state `polyworks` or a delimited format for this export").into());
         }
+        Format::SpatialAnalyzer => spatialanalyzer(&rows, export.unit.name(), decimals),
         Format::Delimited(dialect) => {
             let offset_s = scene.campaign.file.join.stated_offset_s().unwrap_or(0.0);
             delimited(&rows, export, dialect, scene.truth, offset_s).map_err(|m| m.at(place()))?
@@ -85,7 +90,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     for (label, xyz) in labelled.chain(repeatability::points(scene, export, &mut measure)?) {
         rows.push(Row { target: label.clone(), label, turn: scene.turn(1), moves: false, xyz });
     }
-    let names_target = matches!(&export.format, Format::Delimited(d) if d.columns.contains(&Role::Target));
+    let names_target = matches!(&export.format, Format::Delimited(d) if d.columns.contains(Role::Target));
     if export.label.is_none() && export.target.is_none() && !names_target {
         return Ok(rows);
     }
@@ -129,6 +134,16 @@ fn polyworks_line(row: &Row, decimals: usize) -> String {
     format!("{} {x:.decimals$} {y:.decimals$} {z:.decimals$}\n", text::blank(&row.label, false))
 }
 
+/// As SpatialAnalyzer writes it; label parts between `::` are collection and group.
+fn spatialanalyzer(rows: &[Row], unit: &str, decimals: usize) -> String {
+    let head = format!("// AXES = CARTESIAN: X,  Y,  Z ({unit})\n");
+    let line = |row: &Row| {
+        let [x, y, z] = row.xyz;
+        format!("{},  {x:.decimals$},  {y:.decimals$},  {z:.decimals$}\n", row.label.replace("::", ",  "))
+    };
+    head + &rows.iter().map(line).collect::<String>()
+}
+
 /// Header rows, the last of which names the columns, and the data.
 fn delimited(
     rows: &[Row],
@@ -138,50 +153,70 @@ fn delimited(
     offset_s: f64,
 ) -> std::result::Result<String, Message> {
     let decimals = truth.decimals;
-    let line = |field: &mut dyn FnMut(&Role) -> String| {
-        let fields: Vec<String> = dialect.columns.iter().map(field).collect();
-        text::line(&fields, dialect.delimiter, dialect.comment.as_deref())
+    let columns = columns(&dialect.columns)?;
+    let delimiter = dialect.delimiter.ok_or_else(|| {
+        Message::error("simulate writes neither fixed widths nor workbooks").hint("state a `delimiter` for this export")
+    })?;
+    if !dialect.types.is_empty() {
+        return Err(Message::error("simulate writes no coordinates whose kind each row says"));
+    }
+    let line = |field: &mut dyn FnMut(&Role, &str) -> String| {
+        let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();
+        text::line(&fields, delimiter, dialect.comment.as_deref())
     };
     let mut all = String::new();
     if let Some(mark) = &dialect.comment {
         // as SpatialAnalyzer heads its ASCII points
-        let headings: Vec<&str> = dialect.columns.iter().map(|role| heading(*role)).collect();
+        let headings: Vec<&str> = columns.iter().map(|(_, name)| name.as_str()).collect();
         all += &format!("{mark} AXES = CARTESIAN: X,  Y,  Z ({})\n", export.unit.name());
         all += &format!("{mark} {}\n\n", headings.join(",  "));
     }
-    for remaining in (0..dialect.header).rev() {
-        all += &line(&mut |role| if remaining == 0 { heading(*role).to_owned() } else { "simulated".to_owned() })?;
+    let header = if let Header::Rows(rows) = dialect.header { rows } else { 1 };
+    for remaining in (0..header).rev() {
+        all += &line(&mut |_, name| if remaining == 0 { name.to_owned() } else { "simulated".to_owned() })?;
     }
     let number = |value, digits| text::number(value, digits, dialect.decimal);
+    let in_unit = |rad: f64| rad / dialect.angle_unit.map_or(1.0, |unit| unit.in_rad());
     for row in rows {
         let mut skipped = truth.skipped.iter();
         let mut skip = || skipped.next().map_or("-", String::as_str).to_owned();
-        all += &line(&mut |role| match role {
+        let [x, y, z] = row.xyz;
+        // an angle needs more digits than a length
+        let angle = |rad: f64| number(in_unit(rad), decimals + 6);
+        all += &line(&mut |role, _| match role {
             Role::Label => row.label.clone(),
             Role::Target => row.target.clone(),
             Role::Pose => row.turn.pose.to_string(),
             Role::Cycle => row.turn.cycle.to_string(),
-            Role::X => number(row.xyz[0], decimals),
-            Role::Y => number(row.xyz[1], decimals),
-            Role::Z => number(row.xyz[2], decimals),
+            Role::X => number(x, decimals),
+            Role::Y => number(y, decimals),
+            Role::Z => number(z, decimals),
+            Role::Radius => number(x.hypot(y), decimals),
+            Role::Distance => number(x.hypot(y).hypot(z), decimals),
+            Role::Azimuth => angle(y.atan2(x)),
+            Role::AzimuthClockwise => angle(-y.atan2(x)),
+            Role::Zenith => angle(x.hypot(y).atan2(z)),
+            Role::Elevation => angle(z.atan2(x.hypot(y))),
+            Role::I | Role::J => number(0.0, decimals),
+            Role::K => number(1.0, decimals),
             Role::TimeS => number(row.turn.time_s() + offset_s, 6),
-            Role::Skip => skip(),
+            _ => skip(),
         })?;
     }
+    all += &dialect.end.iter().map(|end| format!("{end}\n")).collect::<String>();
     Ok(all)
 }
 
-/// What the header calls a column.
-fn heading(role: Role) -> &'static str {
-    match role {
-        Role::Label => "label",
-        Role::Target => "target",
-        Role::Pose => "pose",
-        Role::Cycle => "cycle",
-        Role::X => "x",
-        Role::Y => "y",
-        Role::Z => "z",
-        Role::TimeS => "time_s",
-        Role::Skip => "-",
+/// What each column holds, and what the header calls it.
+fn columns(stated: &Columns) -> std::result::Result<Vec<(Role, String)>, Message> {
+    match stated {
+        Columns::InOrder(roles) => Ok(roles.iter().map(|role| (*role, role.name().to_owned())).collect()),
+        Columns::Named(named) => {
+            let name = |(role, column): &(Role, ColumnAt)| match column {
+                ColumnAt::Name(name) => Ok((*role, name.clone())),
+                ColumnAt::Number(_) => Err(Message::error("simulate writes no columns that only a number names")),
+            };
+            named.iter().map(name).collect()
+        }
     }
 }

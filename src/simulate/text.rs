@@ -28,7 +28,7 @@ pub(super) fn line(fields: &[String], delimiter: Delimiter, comment: Option<&str
 
 /// A field between separators.
 fn separated(field: &str, separator: char, quote: bool) -> String {
-    if quote || field.contains([separator, '"', '\n', '\r']) {
+    if quote || field.contains([separator, '"', '\n', '\r']) || field.trim() != field {
         format!("\"{}\"", field.replace('"', "\"\""))
     } else {
         field.to_owned()

@@ -51,7 +51,11 @@ fn a_synthetic_campaign_simulates_checks_and_runs() {
     assert_eq!(done(&["simulate", "mine"]), "exports/world.txt\nexports/poses.txt\nencoders.csv\n");
     // the template's dialect: a header row, and 29 poses of K and L in 3 repeats below it
     let checked = done(&["check", "mine"]);
-    assert!(checked.contains("exports/poses.txt: 174 rows, 0 refused (delimited by `;`, decimal `,`, 1 header rows"));
+    assert!(
+        checked.contains(
+            "exports/poses.txt: 174 rows, 0 refused ({ delimiter = \";\", decimal = \",\", header = 1, columns"
+        )
+    );
     let ran = done(&["run", "mine"]);
     assert!(ran.contains("limit position_max_mm: met") && ran.contains("calibration: 8 poses, 24 errors"), "{ran}");
     // what `formats` proposes for the simulated file is what the campaign states

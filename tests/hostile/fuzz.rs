@@ -101,7 +101,11 @@ fn run(name: &str, texts: &[&String], read: impl Fn(&str)) {
         let before = Instant::now();
         let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| read(&text)));
         assert!(outcome.is_ok(), "{name}: trial {runs} panics on {text:?}");
-        assert!(before.elapsed().as_secs_f64() < 20.0, "{name}: trial {runs} takes {:?} for {text:?}", before.elapsed());
+        assert!(
+            before.elapsed().as_secs_f64() < 20.0,
+            "{name}: trial {runs} takes {:?} for {text:?}",
+            before.elapsed()
+        );
         runs += 1;
     }
     println!("{name}: {runs} damaged files in {:.1} s", start.elapsed().as_secs_f64());

@@ -2,6 +2,7 @@
 
 mod causes;
 mod check;
+mod files;
 mod follow_up;
 mod fuzz;
 mod logs;
@@ -9,6 +10,7 @@ mod qif;
 mod readers;
 mod recovery;
 mod together;
+mod traps;
 
 use crate::scratch::{Scratch, copy_sample};
 

@@ -17,7 +17,27 @@ const BY_POSE: &str = "by = [\"pose\", \"cycle\"]";
 /// Name, lines of the export, mm in its unit, whether it bears fixed points, lines of the log, mm in its unit, join.
 type Case = (&'static str, &'static str, f64, bool, &'static str, f64, &'static str);
 
-const CASES: [Case; 9] = [
+const CASES: [Case; 11] = [
+    (
+        "SpatialAnalyzer",
+        "format = \"spatialanalyzer\"\nunit = \"inch\"\nlabel = \"{cycle}::{target}::{pose}\"",
+        25.4,
+        false,
+        LOG,
+        1.0,
+        BY_POSE,
+    ),
+    (
+        "columns by the words of their header, thousands, a direction",
+        "format = { delimiter = \";\", decimal = \",\", thousands = \".\", header = [\"East\", \"Up\"], \
+         columns = { i = \"ni\", j = \"nj\", k = \"nk\", x = \"East\", y = \"North\", z = \"Up\", label = \"Name of it\" } }\n\
+         unit = \"mm\"\nlabel = \"{target}_{pose}_{cycle}\"",
+        1.0,
+        true,
+        LOG,
+        1.0,
+        BY_POSE,
+    ),
     (
         "polyworks",
         "format = \"polyworks\"\nunit = \"mm\"\nlabel = \"{target}_{pose}_{cycle}\"",
@@ -49,12 +69,12 @@ const CASES: [Case; 9] = [
         BY_POSE,
     ),
     (
-        "commas twice",
-        "format = { delimiter = \",\", decimal = \",\", columns = [\"label\", \"x\", \"y\", \"z\"] }\n\
-         unit = \"inch\"\nlabel = \"P{pose}, {cycle}: {target}\"",
+        "bars, a label that holds one, an end",
+        "format = { delimiter = \"|\", decimal = \",\", end = \"END\", columns = [\"label\", \"x\", \"y\", \"z\"] }\n\
+         unit = \"inch\"\nlabel = \"P{pose}| {cycle}: {target}\"",
         25.4,
         true,
-        "delimiter = \",\"\ndecimal = \",\"\ncolumns = { pose = \"pose\", cycle = 1, rho1_um = \"A\", rho2_um = \"B\", rho3_um = \"C\" }",
+        "delimiter = \"|\"\ndecimal = \",\"\ncolumns = { pose = \"pose\", cycle = 1, rho1_um = \"A\", rho2_um = \"B\", rho3_um = \"C\" }",
         0.001,
         BY_POSE,
     ),

@@ -25,5 +25,6 @@ mod robots;
 mod serial;
 mod solving;
 mod standstills;
+mod texts;
 mod thresholds;
 mod zones;

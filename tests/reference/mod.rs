@@ -1,6 +1,8 @@
 //! Agreement with numbers that others have published or certified.
 mod bounded;
 mod enclosing;
+mod exports;
+mod exports_table;
 mod irb120;
 mod iso9283;
 mod iso9283_streams;

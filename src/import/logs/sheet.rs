@@ -3,7 +3,7 @@
 use super::super::delimited::{Row, cell_place, rows};
 use super::super::formats::propose;
 use super::{Columns, Wanted, cells, galil, kuka_rsi, ros, unit_agrees};
-use crate::campaign::{Campaign, ColumnAt, Log, LogFormat};
+use crate::campaign::{Campaign, ColumnAt, Decimal, Delimiter, Log, LogFormat, two_commas};
 use crate::document::Source;
 use crate::message::{Message, Place, Problems, Result};
 
@@ -46,6 +46,9 @@ pub(super) fn read(
     text: &str,
     source: &mut Source,
 ) -> Result<Columns> {
+    if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
+        return Err(two_commas().at(campaign.place(&log.file)).into());
+    }
     source.dialect = format!(
         "{}delimited by `{}`, decimal `{}`",
         if log.format == LogFormat::Delimited { String::new() } else { format!("{}, ", log.format.name()) },

@@ -1,0 +1,207 @@
+//! What the columns of a text hold: from the left, or by their names in the header.
+
+use super::column::{Column, ColumnAt};
+use serde::de::{self, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
+
+/// What a column holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// Label of the point; the parts of several are joined by `::`.
+    Label,
+    /// Name of the target.
+    Target,
+    /// Number of the pose.
+    Pose,
+    /// Number of the repeat.
+    Cycle,
+    /// Coordinate.
+    X,
+    /// Coordinate.
+    Y,
+    /// Coordinate.
+    Z,
+    /// Distance from the z axis.
+    Radius,
+    /// Angle about the z axis from x, counter-clockwise seen from +z.
+    Azimuth,
+    /// The same, clockwise.
+    AzimuthClockwise,
+    /// Angle from the z axis.
+    Zenith,
+    /// Angle from the xy plane.
+    Elevation,
+    /// Distance from the origin.
+    Distance,
+    /// Coordinate that is what `types` says for the row's `type`.
+    C1,
+    /// The same.
+    C2,
+    /// The same.
+    C3,
+    /// Says which of `types` the row has.
+    Type,
+    /// Standard uncertainty of the row's first coordinate from the left, in its unit.
+    U1,
+    /// Of the second.
+    U2,
+    /// Of the third.
+    U3,
+    /// Direction of the surface or probe.
+    I,
+    /// The same.
+    J,
+    /// The same.
+    K,
+    /// Time in seconds.
+    TimeS,
+    /// Not read.
+    #[serde(rename = "-", alias = "skip")]
+    Skip,
+}
+
+impl Role {
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Label => "label",
+            Self::Target => "target",
+            Self::Pose => "pose",
+            Self::Cycle => "cycle",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+            Self::Radius => "radius",
+            Self::Azimuth => "azimuth",
+            Self::AzimuthClockwise => "azimuth_clockwise",
+            Self::Zenith => "zenith",
+            Self::Elevation => "elevation",
+            Self::Distance => "distance",
+            Self::C1 => "c1",
+            Self::C2 => "c2",
+            Self::C3 => "c3",
+            Self::Type => "type",
+            Self::U1 => "u1",
+            Self::U2 => "u2",
+            Self::U3 => "u3",
+            Self::I => "i",
+            Self::J => "j",
+            Self::K => "k",
+            Self::TimeS => "time_s",
+            Self::Skip => "-",
+        }
+    }
+
+    /// A coordinate whose kind the column says.
+    pub fn is_coordinate(self) -> bool {
+        matches!(self, Self::X | Self::Y | Self::Z | Self::Radius | Self::Distance) || self.is_angle()
+    }
+
+    /// A coordinate that is an angle.
+    pub fn is_angle(self) -> bool {
+        matches!(self, Self::Azimuth | Self::AzimuthClockwise | Self::Zenith | Self::Elevation)
+    }
+
+    /// A coordinate of a kind that the row says.
+    pub fn is_typed(self) -> bool {
+        matches!(self, Self::C1 | Self::C2 | Self::C3)
+    }
+
+    /// A standard uncertainty.
+    pub fn is_uncertainty(self) -> bool {
+        matches!(self, Self::U1 | Self::U2 | Self::U3)
+    }
+}
+
+/// What the columns of a text hold.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Columns {
+    /// From the left; more columns than stated are refused.
+    InOrder(Vec<Role>),
+    /// By name in the header, or by number; others are not read.
+    Named(Vec<(Role, ColumnAt)>),
+}
+
+impl Default for Columns {
+    fn default() -> Self {
+        Self::InOrder(Vec::new())
+    }
+}
+
+impl From<Vec<Role>> for Columns {
+    fn from(roles: Vec<Role>) -> Self {
+        Self::InOrder(roles)
+    }
+}
+
+impl Columns {
+    /// All roles that are stated, from the left or in the order of their statement.
+    pub fn roles(&self) -> Vec<Role> {
+        match self {
+            Self::InOrder(roles) => roles.clone(),
+            Self::Named(named) => named.iter().map(|(role, _)| *role).collect(),
+        }
+    }
+
+    /// Whether a column holds this.
+    pub fn contains(&self, role: Role) -> bool {
+        self.roles().contains(&role)
+    }
+}
+
+impl<'de> Deserialize<'de> for Columns {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ListOrTable;
+        impl<'de> Visitor<'de> for ListOrTable {
+            type Value = Columns;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str(
+                    "what each column holds, [\"label\", \"x\", ..], or { label = \"name in the header\", x = .. }",
+                )
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Columns, A::Error> {
+                Ok(Columns::InOrder(Vec::deserialize(de::value::SeqAccessDeserializer::new(seq))?))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Columns, A::Error> {
+                let mut named = Vec::new();
+                while let Some(role) = map.next_key::<Role>()? {
+                    let OneOrMore(columns) = map.next_value()?;
+                    named.extend(columns.into_iter().map(|column| (role, column)));
+                }
+                // a table of TOML has no order
+                named.sort_by_key(|(role, _): &(Role, ColumnAt)| *role as usize);
+                Ok(Columns::Named(named))
+            }
+        }
+        deserializer.deserialize_any(ListOrTable)
+    }
+}
+
+/// A column, or several that make one label.
+struct OneOrMore(Vec<ColumnAt>);
+
+impl<'de> Deserialize<'de> for OneOrMore {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Any;
+        impl<'de> Visitor<'de> for Any {
+            type Value = OneOrMore;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("the name of a column, or its number from 1, or a list of them")
+            }
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<OneOrMore, E> {
+                Ok(OneOrMore(vec![ColumnAt::Name(name.to_owned())]))
+            }
+            fn visit_i64<E: de::Error>(self, number: i64) -> Result<OneOrMore, E> {
+                let column = Column::deserialize(de::value::I64Deserializer::new(number))?;
+                Ok(OneOrMore(vec![column.at]))
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<OneOrMore, A::Error> {
+                let columns: Vec<Column> = Vec::deserialize(de::value::SeqAccessDeserializer::new(seq))?;
+                Ok(OneOrMore(columns.into_iter().map(|column| column.at).collect()))
+            }
+        }
+        deserializer.deserialize_any(Any)
+    }
+}

@@ -1,0 +1,209 @@
+//! What a delimited text is made of beside its delimiter: encoding, marks, header, angles, what is not measured.
+
+use serde::de::{self, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
+
+/// How bytes become characters. Without a statement a text is UTF-8, or what its byte-order mark says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub enum Encoding {
+    /// UTF-8, with a byte-order mark or without.
+    #[serde(rename = "utf-8", alias = "utf8", alias = "ascii")]
+    Utf8,
+    /// UTF-16, the low byte first.
+    #[serde(rename = "utf-16le")]
+    Utf16Le,
+    /// UTF-16, the high byte first.
+    #[serde(rename = "utf-16be")]
+    Utf16Be,
+    /// Western European Windows.
+    #[serde(rename = "windows-1252", alias = "cp1252")]
+    Windows1252,
+}
+
+impl Encoding {
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Utf8 => "utf-8",
+            Self::Utf16Le => "utf-16le",
+            Self::Utf16Be => "utf-16be",
+            Self::Windows1252 => "windows-1252",
+        }
+    }
+}
+
+/// What stands between groups of three digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub enum Thousands {
+    /// `1,234.5`
+    #[serde(rename = ",", alias = "comma")]
+    Comma,
+    /// `1.234,5`
+    #[serde(rename = ".", alias = "point")]
+    Point,
+    /// `1'234.5`
+    #[serde(rename = "'", alias = "apostrophe")]
+    Apostrophe,
+    /// `1 234.5`, also with a no-break, narrow or thin blank.
+    #[serde(rename = " ", alias = "blank")]
+    Blank,
+}
+
+impl Thousands {
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Comma => ",",
+            Self::Point => ".",
+            Self::Apostrophe => "'",
+            Self::Blank => " ",
+        }
+    }
+
+    /// Whether the character is this mark.
+    pub fn is(self, c: char) -> bool {
+        match self {
+            Self::Comma => c == ',',
+            Self::Point => c == '.',
+            Self::Apostrophe => matches!(c, '\'' | '\u{2019}'),
+            Self::Blank => matches!(c, ' ' | '\u{a0}' | '\u{202f}' | '\u{2009}'),
+        }
+    }
+}
+
+/// Unit of angles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AngleUnit {
+    /// Degree.
+    Deg,
+    /// Radian.
+    Rad,
+    /// Gon: 400 in a full turn.
+    Gon,
+}
+
+impl AngleUnit {
+    /// Radians in one of the unit.
+    pub fn in_rad(self) -> f64 {
+        match self {
+            Self::Deg => std::f64::consts::PI / 180.0,
+            Self::Rad => 1.0,
+            Self::Gon => std::f64::consts::PI / 200.0,
+        }
+    }
+
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Deg => "deg",
+            Self::Rad => "rad",
+            Self::Gon => "gon",
+        }
+    }
+}
+
+/// What three coordinates are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CoordinateType {
+    /// x, y, z.
+    Cartesian,
+    /// Radius, azimuth, z.
+    Cylindrical,
+    /// Azimuth, zenith or elevation, distance.
+    Spherical,
+}
+
+impl CoordinateType {
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cartesian => "cartesian",
+            Self::Cylindrical => "cylindrical",
+            Self::Spherical => "spherical",
+        }
+    }
+}
+
+/// Where the data begin.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Header {
+    /// After so many rows; empty lines and comments are no rows.
+    Rows(usize),
+    /// After the first line that holds all these words.
+    Words(Vec<String>),
+}
+
+impl Default for Header {
+    fn default() -> Self {
+        Self::Rows(0)
+    }
+}
+
+impl<'de> Deserialize<'de> for Header {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct RowsOrWords;
+        impl<'de> Visitor<'de> for RowsOrWords {
+            type Value = Header;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("how many rows come before the data, or words of the row before them")
+            }
+            fn visit_str<E: de::Error>(self, words: &str) -> Result<Header, E> {
+                match words.trim() {
+                    "" => Err(E::invalid_value(de::Unexpected::Str(words), &self)),
+                    _ => Ok(Header::Words(vec![words.to_owned()])),
+                }
+            }
+            fn visit_i64<E: de::Error>(self, rows: i64) -> Result<Header, E> {
+                let wrong = || E::invalid_value(de::Unexpected::Signed(rows), &self);
+                usize::try_from(rows).map(Header::Rows).map_err(|_| wrong())
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Header, A::Error> {
+                let mut words: Vec<String> = Vec::new();
+                while let Some(word) = seq.next_element()? {
+                    words.push(word);
+                }
+                match words.iter().all(|w| w.trim().is_empty()) {
+                    true => Err(de::Error::custom("`header` names no word")),
+                    false => Ok(Header::Words(words)),
+                }
+            }
+        }
+        deserializer.deserialize_any(RowsOrWords)
+    }
+}
+
+/// Cells that say "not measured", where the campaign states none itself; a row of stars is an overflow.
+pub const NOT_MEASURED: [&str; 12] =
+    ["", "-", "--", "---", "N/A", "n/a", "#N/A", "nan", "1.#QNAN", "-1.#IND", "*", "0 0 0"];
+
+/// What says "not measured".
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(transparent)]
+pub struct Missing(Vec<String>);
+
+impl Default for Missing {
+    fn default() -> Self {
+        Self(NOT_MEASURED.map(str::to_owned).to_vec())
+    }
+}
+
+impl Missing {
+    /// Whether a cell says it.
+    pub fn says(&self, cell: &str) -> bool {
+        let stars = !cell.is_empty() && cell.bytes().all(|b| b == b'*');
+        self.0.iter().any(|marker| cell.eq_ignore_ascii_case(marker) || marker == "*" && stars)
+    }
+
+    /// Whether coordinates that are all zero say it.
+    pub fn origin(&self) -> bool {
+        self.0.iter().any(|marker| marker == "0 0 0")
+    }
+
+    /// As the campaign states it.
+    pub fn markers(&self) -> &[String] {
+        &self.0
+    }
+}

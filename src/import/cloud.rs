@@ -1,0 +1,316 @@
+//! Points of plain tables at the speed of the disk: rows of an optional label and x, y, z, and nothing else. What is not
+//! plain is left to the strict reader, which says where and why.
+
+use super::names::Names;
+use super::plain_line::{LONGEST, Line};
+use crate::campaign::{Columns, Decimal, Delimiter, Dialect, Format, Header, Role, Unit};
+use crate::message::{Message, Problems, Result};
+use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
+use rayon::prelude::*;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::Path;
+
+/// Bytes whose lines are read together.
+const BLOCK: u64 = 4 << 20;
+/// Points of a plain table.
+#[derive(Clone, Debug)]
+pub struct Cloud {
+    /// Labels, each once, in the order of their first rows.
+    pub labels: Vec<String>,
+    /// A row each point: `label`, its place in the labels (0 where rows have none), and `x_mm`, `y_mm`, `z_mm`.
+    pub table: DataFrame,
+}
+
+/// What is plain about a table.
+#[derive(Clone, Copy)]
+struct Plain {
+    /// None: blanks and tabs.
+    delimiter: Option<u8>,
+    labelled: bool,
+    in_mm: f64,
+}
+
+/// Rows of one block.
+#[derive(Default)]
+struct Part {
+    labels: Vec<String>,
+    label: Vec<u32>,
+    xyz: [Vec<f64>; 3],
+    /// All rows look like two angles and a distance.
+    angles: bool,
+}
+
+/// Reads a table of plain rows on all threads; `None` if it, or its format, has anything that only the strict reader
+/// understands or refuses. Every number is rounded correctly, and the same bits on any number of threads.
+///
+/// # Errors
+/// If the file cannot be read.
+pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> {
+    let fail = |e: std::io::Error| Problems::from(Message::error(format!("cannot read `{}`: {e}", path.display())));
+    let size = std::fs::metadata(path).map_err(fail)?.len();
+    let Some(plain) = Plain::of(path, format, unit).map_err(fail)? else { return Ok(None) };
+    let parts: std::io::Result<Vec<Option<Part>>> =
+        (0..size.div_ceil(BLOCK)).into_par_iter().map(|k| plain.part(path, k * BLOCK, size)).collect();
+    let Some(parts) = parts.map_err(fail)?.into_iter().collect::<Option<Vec<Part>>>() else { return Ok(None) };
+    // columns called x, y, z that hold two angles and a distance are the strict reader's matter
+    let stated = matches!(format, Format::Delimited(dialect) if dialect.coordinates.is_none());
+    if stated && parts.iter().all(|part| part.angles) {
+        return Ok(None);
+    }
+    Ok(Some(together(parts)?))
+}
+
+/// The parts one after the other, without copying their coordinates.
+fn together(mut parts: Vec<Part>) -> Result<Cloud> {
+    let texts: Vec<Vec<String>> = parts.iter_mut().map(|part| std::mem::take(&mut part.labels)).collect();
+    let mut known = Names::new();
+    let mut columns: [Option<Column>; 4] = [const { None }; 4];
+    for (mut part, texts) in parts.into_iter().zip(&texts) {
+        let of_file: Vec<u32> = texts.iter().map(|label| known.place(label.as_bytes()).0).collect();
+        if !of_file.is_empty() {
+            part.label.iter_mut().for_each(|label| *label = of_file[*label as usize]);
+        }
+        let [x, y, z] = part.xyz;
+        let pieces = [
+            UInt32Chunked::from_vec("label".into(), part.label).into_column(),
+            Float64Chunked::from_vec("x_mm".into(), x).into_column(),
+            Float64Chunked::from_vec("y_mm".into(), y).into_column(),
+            Float64Chunked::from_vec("z_mm".into(), z).into_column(),
+        ];
+        for (all, piece) in columns.iter_mut().zip(pieces) {
+            match all {
+                Some(all) => {
+                    all.append(&piece)?;
+                }
+                None => *all = Some(piece),
+            }
+        }
+    }
+    let columns: Vec<Column> = columns.into_iter().flatten().collect();
+    let height = columns.first().map_or(0, Column::len);
+    let labels = known.all.iter().map(|label| String::from_utf8_lossy(label).into_owned()).collect();
+    Ok(Cloud { labels, table: DataFrame::new(height, columns)? })
+}
+
+impl Plain {
+    /// What is plain about a file in this format; the first row says whether rows of PolyWorks bear labels.
+    fn of(path: &Path, format: &Format, unit: Unit) -> std::io::Result<Option<Self>> {
+        let in_mm = unit.in_mm();
+        let (delimiter, labelled) = match format {
+            Format::Polyworks => {
+                let mut start = Vec::new();
+                File::open(path)?.take(LONGEST as u64).read_to_end(&mut start)?;
+                let first = start.split(|b| *b == b'\n').find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
+                match first.split(u8::is_ascii_whitespace).filter(|f| !f.is_empty()).count() {
+                    3 => (None, false),
+                    4 => (None, true),
+                    _ => return Ok(None),
+                }
+            }
+            Format::Delimited(dialect) => match plain_columns(dialect) {
+                Some(labelled) => (dialect.delimiter.and_then(Delimiter::byte), labelled),
+                None => return Ok(None),
+            },
+            _ => return Ok(None),
+        };
+        Ok(Some(Self { delimiter, labelled, in_mm }))
+    }
+
+    /// Points of the lines that begin in a block; none if one of them is not plain.
+    fn part(self, path: &Path, start: u64, size: u64) -> std::io::Result<Option<Part>> {
+        // one byte before tells whether a line begins with the block
+        let from = start.saturating_sub(1);
+        let mut bytes = Vec::with_capacity(BLOCK as usize + LONGEST + 2);
+        let mut file = File::open(path)?;
+        file.seek(SeekFrom::Start(from))?;
+        file.take(BLOCK + LONGEST as u64 + 1).read_to_end(&mut bytes)?;
+        let last = from + bytes.len() as u64 == size;
+        let mut at = match start {
+            0 => 0,
+            _ => bytes.iter().position(|b| *b == b'\n').map_or(bytes.len(), |i| i + 1),
+        };
+        let end = (start + BLOCK - from) as usize;
+        let rows = bytes[at..].iter().filter(|b| **b == b'\n').count() + 1;
+        let mut part = Part { xyz: std::array::from_fn(|_| Vec::with_capacity(rows)), angles: true, ..Part::default() };
+        part.label.reserve_exact(rows);
+        let mut known = Names::new();
+        let mut before: (&[u8], u32) = (b"", u32::MAX);
+        while at < end.min(bytes.len()) {
+            let mut line = Line { bytes: &bytes, at, delimiter: self.delimiter };
+            if line.is_blank() {
+                at = line.at;
+                continue;
+            }
+            let label = if self.labelled { line.label() } else { Some(&b""[..]) };
+            let row = label.and_then(|label| Some((label, [line.number()?, line.number()?, line.number()?])));
+            let (Some((label, xyz)), true) = (row, line.end(last)) else { return Ok(None) };
+            if self.labelled && label != before.0 || before.1 == u32::MAX {
+                let (id, new) = known.place(label);
+                if new && self.labelled {
+                    let Ok(text) = std::str::from_utf8(label) else { return Ok(None) };
+                    // blanks beyond ASCII
+                    let parted = self.delimiter.is_none() && text.contains(char::is_whitespace);
+                    if text.trim() != text || parted {
+                        return Ok(None);
+                    }
+                    part.labels.push(text.to_owned());
+                }
+                before = (label, id);
+            }
+            part.label.push(before.1);
+            part.angles &= xyz[0].abs() <= std::f64::consts::TAU && xyz[2] * self.in_mm > 100.0;
+            for (column, value) in part.xyz.iter_mut().zip(xyz) {
+                column.push(value * self.in_mm);
+            }
+            at = line.at;
+        }
+        Ok(Some(part))
+    }
+}
+
+/// Whether rows bear labels, if the dialect states nothing that is not plain.
+fn plain_columns(dialect: &Dialect) -> Option<bool> {
+    let Columns::InOrder(roles) = &dialect.columns else { return None };
+    let labelled = match roles[..] {
+        [Role::X, Role::Y, Role::Z] => false,
+        [Role::Label, Role::X, Role::Y, Role::Z] => true,
+        _ => return None,
+    };
+    let bare = Dialect {
+        delimiter: dialect.delimiter,
+        columns: dialect.columns.clone(),
+        coordinates: dialect.coordinates,
+        ..Dialect::default()
+    };
+    let plain = dialect.delimiter.is_some() && *dialect == bare && dialect.header == Header::Rows(0);
+    (plain && dialect.decimal == Decimal::Point).then_some(labelled)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table;
+
+    type Rows = Option<Vec<(String, [u64; 3])>>;
+
+    /// Labels and the bits of the coordinates, as the fast and the strict reader see them.
+    fn both(text: &str, format: &Format, unit: Unit) -> (Rows, Rows) {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), text).unwrap();
+        let bits = |xyz: [f64; 3]| xyz.map(f64::to_bits);
+        let fast = cloud(file.path(), format, unit).unwrap().map(|cloud| {
+            let labels = table::integers(&cloud.table, "label").unwrap();
+            let xyz = ["x_mm", "y_mm", "z_mm"].map(|name| table::numbers(&cloud.table, name).unwrap());
+            let label = |i: usize| cloud.labels.get(labels[i] as usize).cloned().unwrap_or_default();
+            (0..labels.len()).map(|i| (label(i), bits([xyz[0][i], xyz[1][i], xyz[2][i]]))).collect()
+        });
+        let strict = super::super::read_file(file.path(), None, format, unit).ok();
+        let plain = strict.filter(|points| points.iter().all(|p| p.refused.is_none()));
+        (fast, plain.map(|points| points.into_iter().map(|p| (p.label, bits(p.xyz_mm))).collect()))
+    }
+
+    fn formats() -> Vec<Format> {
+        let stated = |delimiter, roles: &[Role]| {
+            Format::Delimited(Box::new(Dialect {
+                delimiter: Some(delimiter),
+                columns: roles.to_vec().into(),
+                ..Dialect::default()
+            }))
+        };
+        use Role::*;
+        vec![
+            Format::Polyworks,
+            stated(Delimiter::Blank, &[Label, X, Y, Z]),
+            stated(Delimiter::Blank, &[X, Y, Z]),
+            stated(Delimiter::Comma, &[Label, X, Y, Z]),
+            stated(Delimiter::Tab, &[Label, X, Y, Z]),
+            stated(Delimiter::Semicolon, &[X, Y, Z]),
+        ]
+    }
+
+    #[test]
+    fn many_blocks_give_the_same_bits_as_the_strict_reader() {
+        let mut noise = crate::noise::Noise::new(3, 1);
+        for (format, separator, labelled) in formats()
+            .iter()
+            .zip([" ", "  ", "\t ", ",", "\t", ";"])
+            .zip([true, true, false, true, true, false])
+            .map(|((f, s), l)| (f, s, l))
+        {
+            let mut text = String::new();
+            let mut i = 0;
+            while text.len() < (2 * BLOCK) as usize + 999 {
+                let mut number = |n: i32| {
+                    let value = noise.gaussian(1.0) * 10f64.powi((i + n) % 9 - 3);
+                    if i % 5 == 0 { format!("{value:e}") } else { format!("{value:.*}", ((i + n) % 19) as usize) }
+                };
+                let row = [number(0), number(1), number(2)].join(separator);
+                let label = if labelled { format!("ball_{}{separator}", i % 137) } else { String::new() };
+                text += &format!("{label}{row}{}", if i % 7 == 0 { "\r\n" } else { "\n" });
+                i += 1;
+            }
+            let (fast, strict) = both(text.trim_end(), format, Unit::Inch);
+            assert_eq!(fast.as_ref().map(Vec::len), Some(i as usize), "{format}");
+            assert!(fast == strict, "{format}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_plain_is_left_to_the_strict_reader_and_nothing_is_read_otherwise() {
+        let rows = [
+            "",
+            "\n",
+            " ",
+            "a",
+            "a b",
+            "1 2 3",
+            "a 1 2 3",
+            "a,1,2,3",
+            "a;1;2;3",
+            "1;2;3",
+            "\"a b\" 1 2 3",
+            "a\t1\t2\t3",
+            "1,5 2 3",
+            "a 1 2 nan",
+            "a 1 2 inf",
+            "a 1 2 3 4",
+            "a 1 2",
+            "a 1 2 3\r",
+            "a 1\r2 3",
+            "a 1 2 1e400",
+            "-.5 +1 2.",
+            "- 1 2",
+            ". 1 2",
+            "1e5 1E-3 0x1",
+            "a 1 2 123456789012345678901234567890.5",
+            "0.1 9007199254740993 -0.0",
+            "a 1 2 --3",
+            "\u{feff}a 1 2 3",
+            "a 1 2 \u{2212}3",
+            "a 1.5D+01 2 3",
+            "K\u{fc} 1 2 3",
+            "a\0 1 2 3",
+            "a, 1 ,2 , 3",
+            ",1,2,3",
+            "a,,2,3",
+            "a 1 2 1.2.3",
+            "1 1 500",
+            "a 1 2 0.30000000000000004",
+        ];
+        let mut read = 0;
+        for first in rows {
+            for second in rows {
+                for format in formats() {
+                    let text = format!("{first}\n{second}\n{first}");
+                    let (fast, strict) = both(&text, &format, Unit::Millimetre);
+                    if let Some(fast) = fast {
+                        read += usize::from(!fast.is_empty());
+                        assert_eq!(Some(fast), strict, "{format}: {text:?}");
+                    }
+                }
+            }
+        }
+        assert!(read > 50, "{read}");
+    }
+}

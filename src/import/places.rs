@@ -1,0 +1,242 @@
+//! Points that lie where another one is, and reference targets that drift: told, never dropped.
+
+use super::points::Point;
+use crate::campaign::{Campaign, Fixed};
+use crate::message::{Message, Place, Problems, count};
+use crate::pose::{Vector, minus, norm};
+use std::collections::BTreeMap;
+
+/// Blocks of a recording that are compared for drift; each needs some rows.
+const BLOCKS: usize = 10;
+const FEWEST: usize = 3;
+
+/// How near two points lie that are one: ten times the instrument's expanded uncertainty, from 0.1 to 1 mm.
+fn near_mm(campaign: &Campaign) -> f64 {
+    (10.0 * campaign.file.instrument.expanded_uncertainty_um / 1000.0).clamp(0.1, 1.0)
+}
+
+/// The name that a row bears: its target, or its label.
+fn name(point: &Point) -> &str {
+    point.target.as_deref().unwrap_or(&point.label)
+}
+
+/// Warnings about rows that bear the name of one point and lie where another is: in the same pose, or, of points that
+/// stand still, where no other row of their own name lies. One warning for each pair of names.
+pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
+    let near = near_mm(campaign);
+    let mut same: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
+    points.iter().for_each(|p| same.entry(name(p)).or_default().push(p));
+    let mut usual = BTreeMap::new();
+    let mut off = |p| {
+        let own: &[&Point] = same.get(name(p)).map_or(&[], Vec::as_slice);
+        let (place, spread) = *usual.entry(name(p)).or_insert_with(|| where_it_is(own));
+        norm(minus(p.xyz_mm, place)) / spread
+    };
+    let stray = |p: &Point| strays(p, same.get(name(p)).map_or(&[], Vec::as_slice), near);
+    let mut found: BTreeMap<(&str, &str), Vec<&Point>> = BTreeMap::new();
+    for (a, b) in neighbours(points, near) {
+        let wrong = match (a.pose, b.pose) {
+            (Some(p), Some(q)) if (p, a.cycle) == (q, b.cycle) => {
+                if off(a) >= off(b) {
+                    a
+                } else {
+                    b
+                }
+            }
+            (None, None) if a.target.is_none() && b.target.is_none() => match stray(a) {
+                true => a,
+                false if stray(b) => b,
+                false => continue,
+            },
+            _ => continue,
+        };
+        let other = if std::ptr::eq(wrong, a) { b } else { a };
+        found.entry((name(wrong), name(other))).or_default().push(wrong);
+    }
+    let warning = |((wrong, other), mut rows): ((&str, &str), Vec<&Point>)| {
+        rows.sort_by_key(|p| (p.row, p.line));
+        rows.dedup_by_key(|p| (p.row, p.line));
+        let first = rows.first()?;
+        let more =
+            if rows.len() > 1 { format!(", and so in {} in all", count(rows.len(), "row")) } else { String::new() };
+        let what = format!("row {}: `{wrong}` lies where `{other}` is{more}", first.row);
+        let hint = "was the beam on another target, or the label typed wrong? correct the label or take the row out; \
+                    [[rigid]] refuses rows whose distances do not hold";
+        Some(Message::warning(what).at(Place::line(&first.export, first.line, &first.text)).hint(hint))
+    };
+    found.into_iter().filter_map(warning).collect()
+}
+
+/// Pairs of points of different names that lie near each other.
+fn neighbours(points: &[Point], near: f64) -> Vec<(&Point, &Point)> {
+    let cell = |p: &Point| p.xyz_mm.map(|v| (v / near).floor() as i64);
+    let named = || points.iter().filter(|p| !name(p).is_empty() && p.xyz_mm[0].is_finite());
+    let mut cells: BTreeMap<[i64; 3], Vec<&Point>> = BTreeMap::new();
+    let mut pairs = Vec::new();
+    for point in named() {
+        let [x, y, z] = cell(point);
+        for around in (0..27).map(|i| [x + i / 9 - 1, y + i / 3 % 3 - 1, z + i % 3 - 1]) {
+            // of a crowd in one place a few are enough
+            let others = cells.get(&around).into_iter().flatten().filter(|other| name(other) != name(point));
+            pairs.extend(others.filter(|o| distance(o, point) <= near).take(4).map(|other| (*other, point)));
+        }
+        cells.entry([x, y, z]).or_default().push(point);
+    }
+    pairs
+}
+
+fn distance(a: &Point, b: &Point) -> f64 {
+    norm(minus(a.xyz_mm, b.xyz_mm))
+}
+
+/// Whether there are other rows of the point's name in its file, and none of them near it.
+fn strays(point: &Point, same: &[&Point], near: f64) -> bool {
+    let own = || same.iter().copied().filter(|p| !std::ptr::eq(*p, point) && p.export == point.export);
+    own().next().is_some() && own().all(|p| distance(p, point) > 10.0 * near)
+}
+
+/// Where points of one name usually lie, and how far from there.
+fn where_it_is(own: &[&Point]) -> (Vector, f64) {
+    let usual = median(&own.iter().map(|p| p.xyz_mm).collect::<Vec<_>>()).unwrap_or_default();
+    let mut spread: Vec<f64> = own.iter().map(|p| norm(minus(p.xyz_mm, usual))).collect();
+    spread.sort_by(f64::total_cmp);
+    (usual, spread.get(spread.len() / 2).map_or(1e-6, |s| s.max(1e-6)))
+}
+
+/// The median of each coordinate.
+fn median(all: &[Vector]) -> Option<Vector> {
+    let axis = |k: usize| {
+        let mut values: Vec<f64> = all.iter().map(|p| p[k]).collect();
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied()
+    };
+    Some([axis(0)?, axis(1)?, axis(2)?])
+}
+
+/// What is wrong with the statements on fixed targets.
+pub(super) fn check(campaign: &Campaign) -> Problems {
+    let wrong = |(i, fixed): (usize, &Fixed)| {
+        (!(fixed.drift_mm > 0.0 && fixed.drift_mm.is_finite())).then(|| {
+            Message::error("`drift_mm` of fixed targets must be a positive number")
+                .at(campaign.place_of(&["fixed", &i.to_string(), "drift_mm"]))
+                .expected("how far they may wander in the course of the campaign, e.g. 0.02")
+        })
+    };
+    Problems(campaign.file.fixed.iter().enumerate().filter_map(wrong).collect())
+}
+
+/// Warnings about fixed targets that wander: medians of tenths of their rows lie apart by more than is stated.
+pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
+    let mut warnings = Vec::new();
+    for fixed in &campaign.file.fixed {
+        for target in &fixed.targets {
+            let rows: Vec<&Point> = points.iter().filter(|p| p.target.as_deref() == Some(target.get_ref())).collect();
+            if rows.len() < BLOCKS * FEWEST {
+                let what = format!(
+                    "`{}` is measured {}: too few to see it drift",
+                    target.get_ref(),
+                    count(rows.len(), "time")
+                );
+                warnings.push(
+                    Message::warning(what).at(campaign.place(target)).expected(format!("{} or more", BLOCKS * FEWEST)),
+                );
+                continue;
+            }
+            let blocks = rows.chunks(rows.len().div_ceil(BLOCKS));
+            let middle = |block: &[&Point]| median(&block.iter().map(|p| p.xyz_mm).collect::<Vec<_>>());
+            let middles: Vec<(i64, i64, Vector)> =
+                blocks.filter_map(|b| Some((b.first()?.row, b.last()?.row, middle(b)?))).collect();
+            let apart = |i: usize, j: usize| norm(minus(middles[i].2, middles[j].2));
+            let pairs = (0..middles.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+            let Some((i, j)) = pairs.max_by(|a, b| apart(a.0, a.1).total_cmp(&apart(b.0, b.1))) else { continue };
+            if apart(i, j) > fixed.drift_mm {
+                let ((a, b, _), (c, d, _)) = (middles[i], middles[j]);
+                let what = format!(
+                    "`{}` drifts: between rows {a} to {b} and rows {c} to {d} it moves {:.4} mm (stated: {} mm)",
+                    target.get_ref(),
+                    apart(i, j),
+                    fixed.drift_mm
+                );
+                let hint = "temperature, or the instrument moved? with `targets` and `each = \"pose\"` in [frame.world] \
+                            the frame follows the targets";
+                warnings.push(Message::warning(what).at(campaign.place(target)).hint(hint));
+            }
+        }
+    }
+    warnings
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(row: i64, name: &str, pose: Option<i64>, xyz_mm: Vector) -> Point {
+        let target = pose.map(|_| name.to_owned());
+        Point { row, line: row as usize, label: name.to_owned(), target, pose, cycle: pose, xyz_mm, ..Point::default() }
+    }
+
+    fn campaign(more: &str) -> Campaign {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/prexyt-cmm");
+        let copy = tempfile::tempdir().unwrap();
+        std::fs::copy(folder.join("robot.toml"), copy.path().join("robot.toml")).unwrap();
+        let text = std::fs::read_to_string(folder.join("campaign.toml")).unwrap();
+        std::fs::write(copy.path().join("campaign.toml"), text + more).unwrap();
+        Campaign::read(copy.path()).unwrap()
+    }
+
+    #[test]
+    fn a_target_that_lies_where_another_is_in_the_same_pose_is_told_and_which_one_it_is() {
+        let mut points = Vec::new();
+        for pose in 1..=9 {
+            let moves = [100.0 * pose as f64, 0.0, 7.0];
+            points.push(point(pose, "SMR_3", Some(pose), moves));
+            let wrong = pose == 5;
+            points.push(point(
+                pose,
+                "base_3",
+                Some(pose),
+                if wrong { [500.01, 0.0, 7.0] } else { [-3.0, 0.001 * pose as f64, 0.0] },
+            ));
+        }
+        let told = misplaced(&campaign(""), &points);
+        let whats: Vec<&str> = told.iter().map(|m| m.what.as_str()).collect();
+        assert_eq!(whats, ["row 5: `base_3` lies where `SMR_3` is"]);
+        points[9].xyz_mm = [-3.0, 0.0, 0.0];
+        assert!(misplaced(&campaign(""), &points).is_empty());
+    }
+
+    #[test]
+    fn a_label_far_from_its_own_rows_and_at_another_point_is_told() {
+        let at = |x| [x, 1.0, 2.0];
+        let points = [
+            point(1, "Slave", None, at(0.0)),
+            point(2, "D", None, at(500.0)),
+            point(3, "Slave", None, at(500.03)),
+            point(4, "D", None, at(500.02)),
+            // two names of one point that never part are no mistake
+            point(5, "nominal", None, at(900.0)),
+            point(6, "measured", None, at(900.05)),
+        ];
+        let told = misplaced(&campaign(""), &points);
+        let whats: Vec<&str> = told.iter().map(|m| m.what.as_str()).collect();
+        assert_eq!(whats, ["row 3: `Slave` lies where `D` is"]);
+    }
+
+    #[test]
+    fn targets_that_drift_are_told_with_their_rows() {
+        let campaign = campaign("[[fixed]]\ntargets = [\"N\"]\ndrift_mm = 0.02\n");
+        let rows = |slope: f64| -> Vec<Point> {
+            let place = |i: i64| [slope * i as f64, if i % 7 == 0 { 5.0 } else { 0.0 }, 0.0];
+            (1..=100).map(|i| point(i, "N", Some(i), place(i))).collect()
+        };
+        let told = drifting(&campaign, &rows(0.001));
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert!(
+            told[0].what.contains("between rows 1 to 10 and rows 91 to 100 it moves 0.0900 mm"),
+            "{}",
+            told[0].what
+        );
+        assert!(drifting(&campaign, &rows(0.0001)).is_empty());
+        assert!(drifting(&campaign, &rows(0.001)[..20])[0].what.contains("too few to see it drift"));
+    }
+}

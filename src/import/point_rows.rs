@@ -1,0 +1,293 @@
+//! Points of a text in a stated dialect.
+
+use super::coordinates::cartesian;
+use super::delimited::{Row, cell_place, split};
+use super::number::{WHOLE, marked};
+use super::points::Point;
+use crate::campaign::{ColumnAt, Columns, CoordinateType, Dialect, Header, Role, Unit, coordinate_type};
+use crate::message::{Message, Place, Problems};
+use crate::pose::{Vector, norm};
+use std::borrow::Cow;
+use std::f64::consts::{PI, TAU};
+
+/// A direction whose length leaves 1 by more is none.
+const DIRECTION: f64 = 0.01;
+
+/// Points of a text, in millimetres, and what does not read.
+pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+    let wrong = Problems(dialect.check());
+    if !wrong.0.is_empty() {
+        return (Vec::new(), wrong);
+    }
+    let (rows, mut problems) = split(file, text, dialect);
+    let lines: Vec<&str> = text.lines().collect();
+    let shown = |row: &Row| lines.get(row.line - 1).copied().unwrap_or("");
+    let (rows, roles) = match data(file, rows, &shown, dialect) {
+        Ok((rows, roles, more)) => {
+            problems.0.extend(more);
+            (rows, roles)
+        }
+        Err(more) => {
+            problems.0.extend(more);
+            return (Vec::new(), problems);
+        }
+    };
+    let reader = Reader { file, dialect, unit, roles };
+    let points: Vec<Point> = rows.iter().filter_map(|row| reader.point(row, shown(row), &mut problems)).collect();
+    problems.0.extend(reader.looks_spherical(&points));
+    problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
+    (points, problems)
+}
+
+/// Data rows, what their columns hold, and remarks.
+type Data = (Vec<Row>, Vec<Role>, Vec<Message>);
+
+/// The data rows between header and end, and what their columns hold.
+fn data<'t>(
+    file: &str,
+    mut rows: Vec<Row>,
+    shown: &impl Fn(&Row) -> &'t str,
+    dialect: &Dialect,
+) -> Result<Data, Vec<Message>> {
+    let before = match &dialect.header {
+        Header::Rows(count) => *count,
+        Header::Words(words) => {
+            let holds = |row: &Row| words.iter().all(|word| shown(row).contains(word.as_str()));
+            let Some(at) = rows.iter().position(holds) else {
+                let what = format!("no line holds the words of the header: {}", words.join(", "));
+                return Err(vec![Message::error(what).at(Place::file(file))]);
+            };
+            at + 1
+        }
+    };
+    let mut rest = rows.split_off(before.min(rows.len()));
+    let roles = roles(file, rows.last(), shown, dialect, rest.first())?;
+    let mut remarks = Vec::new();
+    if let Some(end) = &dialect.end {
+        let is_end = |row: &Row| row.fields.first() == Some(end) && row.fields[1..].iter().all(String::is_empty);
+        if let Some(at) = rest.iter().position(is_end) {
+            if let Some(row) = rest.get(at + 1) {
+                let message = Message::error(format!("there are rows behind `{end}`, which ends the data"));
+                remarks.push(message.at(Place::line(file, row.line, shown(row))));
+            }
+            rest.truncate(at);
+        }
+    }
+    Ok((rest, roles, remarks))
+}
+
+/// What each column holds.
+fn roles<'t>(
+    file: &str,
+    header: Option<&Row>,
+    shown: &impl Fn(&Row) -> &'t str,
+    dialect: &Dialect,
+    first: Option<&Row>,
+) -> Result<Vec<Role>, Vec<Message>> {
+    let named = match &dialect.columns {
+        Columns::InOrder(roles) => {
+            let mut roles = roles.clone();
+            roles.resize(roles.len().max(dialect.widths.len()), Role::Skip);
+            return Ok(roles);
+        }
+        Columns::Named(named) => named,
+    };
+    let fields = header.map_or(&[][..], |row| &row.fields);
+    let width = fields.len().max(first.map_or(0, |row| row.fields.len()));
+    let mut roles = vec![Role::Skip; width];
+    let mut wrong = Vec::new();
+    let at = || header.map_or_else(|| Place::file(file), |row| Place::line(file, row.line, shown(row)));
+    for (role, column) in named {
+        let found = match column {
+            ColumnAt::Number(n) => vec![n - 1],
+            ColumnAt::Name(name) => (0..fields.len()).filter(|i| fields[*i] == *name).collect(),
+        };
+        match (&found[..], column) {
+            ([one], _) if *one >= width => {
+                wrong.push(
+                    Message::error(format!("there are {width} columns, none of them is number {}", one + 1)).at(at()),
+                );
+            }
+            ([one], _) if roles[*one] != Role::Skip => {
+                let what = format!("column {} would be `{}` and `{}`", one + 1, roles[*one].name(), role.name());
+                wrong.push(Message::error(what).at(at()));
+            }
+            ([one], _) => roles[*one] = *role,
+            ([], ColumnAt::Name(name)) => {
+                let message = Message::error(format!("the header has no column `{name}`")).at(at());
+                wrong.push(message.hint_names(name, fields.iter().map(String::as_str)));
+            }
+            (_, column) => {
+                let name = if let ColumnAt::Name(name) = column { name.as_str() } else { "" };
+                let message = Message::error(format!("the header names `{name}` {} times", found.len())).at(at());
+                wrong.push(message.hint("give the number of the column instead of its name"));
+            }
+        }
+    }
+    if wrong.is_empty() { Ok(roles) } else { Err(wrong) }
+}
+
+/// Reads rows of one file.
+struct Reader<'a> {
+    file: &'a str,
+    dialect: &'a Dialect,
+    unit: Unit,
+    roles: Vec<Role>,
+}
+
+impl Reader<'_> {
+    /// One point. Numbers that do not read are reported, and leave it without a place; a row that is no row of the
+    /// stated columns is reported, and gives none.
+    fn point(&self, row: &Row, shown: &str, problems: &mut Problems) -> Option<Point> {
+        let line = || Place::line(self.file, row.line, shown);
+        let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());
+        if surplus || row.fields.len() < self.roles.iter().rposition(|r| *r != Role::Skip).map_or(0, |i| i + 1) {
+            let message = Message::error(format!("the row has {} columns", row.fields.len())).at(line());
+            let expected = format!("{} columns, as `columns` states", self.roles.len());
+            problems.0.push(message.expected(expected).hint("`etalon formats FILE` proposes how to read the file"));
+            return None;
+        }
+        let roles = match self.of_this_row(row) {
+            Ok(roles) => roles,
+            Err((message, cell)) => {
+                problems.0.push(message.at(cell_place(self.file, row, shown, cell)));
+                return None;
+            }
+        };
+        let mut point = Point { line: row.line, text: shown.to_owned(), ..Point::default() };
+        let before = problems.0.len();
+        let mut wrong =
+            |message: Message, cell: usize| problems.0.push(message.at(cell_place(self.file, row, shown, cell)));
+        let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_str()));
+        let mut value = |i: usize, field: &str| {
+            let read = marked(field, self.dialect.decimal, self.dialect.thousands);
+            read.map_err(|message| wrong(message, i)).unwrap_or(f64::NAN)
+        };
+        point.refused = self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f)));
+        let unmeasured = point.refused.is_some();
+        let (mut coordinates, mut uncertain, mut direction) = (Vec::new(), Vec::new(), Vec::new());
+        let mut wholes = Vec::new();
+        for (i, role, field) in cells() {
+            match role {
+                Role::Label if point.label.is_empty() => point.label.push_str(field),
+                Role::Label => point.label.extend(["::", field]),
+                Role::Target => point.target = Some(field.to_owned()),
+                Role::TimeS => point.time_s = Some(value(i, field)),
+                Role::Pose | Role::Cycle => wholes.push((i, role, field)),
+                _ if unmeasured => {}
+                role if role.is_coordinate() => coordinates.push((i, role, value(i, field) * self.factor(role))),
+                role if role.is_uncertainty() => uncertain.push((role, value(i, field))),
+                Role::I | Role::J | Role::K => direction.push((role, value(i, field))),
+                _ => {}
+            }
+        }
+        for (i, role, field) in wholes {
+            let whole = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
+            if whole.is_none() {
+                wrong(Message::error(format!("`{field}` is no whole number")), i);
+            }
+            *(if role == Role::Pose { &mut point.pose } else { &mut point.cycle }) = whole;
+        }
+        if unmeasured {
+            return Some(point);
+        }
+        if problems.0.len() > before {
+            point.xyz_mm = [f64::NAN; 3];
+            return Some(point);
+        }
+        // u1 is of the first coordinate from the left, or of c1
+        coordinates.sort_by_key(|(i, ..)| (self.roles[*i].is_typed().then_some(self.roles[*i] as usize), *i));
+        let coordinates: Vec<(Role, f64)> = coordinates.into_iter().map(|(_, role, value)| (role, value)).collect();
+        uncertain.sort_by_key(|(role, _)| *role as usize);
+        let uncertain: Vec<f64> =
+            uncertain.iter().zip(&coordinates).map(|((_, u), (of, _))| u * self.factor(*of)).collect();
+        let (place, spread) = cartesian(&coordinates, Some(&uncertain[..]).filter(|u| !u.is_empty()));
+        (point.xyz_mm, point.standard_uncertainty_mm) = (place, spread);
+        direction.sort_by_key(|(role, _)| *role as usize);
+        if let [(_, i), (_, j), (_, k)] = direction[..] {
+            match unit_vector([i, j, k]) {
+                Ok(direction) => point.direction = Some(direction),
+                Err(message) => problems.0.push(message.at(line())),
+            }
+        }
+        Some(point)
+    }
+
+    /// What the columns hold in this row, where each row says it; or what is wrong, and in which cell.
+    fn of_this_row(&self, row: &Row) -> Result<Cow<'_, [Role]>, (Message, usize)> {
+        let Some(at) = self.roles.iter().position(|r| *r == Role::Type) else { return Ok(Cow::Borrowed(&self.roles)) };
+        let name = row.fields.get(at).map_or("", String::as_str);
+        let Some(meant) = self.dialect.types.get(name) else {
+            let known: Vec<&str> = self.dialect.types.keys().map(String::as_str).collect();
+            let message = Message::error(format!("`types` does not say what coordinates of type `{name}` are"));
+            return Err((message.expected(known.join(", ")), at));
+        };
+        let of = |role: &Role| {
+            match role {
+                Role::C1 => meant.first(),
+                Role::C2 => meant.get(1),
+                Role::C3 => meant.get(2),
+                other => Some(other),
+            }
+            .copied()
+        };
+        Ok(self.roles.iter().map(|role| of(role).unwrap_or(Role::Skip)).collect())
+    }
+
+    /// From the file's unit to mm or rad.
+    fn factor(&self, role: Role) -> f64 {
+        match role.is_angle() {
+            true => self.dialect.angle_unit.map_or(1.0, |unit| unit.in_rad()),
+            false => self.unit.in_mm(),
+        }
+    }
+
+    /// Why the row was not measured, if it says so. Empty cells say so only where no coordinate is there.
+    fn not_measured<'r>(&self, cells: impl Iterator<Item = (Role, &'r str)>) -> Option<String> {
+        let cells: Vec<(Role, &str)> = cells.collect();
+        let says = |cell: &str| self.dialect.missing.says(cell);
+        if says("") && cells.iter().all(|(_, cell)| cell.is_empty()) {
+            return Some("not measured: no coordinates".to_owned());
+        }
+        let (role, cell) = cells.into_iter().find(|(_, cell)| !cell.is_empty() && says(cell))?;
+        Some(format!("not measured: {} is `{cell}`", role.name()))
+    }
+
+    /// An error if points that are stated as Cartesian look like angles and distances.
+    fn looks_spherical(&self, points: &[Point]) -> Option<Message> {
+        let roles: Vec<Role> = self.roles.iter().copied().filter(|r| r.is_coordinate()).collect();
+        if self.dialect.coordinates.is_some() || coordinate_type(&roles) != Some(CoordinateType::Cartesian) {
+            return None;
+        }
+        let measured = || points.iter().filter(|p| p.refused.is_none() && p.xyz_mm[0].is_finite());
+        let first = measured().nth(2).and(measured().next())?;
+        let angles = |p: &Point| {
+            let [x, y, z] = p.xyz_mm.map(|v| v / self.unit.in_mm());
+            x.abs() <= TAU && (0.0..=PI).contains(&y) && z * self.unit.in_mm() > 100.0
+        };
+        measured().all(angles).then(|| {
+            let what = "x, y and z look like azimuth and zenith in rad, and distance: all rows hold two small angles and one length";
+            Message::error(what).at(Place::line(self.file, first.line, &first.text)).hint(
+                "state them: columns \"azimuth\", \"zenith\", \"distance\" with `angle_unit = \"rad\"`; \
+                 or `coordinates = \"cartesian\"` if they are x, y and z after all",
+            )
+        })
+    }
+}
+
+/// The direction, if its length is 1.
+fn unit_vector(ijk: Vector) -> Result<Vector, Message> {
+    let length = norm(ijk);
+    if (length - 1.0).abs() <= DIRECTION {
+        return Ok(ijk);
+    }
+    let [i, j, k] = ijk;
+    let message = Message::error(format!("the direction ({i}, {j}, {k}) has length {length:.3}, and not 1"));
+    let of_angles = norm(ijk.map(|angle| angle.to_radians().cos()));
+    Err(match (of_angles - 1.0).abs() <= DIRECTION {
+        true => {
+            message.hint("these are the angles of the direction in degrees, not i, j, k: leave them out with \"-\"")
+        }
+        false => message.hint("leave the columns out with \"-\" if they are something else"),
+    })
+}

@@ -1,0 +1,70 @@
+//! Files from anywhere: whatever they hold, an error within a second, with what to do.
+
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+/// What `etalon formats FILE` says, its exit code, and how many seconds it took.
+fn formats(folder: &Path, file: &str) -> (Option<i32>, String, f64) {
+    let begun = Instant::now();
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_etalon")).args(["formats", file]).current_dir(folder).output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap() + &String::from_utf8(output.stdout).unwrap();
+    (output.status.code(), said, begun.elapsed().as_secs_f64())
+}
+
+#[test]
+fn what_is_no_text_with_numbers_is_an_error_with_a_reason_within_a_second() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    write("empty.txt", b"");
+    write("blank.txt", b"\n\n  \n");
+    write("words.txt", b"no numbers here\n");
+    write("nul.txt", b"1 2 3\n4 \x005 6\n");
+    write("random.bin", &(0..9000u32).map(|i| (i * i % 251) as u8).collect::<Vec<_>>());
+    write("a.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1");
+    write("cut.xlsx", b"PK\x03\x04\x14\x00");
+    write("bomb.xml", b"<!DOCTYPE a [<!ENTITY b \"bbbb\">]><a>&b;</a>");
+    std::fs::create_dir(folder.path().join("exports")).unwrap();
+    // a gigabyte without a line, which takes no place on the disk
+    std::fs::File::create(folder.path().join("huge.txt")).unwrap().set_len(1 << 30).unwrap();
+    for (file, part) in [
+        ("empty.txt", "the file is empty"),
+        ("blank.txt", "no reading as delimited text"),
+        ("words.txt", "no reading as delimited text"),
+        ("nul.txt", "NUL byte (line 2)"),
+        ("random.bin", "error: "),
+        ("a.xls", "an old Excel workbook"),
+        ("cut.xlsx", "the workbook does not read"),
+        ("bomb.xml", "an XML document of no kind that is read"),
+        ("exports", "`exports` is a folder"),
+        ("huge.txt", "line 1 is longer than 1 MiB"),
+        ("nowhere.txt", "there is no file `nowhere.txt`"),
+    ] {
+        let (code, said, seconds) = formats(folder.path(), file);
+        assert!(code == Some(2) && said.contains(part) && said.starts_with("error: "), "{file}: {code:?} {said}");
+        assert!(seconds < 1.0, "{file} took {seconds:.2} s");
+    }
+}
+
+#[test]
+fn a_file_cut_off_anywhere_is_read_or_refused_and_never_more_than_it_holds() {
+    use etalon::campaign::{Format, Unit};
+    #[derive(serde::Deserialize)]
+    struct Stated {
+        format: Format,
+    }
+    let text = "Name;X;Y;Z\nKügelchen 1;1,25;-2,5;3,75\n\"a;b\";4,5;5,5;6,5\n";
+    let stated =
+        "format = { delimiter = \";\", decimal = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"] }";
+    let format = toml::from_str::<Stated>(stated).unwrap().format;
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("cut.txt");
+    let whole = text.as_bytes();
+    for cut in 0..=whole.len() {
+        std::fs::write(&file, &whole[..cut]).unwrap();
+        let rows = etalon::import::read_file(&file, None, &format, Unit::Millimetre).map_or(0, |points| points.len());
+        let lines = whole[..cut].iter().filter(|b| **b == b'\n').count();
+        assert!(rows <= lines.min(2) + 1, "{cut} bytes give {rows} rows");
+    }
+}
