@@ -61,12 +61,11 @@ impl Chart {
         [along(q, self.e1) - a, along(q, self.e2) - b, along(q, self.d0) - h]
     }
 
-    /// Distance from the axis through (a, b, h) and height along it.
+    /// Distance from the axis through (a, b, h), mostly near `near`, and height along it.
     #[inline(always)]
-    pub fn cylindrical(&self, point: Vector, q: Points) -> Cylindrical {
+    pub fn cylindrical(&self, point: Vector, near: f64, q: Points) -> Cylindrical {
         let [x, y, t] = self.seen(q, point);
-        let rho = (x * x + y * y).sqrt();
-        let inverse = rho.inverse_or_zero();
+        let (rho, inverse) = (x * x).plus(y, y).roots(near);
         let (gx, gy) = (x * inverse, y * inverse);
         let (zero, less) = (Lanes::default(), Lanes::all(-1.0));
         // d rho = -g dp - t g dd, d t = -d dp + w dd, with dd = e1 du + e2 dv

@@ -15,8 +15,7 @@ impl Surface<4, 1> for Ball {
     #[inline(always)]
     fn distances(&self, x: &[f64; 4], q: Points) -> [(Lanes, [Lanes; 4]); 1] {
         let w = less(q, [x[0], x[1], x[2]]);
-        let rho = square(w).sqrt();
-        let inverse = rho.inverse_or_zero();
+        let (rho, inverse) = square(w).roots(x[3]);
         let [gx, gy, gz] = [w[0] * inverse, w[1] * inverse, w[2] * inverse];
         [(rho - x[3], [-gx, -gy, -gz, Lanes::all(-1.0)])]
     }
@@ -40,8 +39,7 @@ impl Surface<3, 1> for Disc {
     #[inline(always)]
     fn distances(&self, x: &[f64; 3], q: Points) -> [(Lanes, [Lanes; 3]); 1] {
         let [u, v, _] = self.chart.seen(q, [x[0], x[1], 0.0]);
-        let rho = (u * u + v * v).sqrt();
-        let inverse = rho.inverse_or_zero();
+        let (rho, inverse) = (u * u).plus(v, v).roots(x[2]);
         [(rho - x[2], [-(u * inverse), -(v * inverse), Lanes::all(-1.0)])]
     }
 

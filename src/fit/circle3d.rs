@@ -74,7 +74,7 @@ pub(super) struct Ring {
 impl Surface<6, 2> for Ring {
     #[inline(always)]
     fn distances(&self, x: &[f64; 6], q: Points) -> [(Lanes, [Lanes; 6]); 2] {
-        let at = self.chart.cylindrical([x[0], x[1], x[2]], q);
+        let at = self.chart.cylindrical([x[0], x[1], x[2]], x[5], q);
         let widen = |d: [Lanes; 5], radius: f64| [d[0], d[1], d[2], d[3], d[4], Lanes::all(radius)];
         [(at.rho - x[5], widen(at.d_rho, -1.0)), (at.t, widen(at.d_t, 0.0))]
     }

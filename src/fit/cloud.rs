@@ -61,7 +61,8 @@ pub(super) struct Cloud<'a> {
 impl<'a> Cloud<'a> {
     /// Checks that `points` determine `element`.
     pub fn new(element: Element, points: Source<'a>, settings: &Settings<'a>) -> Result<Self> {
-        let cloud = Self::centred(element.name(), element.minimum_points(), points, settings.weights)?;
+        let cloud =
+            Self::surveyed(element.name(), element.minimum_points(), points, settings.weights, element.rough())?;
         // an axis that is held, or a radius, asks for less; two dimensions are still needed about an axis
         let held = usize::from(settings.axis.is_some()).min(element.span() - 1);
         cloud.spans(element, element.span() - held)?;
@@ -70,6 +71,17 @@ impl<'a> Cloud<'a> {
 
     /// Checks count, numbers and weights, and finds centroid and spread.
     pub fn centred(name: &str, minimum: usize, source: Source<'a>, weights: Option<&'a [f64]>) -> Result<Self> {
+        Self::surveyed(name, minimum, source, weights, None)
+    }
+
+    /// The same, or only roughly from a sample where that spans so many dimensions: then numbers are not checked either.
+    fn surveyed(
+        name: &str,
+        minimum: usize,
+        source: Source<'a>,
+        weights: Option<&'a [f64]>,
+        rough: Option<usize>,
+    ) -> Result<Self> {
         let count = source.len();
         if count < minimum {
             return Err(refuse(
@@ -88,7 +100,7 @@ impl<'a> Cloud<'a> {
             spread: [0.0; 3],
             axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         };
-        cloud.survey(name)?;
+        cloud.survey(name, rough)?;
         Ok(cloud)
     }
 
@@ -96,12 +108,17 @@ impl<'a> Cloud<'a> {
     /// found. A spread that is small against another is then a sum of squares of small numbers, and right to rounding
     /// (a scaled diagonally dominant matrix has its eigenvalues from Jacobi's rotations to relative accuracy: Demmel &
     /// Veselić 1992).
-    fn survey(&mut self, name: &str) -> Result<()> {
+    fn survey(&mut self, name: &str, rough_dimensions: Option<usize>) -> Result<()> {
         let few = Cloud { weights: None, ..self.thinned(SAMPLE) };
         let rough = few.gather(Survey::along(self.axes));
         // a coordinate that is no number is found in the look at all points
         if rough.is_usable() {
             self.take_up(rough, few.len());
+            let wide =
+                |dimensions: usize| self.spread[..dimensions].iter().all(|s| *s > 0.1 * self.spread[0] && *s > 0.0);
+            if few.len() < self.len() && rough_dimensions.is_some_and(wide) {
+                return Ok(());
+            }
         }
         for round in 0..3 {
             let all = self.gather(Survey::along(self.axes));
@@ -117,12 +134,16 @@ impl<'a> Cloud<'a> {
 
     /// Refuses a coordinate that is no number, or too large to have a square.
     fn check(&self, name: &str, all: &Surveyed) -> Result<()> {
-        let outside = |x: f64| x.is_nan() || x.abs() > LARGEST_MM;
         let corners = [self.to_mm(all.low), self.to_mm(all.high)];
         if self.len() == 0 || (all.is_usable() && !corners.into_iter().flatten().any(outside)) {
             return Ok(());
         }
-        let i = (0..self.len()).find(|&i| self.source.at(i).into_iter().any(outside)).unwrap_or_default();
+        self.numbers(name)
+    }
+
+    /// The same, point by point: the first that is none is named.
+    pub fn numbers(&self, name: impl std::fmt::Display) -> Result<()> {
+        let Some(i) = (0..self.len()).find(|&i| self.source.at(i).into_iter().any(outside)) else { return Ok(()) };
         Err(refuse(
             format!("point {} of the {name} is {:?}", i + 1, self.source.at(i)),
             "finite coordinates in millimetres",
@@ -225,6 +246,10 @@ impl<'a> Cloud<'a> {
     }
 }
 
+fn outside(x: f64) -> bool {
+    x.is_nan() || x.abs() > LARGEST_MM
+}
+
 /// Unit vectors along `x`, across it towards `y`, and square to both.
 fn orthonormal(x: Vector, y: Vector) -> [Vector; 3] {
     let x = unit(x).unwrap_or([1.0, 0.0, 0.0]);
@@ -292,8 +317,8 @@ impl Gather for Survey {
         self.high = [self.high[0].max(q[0]), self.high[1].max(q[1]), self.high[2].max(q[2])];
         self.sum = [self.sum[0] + wx, self.sum[1] + wy, self.sum[2] + wz];
         let [[xx, xy, xz], [_, yy, yz], [.., zz]] = &mut self.products;
-        (*xx, *xy, *xz) = (*xx + wx * x, *xy + wx * y, *xz + wx * z);
-        (*yy, *yz, *zz) = (*yy + wy * y, *yz + wy * z, *zz + wz * z);
+        (*xx, *xy, *xz) = (xx.plus(wx, x), xy.plus(wx, y), xz.plus(wx, z));
+        (*yy, *yz, *zz) = (yy.plus(wy, y), yz.plus(wy, z), zz.plus(wz, z));
     }
 
     fn close(self) -> Surveyed {

@@ -113,9 +113,11 @@ pub(super) struct Funnel {
 }
 
 impl Surface<7, 1> for Funnel {
+    const IDLE: usize = 2;
+
     #[inline(always)]
     fn distances(&self, x: &[f64; 7], q: Points) -> [(Lanes, [Lanes; 7]); 1] {
-        let at = self.chart.cylindrical([x[0], x[1], x[2]], q);
+        let at = self.chart.cylindrical([x[0], x[1], x[2]], 0.0, q);
         let (sin, cos) = x[6].sin_cos();
         let mut d = at.d_rho;
         for (rho, t) in d.iter_mut().zip(at.d_t) {

@@ -1,10 +1,12 @@
 //! How much of an element has points.
 
 use super::axis::Chart;
-use super::lanes::{Lanes, Points, less, square};
+use super::lanes::{LANES, Lanes, Points, less, square};
 use super::stream::Gather;
 use crate::pose::{Vector, unit};
 use std::f64::consts::TAU;
+use std::sync::Arc as Shared;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Sectors that the directions of points are sorted into: of 0.9 to 1.8 degrees.
 const SECTORS: usize = 256;
@@ -18,22 +20,46 @@ pub(super) trait Coverage: Gather {
 /// Seen along the axis of a chart about a point: the full turn less the largest gap between neighbouring points.
 ///
 /// A gap wider than a sector is found exactly, and of fewer than 200 points every largest gap is. The points are sorted by
-/// x / (|x| + |y|), which grows and falls with the angle; of each sector there is the first and the last.
+/// x / (|x| + |y|), which grows and falls with the angle; of each sector there is the first and the last. All blocks share
+/// them, so that soon most points change nothing; which block comes first does not matter.
 #[derive(Clone)]
 pub(super) struct Arc {
     chart: Chart,
     centre: Vector,
-    ends: Vec<[f64; 2]>,
+    sectors: Shared<Sectors>,
+}
+
+/// The first and the last of each sector, as bits: of positive numbers these have the same order.
+pub(super) struct Sectors(Vec<[AtomicU64; 2]>);
+
+impl Default for Sectors {
+    fn default() -> Self {
+        let none = || [f64::INFINITY, 0.0].map(|turn| AtomicU64::new(turn.to_bits()));
+        Self((0..=SECTORS).map(|_| none()).collect())
+    }
+}
+
+impl Sectors {
+    /// Takes up turns by the sectors they are in. Not to be inlined, so that what leads here stays in vector registers.
+    #[inline(never)]
+    fn take(&self, turns: &[u64; LANES], sectors: &[u64; LANES]) {
+        for (turn, sector) in turns.iter().zip(sectors) {
+            if let Some([first, last]) = self.0.get((sector & 0xffff) as usize) {
+                if *turn < first.load(Relaxed) {
+                    first.fetch_min(*turn, Relaxed);
+                }
+                if *turn > last.load(Relaxed) {
+                    last.fetch_max(*turn, Relaxed);
+                }
+            }
+        }
+    }
 }
 
 impl Arc {
     /// About `point`.
     pub fn about(chart: &Chart, point: Vector) -> Self {
-        Self {
-            chart: *chart,
-            centre: chart.coordinates(point),
-            ends: vec![[f64::INFINITY, f64::NEG_INFINITY]; SECTORS + 1],
-        }
+        Self { chart: *chart, centre: chart.coordinates(point), sectors: Shared::default() }
     }
 }
 
@@ -44,7 +70,8 @@ impl Coverage for Arc {
             let y = (1.0 - x.abs()).copysign(2.0 - turn);
             if turn > 2.0 { TAU + y.atan2(x) } else { y.atan2(x) }
         };
-        let taken: Vec<[f64; 2]> = sectors.into_iter().filter(|s| s[0] <= s[1]).map(|s| s.map(angle)).collect();
+        let ends = sectors.0.iter().map(|ends| [0, 1].map(|k| f64::from_bits(ends[k].load(Relaxed))));
+        let taken: Vec<[f64; 2]> = ends.filter(|s| s[0] <= s[1]).map(|s| s.map(angle)).collect();
         let around = match (taken.first(), taken.last()) {
             (Some(first), Some(last)) => first[0] + TAU - last[1],
             _ => TAU,
@@ -54,7 +81,7 @@ impl Coverage for Arc {
 }
 
 impl Gather for Arc {
-    type Sum = Vec<[f64; 2]>;
+    type Sum = Shared<Sectors>;
 
     #[inline(always)]
     fn take(&mut self, q: Points, _: Lanes) {
@@ -63,23 +90,15 @@ impl Gather for Arc {
         let turn = Lanes::all(2.0) - (Lanes::all(1.0) + part).with_sign_of(y);
         // added to 2^52 a number is a whole one, and stands in the last bits
         let sector = (turn * (SECTORS / 4) as f64 + Lanes::all(4_503_599_627_370_496.0)).0.map(f64::to_bits);
-        for (turn, sector) in turn.0.into_iter().zip(sector) {
-            if let Some([first, last]) = self.ends.get_mut((sector & 0xffff) as usize) {
-                *first = if turn < *first { turn } else { *first };
-                *last = if turn > *last { turn } else { *last };
-            }
-        }
+        self.sectors.take(&turn.0.map(f64::to_bits), &sector);
     }
 
     fn close(self) -> Self::Sum {
-        self.ends
+        self.sectors
     }
 
-    fn join(mut first: Self::Sum, next: Self::Sum) -> Self::Sum {
-        for (a, b) in first.iter_mut().zip(next) {
-            *a = [a[0].min(b[0]), a[1].max(b[1])];
-        }
-        first
+    fn join(all: Self::Sum, _: Self::Sum) -> Self::Sum {
+        all
     }
 }
 
@@ -87,14 +106,15 @@ impl Gather for Arc {
 #[derive(Clone)]
 pub(super) struct Cap {
     centre: Vector,
+    radius: f64,
     mean: Option<Vector>,
     square: Lanes,
 }
 
 impl Cap {
-    /// From `centre`; `sum` points along the mean direction.
-    pub fn about(centre: Vector, sum: Vector) -> Self {
-        Self { centre, mean: unit(sum), square: Lanes::default() }
+    /// From `centre`, of points mostly near `radius`; `sum` points along the mean direction.
+    pub fn about(centre: Vector, radius: f64, sum: Vector) -> Self {
+        Self { centre, radius, mean: unit(sum), square: Lanes::default() }
     }
 }
 
@@ -116,7 +136,7 @@ impl Gather for Cap {
             return;
         };
         let [x, y, z] = less(q, self.centre);
-        let inverse = square([x, y, z]).sqrt().inverse_or_zero();
+        let (_, inverse) = square([x, y, z]).roots(self.radius);
         self.square = self.square.max(square(less([x * inverse, y * inverse, z * inverse], mean)));
     }
 

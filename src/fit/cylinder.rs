@@ -67,9 +67,11 @@ pub(super) struct Tube {
 }
 
 impl Surface<6, 1> for Tube {
+    const IDLE: usize = 2;
+
     #[inline(always)]
     fn distances(&self, x: &[f64; 6], q: Points) -> [(Lanes, [Lanes; 6]); 1] {
-        let at = self.chart.cylindrical([x[0], x[1], x[2]], q);
+        let at = self.chart.cylindrical([x[0], x[1], x[2]], x[5], q);
         let d = at.d_rho;
         [(at.rho - x[5], [d[0], d[1], d[2], d[3], d[4], Lanes::all(-1.0)])]
     }

@@ -125,7 +125,10 @@ pub(super) fn descend<S: Surface<N, K>, const N: usize, const K: usize>(
         let (surface, trial) = here.surface.recharted(&trial);
         // what the next step would be: steps shrink as the last ones did, and no faster than residuals bend the way
         let bend = (here.cost / cloud.len() as f64).sqrt();
-        if used == 0.0 && size * f64::max(size / last, bend) <= STEP && size < 1e-6 {
+        // (those of many points that are noise, and not form, make up for each other: √n of them are left of n)
+        let noise = bend / (cloud.len() as f64).sqrt();
+        let left = size * f64::max(size / last, noise);
+        if used == 0.0 && left <= STEP && size * bend <= 16.0 * STEP && size < 1e-6 {
             // no look at the points is needed to know what is left: the linear model is exact for such a step
             (here.surface, here.x, here.cost) = (surface, trial, factor.rest);
             here.iterations += 1;
@@ -203,15 +206,17 @@ impl<S: Surface<N, K>, const N: usize, const K: usize> Gather for Normal<'_, S, 
     fn take(&mut self, q: Points, w: Lanes) {
         for (distance, row) in self.surface.distances(&self.x, q) {
             each!(i < N, {
-                let weighted = w * row[i];
-                each!(j < N, {
-                    if j >= i {
-                        self.products[i][j] = self.products[i][j] + weighted * row[j];
-                    }
-                });
-                self.right[i] = self.right[i] + weighted * distance;
+                if i != S::IDLE {
+                    let weighted = w * row[i];
+                    each!(j < N, {
+                        if j >= i && j != S::IDLE {
+                            self.products[i][j] = self.products[i][j].plus(weighted, row[j]);
+                        }
+                    });
+                    self.right[i] = self.right[i].plus(weighted, distance);
+                }
             });
-            self.squares = self.squares + w * distance * distance;
+            self.squares = self.squares.plus(w * distance, distance);
         }
     }
 

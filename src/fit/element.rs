@@ -81,6 +81,12 @@ impl Element {
         }
     }
 
+    /// Dimensions that a sample must span so that it tells where the points lie well enough: of an element whose answer says
+    /// nothing of their centroid.
+    pub(super) fn rough(self) -> Option<usize> {
+        matches!(self, Self::Circle2d | Self::Sphere).then_some(self.span())
+    }
+
     fn has_radius(self) -> bool {
         matches!(self, Self::Circle2d | Self::Circle3d | Self::Sphere | Self::Cylinder)
     }

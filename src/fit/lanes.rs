@@ -4,10 +4,14 @@
 //! registers.
 
 use crate::pose::Vector;
+use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Points computed side by side.
 pub(super) const LANES: usize = 8;
+
+/// How far from one a series is taken.
+const NEAR: f64 = 1.0 / 512.0;
 
 /// One number of each of eight points.
 #[derive(Clone, Copy, Debug, Default)]
@@ -31,6 +35,15 @@ impl Lanes {
         self
     }
 
+    /// self + a b, rounded once: whether the machine has an instruction for it or not.
+    #[inline(always)]
+    pub fn plus(mut self, a: Self, b: Self) -> Self {
+        for ((sum, a), b) in self.0.iter_mut().zip(a.0).zip(b.0) {
+            *sum = a.mul_add(b, *sum);
+        }
+        self
+    }
+
     /// Square roots.
     #[inline(always)]
     pub fn sqrt(mut self) -> Self {
@@ -45,6 +58,30 @@ impl Lanes {
     pub fn inverse_or_zero(self) -> Self {
         // divided first, so that there is a choice and no branch
         self.zip(Self::all(1.0) / self, |x, inverse| if x > 0.0 { inverse } else { 0.0 })
+    }
+
+    /// Roots of squares and their inverses (zero for zero). Where all lie within 1/512 of `near`², by the binomial series:
+    /// what it leaves out is 2e-18 of the root and 7e-15 of the inverse, which is a direction, and it neither divides nor takes roots.
+    #[inline(always)]
+    pub fn roots(self, near: f64) -> (Self, Self) {
+        // half as many bits: its square is exact, and so is what squares differ from it
+        let near = f64::from(near as f32);
+        let w = (self - near * near) * (1.0 / (near * near));
+        let mut far = false;
+        for w in w.0 {
+            far |= w.abs().partial_cmp(&NEAR) != Some(Ordering::Less);
+        }
+        if far {
+            let root = self.sqrt();
+            return (root, root.inverse_or_zero());
+        }
+        let series = |coefficients: [f64; 5]| {
+            let [last, rest @ ..] = coefficients;
+            rest.into_iter().fold(Self::all(last), |sum, c| Self::all(c).plus(sum, w))
+        };
+        let root = series([7.0 / 256.0, -5.0 / 128.0, 1.0 / 16.0, -1.0 / 8.0, 1.0 / 2.0]);
+        let inverse = series([35.0 / 128.0, -5.0 / 16.0, 3.0 / 8.0, -1.0 / 2.0, 1.0]);
+        (Self::all(near).plus(w * near, root), inverse * (1.0 / near))
     }
 
     /// The smaller of each.
@@ -126,6 +163,14 @@ impl Mul<f64> for Lanes {
     }
 }
 
+impl Add<f64> for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: f64) -> Self {
+        self + Self::all(other)
+    }
+}
+
 impl Sub<f64> for Lanes {
     type Output = Self;
     #[inline(always)]
@@ -153,13 +198,13 @@ impl Neg for Lanes {
 /// Scalar product of eight vectors with one.
 #[inline(always)]
 pub(super) fn along(q: Points, d: Vector) -> Lanes {
-    q[0] * d[0] + q[1] * d[1] + q[2] * d[2]
+    (q[0] * d[0]).plus(q[1], Lanes::all(d[1])).plus(q[2], Lanes::all(d[2]))
 }
 
 /// Squared length of eight vectors.
 #[inline(always)]
 pub(super) fn square(q: Points) -> Lanes {
-    q[0] * q[0] + q[1] * q[1] + q[2] * q[2]
+    (q[0] * q[0]).plus(q[1], q[1]).plus(q[2], q[2])
 }
 
 /// `q - p`.

@@ -99,9 +99,9 @@ impl<const K: usize, F: Fn(Points) -> [Lanes; K] + Sync> Gather for Remaining<'_
     fn take(&mut self, q: Points, w: Lanes) {
         let distances = (self.distances)(q);
         for d in distances {
-            self.squares = self.squares + w * d * d;
+            self.squares = self.squares.plus(w * d, d);
         }
-        self.plain = self.plain + w.presence() * distances[0] * distances[0];
+        self.plain = self.plain.plus(w.presence() * distances[0], distances[0]);
         self.least = self.least.min(distances[0]);
         self.most = self.most.max(distances[0]);
     }

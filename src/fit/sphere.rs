@@ -27,7 +27,7 @@ pub fn sphere_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let [x, y, z, radius] = refined.x;
     // derivatives by the centre are directions, that by the radius is one, both with the other sign
     let [mean_x, mean_y, mean_z, _] = refined.products.map(|row| row[3]);
-    let cap = Cap::about([x, y, z], [mean_x, mean_y, mean_z]);
+    let cap = Cap::about([x, y, z], radius, [mean_x, mean_y, mean_z]);
     let mut fit = refined.to_fit(Element::Sphere, &cloud, [x, y, z], cap)?;
     fit.radius_mm = Some(radius * cloud.scale_mm);
     Ok(fit.compensated(settings.probe)?.with_warnings())

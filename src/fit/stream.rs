@@ -1,5 +1,6 @@
 //! Sums over all points of a cloud: block by block in parallel, eight points at a time, in registers as wide as the
-//! machine has them. No width fuses or reorders an operation, so sums have the same bytes on every machine.
+//! machine has them. What is fused ([`Lanes::plus`]) is so on every machine and nothing else is, and no width reorders an
+//! operation, so sums have the same bytes everywhere.
 
 use super::cloud::{Cloud, Source};
 use super::lanes::{LANES, Lanes, Points};

@@ -12,6 +12,9 @@ use crate::solve::{Termination, svd};
 
 /// An element with `N` parameters that gives `K` distances a point, in normalised coordinates.
 pub(super) trait Surface<const N: usize, const K: usize>: Copy + Sync {
+    /// The parameter that is always held, where there is one (a cylinder's point along its axis): no sum is made of it.
+    const IDLE: usize = usize::MAX;
+
     /// Signed distances of the points `q` and their derivatives by the parameters, in the middle of the chart.
     fn distances(&self, x: &[f64; N], q: Points) -> [(Lanes, [Lanes; N]); K];
 
@@ -59,6 +62,7 @@ impl<S, const N: usize> Refined<S, N> {
         let condition = self.condition();
         let known = condition <= CONDITION_LIMIT;
         if !self.termination.is_success() || !known || self.x.iter().any(|x| !x.is_finite()) {
+            cloud.numbers(element)?;
             let ended = if known { self.termination } else { Termination::RankDeficient };
             return Err(refuse(
                 format!("no {element} could be fitted: {ended}"),
@@ -68,8 +72,15 @@ impl<S, const N: usize> Refined<S, N> {
         }
         let by_parameter = self.surface.quantities(&self.x);
         let degrees_of_freedom = (K * cloud.len()).saturating_sub(self.free.len());
-        let (residuals, covered) =
-            Residuals::and(cloud, |q| self.surface.distances(&self.x, q).map(|(d, _)| d), coverage);
+        let (residuals, covered) = Residuals::and(
+            cloud,
+            #[inline(always)]
+            |q| self.surface.distances(&self.x, q).map(|(d, _)| d),
+            coverage,
+        );
+        if !(residuals.squares * cloud.scale_mm).is_finite() {
+            cloud.numbers(element)?;
+        }
         let covariance = self.covariance(degrees_of_freedom);
         Ok(Fit {
             degrees_of_freedom,

@@ -77,7 +77,7 @@ pub(super) struct Bend {
 impl Surface<7, 1> for Bend {
     #[inline(always)]
     fn distances(&self, x: &[f64; 7], q: Points) -> [(Lanes, [Lanes; 7]); 1] {
-        let at = self.chart.cylindrical([x[0], x[1], x[2]], q);
+        let at = self.chart.cylindrical([x[0], x[1], x[2]], 0.0, q);
         let outward = at.rho - x[5];
         let from_core = (outward * outward + at.t * at.t).sqrt();
         let inverse = from_core.inverse_or_zero();

@@ -38,8 +38,9 @@ pub fn symmetric_eigen<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64
 /// Sine and cosine that make the off-diagonal element zero (Golub & Van Loan, algorithm 8.5.1).
 pub(super) fn symmetric_schur(app: f64, apq: f64, aqq: f64) -> (f64, f64) {
     let tau = (aqq - app) / (2.0 * apq);
-    let t = tau.signum() / (tau.abs() + tau.hypot(1.0));
-    let cos = 1.0 / t.hypot(1.0);
+    // a square that overflows leaves an angle of zero, which is right; hypot would be slow
+    let t = tau.signum() / (tau.abs() + (1.0 + tau * tau).sqrt());
+    let cos = 1.0 / (1.0 + t * t).sqrt();
     (t * cos, cos)
 }
 

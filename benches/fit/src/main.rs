@@ -96,9 +96,11 @@ fn etalon(element: Element, points: &Points) -> Fit {
     fit.expect("fit")
 }
 
-/// How often a fit reads the points: for bounds and moments, for each step, for residuals and coverage.
+/// How often a fit reads the points: for each step, for residuals and coverage, and for centroid and spread, which circle and
+/// sphere have from a sample.
 fn passes(fit: &Fit) -> usize {
-    1 + fit.iterations + 1
+    let surveyed = !matches!(fit.element, Element::Circle2d | Element::Sphere);
+    usize::from(surveyed) + fit.iterations + 1
 }
 
 /// The numbers that a peer's answer is held against: direction, centre, radius, where there is one; of a cylinder's
