@@ -179,11 +179,11 @@ pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit:
     Ok(points)
 }
 
-/// Labels and points of a file, in millimetres; every row counts: one that was not measured is an
-/// error.
+/// Labels and points of a file, in millimetres; every row counts: one of a table that was not measured is an error.
 pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<(String, Vector)>> {
     let (rows, mut problems) = point_rows(file, text, format, unit);
-    let refused = rows.iter().filter_map(|row| Some((row, row.refused.as_ref()?)));
+    let table = matches!(format, Format::Delimited(_));
+    let refused = rows.iter().filter(|_| table).filter_map(|row| Some((row, row.refused.as_ref()?)));
     problems.0.extend(refused.map(|(row, reason)| {
         Message::error(reason.as_str()).at(Place::line(file, row.line, &row.text)).hint("take the row out of the file")
     }));

@@ -6,6 +6,9 @@ use crate::message::Message;
 /// Whole numbers up to here are exact.
 pub(super) const WHOLE: f64 = 9e15;
 
+/// The smallest double written out has fewer characters; what is longer is no number, and is not looked through.
+const LONGEST: usize = 1100;
+
 /// A number in the stated decimal mark, nothing else around it.
 pub(super) fn number(field: &str, decimal: Decimal) -> Result<f64, Message> {
     marked(field, decimal, None)
@@ -14,6 +17,11 @@ pub(super) fn number(field: &str, decimal: Decimal) -> Result<f64, Message> {
 /// A number in the stated decimal and thousands marks, correctly rounded. Exponents may be `e+003`, `E001` or Fortran's
 /// `D+01`, the minus may be U+2212.
 pub(super) fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Result<f64, Message> {
+    if field.len() > LONGEST {
+        let start: String = field.chars().take(40).collect();
+        let what = format!("`{start}...` is no number: it has {} characters", field.len());
+        return Err(Message::error(what).expected(format!("a number with decimal mark `{}`", decimal.name())));
+    }
     let plain = |b: u8| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E');
     let value = match decimal == Decimal::Point && thousands.is_none() && field.bytes().all(plain) {
         true => field.parse().ok(),
@@ -101,6 +109,16 @@ mod tests {
         ] {
             assert!(number(field, decimal).is_err(), "{field}");
         }
+    }
+
+    #[test]
+    fn endless_digits_are_no_number_and_take_no_time() {
+        let begun = std::time::Instant::now();
+        let said = number(&"7".repeat(50_000_000), Decimal::Point).unwrap_err().to_string();
+        assert!(said.len() < 300 && said.contains("it has 50000000 characters"), "{said}");
+        assert!(begun.elapsed().as_secs_f64() < 1.0);
+        let smallest = format!("{}", f64::from_bits(1));
+        assert_eq!(number(&smallest, Decimal::Point).unwrap().to_bits(), 1);
     }
 
     #[test]

@@ -108,10 +108,9 @@ impl<'a> Line<'a> {
             self.at = length.map_or(self.bytes.len(), |length| start + length);
             number(std::str::from_utf8(&self.bytes[start..self.at]).ok()?, Decimal::Point).ok()?
         };
-        if self.delimiter.is_some() {
-            self.separator();
-        }
-        Some(value)
+        // a blank between numbers is no semicolon
+        let parted = self.delimiter.is_none() || self.separator() || matches!(self.peek(), None | Some(b'\r' | b'\n'));
+        parted.then_some(value)
     }
 
     /// Whether the line ends here; if so it is passed. Without a line feed it ends at the end of the file alone.
