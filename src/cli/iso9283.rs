@@ -5,15 +5,15 @@ mod plan;
 mod stream;
 mod stream_text;
 
+use super::table_file::TableFile;
 use super::{Verdict, print, say};
 use crate::document::{Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose};
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Problems};
+use crate::output;
 use crate::pose_test::{Settings, evaluate};
 use crate::reference_targets::carry_back;
 use crate::visits::Visits;
-use crate::{files, import, output};
 use plan::PlanOptions;
-use polars::prelude::DataFrame;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use stream::StreamOptions;
@@ -99,20 +99,12 @@ impl Iso9283 {
         if self.drift_set.is_some_and(|size| size < 2) {
             return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
         }
-        let read = |path: &Path| -> Result<(String, String, DataFrame)> {
-            let (file, text) = (path.display().to_string(), files::read_text(path)?);
-            let table = import::observations(&file, &text)?;
-            Ok((file, text, table))
-        };
-        let (attained, commanded) = (read(poses)?, read(commanded)?);
-        let mut visits = Visits::from_tables((&attained.0, &attained.2), (&commanded.0, &commanded.2))
-            .map_err(|p| p.in_text(&attained.0, &attained.1).in_text(&commanded.0, &commanded.1))?;
-        let reference = match &self.reference {
+        let (attained, commanded) = (TableFile::read(poses)?, TableFile::read(commanded)?);
+        let mut visits =
+            Visits::from_tables(attained.named(), commanded.named()).map_err(|p| commanded.place(attained.place(p)))?;
+        let reference = match self.reference.as_deref().map(TableFile::read).transpose()? {
             None => Vec::new(),
-            Some(path) => {
-                let (file, text, table) = read(path)?;
-                carry_back(&mut visits, (&file, &table)).map_err(|p| p.in_text(&file, &text))?
-            }
+            Some(targets) => carry_back(&mut visits, targets.named()).map_err(|p| targets.place(p))?,
         };
         let mut document = evaluate(
             &visits,

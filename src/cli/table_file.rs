@@ -16,8 +16,13 @@ pub(super) struct TableFile {
 
 impl TableFile {
     pub fn read(path: &Path) -> Result<Self> {
+        Self::read_with(path, import::observations)
+    }
+
+    /// A text of another form, which `table` makes a table of, given the file's name and the text.
+    pub fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         let (name, text) = (path.display().to_string(), files::read_text(path)?);
-        Ok(Self { table: import::observations(&name, &text)?, name, text })
+        Ok(Self { table: table(&name, &text)?, name, text })
     }
 
     /// The names in the column `target`, each once, in their order.
@@ -29,6 +34,11 @@ impl TableFile {
             }
         }
         Ok(targets)
+    }
+
+    /// The table with the name of its file.
+    pub fn named(&self) -> (&str, &DataFrame) {
+        (&self.name, &self.table)
     }
 
     /// Problems of the table, with the lines they are about.

@@ -10,7 +10,7 @@ pub(super) struct TextFormat {
     #[arg(long)]
     unit: Option<String>,
     /// What the columns hold, e.g. label,x,y,z; `-` for a column that is not read
-    #[arg(long, value_delimiter = ',', requires = "delimiter")]
+    #[arg(long, value_delimiter = ',', requires = "delimiter", allow_hyphen_values = true)]
     columns: Vec<String>,
     /// blank, tab, comma, semicolon or bar
     #[arg(long, requires = "columns")]

@@ -52,29 +52,37 @@ pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<
         return Err(message.into());
     }
     let mut found = Passes { complete: Vec::new(), incomplete: 0 };
-    let mut crossings: Vec<Crossing> = Vec::new();
+    // passes begun, the eldest first: on a closed path the next may begin before one is at its end
+    let mut begun: Vec<Vec<Crossing>> = Vec::new();
     for sample in 1..stream.len() {
         let crossing = |point: usize, forwards: bool| crossing(stream, sample, &points[point], (forwards, near_mm));
-        if crossings.len() > 1
-            && let Some(first) = crossing(0, true)
-        {
-            found.incomplete += 1;
-            crossings = vec![first];
+        begun.extend(crossing(0, true).map(|first| vec![first]));
+        for crossings in &mut begun {
+            // one step may go through several planes
+            while crossings.len() < points.len()
+                && let Some(next) = crossing(crossings.len(), true)
+            {
+                crossings.push(next);
+            }
+            while !crossings.is_empty() && crossing(crossings.len() - 1, false).is_some() {
+                crossings.pop();
+            }
         }
-        // one step may go through several planes
-        while crossings.len() < points.len()
-            && let Some(next) = crossing(crossings.len(), true)
-        {
-            crossings.push(next);
+        // one that a younger has caught up with was left
+        let mut farthest = 0;
+        for i in (0..begun.len()).rev() {
+            if begun[i].len() > farthest {
+                farthest = begun[i].len();
+            } else {
+                found.incomplete += usize::from(begun.remove(i).len() > 1);
+            }
         }
-        while !crossings.is_empty() && crossing(crossings.len() - 1, false).is_some() {
-            crossings.pop();
-        }
-        if crossings.len() == points.len() {
-            found.complete.push(Pass { crossings: std::mem::take(&mut crossings) });
+        // so the eldest is the farthest
+        if farthest == points.len() {
+            found.complete.push(Pass { crossings: begun.remove(0) });
         }
     }
-    found.incomplete += usize::from(!crossings.is_empty());
+    found.incomplete += begun.iter().filter(|crossings| crossings.len() > 1).count();
     Ok(found)
 }
 

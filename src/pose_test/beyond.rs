@@ -15,7 +15,10 @@ pub(super) fn beyond(pose: &mut Iso9283Pose, p: &PoseVisits, positions: &[Vector
     // too few visits have none
     pose.ellipsoid = ellipsoid(positions).ok().map(|e| Iso9283Ellipsoid { semi_axes_mm: e.semi_axes_mm, axes: e.axes });
     let proved = |interval: Option<Iso9283Interval>, limit_mm: Option<f64>| {
-        let Iso9283Interval { low_mm, high_mm } = interval?;
+        // too few visits prove nothing
+        let Some(Iso9283Interval { low_mm, high_mm }) = interval else {
+            return limit_mm.map(|_| Iso9283Conformity::Neither);
+        };
         Some(match conformity(&interval::Interval { low_mm, high_mm }, limit_mm?) {
             Conformity::Conforming => Iso9283Conformity::Conforming,
             Conformity::NotConforming => Iso9283Conformity::NotConforming,

@@ -198,15 +198,16 @@ fn a_plan_writes_tables_that_the_command_takes_and_targets() {
 fn readings_are_averaged_and_limits_judged_by_the_interval() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
-    let mut table = "pose,cycle,reading,x_mm,y_mm\n".to_owned();
+    let mut table = "pose,cycle,reading,x_mm,y_mm,c_deg\n".to_owned();
     for cycle in 0..30 {
         let (sin, cos) = f64::from(cycle).sin_cos();
         for (reading, shake) in [(1, 0.01), (2, -0.01)] {
-            table += &format!("1,{cycle},{reading},{},{}\n", 100.0 + 0.1 * cos + shake, 0.1 * sin);
+            let turned = 180.0 + 20.0 * shake - if reading == 1 { 360.0 } else { 0.0 };
+            table += &format!("1,{cycle},{reading},{},{},{turned}\n", 100.0 + 0.1 * cos + shake, 0.1 * sin);
         }
     }
     std::fs::write(here.join("poses.csv"), &table).unwrap();
-    std::fs::write(here.join("commanded.csv"), "pose,x_mm,y_mm\n1,100,0\n").unwrap();
+    std::fs::write(here.join("commanded.csv"), "pose,x_mm,y_mm,c_deg\n1,100,0,179.9\n").unwrap();
     let line = "iso9283 poses.csv --commanded commanded.csv";
     let pose = |options: &str| -> (Option<i32>, etalon::document::Iso9283Pose) {
         let answered = run(here, &format!("{line} --json{options}"));
@@ -218,6 +219,8 @@ fn readings_are_averaged_and_limits_judged_by_the_interval() {
     assert_eq!((found.cycles, found.ap_conformity, found.rp_conformity), (30, None, None));
     let [x, y, z] = found.noise_mm.unwrap();
     assert!((x - 0.01 * 2f64.sqrt()).abs() < 1e-9 && y.abs() < 1e-9 && z == 0.0);
+    // 179.8° and -179.8°, commanded 179.9°
+    assert!((found.ap_c_deg.unwrap() - 0.1).abs() < 1e-9 && found.rp_c_deg.unwrap() < 1e-9);
     assert!(found.rp_without_noise_mm.unwrap() < found.rp_mm.unwrap());
     assert!((found.mean_radius_mm.unwrap() - 0.1).abs() < 1e-3 && found.ellipsoid.unwrap().semi_axes_mm[2] == 0.0);
     for (options, code, expected) in [
@@ -236,6 +239,10 @@ fn readings_are_averaged_and_limits_judged_by_the_interval() {
         assert_eq!(refused.status.code(), Some(2));
         assert!(text_of(&refused).contains(said), "{}", text_of(&refused));
     }
+    // two visits have no interval: nothing is proved
+    std::fs::write(here.join("poses.csv"), "pose,cycle,x_mm,y_mm,c_deg\n1,1,100,0,0\n1,2,100.001,0,0\n").unwrap();
+    let (status, judged) = pose(" --rp-limit-mm 10");
+    assert_eq!((status, judged.rp_conformity), (Some(1), Some(etalon::document::Iso9283Conformity::Neither)));
     std::fs::write(here.join("poses.csv"), table.replacen("reading", "label", 1)).unwrap();
     assert!(text_of(&run(here, line)).contains("pose 1 is there twice in cycle 0"));
 }

@@ -192,6 +192,32 @@ fn a_pass_that_is_left_does_not_count() {
     assert_eq!((found.complete.len(), found.incomplete), (2, 1));
 }
 
+/// Shortly before its end a closed path comes by its begin again: what goes through the first plane there ends no pass.
+#[test]
+fn passes_of_a_closed_path_are_found_though_the_robot_strays_through_its_first_plane() {
+    let square =
+        CommandedPath::new(vec![[0.0; 3], [100.0, 0.0, 0.0], [100.0, 100.0, 0.0], [0.0, 100.0, 0.0], [0.0; 3]], &[])
+            .unwrap();
+    let planes = square.command_points(200);
+    let mut points: Vec<Vector> = Vec::new();
+    for _ in 0..3 {
+        let side = |from: [f64; 2], to: [f64; 2]| {
+            (0..100).map(move |i| {
+                let at = [0, 1].map(|k| from[k] + f64::from(i) / 100.0 * (to[k] - from[k]));
+                // on the last millimetres of the last side it strays by 3 mm
+                let stray = if from == [0.0, 100.0] && at[1] < 4.0 { 3.0 } else { 0.0 };
+                [at[0] + stray, at[1], 0.0]
+            })
+        };
+        let corners = [[0.0, 0.0], [100.0, 0.0], [100.0, 100.0], [0.0, 100.0], [0.0, 0.0]];
+        corners.windows(2).for_each(|c| points.extend(side(c[0], c[1])));
+    }
+    points.extend([[0.0, 0.0, 0.0], [0.0, -5.0, 0.0]]);
+    let time_s = (0..points.len()).map(|i| i as f64 / RATE_HZ).collect();
+    let found = passes(&Stream::new(time_s, points, &[]).unwrap(), &planes, 5.0).unwrap();
+    assert_eq!((found.complete.len(), found.incomplete), (3, 0));
+}
+
 #[test]
 fn velocities_are_those_driven() {
     // each pass at its own speed: means and standard deviations are those of the speeds

@@ -1,16 +1,16 @@
 //! `etalon iso9283 --compliance`
 
+use super::super::table_file::TableFile;
 use super::super::{Verdict, print, say};
 use crate::document::Iso9283ComplianceDocument;
 use crate::load_test::evaluate;
-use crate::{files, import, output};
+use crate::output;
 use std::fmt::Write;
 use std::path::Path;
 
 pub(super) fn run(path: &Path, json: bool) -> anyhow::Result<Verdict> {
-    let (file, text) = (path.display().to_string(), files::read_text(path)?);
-    let table = import::observations(&file, &text)?;
-    let document = evaluate((&file, &table)).map_err(|p| p.in_text(&file, &text))?;
+    let table = TableFile::read(path)?;
+    let document = evaluate(table.named()).map_err(|p| table.place(p))?;
     for message in &document.messages {
         say(format_args!("{message}\n"));
     }

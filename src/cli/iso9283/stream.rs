@@ -1,5 +1,6 @@
 //! `etalon iso9283 --stream`
 
+use super::super::table_file::TableFile;
 use super::super::text_format::TextFormat;
 use super::super::{Verdict, print, say};
 use super::stream_text::as_text;
@@ -115,24 +116,25 @@ impl StreamOptions {
     }
 
     fn recording(&self, path: &Path) -> Result<Recording> {
-        let (file, text) = (path.display().to_string(), files::read_text(path)?);
-        let table = match self.text.stated() {
-            true => import::recorded_points(&file, &text, &self.text.format()?, self.text.unit()?)?,
-            false => import::observations(&file, &text)?,
+        let recorded = match self.text.stated() {
+            true => {
+                let (format, unit) = (self.text.format()?, self.text.unit()?);
+                TableFile::read_with(path, |file, text| import::recorded_points(file, text, &format, unit))?
+            }
+            false => TableFile::read(path)?,
         };
-        Recording::from_table((&file, &table), self.rate_hz).map_err(|p| p.in_text(&file, &text))
+        Recording::from_table(recorded.named(), self.rate_hz).map_err(|p| recorded.place(p))
     }
 
     fn path(&self, path: &Path, (of, recording): (&Path, &Recording)) -> Result<PathSettings> {
-        let (file, text) = (path.display().to_string(), files::read_text(path)?);
-        let table = import::observations(&file, &text)?;
-        let path = commanded_path((&file, &table), (&of.display().to_string(), recording));
+        let table = TableFile::read(path)?;
+        let path = commanded_path(table.named(), (&of.display().to_string(), recording));
         let weave = match (self.weave_stroke_mm, self.weave_hz, &self.weave_across[..]) {
             (Some(stroke_mm), Some(hz), &[x, y, z]) => Some(([x, y, z], stroke_mm, hz)),
             _ => None,
         };
         Ok(PathSettings {
-            path: path.map_err(|p| p.in_text(&file, &text))?,
+            path: path.map_err(|p| table.place(p))?,
             points: self.path_points,
             velocity_mm_s: self.velocity_mm_s,
             central: self.central_percent / 100.0,
@@ -142,8 +144,8 @@ impl StreamOptions {
 }
 
 fn poses(path: &Path) -> Result<Vec<(i64, Vector)>> {
-    let (file, text) = (path.display().to_string(), files::read_text(path)?);
-    commanded_poses((&file, &import::observations(&file, &text)?)).map_err(|p| p.in_text(&file, &text))
+    let table = TableFile::read(path)?;
+    commanded_poses(table.named()).map_err(|p| table.place(p))
 }
 
 /// Standstills at poses as a table of poses.
