@@ -166,13 +166,18 @@ fn inspec_reads_every_measured_point_of_the_optics_run_under_its_feature() {
 }
 
 #[test]
-fn vda_fs_files_with_geometry_alone_are_refused_by_what_they_hold() {
+fn trap_20_vda_fs_files_without_measured_points_or_without_the_end_of_the_norm_are_refused() {
     if !there("exports/vda_fs") {
         return;
     }
-    for (file, entity) in [("CURVE_SP1", "1 CURVE"), ("FC267", "CONS"), ("SURF_FLAE0001", "1 SURF")] {
-        let parts = ["holds no measured points", entity, "expected: POINT, PSET or MDI"];
-        refused(&format!("exports/vda_fs/{file}.vda"), "\"vda_fs\"", "mm", &parts);
+    // two of the three lack `NAME = END`
+    for (file, entity, ended) in
+        [("CURVE_SP1", "1 CURVE", false), ("FC267", "CONS", true), ("SURF_FLAE0001", "1 SURF", false)]
+    {
+        let file = format!("exports/vda_fs/{file}.vda");
+        refused(&file, "\"vda_fs\"", "mm", &["holds no measured points", entity, "expected: POINT, PSET or MDI"]);
+        let said = read(&file, "\"vda_fs\"", "mm").unwrap_err();
+        assert_eq!(!said.contains("the file has no end"), ended, "{said}");
     }
 }
 
