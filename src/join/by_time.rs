@@ -2,7 +2,7 @@
 
 use super::unmatched::Rows;
 use super::{Log, Said};
-use crate::message::{Message, Result, count};
+use crate::message::{Message, Problems, Result, count};
 use crate::table::{self, ASSEMBLY};
 use polars::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -174,19 +174,17 @@ fn refuse_twice(points: &DataFrame, times: &[i64], met: &[Option<Met>], clocks: 
         let key = if clocks.interpolate { times[i] } else { numbers[met.row] };
         used.entry((key, targets[i].as_str())).or_default().push(i);
     }
-    let twice = used.iter().filter(|(_, points)| points.len() > 1).map(|((key, target), points)| {
+    let errors = used.iter().filter(|(_, points)| points.len() > 1).map(|((key, target), points)| {
         let lines: Vec<String> = points.iter().map(|&i| places.line(i).to_string()).collect();
         let (n, lines, name) = (points.len(), lines.join(", "), log.name);
-        match clocks.interpolate {
+        let what = match clocks.interpolate {
             true => format!("{n} points of target `{target}` have the same time (lines {lines})"),
             false => format!("row {key} of log `{name}` is nearest to {n} points of target `{target}` (lines {lines})"),
-        }
+        };
+        let message = Message::error(what).hint("lower `tolerance_s`, or check `clock_offset_s`");
+        message.at(places.place(points[points.len() - 1]))
     });
-    let twice: Vec<String> = twice.collect();
-    if twice.is_empty() {
-        return Ok(());
-    }
-    Err(Message::error(twice.join("; ")).hint("lower `tolerance_s`, or check `clock_offset_s`").into())
+    Problems(errors.collect()).check().map(|_| ())
 }
 
 /// The points that met something, with the columns of the log.

@@ -272,3 +272,34 @@ fn trap_15_the_partner_without_a_header_would_be_one_row_off_and_is_refused() {
     assert_eq!(table.height(), 136);
     assert_eq!(column(&table, "x_mm")[0], 0.5637046075982887 * 1000.0);
 }
+
+#[test]
+fn trap_20_joints_of_the_hl6_are_separated_by_tabs_and_in_39_rows_by_a_blank_too() {
+    if crate::reference_data("robots/qkm_polyworks").is_none() {
+        return;
+    }
+    let log = |file: &str, stated: &str, columns: &str| {
+        let file = format!("file = \"$ETALON_REFERENCE/robots/qkm_polyworks/{file}.txt\"\nheader = false\n");
+        format!("{file}delimiter = \"{stated}\"\ncolumns = {{ {columns} }}")
+    };
+    let six = "q1_deg = 1, q2_deg = 2, q3_deg = 3, q4_deg = 4, q5_deg = 5, q6_deg = 6";
+    let angles = "data_points_cali__c_angles";
+    // the README says one row
+    let said = read(&log(angles, "tab", six)).unwrap_err();
+    assert_eq!(said.matches("the row has 6 fields").count(), 39, "{said}");
+    assert!(said.contains("c_angles.txt:5\n") && said.contains("expected: 7, as the first row"), "{said}");
+    let (table, _) = read(&log(angles, "blank", six)).unwrap();
+    assert_eq!(table.height(), 46);
+    // line 5: 31.03187354 ... -111.91 2
+    assert_eq!((column(&table, "q1_deg")[4], column(&table, "q6_deg")[4]), (31.03187354, -111.91));
+    for (file, separator, count) in [
+        ("data_pose_cali__AnglesInDeg", "blank", 10),
+        ("data_pose_cali__test_angles", "blank", 10),
+        ("data_pose_cali__init_ang", "blank", 1),
+        ("2020-01-19__test_points", ",", 9),
+        ("data_points_cali__test_points", ",", 9),
+    ] {
+        assert_eq!(read(&log(file, separator, six)).unwrap().0.height(), count, "{file}");
+    }
+    refused(&log("2020-01-19__angle_info", "blank", six), &["angle_info.txt"]);
+}

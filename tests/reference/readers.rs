@@ -2,10 +2,10 @@
 //! that they give. Numbers that are expected stand in the files themselves.
 
 use crate::scratch::copy_sample;
-use etalon::campaign::{Campaign, Decimal, Unit};
+use etalon::campaign::{Campaign, Decimal, Format, Reader, Unit};
 use etalon::document::Source;
-use etalon::import::import;
 use etalon::import::readers::{dmis, polyworks_report};
+use etalon::import::{import, labelled_points};
 use etalon::pose::Vector;
 use etalon::table;
 
@@ -240,5 +240,28 @@ fn the_yaml_and_xml_of_the_positioner_are_refused() {
     let folder = "robots/rct_two_axis_positioner";
     for file in ["positioner_kinematic_measurements.yaml", "initial_guess.launch.xml"] {
         refused(&format!("{folder}/{file}"), "\"polyworks\"", "m", &[&format!("{file}:1")]);
+    }
+}
+
+#[test]
+fn the_68_columns_of_a_calypso_head_hold_its_unit_and_temperature_and_no_points() {
+    if !there("exports/calypso") {
+        return;
+    }
+    let names = text("exports/calypso/hdr_column_names.txt");
+    let names: Vec<&str> = names.split_whitespace().collect();
+    assert_eq!(names.len(), 68);
+    // a row that is made up, under the names that were published
+    let value = |name: &&str| match *name {
+        "lengthunit" => "mm",
+        "temperatureworkpiece" => "20.7",
+        _ => "",
+    };
+    let row: Vec<&str> = names.iter().map(value).collect();
+    let head = format!("{}\n{}\nEND\n", names.join("\t"), row.join("\t"));
+    let format = Format::Own(Reader::Calypso, Decimal::Point);
+    let said = labelled_points("hdr.txt", &head, &format, Unit::Millimetre).unwrap_err().to_string();
+    for part in ["holds no points", "length unit is mm", "20.7 degrees", "hdr.txt:1"] {
+        assert!(said.contains(part), "{part}: {said}");
     }
 }
