@@ -49,7 +49,7 @@ pub(super) fn by_time(points: &DataFrame, log: Log, clocks: Clocks, said: &mut S
         met.iter().flatten().flat_map(|m| [Some(m.row), m.other.map(|(row, _)| row)]).flatten().collect();
     report_idle(log, &used, clocks, said)?;
     refuse_twice(points, &times, &met, clocks, log)?;
-    joined(points, log, &times, &met)
+    joined(points, log, &times, &met, clocks.interpolate)
 }
 
 /// First and last time of each row of the log in nanoseconds: the same, but for standstills.
@@ -188,14 +188,13 @@ fn refuse_twice(points: &DataFrame, times: &[i64], met: &[Option<Met>], clocks: 
 }
 
 /// The points that met something, with the columns of the log.
-fn joined(points: &DataFrame, log: Log, times: &[i64], met: &[Option<Met>]) -> Result<DataFrame> {
+fn joined(points: &DataFrame, log: Log, times: &[i64], met: &[Option<Met>], interpolated: bool) -> Result<DataFrame> {
     let kept: Vec<(usize, Met)> = met.iter().enumerate().filter_map(|(i, met)| met.map(|met| (i, met))).collect();
     let mut order: Vec<usize> = (0..kept.len()).collect();
     order.sort_by_key(|&k| times[kept[k].0]);
     let kept: Vec<(usize, Met)> = order.into_iter().map(|k| kept[k]).collect();
     let taken: Vec<IdxSize> = kept.iter().map(|(i, _)| *i as IdxSize).collect();
     let mut joined = points.take(&IdxCa::from_vec("i".into(), taken))?;
-    let interpolated = kept.iter().any(|(_, met)| met.other.is_some());
     let numbers = table::integers(log.rows, "row")?;
     let distinct: BTreeSet<i64> = kept.iter().map(|(i, _)| times[*i]).collect();
     let rank: BTreeMap<i64, i64> = distinct.into_iter().zip(1..).collect();
