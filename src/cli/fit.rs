@@ -1,21 +1,21 @@
 //! `etalon fit`
 
 use super::fit_text::as_text;
-use super::text_format::TextFormat;
+use super::text_format::{TextFormat, word};
 use super::{Verdict, print, say};
-use crate::campaign::Unit;
+use crate::campaign::{Format, Unit};
 use crate::document::FitDocument;
 use crate::fit::{self, CircleMethod, Element, Probe, Settings, Side};
 use crate::message::{Message, Place, Problems};
 use crate::pose::Vector;
 use crate::refit::{ProbeStated, refit};
-use crate::{files, import, output, table};
+use crate::{import, output, table};
 use std::path::PathBuf;
 
 /// Fit a geometric element to the points of files
 ///
-/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --columns says otherwise. A
-/// QIF file says itself which points belong to which feature: each measured feature is fitted and set against what the
+/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --format or --columns says
+/// otherwise. A QIF file says itself which points belong to which feature: each measured feature is fitted and set against what the
 /// file states.
 #[derive(Debug, clap::Args)]
 pub struct Fit {
@@ -26,6 +26,9 @@ pub struct Fit {
     /// Files with points
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
+    /// Format of the files, by the name that a campaign gives it: inspec, geopak_gws, ply, polyworks_report ...
+    #[arg(long, value_name = "NAME", conflicts_with = "columns")]
+    format: Option<String>,
     #[command(flatten)]
     text: TextFormat,
     /// One fit for each label instead of one over all points
@@ -76,7 +79,8 @@ impl Fit {
     fn texts(&self) -> Result<Vec<(String, String)>, Problems> {
         let first = PathBuf::from(&self.element);
         let paths = if self.all_features() { [&[first], &self.files[..]].concat() } else { self.files.clone() };
-        let texts = paths.iter().map(|path| Ok((path.display().to_string(), files::read_text(path)?)));
+        let format = self.format()?;
+        let texts = paths.iter().map(|path| Ok((path.display().to_string(), import::text_in(path, &format)?)));
         let texts: Vec<_> = texts.collect::<Result<_, Problems>>()?;
         if texts.is_empty() {
             let message = Message::error(format!("`{}` is to be fitted to no file", self.element));
@@ -193,10 +197,12 @@ impl Fit {
 
     /// Labels and points of all files, in millimetres.
     fn read(&self, texts: &[(String, String)]) -> Result<Vec<(String, Vector)>, Problems> {
-        let (unit, format) = (self.text.unit()?, self.text.format()?);
+        let (unit, format) = (self.text.unit()?, self.format()?);
         let mut all = Vec::new();
         for (file, text) in texts {
-            all.extend(import::labelled_points(file, text, &format, unit)?);
+            let (points, refused) = import::points_and_refused(file, text, &format, unit)?;
+            refused.into_iter().for_each(|message| say(format_args!("{message}\n")));
+            all.extend(points);
         }
         Ok(all)
     }
@@ -206,7 +212,7 @@ impl Fit {
         if self.by_label || self.all_features() || self.text.stated_unit()?.is_none() {
             return Ok(None);
         }
-        let (unit, format) = (self.text.unit()?, self.text.format()?);
+        let (unit, format) = (self.text.unit()?, self.format()?);
         let mut all = Vec::new();
         for path in self.files.iter() {
             match import::cloud(path, &format, unit) {
@@ -215,6 +221,11 @@ impl Fit {
             }
         }
         Ok((!all.is_empty()).then_some(all))
+    }
+
+    /// The format that the options state.
+    fn format(&self) -> Result<Format, Problems> {
+        self.format.as_deref().map_or_else(|| self.text.format(), |name| word("--format", name))
     }
 
     fn fit(&self, label: &str, points: &[Vector]) -> Result<FitDocument, Problems> {

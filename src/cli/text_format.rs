@@ -57,7 +57,7 @@ impl TextFormat {
 }
 
 /// A word of an option, as the campaign spells it.
-fn word<T: serde::de::DeserializeOwned>(option: &str, text: &str) -> Result<T, Problems> {
+pub(super) fn word<T: serde::de::DeserializeOwned>(option: &str, text: &str) -> Result<T, Problems> {
     let value = serde::de::value::StrDeserializer::<serde::de::value::Error>::new(text);
     T::deserialize(value).map_err(|e| Message::error(format!("{option}: {e}")).into())
 }

@@ -45,7 +45,7 @@ pub(crate) use points::used_labels;
 use crate::campaign::{Campaign, Encoding, Export, Format, Log, Reader, Unit};
 use crate::document::{ImportDocument, Source};
 use crate::files;
-use crate::message::{Message, Place, Problems, Result, nearest};
+use crate::message::{Message, Place, Problems, Result, count, nearest};
 use crate::pose::Vector;
 use points::PointColumns;
 use polars::prelude::DataFrame;
@@ -179,16 +179,48 @@ pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit:
     Ok(points)
 }
 
-/// Labels and points of a file, in millimetres; every row counts: one of a table that was not measured is an error.
-pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<(String, Vector)>> {
+/// A label and a point in millimetres.
+pub type Labelled = (String, Vector);
+
+/// Labels and points of a file, in millimetres: [`points_and_refused`] without the warning.
+pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<Labelled>> {
+    points_and_refused(file, text, format, unit).map(|(points, _)| points)
+}
+
+/// Labels and points of a file, in millimetres. A row that was not measured is an error in a table; of a format with a
+/// reader of its own what is no point is left out, with a warning.
+pub fn points_and_refused(
+    file: &str,
+    text: &str,
+    format: &Format,
+    unit: Unit,
+) -> Result<(Vec<Labelled>, Option<Message>)> {
     let (rows, mut problems) = point_rows(file, text, format, unit);
-    let table = matches!(format, Format::Delimited(_));
-    let refused = rows.iter().filter(|_| table).filter_map(|row| Some((row, row.refused.as_ref()?)));
-    problems.0.extend(refused.map(|(row, reason)| {
-        Message::error(reason.as_str()).at(Place::line(file, row.line, &row.text)).hint("take the row out of the file")
-    }));
+    if !matches!(format, Format::Own(..)) {
+        let refused = rows.iter().filter_map(|row| Some((row, row.refused.as_ref()?)));
+        problems.0.extend(refused.map(|(row, reason)| {
+            Message::error(reason.as_str())
+                .at(Place::line(file, row.line, &row.text))
+                .hint("take the row out of the file")
+        }));
+    }
     problems.check()?;
-    Ok(rows.into_iter().map(|row| (row.label, row.xyz_mm)).collect())
+    let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some()).collect();
+    let said = refused.first().map(|first| {
+        let reason = first.refused.as_deref().unwrap_or_default();
+        let what = format!("{} left out, the first: {reason}", count(refused.len(), "row"));
+        Message::warning(what).at(Place::line(file, first.line, first.text.as_str()))
+    });
+    let points = rows.iter().filter(|row| row.refused.is_none()).map(|row| (row.label.clone(), row.xyz_mm));
+    Ok((points.collect(), said))
+}
+
+/// The text of a file in a format; of one that may be binary, a character for each byte.
+pub fn text_in(path: &Path, format: &Format) -> Result<String> {
+    match format {
+        Format::Own(Reader::Ply, _) => read_export(path, None, format, Place::default()).map(|(text, _)| text),
+        _ => files::read_text(path),
+    }
 }
 
 /// Samples of a recording in the stated format, as a table `line time_s x_mm y_mm z_mm`; every row must be measured.

@@ -2,7 +2,7 @@
 
 use super::unmatched::Rows;
 use super::{Log, Said};
-use crate::message::{Message, Result, count};
+use crate::message::{Message, Problems, Result, count};
 use crate::table::{self, ASSEMBLY};
 use polars::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -49,7 +49,7 @@ pub(super) fn by_time(points: &DataFrame, log: Log, clocks: Clocks, said: &mut S
         met.iter().flatten().flat_map(|m| [Some(m.row), m.other.map(|(row, _)| row)]).flatten().collect();
     report_idle(log, &used, clocks, said)?;
     refuse_twice(points, &times, &met, clocks, log)?;
-    joined(points, log, &times, &met)
+    joined(points, log, &times, &met, clocks.interpolate)
 }
 
 /// First and last time of each row of the log in nanoseconds: the same, but for standstills.
@@ -174,30 +174,27 @@ fn refuse_twice(points: &DataFrame, times: &[i64], met: &[Option<Met>], clocks: 
         let key = if clocks.interpolate { times[i] } else { numbers[met.row] };
         used.entry((key, targets[i].as_str())).or_default().push(i);
     }
-    let twice = used.iter().filter(|(_, points)| points.len() > 1).map(|((key, target), points)| {
+    let errors = used.iter().filter(|(_, points)| points.len() > 1).map(|((key, target), points)| {
         let lines: Vec<String> = points.iter().map(|&i| places.line(i).to_string()).collect();
         let (n, lines, name) = (points.len(), lines.join(", "), log.name);
-        match clocks.interpolate {
+        let what = match clocks.interpolate {
             true => format!("{n} points of target `{target}` have the same time (lines {lines})"),
             false => format!("row {key} of log `{name}` is nearest to {n} points of target `{target}` (lines {lines})"),
-        }
+        };
+        let message = Message::error(what).hint("lower `tolerance_s`, or check `clock_offset_s`");
+        message.at(places.place(points[points.len() - 1]))
     });
-    let twice: Vec<String> = twice.collect();
-    if twice.is_empty() {
-        return Ok(());
-    }
-    Err(Message::error(twice.join("; ")).hint("lower `tolerance_s`, or check `clock_offset_s`").into())
+    Problems(errors.collect()).check().map(|_| ())
 }
 
 /// The points that met something, with the columns of the log.
-fn joined(points: &DataFrame, log: Log, times: &[i64], met: &[Option<Met>]) -> Result<DataFrame> {
+fn joined(points: &DataFrame, log: Log, times: &[i64], met: &[Option<Met>], interpolated: bool) -> Result<DataFrame> {
     let kept: Vec<(usize, Met)> = met.iter().enumerate().filter_map(|(i, met)| met.map(|met| (i, met))).collect();
     let mut order: Vec<usize> = (0..kept.len()).collect();
     order.sort_by_key(|&k| times[kept[k].0]);
     let kept: Vec<(usize, Met)> = order.into_iter().map(|k| kept[k]).collect();
     let taken: Vec<IdxSize> = kept.iter().map(|(i, _)| *i as IdxSize).collect();
     let mut joined = points.take(&IdxCa::from_vec("i".into(), taken))?;
-    let interpolated = kept.iter().any(|(_, met)| met.other.is_some());
     let numbers = table::integers(log.rows, "row")?;
     let distinct: BTreeSet<i64> = kept.iter().map(|(i, _)| times[*i]).collect();
     let rank: BTreeMap<i64, i64> = distinct.into_iter().zip(1..).collect();

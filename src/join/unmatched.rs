@@ -1,7 +1,7 @@
 //! Rows that a join leaves alone, or that have two partners, each with its place.
 
 use crate::document::Unmatched;
-use crate::message::Result;
+use crate::message::{Place, Result};
 use crate::table;
 use polars::prelude::DataFrame;
 
@@ -31,6 +31,11 @@ impl Rows {
             key,
             reason: reason.to_owned(),
         }
+    }
+
+    /// Where a row stands.
+    pub fn place(&self, row: usize) -> Place {
+        Place { line: Some(self.line(row)), ..Place::file(self.files.get(row).cloned().unwrap_or_default()) }
     }
 
     /// The line of a row, from 1.

@@ -1,6 +1,6 @@
 //! An export in the format that the campaign states.
 
-use super::{Scene, Truth, Turn, geometric, repeatability, text};
+use super::{Scene, Truth, Turn, geometric, own, repeatability, text};
 use crate::campaign::{ColumnAt, Columns, Dialect, Encoding, Export, Format, Header, Role};
 use crate::import;
 use crate::message::{Message, Result};
@@ -36,8 +36,12 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
     }
     let written = match &export.format {
         Format::Polyworks => rows.iter().map(|row| polyworks_line(row, decimals)).collect(),
-        other @ (Format::Qif | Format::Own(..)) => {
-            let message = Message::error(format!("simulate writes no {other}")).at(place());
+        Format::Own(reader, decimal) => {
+            let labelled: Vec<(&str, Vector)> = rows.iter().map(|row| (row.label.as_str(), row.xyz)).collect();
+            own::write(*reader, *decimal, export.unit, decimals, &labelled).map_err(|m| m.at(place()))?
+        }
+        Format::Qif => {
+            let message = Message::error("simulate writes no QIF").at(place());
             return Err(message.hint("state `polyworks` or a delimited format for this export").into());
         }
         Format::SpatialAnalyzer => spatialanalyzer(&rows, export.unit.name(), decimals),

@@ -197,3 +197,40 @@ fn points_that_determine_nothing_are_messages_and_never_numbers_that_are_none() 
         }
     }
 }
+
+#[test]
+fn formats_with_a_reader_of_their_own_are_fitted_by_label() {
+    let folder = tempfile::tempdir().unwrap();
+    let (mut inspec, mut ply) = (String::from("\"C 1: Diameter\",20\n7.5\n\"C 1: 3D MCS Points\"\n"), Vec::new());
+    for i in 0..12 {
+        let (s, c) = f64::from(i).sin_cos();
+        let _ = writeln!(inspec, "{:.12},{:.12},5", 10.0 * c, 10.0 * s);
+        ply.extend([10.0 * c, 10.0 * s, 5.0].into_iter().flat_map(f64::to_le_bytes));
+    }
+    std::fs::write(folder.path().join("c.csv"), inspec).unwrap();
+    let head = "ply\nformat binary_little_endian 1.0\nelement vertex 12\nproperty double x\nproperty double y\nproperty double z\n\
+                end_header\n";
+    std::fs::write(folder.path().join("c.ply"), [head.as_bytes(), &ply].concat()).unwrap();
+    let fit = |file: &str, rest: &[&str]| -> Output {
+        etalon(folder.path(), &[&["fit", "circle3d", file, "--unit", "mm", "--json", "--by-label"], rest].concat())
+    };
+    for (file, format, label) in [("c.csv", "inspec", Some("C 1")), ("c.ply", "ply", None)] {
+        let answered = fit(file, &["--format", format]);
+        let documents: Vec<FitDocument> = serde_json::from_slice(&answered.stdout).unwrap();
+        assert_eq!(
+            (documents.len(), documents[0].label.as_deref(), documents[0].points),
+            (1, label, 12),
+            "{documents:?}"
+        );
+        assert!((documents[0].radius_mm.unwrap() - 10.0).abs() < 1e-9, "{documents:?}");
+        let said = text(&answered.stderr);
+        assert_eq!(said.contains("1 row left out, the first: a value without a label"), format == "inspec", "{said}");
+    }
+    for (rest, part) in
+        [(&["--format", "inspect"][..], "--format: invalid value"), (&["--format", "dmis"], "no measured feature")]
+    {
+        let refused = fit("c.csv", rest);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(text(&refused.stderr).contains(part), "{}", text(&refused.stderr));
+    }
+}

@@ -98,14 +98,15 @@ fn run(name: &str, texts: &[&String], read: impl Fn(&str)) {
     while start.elapsed() < duration() {
         let mut noise = Noise::new(2026, runs);
         let text = damaged(texts[below(&mut noise, texts.len())], texts[below(&mut noise, texts.len())], &mut noise);
-        let before = Instant::now();
-        let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| read(&text)));
-        assert!(outcome.is_ok(), "{name}: trial {runs} panics on {text:?}");
-        assert!(
-            before.elapsed().as_secs_f64() < 20.0,
-            "{name}: trial {runs} takes {:?} for {text:?}",
-            before.elapsed()
-        );
+        let elapsed = || {
+            let before = Instant::now();
+            let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| read(&text)));
+            assert!(outcome.is_ok(), "{name}: trial {runs} panics on {text:?}");
+            before.elapsed().as_secs_f64()
+        };
+        // a busy machine may make one reading slow, not several
+        let slow = elapsed() > 1.0 && (0..5).all(|_| elapsed() > 1.0);
+        assert!(!slow, "{name}: trial {runs} takes over a second for {text:?}");
         runs += 1;
     }
     println!("{name}: {runs} damaged files in {:.1} s", start.elapsed().as_secs_f64());
@@ -113,7 +114,11 @@ fn run(name: &str, texts: &[&String], read: impl Fn(&str)) {
 
 #[test]
 fn readers_of_points() {
-    let samples = readers::samples();
+    let mut samples: Vec<(String, String)> =
+        readers::samples().into_iter().map(|(name, text)| (name.to_owned(), text)).collect();
+    // and what our own writers make of a campaign, a part of it
+    let written = crate::laws::dialects::written_exports();
+    samples.extend(written.into_iter().map(|(name, text)| (name, text.chars().take(3000).collect())));
     for name in Reader::names() {
         let own: Vec<&String> = samples.iter().filter(|(of, _)| *of == name).map(|(_, text)| text).collect();
         let (reader, decimal) = Reader::stated(name).unwrap();

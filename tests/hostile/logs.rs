@@ -90,6 +90,14 @@ fn lost_telegrams_of_rsi_are_told() {
 }
 
 #[test]
+fn a_counter_that_falls_by_more_than_numbers_hold_is_told() {
+    // found by random damage: the step was negated
+    let stated = "format = \"kuka_rsi\"\ncolumns = { time_ms = \"IPOC\", a_deg = \"A1\" }";
+    let found = read("IPOC,A1\n1e308,1.5\n8,1.5\n", stated).unwrap();
+    assert_eq!(found.logs[0].1.height(), 2);
+}
+
+#[test]
 fn rostopic_names_its_joints_in_every_row() {
     let stated = "format = \"ros\"\ncolumns = { time_ns = \"%time\", q1_rad = \"shoulder\", q2_rad = \"elbow\" }";
     let head = "%time,field.name0,field.name1,field.position0,field.position1,field.velocity0\n";

@@ -15,7 +15,7 @@ const LOG: &str = "columns = { pose = \"pose\", cycle = \"run\", rho1_mm = \"A\"
 const BY_POSE: &str = "by = [\"pose\", \"cycle\"]";
 
 /// Name, lines of the export, mm in its unit, whether it bears fixed points, lines of the log, mm in its unit, join.
-type Case = (&'static str, &'static str, f64, bool, &'static str, f64, &'static str);
+pub type Case = (&'static str, &'static str, f64, bool, &'static str, f64, &'static str);
 
 const CASES: [Case; 11] = [
     (
@@ -150,6 +150,18 @@ fn campaign(export: &str, log: &str, join: &str, with_points: bool) -> (Scratch,
     (scratch, campaign, truth)
 }
 
+/// The export of each format with a reader of its own, as simulate writes it: what `format` states, and the text.
+pub fn written_exports() -> Vec<(String, String)> {
+    let written = |(name, export, _, with_points, log, _, join): Case| {
+        let (scratch, campaign, mut truth) = campaign(export, log, join, with_points);
+        truth.cycles = 1;
+        simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let format = export.split('"').nth(1).unwrap_or_default().to_owned();
+        (format, std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap())
+    };
+    super::own_formats::CASES.into_iter().map(written).collect()
+}
+
 /// The value that is read where `value_mm` was written in a unit with so many digits.
 fn written(value_mm: f64, in_mm: f64, digits: usize) -> f64 {
     format!("{:.digits$}", value_mm / in_mm).parse::<f64>().unwrap() * in_mm
@@ -157,7 +169,8 @@ fn written(value_mm: f64, in_mm: f64, digits: usize) -> f64 {
 
 #[test]
 fn every_dialect_reads_back_bit_for_bit() {
-    for (name, export, export_mm, with_points, log, log_mm, join) in CASES {
+    let all = CASES.into_iter().chain(super::own_formats::CASES);
+    for (name, export, export_mm, with_points, log, log_mm, join) in all {
         let (_scratch, campaign, truth) = campaign(export, log, join, with_points);
         simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{name}: {e}"));
         let imported = import(&campaign).unwrap_or_else(|e| panic!("{name}: {e}"));
@@ -265,4 +278,41 @@ fn what_a_dialect_cannot_say_is_refused_and_not_written_otherwise() {
     let comment = "format = { delimiter = \";\", comment = \"\", columns = [\"label\", \"x\", \"y\", \"z\"] }\nunit = \"mm\"\n\
                    label = \"{target}_{pose}_{cycle}\"";
     assert!(refused(comment, BY_POSE, |_| {}).to_string().contains("would read as a comment"));
+}
+
+/// A campaign with this log, simulated; its points are of no matter.
+fn logged(log: &str) -> etalon::import::Imported {
+    let polyworks = "format = \"polyworks\"\nunit = \"mm\"\nlabel = \"{target}_{pose}_{cycle}\"";
+    let (_scratch, campaign, truth) = campaign(polyworks, log, BY_POSE, false);
+    simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{log}: {e}"));
+    import(&campaign).unwrap_or_else(|e| panic!("{log}: {e}"))
+}
+
+#[test]
+fn logs_of_controllers_read_back_what_simulate_wrote() {
+    let plain = &logged(LOG).logs[0].1;
+    let joints = |table: &polars::prelude::DataFrame| {
+        ["rho1_mm", "rho2_mm", "rho3_mm"].map(|name| table::numbers(table, name).unwrap())
+    };
+    let common = "pose = \"pose\", cycle = \"run\"";
+    for (format, columns) in [
+        ("ur_rtde", "time_s = \"timestamp\", rho1_mm = \"A\", rho2_mm = \"B\", rho3_mm = \"C\""),
+        ("kuka_rsi", "time_ms = \"IPOC\", rho3_mm = \"A\", rho2_mm = \"B\", rho1_mm = \"C\""),
+        ("ros", "time_ns = \"%time\", rho1_m = \"c\", rho2_m = \"b\", rho3_m = \"a\""),
+    ] {
+        let table = &logged(&format!("format = \"{format}\"\ncolumns = {{ {common}, {columns} }}")).logs[0].1;
+        for (read, meant) in joints(table).iter().zip(joints(plain)) {
+            assert!(read.iter().zip(&meant).all(|(r, m)| (r - m).abs() < 1e-9), "{format}");
+        }
+        let times = table::numbers(table, "time_s").unwrap();
+        assert!(times.iter().zip(1..).all(|(t, n)| *t == 10.0 * f64::from(n)), "{format}");
+    }
+    // a count is the nearest to the value, whatever order the arrays stand in
+    let counts = "format = \"galil\"\ncolumns = { pose = \"pose\", cycle = \"run\", rho1_mm = { name = \"z\", per_count = 0.0005 }, \
+                  rho2_mm = { name = \"a\", per_count = -0.001, zero_count = 1000 }, rho3_mm = { name = \"m\", per_count = 0.01 } }";
+    let table = &logged(counts).logs[0].1;
+    for ((read, meant), per_count) in joints(table).iter().zip(joints(plain)).zip([0.0005f64, 0.001, 0.01]) {
+        assert!(read.iter().zip(&meant).all(|(r, m)| (r - m).abs() <= 0.5 * per_count + 1e-9), "{per_count}");
+        assert!(read.iter().all(|r| ((r / per_count).round() - r / per_count).abs() < 1e-6), "{per_count}");
+    }
 }

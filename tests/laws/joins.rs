@@ -84,7 +84,9 @@ fn points_without_a_log_row_are_counted() {
 #[test]
 fn two_points_for_one_log_row_are_an_error() {
     let problems = run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 0.0, None, true)).unwrap_err();
-    assert!(problems.to_string().contains("row 5 of log `log` is nearest to 2 points of target `K`"), "{problems}");
+    let said = problems.to_string();
+    assert!(said.contains("row 5 of log `log` is nearest to 2 points of target `K` (lines 9, 10)"), "{said}");
+    assert!(said.contains("exports/poses.txt:10"), "{said}");
 }
 
 #[test]

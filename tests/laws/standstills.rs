@@ -62,6 +62,15 @@ fn intervals_are_those_of_the_definition() {
 }
 
 #[test]
+fn limits_that_are_just_met_are_met() {
+    let (times, values) = ([0.0, 0.5, 1.0, 1.5], [0.0, 0.25, 0.125, 9.0]);
+    let found = |within, at_least_s| standing(&times, &[Watched { values: &values, within }], at_least_s);
+    assert_eq!(found(0.25, 1.0), [(0, 2)]);
+    assert!(found(0.25, 1.0 + 1e-12).is_empty() && found(0.25 - 1e-12, 1.0).is_empty());
+    assert_eq!(found(0.125, 0.5), [(1, 2)]);
+}
+
+#[test]
 fn read_backwards_in_other_units_and_with_joints_exchanged_the_intervals_are_the_same() {
     for seed in 20..30 {
         let (times, a, b) = walk(seed);

@@ -82,7 +82,7 @@ fn ur_rtde_reads_11_rows_at_125_hz_in_radians() {
 }
 
 #[test]
-fn ur_rtde_names_that_occur_twice_are_refused_until_the_campaign_says_which() {
+fn trap_9_ur_rtde_names_that_occur_twice_are_refused_until_the_campaign_says_which() {
     if crate::reference_data("exports/ur_rtde").is_none() {
         return;
     }
@@ -102,7 +102,7 @@ fn ur_rtde_names_that_occur_twice_are_refused_until_the_campaign_says_which() {
 }
 
 #[test]
-fn ur_rtde_knows_its_units_and_what_is_no_joint() {
+fn trap_8_ur_rtde_knows_its_units_and_what_is_no_joint() {
     if crate::reference_data("exports/ur_rtde").is_none() {
         return;
     }
@@ -130,7 +130,7 @@ fn kuka_rsi_reads_2425_rows_whose_clock_steps_by_12_ms() {
 }
 
 #[test]
-fn kuka_rsi_refuses_the_wall_clock_of_whole_seconds_and_the_counter_as_seconds() {
+fn trap_16_kuka_rsi_refuses_the_wall_clock_of_whole_seconds_and_the_counter_as_seconds() {
     if crate::reference_data("exports/kuka_rsi").is_none() {
         return;
     }
@@ -157,7 +157,7 @@ fn scope(variant: &str) -> String {
 }
 
 #[test]
-fn a_twincat_channel_is_the_same_in_every_variant_of_the_export() {
+fn trap_16_a_twincat_channel_is_the_same_in_every_variant_of_the_export() {
     if crate::reference_data("exports/twincat_scope").is_none() {
         return;
     }
@@ -244,7 +244,7 @@ fn twincat_channels_of_other_sample_times_meet_where_both_have_a_value() {
 const ROS: &str = "file = \"$ETALON_REFERENCE/exports/ros_csv/joint_states.csv\"\nformat = \"ros\"\n";
 
 #[test]
-fn ros_joints_in_scrambled_order_are_found_by_name_alone() {
+fn trap_15_ros_joints_in_scrambled_order_are_found_by_name_alone() {
     if crate::reference_data("exports/ros_csv").is_none() {
         return;
     }
@@ -260,7 +260,7 @@ fn ros_joints_in_scrambled_order_are_found_by_name_alone() {
 }
 
 #[test]
-fn the_partner_without_a_header_would_be_one_row_off_and_is_refused() {
+fn trap_15_the_partner_without_a_header_would_be_one_row_off_and_is_refused() {
     if crate::reference_data("exports/ros_csv").is_none() {
         return;
     }
@@ -271,4 +271,35 @@ fn the_partner_without_a_header_would_be_one_row_off_and_is_refused() {
     let (table, _) = read(&format!("{poses}header = false\n{columns}")).unwrap();
     assert_eq!(table.height(), 136);
     assert_eq!(column(&table, "x_mm")[0], 0.5637046075982887 * 1000.0);
+}
+
+#[test]
+fn trap_20_joints_of_the_hl6_are_separated_by_tabs_and_in_39_rows_by_a_blank_too() {
+    if crate::reference_data("robots/qkm_polyworks").is_none() {
+        return;
+    }
+    let log = |file: &str, stated: &str, columns: &str| {
+        let file = format!("file = \"$ETALON_REFERENCE/robots/qkm_polyworks/{file}.txt\"\nheader = false\n");
+        format!("{file}delimiter = \"{stated}\"\ncolumns = {{ {columns} }}")
+    };
+    let six = "q1_deg = 1, q2_deg = 2, q3_deg = 3, q4_deg = 4, q5_deg = 5, q6_deg = 6";
+    let angles = "data_points_cali__c_angles";
+    // the README says one row
+    let said = read(&log(angles, "tab", six)).unwrap_err();
+    assert_eq!(said.matches("the row has 6 fields").count(), 39, "{said}");
+    assert!(said.contains("c_angles.txt:5\n") && said.contains("expected: 7, as the first row"), "{said}");
+    let (table, _) = read(&log(angles, "blank", six)).unwrap();
+    assert_eq!(table.height(), 46);
+    // line 5: 31.03187354 ... -111.91 2
+    assert_eq!((column(&table, "q1_deg")[4], column(&table, "q6_deg")[4]), (31.03187354, -111.91));
+    for (file, separator, count) in [
+        ("data_pose_cali__AnglesInDeg", "blank", 10),
+        ("data_pose_cali__test_angles", "blank", 10),
+        ("data_pose_cali__init_ang", "blank", 1),
+        ("2020-01-19__test_points", ",", 9),
+        ("data_points_cali__test_points", ",", 9),
+    ] {
+        assert_eq!(read(&log(file, separator, six)).unwrap().0.height(), count, "{file}");
+    }
+    refused(&log("2020-01-19__angle_info", "blank", six), &["angle_info.txt"]);
 }

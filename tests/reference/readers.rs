@@ -2,10 +2,10 @@
 //! that they give. Numbers that are expected stand in the files themselves.
 
 use crate::scratch::copy_sample;
-use etalon::campaign::{Campaign, Decimal, Unit};
+use etalon::campaign::{Campaign, Decimal, Format, Reader, Unit};
 use etalon::document::Source;
-use etalon::import::import;
 use etalon::import::readers::{dmis, polyworks_report};
+use etalon::import::{import, labelled_points};
 use etalon::pose::Vector;
 use etalon::table;
 
@@ -166,13 +166,18 @@ fn inspec_reads_every_measured_point_of_the_optics_run_under_its_feature() {
 }
 
 #[test]
-fn vda_fs_files_with_geometry_alone_are_refused_by_what_they_hold() {
+fn trap_20_vda_fs_files_without_measured_points_or_without_the_end_of_the_norm_are_refused() {
     if !there("exports/vda_fs") {
         return;
     }
-    for (file, entity) in [("CURVE_SP1", "1 CURVE"), ("FC267", "CONS"), ("SURF_FLAE0001", "1 SURF")] {
-        let parts = ["holds no measured points", entity, "expected: POINT, PSET or MDI"];
-        refused(&format!("exports/vda_fs/{file}.vda"), "\"vda_fs\"", "mm", &parts);
+    // two of the three lack `NAME = END`
+    for (file, entity, ended) in
+        [("CURVE_SP1", "1 CURVE", false), ("FC267", "CONS", true), ("SURF_FLAE0001", "1 SURF", false)]
+    {
+        let file = format!("exports/vda_fs/{file}.vda");
+        refused(&file, "\"vda_fs\"", "mm", &["holds no measured points", entity, "expected: POINT, PSET or MDI"]);
+        let said = read(&file, "\"vda_fs\"", "mm").unwrap_err();
+        assert_eq!(!said.contains("the file has no end"), ended, "{said}");
     }
 }
 
@@ -235,5 +240,28 @@ fn the_yaml_and_xml_of_the_positioner_are_refused() {
     let folder = "robots/rct_two_axis_positioner";
     for file in ["positioner_kinematic_measurements.yaml", "initial_guess.launch.xml"] {
         refused(&format!("{folder}/{file}"), "\"polyworks\"", "m", &[&format!("{file}:1")]);
+    }
+}
+
+#[test]
+fn the_68_columns_of_a_calypso_head_hold_its_unit_and_temperature_and_no_points() {
+    if !there("exports/calypso") {
+        return;
+    }
+    let names = text("exports/calypso/hdr_column_names.txt");
+    let names: Vec<&str> = names.split_whitespace().collect();
+    assert_eq!(names.len(), 68);
+    // a row that is made up, under the names that were published
+    let value = |name: &&str| match *name {
+        "lengthunit" => "mm",
+        "temperatureworkpiece" => "20.7",
+        _ => "",
+    };
+    let row: Vec<&str> = names.iter().map(value).collect();
+    let head = format!("{}\n{}\nEND\n", names.join("\t"), row.join("\t"));
+    let format = Format::Own(Reader::Calypso, Decimal::Point);
+    let said = labelled_points("hdr.txt", &head, &format, Unit::Millimetre).unwrap_err().to_string();
+    for part in ["holds no points", "length unit is mm", "20.7 degrees", "hdr.txt:1"] {
+        assert!(said.contains(part), "{part}: {said}");
     }
 }

@@ -5,6 +5,7 @@
 use super::Columns;
 use super::Values;
 use crate::message::{Message, Place, count};
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 /// The unit of a column.
@@ -28,7 +29,7 @@ pub(super) fn gaps(file: &str, columns: &Columns) -> Option<Message> {
     let ms = |pair: &[f64]| ((pair[1] - pair[0]) * 1e3).round() as i64;
     let mut steps: BTreeMap<i64, usize> = BTreeMap::new();
     times_s.windows(2).for_each(|pair| *steps.entry(ms(pair)).or_default() += 1);
-    let (&step, _) = steps.iter().max_by_key(|(step, n)| (**n, -**step))?;
+    let (&step, _) = steps.iter().max_by_key(|(step, n)| (**n, Reverse(**step)))?;
     let odd: Vec<usize> = (0..times_s.len() - 1).filter(|&i| ms(&times_s[i..i + 2]) != step).collect();
     let first = *odd.first()?;
     let what = format!("{} where `IPOC` does not go on by {step} ms", count(odd.len(), "row"));

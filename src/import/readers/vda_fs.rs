@@ -129,7 +129,9 @@ fn entities<'a>(text: &'a Text, problems: &mut Problems) -> Vec<Entity<'a>> {
         }
     }
     let message = Message::error("the file has no end").at(text.place(text.lines.len()));
-    problems.0.push(message.expected("`NAME = END`").hint("it was cut off: export it again"));
+    problems.0.push(
+        message.expected("`NAME = END`").hint("export it again if it was cut off; if it is whole, add that line"),
+    );
     all
 }
 
