@@ -1,16 +1,11 @@
 //! What went wrong is told by its cause: units, assembly modes, exchanged targets, blunders, too few poses.
 
-use super::etalon;
+use super::{ends, etalon};
 use crate::scratch::{Scratch, copy_sample};
 
 /// Runs the campaign, which must end with `code`; all `parts` must be said.
 fn run(scratch: &Scratch, code: i32, parts: &[&str]) -> String {
-    let (ended, said) = etalon(scratch, "run");
-    assert_eq!(ended, Some(code), "{said}");
-    for part in parts {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
-    }
-    said
+    ends(scratch, "run", code, parts)
 }
 
 /// Rewrites the lines of a file of the campaign.

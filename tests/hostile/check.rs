@@ -1,6 +1,6 @@
 //! What `etalon check` finds: everything at once, each with its place.
 
-use super::{broken, etalon};
+use super::{broken, ends, etalon};
 use crate::scratch::copy_sample;
 
 #[test]
@@ -12,9 +12,7 @@ fn unreadable_rows_hide_nothing() {
     scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"1001-1008\"");
     scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = -1.0");
     scratch.replace("robot.toml", "[nominal]", "bending = [2]\n\n[nominal]\nseven = 7.0");
-    let (code, said) = etalon(&scratch, "check");
-    assert_eq!(code, Some(2), "{said}");
-    for part in [
+    let parts = [
         "is no number",
         "exports/poses.txt:1:7",
         "`one` is no number",
@@ -23,9 +21,8 @@ fn unreadable_rows_hide_nothing() {
         "`calibration` selects no pose that was measured",
         "the limit `position_max_mm` must be positive",
         "`bending` means nothing for this model",
-    ] {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
-    }
+    ];
+    ends(&scratch, "check", 2, &parts);
 }
 
 #[test]

@@ -1,15 +1,11 @@
 //! Hints that lead on: what one does next is what the message says.
 
-use super::etalon;
+use super::{ends, etalon};
 use crate::scratch::{Scratch, copy_sample};
 
 /// What is said of a campaign that is refused; every error has its hint, and all `parts` are said.
 fn hinted(scratch: &Scratch, parts: &[&str]) -> String {
-    let (code, said) = etalon(scratch, "check");
-    assert_eq!(code, Some(2), "{said}");
-    for part in parts {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
-    }
+    let said = ends(scratch, "check", 2, parts);
     for error in said.split("error: ").skip(1) {
         assert!(error.contains("hint: "), "no hint: {error}\nin:\n{said}");
     }

@@ -24,15 +24,21 @@ fn etalon(scratch: &Scratch, command: &str) -> (Option<i32>, String) {
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
 }
 
+/// What `etalon COMMAND campaign` says on stderr; it must end with `code`, and all `parts` must be said.
+fn ends(scratch: &Scratch, command: &str, code: i32, parts: &[&str]) -> String {
+    let (ended, said) = etalon(scratch, command);
+    assert_eq!(ended, Some(code), "{said}");
+    for part in parts {
+        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+    }
+    said
+}
+
 /// Checks the campaign after one replacement; all `parts` must be said.
 fn broken(file: &str, from: &str, to: &str, parts: &[&str]) {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace(file, from, to);
-    let (code, said) = etalon(&scratch, "check");
-    assert_eq!(code, Some(2), "{said}");
-    for part in parts {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
-    }
+    ends(&scratch, "check", 2, parts);
     assert_eq!(etalon(&scratch, "run").0, Some(2));
     assert!(!scratch.path().join("out").exists(), "something was written");
 }

@@ -1,16 +1,11 @@
 //! No problem hides another: each case breaks a campaign in several places, and `etalon check` says all of them.
 
-use super::{broken, etalon};
+use super::{broken, ends, etalon};
 use crate::scratch::{Scratch, copy_sample};
 
 /// Checks the campaign; all `parts` must be said.
 fn said(scratch: &Scratch, parts: &[&str]) -> String {
-    let (code, said) = etalon(scratch, "check");
-    assert_eq!(code, Some(2), "{said}");
-    for part in parts {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
-    }
-    said
+    ends(scratch, "check", 2, parts)
 }
 
 #[test]

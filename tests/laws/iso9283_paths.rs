@@ -1,7 +1,6 @@
-//! Paths, corners, velocities, weaves and loads against a second implementation, written in another way, and by laws.
+//! Paths, corners and velocities against a second implementation, written in another way, and by laws.
 
 use super::iso9283::{close, deviation_by_pairs};
-use etalon::iso9283::compliance::{Loaded, compliance};
 use etalon::iso9283::cornering::cornering;
 use etalon::iso9283::passes::{Passes, passes};
 use etalon::iso9283::path::{CommandPoint, CommandedPath};
@@ -9,7 +8,6 @@ use etalon::iso9283::path_accuracy::{path_accuracy, path_accuracy_on_reorientati
 use etalon::iso9283::path_repeatability::{path_angle_repeatability_rad, path_repeatability};
 use etalon::iso9283::path_velocity::path_velocity;
 use etalon::iso9283::stream::Stream;
-use etalon::iso9283::weaving::{Weave, weaving};
 use etalon::noise::Noise;
 use etalon::pose::{Pose, Vector, dot, minus, norm};
 
@@ -327,67 +325,6 @@ fn rigid_motion_changes_no_path_and_scaling_scales_it() {
             assert!((a - b).abs() < 1e-8, "{a} {b}");
         }
     }
-}
-
-#[test]
-fn a_weave_has_the_stroke_and_the_frequency_that_were_drawn() {
-    let motion = Pose::from_xyz_rpy([4.0, -9.0, 12.0], [0.3, -1.1, 2.0]);
-    let mut noise = Noise::new(37, 0);
-    let weave = Weave { along: [1.0, 0.0, 0.0], across: [0.3, 1.0, 0.0], stroke_mm: 5.0, frequency_hz: 3.0 };
-    for sigma in [0.0, 0.01] {
-        let points: Vec<Vector> = (0..5000)
-            .map(|i| {
-                let t = f64::from(i) / RATE_HZ;
-                let swing = 2.6 * (std::f64::consts::TAU * 2.9 * t).sin();
-                motion.apply([10.0 * t, swing, 0.0].map(|x| x + noise.gaussian(sigma)))
-            })
-            .collect();
-        let time_s = (0..points.len()).map(|i| i as f64 / RATE_HZ).collect();
-        let stream = Stream::new(time_s, points, &[]).unwrap();
-        let turned = Weave { along: motion.rotate(weave.along), across: motion.rotate(weave.across), ..weave };
-        let found = weaving(&stream, 0..stream.len(), &turned).unwrap();
-        // extremes of noisy samples lie outside by some sigma; ten seconds at 2.9 Hz have 58 turns, two do not count
-        assert!((found.stroke_mm - 5.2).abs() < 1e-3 + 5.0 * sigma, "{found:?}");
-        assert!((found.frequency_hz - 2.9).abs() < 1e-3 + 1.0 * sigma && (55..=57).contains(&found.turns), "{found:?}");
-        close(found.ws_percent, (found.stroke_mm - 5.0) / 5.0 * 100.0);
-        close(found.wf_percent, (found.frequency_hz - 3.0) / 3.0 * 100.0);
-        assert!(weaving(&stream, 0..100, &turned).is_err() && weaving(&stream, 0..0, &turned).is_err());
-        assert!(weaving(&stream, 0..5000, &Weave { across: turned.along, ..turned }).is_err());
-        assert!(weaving(&stream, 0..5000, &Weave { stroke_mm: f64::NAN, ..turned }).is_err());
-    }
-}
-
-#[test]
-fn compliance_is_the_slope_that_least_squares_by_hand_gives() {
-    let motion = Pose::from_xyz_rpy([40.0, -900.0, 120.0], [0.3, -1.1, 2.0]);
-    let mut noise = Noise::new(38, 0);
-    let readings: Vec<Loaded> = (0..30)
-        .map(|i| {
-            let force_n = 10.0 * f64::from(i % 10 + 1);
-            let given = [0.002 * force_n + noise.gaussian(0.001), noise.gaussian(0.5), 0.0];
-            Loaded { force_n, position_mm: motion.apply(given), unloaded_mm: motion.apply([0.0; 3]) }
-        })
-        .collect();
-    let along = motion.rotate([1.0, 0.0, 0.0]);
-    let found = compliance(&readings, along).unwrap();
-    let given = |r: &Loaded| dot(minus(r.position_mm, r.unloaded_mm), along);
-    // the slope at which Σ (d - c F)² does not fall any more, by search
-    let cost = |c: f64| readings.iter().map(|r| (given(r) - c * r.force_n).powi(2)).sum::<f64>();
-    let (mut low, mut high) = (0.0, 0.01);
-    for _ in 0..200 {
-        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-        (low, high) = if cost(a) < cost(b) { (low, b) } else { (a, high) };
-    }
-    assert!((found.compliance_mm_n - low).abs() < 1e-9, "{found:?} {low}");
-    let off = readings.iter().map(|r| (given(r) - found.compliance_mm_n * r.force_n).abs()).fold(0.0, f64::max);
-    close(found.off_line_mm, off);
-    close(found.largest_mm, readings.iter().map(given).fold(0.0, f64::max));
-    let forces: f64 = readings.iter().map(|r| r.force_n.powi(2)).sum();
-    close(found.standard_uncertainty_mm_n, (cost(found.compliance_mm_n) / 29.0 / forces).sqrt());
-    assert!((found.compliance_mm_n - 0.002).abs() < 4.0 * found.standard_uncertainty_mm_n);
-    assert!(compliance(&[], along).is_err());
-    assert!(compliance(&[Loaded { force_n: 0.0, ..readings[0] }], along).is_err());
-    assert!(compliance(&[Loaded { position_mm: [f64::NAN; 3], ..readings[0] }], along).is_err());
 }
 
 #[test]

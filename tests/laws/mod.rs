@@ -17,6 +17,7 @@ mod iso9283_beyond;
 mod iso9283_layout;
 mod iso9283_paths;
 mod iso9283_stream;
+mod iso9283_weaves_and_loads;
 mod joins;
 mod own_formats;
 mod plans;
