@@ -170,6 +170,7 @@ fn environment() -> std::result::Result<Environment<'static>, minijinja::Error> 
     environment.add_filter("one_line", |text: String| one_line(&text));
     for (name, text) in [
         ("style.html", include_str!("style.html")),
+        ("head.html", include_str!("parts/head.html")),
         ("macros.html", include_str!("parts/macros.html")),
         ("campaign.html", include_str!("parts/campaign.html")),
         ("messages.html", include_str!("parts/messages.html")),

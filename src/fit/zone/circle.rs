@@ -37,19 +37,13 @@ pub fn minimum_zone_circle2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
         ));
     };
     let distances = distances(&flat, best.center);
-    let (low, high, lower, upper) = sides(&distances);
-    let middle = 0.5 * (low + high);
+    let (zone, middle) = MinimumZone::between(Element::Circle2d, &distances, cloud.scale_mm);
     Ok(MinimumZone {
-        element: Element::Circle2d,
         point_mm: cloud.to_mm([best.center[0], best.center[1], 0.0]).map(|x| x + 0.0),
-        direction: None,
         radius_mm: Some(middle * cloud.scale_mm),
-        form_mm: (high - low) * cloud.scale_mm,
-        residuals_mm: distances.iter().map(|d| (d - middle) * cloud.scale_mm).collect(),
-        upper,
-        lower,
         verified,
         iterations,
+        ..zone
     })
 }
 

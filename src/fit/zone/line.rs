@@ -4,7 +4,7 @@ use super::super::cloud::{Cloud, Source};
 use super::super::element::{Element, Settings};
 use super::super::line::from_first_to_last;
 use super::hull::narrowest_strip;
-use super::{MinimumZone, SLACK, sides};
+use super::{MinimumZone, SLACK};
 use crate::message::Result;
 use crate::pose::{Vector, dot, minus, unit};
 
@@ -22,19 +22,15 @@ pub fn minimum_zone_line2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
     let direction = from_first_to_last(&cloud, unit(along).unwrap_or(cloud.axes[0]));
     let left = [-direction[1], direction[0], 0.0];
     let heights: Vec<f64> = cloud.points().map(|q| dot(q, left)).collect();
-    let (low, high, lower, upper) = sides(&heights);
-    let middle = 0.5 * (low + high);
+    let (zone, middle) = MinimumZone::between(Element::Line2d, &heights, cloud.scale_mm);
+    // the scale is a power of two
+    let found = zone.form_mm / cloud.scale_mm;
+    let holds = || alternate(&cloud, direction, &zone.lower, &zone.upper);
     Ok(MinimumZone {
-        element: Element::Line2d,
         point_mm: cloud.to_mm(left.map(|x| x * middle)),
         direction: Some(direction),
-        radius_mm: None,
-        form_mm: (high - low) * cloud.scale_mm,
-        residuals_mm: heights.iter().map(|h| (h - middle) * cloud.scale_mm).collect(),
-        verified: high - low <= width + SLACK && (high - low <= SLACK || alternate(&cloud, direction, &lower, &upper)),
-        upper,
-        lower,
-        iterations: 0,
+        verified: found <= width + SLACK && (found <= SLACK || holds()),
+        ..zone
     })
 }
 

@@ -67,6 +67,28 @@ const CONTACT: f64 = 1e-14;
 /// What a proof may miss, as part of the size of the points: rounding of the bounds.
 const SLACK: f64 = 1e-13;
 
+impl MinimumZone {
+    /// The zone of points at these distances, in units of `scale_mm`, and the distance of its middle. Its place, and whether it
+    /// is the narrowest, are still to be told.
+    fn between(element: Element, distances: &[f64], scale_mm: f64) -> (Self, f64) {
+        let (low, high, lower, upper) = sides(distances);
+        let middle = 0.5 * (low + high);
+        let zone = Self {
+            element,
+            point_mm: [0.0; 3],
+            direction: None,
+            radius_mm: None,
+            form_mm: (high - low) * scale_mm,
+            residuals_mm: distances.iter().map(|d| (d - middle) * scale_mm).collect(),
+            upper,
+            lower,
+            verified: false,
+            iterations: 0,
+        };
+        (zone, middle)
+    }
+}
+
 /// Smallest and largest value, and the indices of those within rounding of either.
 fn sides(values: &[f64]) -> (f64, f64, Vec<usize>, Vec<usize>) {
     let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));

@@ -31,19 +31,13 @@ pub fn minimum_zone_plane(points: &[Vector]) -> Result<MinimumZone> {
     let (best, verified, iterations) = prove(&normalised, start);
     let normal = largest_component_positive(best.normal);
     let heights: Vec<f64> = normalised.iter().map(|&q| dot(q, normal)).collect();
-    let (low, high, lower, upper) = sides(&heights);
-    let middle = 0.5 * (low + high);
+    let (zone, middle) = MinimumZone::between(Element::Plane, &heights, cloud.scale_mm);
     Ok(MinimumZone {
-        element: Element::Plane,
         point_mm: cloud.to_mm(normal.map(|x| x * middle)),
         direction: Some(normal),
-        radius_mm: None,
-        form_mm: (high - low) * cloud.scale_mm,
-        residuals_mm: heights.iter().map(|h| (h - middle) * cloud.scale_mm).collect(),
-        upper,
-        lower,
         verified,
         iterations,
+        ..zone
     })
 }
 
