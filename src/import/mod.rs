@@ -34,7 +34,7 @@ mod workbook;
 mod xml;
 
 pub use cloud::{Cloud, cloud};
-pub use formats::propose_file;
+pub use formats::{propose, propose_file};
 pub(crate) use label::Pattern as LabelPattern;
 pub use log::is_joint_column;
 pub(crate) use log::{is_common_column, meaning as log_column};

@@ -37,11 +37,17 @@ impl<'a> Names<'a> {
     fn slot(&self, name: &[u8]) -> usize {
         let mask = self.slots.len() - 1;
         let mut slot = hash(name) as usize & mask;
-        while self.slots[slot].checked_sub(1).is_some_and(|place| self.all[place as usize] != name) {
+        while self.slots[slot].checked_sub(1).is_some_and(|place| !same(self.all[place as usize], name)) {
             slot = (slot + 1) & mask;
         }
         slot
     }
+}
+
+/// Whether two names are the same; they are short, and a loop is quicker than a call.
+#[inline]
+fn same(a: &[u8], b: &[u8]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a == b)
 }
 
 /// Eight bytes at a time, mixed by a multiplication as in the finalizer of SplitMix64 (Steele et al., OOPSLA 2014).

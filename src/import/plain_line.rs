@@ -11,6 +11,8 @@ const TENS: [f64; 23] = [
     1e21, 1e22,
 ];
 
+const WHOLE_TENS: [u64; 9] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+
 /// A place in a line.
 pub(super) struct Line<'a> {
     pub bytes: &'a [u8],
@@ -48,8 +50,32 @@ impl<'a> Line<'a> {
     }
 
     /// The label, and what separates it from the next field; none if it may need more than a look.
+    #[inline]
     pub fn label(&mut self) -> Option<&'a [u8]> {
         self.skip_blanks();
+        self.short_label().or_else(|| self.any_label())
+    }
+
+    /// A label of less than sixteen bytes that its separator ends at once.
+    #[inline]
+    fn short_label(&mut self) -> Option<&'a [u8]> {
+        let rest = &self.bytes[self.at..];
+        let separator = self.delimiter.unwrap_or(b' ');
+        let [first, second] =
+            [0, 8].map(|from| rest.get(from..)?.first_chunk().map(|word| first_stop(*word, separator)));
+        let length = match first? {
+            8 => 8 + second?,
+            length => length,
+        };
+        let plain = !matches!(rest.first(), None | Some(b'"' | 0xef)) && (1..16).contains(&length);
+        if !plain || rest.get(length) != Some(&separator) {
+            return None;
+        }
+        self.at += length + usize::from(self.delimiter.is_some());
+        Some(&rest[..length])
+    }
+
+    fn any_label(&mut self) -> Option<&'a [u8]> {
         let start = self.at;
         let stops = |b: u8| match self.delimiter {
             Some(delimiter) => b == delimiter || b == b'\n',
@@ -76,30 +102,40 @@ impl<'a> Line<'a> {
         }
     }
 
+    /// Takes up digits behind those that `value` has, and says how many there were; of more than 19 the value is lost.
+    #[inline(always)]
+    fn digits(&mut self, mut value: u64) -> (u64, usize) {
+        let start = self.at;
+        loop {
+            let (more, count) = eight(&self.bytes[self.at..]);
+            value = value.wrapping_mul(WHOLE_TENS[count]).wrapping_add(more);
+            self.at += count;
+            if count < 8 {
+                return (value, self.at - start);
+            }
+        }
+    }
+
     /// A number, and what separates it from the next field, if anything does.
     pub fn number(&mut self) -> Option<f64> {
         self.skip_blanks();
         let start = self.at;
         let negative = self.peek() == Some(b'-');
         self.at += usize::from(negative);
-        let (mut digits, mut mantissa, mut point) = (0u32, 0u64, None);
-        while let Some(b) = self.peek() {
-            match b {
-                b'0'..=b'9' => {
-                    mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(b - b'0'));
-                    digits += 1;
-                }
-                b'.' if point.is_none() => point = Some(digits),
-                _ => break,
+        let (whole, before) = self.digits(0);
+        let (mantissa, behind) = match self.peek() {
+            Some(b'.') => {
+                self.at += 1;
+                self.digits(whole)
             }
-            self.at += 1;
-        }
+            _ => (whole, 0),
+        };
         let plain = matches!(self.peek(), None | Some(b' ' | b'\t' | b'\r' | b'\n')) || self.peek() == self.delimiter;
         // W. D. Clinger, How to read floating point numbers accurately, 1990: both operands are exact
-        let value = if plain && (1..=19).contains(&digits) && mantissa <= 1 << 53 {
-            let behind = digits - point.unwrap_or(digits);
-            let value = mantissa as f64 / TENS[behind as usize];
-            if negative { -value } else { value }
+        let value = if plain && (1..=19).contains(&(before + behind)) && mantissa <= 1 << 53 {
+            let value = mantissa as f64 / TENS[behind];
+            // signs come as they please: a bit is quicker than a branch
+            f64::from_bits(value.to_bits() | u64::from(negative) << 63)
         } else {
             let length = self.bytes[start..]
                 .iter()
@@ -127,5 +163,56 @@ impl<'a> Line<'a> {
             None => last,
             _ => false,
         }
+    }
+}
+
+/// Bytes in front of the first separator, blank or control character.
+#[inline(always)]
+fn first_stop(word: [u8; 8], separator: u8) -> usize {
+    let ones = u64::from_le_bytes([1; 8]);
+    let high = ones << 7;
+    let word = u64::from_le_bytes(word);
+    let parted = word ^ (ones * u64::from(separator));
+    // right up to the first; behind it borrows may mark what they like
+    let stops = (word.wrapping_sub(ones * 0x21) & !word | parted.wrapping_sub(ones) & !parted) & high;
+    (stops.trailing_zeros() / 8) as usize
+}
+
+/// The number that up to eight digits in front make, and how many they are: all bytes of a word at once
+/// (D. Lemire, Number parsing at a gigabyte per second, Software: Practice and Experience 51, 2021).
+#[inline(always)]
+fn eight(bytes: &[u8]) -> (u64, usize) {
+    let word = match bytes.first_chunk() {
+        Some(word) => *word,
+        None => std::array::from_fn(|i| bytes.get(i).copied().unwrap_or_default()),
+    };
+    // digits become 0 to 9; from the first that is none upwards, carries may mark what they like
+    let word = u64::from_le_bytes(word) ^ 0x3030_3030_3030_3030;
+    let other = (word.wrapping_add(0x7676_7676_7676_7676) | word) & 0x8080_8080_8080_8080;
+    let count = other.trailing_zeros() / 8;
+    if count == 0 {
+        return (0, 0);
+    }
+    let digits = word << (64 - 8 * count);
+    let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8) & 0x00ff_00ff_00ff_00ff;
+    let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_ffff_0000_ffff;
+    let all = fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff;
+    (all, count as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn eight_takes_the_digits_in_front_whatever_follows() {
+        for digits in ["", "0", "7", "09", "123", "0045", "99999", "123456", "9876543", "98765432", "00000001"] {
+            for behind in ["", ".", " 5", "/", ":", "\u{e9}", "\0", "\n12", "a1234567", "\u{10ffff}99999"] {
+                let text = format!("{digits}{behind}");
+                let expected = (digits.parse().unwrap_or(0), digits.len());
+                assert_eq!(eight(text.as_bytes()), expected, "{text:?}");
+            }
+        }
+        assert_eq!(eight(b"1234567890"), (12_345_678, 8));
     }
 }

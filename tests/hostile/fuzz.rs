@@ -1,9 +1,10 @@
 //! Random damage to sound files of every format: no reader may panic, or take long. `ETALON_FUZZ_SECONDS` says for how long
-//! each reader is run (a fraction of a second without it); the seed of a run is printed with what failed.
+//! each reader is run (a fraction of a second without it), and `ETALON_FUZZ_ONLY` which, by a part of its name; the seed of a
+//! run is printed with what failed.
 
-use super::{logs, readers};
+use super::{logs, qif, readers};
 use etalon::campaign::{Campaign, Format, Reader, Unit};
-use etalon::import::{import, labelled_points};
+use etalon::import::{import, labelled_points, propose};
 use etalon::noise::Noise;
 use std::time::{Duration, Instant};
 
@@ -94,6 +95,9 @@ fn damaged(text: &str, other: &str, noise: &mut Noise) -> String {
 
 /// Runs a reader on damaged texts; a panic names the seed.
 fn run(name: &str, texts: &[&String], read: impl Fn(&str)) {
+    if std::env::var("ETALON_FUZZ_ONLY").is_ok_and(|only| !name.contains(&only)) {
+        return;
+    }
     let (start, mut runs) = (Instant::now(), 0u64);
     while start.elapsed() < duration() {
         let mut noise = Noise::new(2026, runs);
@@ -138,4 +142,27 @@ fn readers_of_logs() {
             drop(import(&campaign));
         });
     }
+}
+
+#[test]
+fn stated_dialects() {
+    let written = crate::laws::dialects::written_dialects();
+    let texts: Vec<&String> = written.iter().map(|(_, text)| text).collect();
+    for (format, _) in &written {
+        run(&format.to_string(), &texts, |text| drop(labelled_points("f.txt", text, format, Unit::Millimetre)));
+    }
+}
+
+#[test]
+fn proposals() {
+    let own = readers::samples().into_iter().map(|(_, text)| text);
+    let texts: Vec<String> =
+        crate::laws::dialects::written_dialects().into_iter().map(|(_, text)| text).chain(own).collect();
+    run("etalon formats", &texts.iter().collect::<Vec<_>>(), |text| drop(propose("f.txt", text)));
+}
+
+#[test]
+fn measured_features() {
+    let sound = qif::sound();
+    run("QIF", &[&sound], |text| drop(etalon::import::qif::read("f.qif", text, None)));
 }

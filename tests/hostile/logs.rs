@@ -148,6 +148,7 @@ fn twincat_holes_and_clocks_that_stand_are_told_at_once() {
     refused(SCOPE, &CHANNELS.replace("\"b\"", "\"c\""), &["the export has no channel `c`"]);
     refused(SCOPE, &format!("delimiter = \";\"\n{CHANNELS}"), &["separated by '\\t'"]);
     refused(SCOPE, &format!("period_s = 1\n{CHANNELS}"), &["bring their own times"]);
+    refused(SCOPE, &format!("header = false\n{CHANNELS}"), &["`header = false` means nothing"]);
 }
 
 /// A sound log of each format: what the campaign states, and its text.

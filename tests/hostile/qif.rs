@@ -17,6 +17,11 @@ const WHOLE: &str = "<WholePointSetId>2</WholePointSetId>";
 const SET: &str = "<MeasuredPointSet id=\"2\" count=\"3\"><Points>0 0 0 1 0 0 <!-- here --> 0 1 0</Points>\
                    <Compensated>true</Compensated></MeasuredPointSet>";
 
+/// A file that reads.
+pub fn sound() -> String {
+    plane(WHOLE, SET)
+}
+
 fn error(text: &str, parts: &[&str]) {
     let said = qif::read("f.qif", text, None).expect_err(parts[0]).to_string();
     for part in parts {
@@ -36,7 +41,7 @@ fn read(text: &str) -> (usize, String) {
 
 #[test]
 fn the_base_is_sound() {
-    assert_eq!(read(&plane(WHOLE, SET)), (3, String::new()));
+    assert_eq!(read(&sound()), (3, String::new()));
 }
 
 #[test]

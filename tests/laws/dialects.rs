@@ -1,7 +1,7 @@
 //! Whatever dialect a campaign states, `simulate` writes it and `import` reads the same points and joints back.
 
 use crate::scratch::{Scratch, copy_sample};
-use etalon::campaign::{Campaign, read_truth};
+use etalon::campaign::{Campaign, Format, read_truth};
 use etalon::import::import;
 use etalon::message::Problems;
 use etalon::pose::Pose;
@@ -152,14 +152,21 @@ fn campaign(export: &str, log: &str, join: &str, with_points: bool) -> (Scratch,
 
 /// The export of each format with a reader of its own, as simulate writes it: what `format` states, and the text.
 pub fn written_exports() -> Vec<(String, String)> {
-    let written = |(name, export, _, with_points, log, _, join): Case| {
-        let (scratch, campaign, mut truth) = campaign(export, log, join, with_points);
-        truth.cycles = 1;
-        simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{name}: {e}"));
-        let format = export.split('"').nth(1).unwrap_or_default().to_owned();
-        (format, std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap())
-    };
-    super::own_formats::CASES.into_iter().map(written).collect()
+    let stated = |case: &Case| case.1.split('"').nth(1).unwrap_or_default().to_owned();
+    super::own_formats::CASES.into_iter().map(|case| (stated(&case), written_export(case).1)).collect()
+}
+
+/// The export of each stated dialect, as simulate writes it.
+pub fn written_dialects() -> Vec<(Format, String)> {
+    CASES.into_iter().map(written_export).collect()
+}
+
+fn written_export((name, export, _, with_points, log, _, join): Case) -> (Format, String) {
+    let (scratch, campaign, mut truth) = campaign(export, log, join, with_points);
+    truth.cycles = 1;
+    simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let text = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
+    (campaign.file.exports[0].format.clone(), text)
 }
 
 /// The value that is read where `value_mm` was written in a unit with so many digits.

@@ -82,6 +82,20 @@ fn every_delimiter_mark_encoding_and_line_end_gives_the_same_points() {
 }
 
 #[test]
+fn a_polyworks_report_in_every_encoding_gives_the_same_points() {
+    let control = |(label, [x, y, z]): (String, [f64; 3])| {
+        [("X", x), ("Y", y), ("Z", z)].map(|(axis, v)| format!("{label},{axis},{v:?},{v:?},±1.5,0,Pass,\n")).concat()
+    };
+    let text = "Part: Gehäuse\nName,Control,Nom,Meas,Tol,Dev,Test,Out Tol\n".to_owned()
+        + &data().into_iter().map(control).collect::<String>();
+    for (encoding, bytes, stated) in ENCODINGS {
+        for end in LINE_ENDS {
+            same(&format!("{encoding} {end:?}"), &bytes(&text.replace('\n', end)), stated, "\"polyworks_report\"");
+        }
+    }
+}
+
+#[test]
 fn fixed_widths_and_columns_by_name_give_the_same_points() {
     let rows = data();
     let fixed = |(label, [x, y, z]): &(String, [f64; 3])| format!("{label:<20}{x:>26?}{y:>26?}{z:>26?}\n");

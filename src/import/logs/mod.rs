@@ -122,6 +122,10 @@ fn wanted<'a>(campaign: &Campaign, log: &'a Log, problems: &mut Problems) -> Vec
         let message = Message::error("`values` means nothing for this log").at(campaign.place(&log.file));
         problems.0.push(message.hint("it belongs to `format = \"twincat\"`"));
     }
+    if !log.header && log.format == LogFormat::TwinCat {
+        let message = Message::error("`header = false` means nothing for this log").at(campaign.place(&log.file));
+        problems.0.push(message.hint("a TwinCAT export names its channels: leave `header` out"));
+    }
     wanted
 }
 
