@@ -1,10 +1,12 @@
 //! Circle in the plane and sphere: the distance of a point from a centre, less the radius.
 
 use super::axis::Chart;
+use super::cloud::Cloud;
 use super::lanes::{Lanes, Points, less, square};
 use super::result::QUANTITIES;
+use super::stream::Gather;
 use super::surface::Surface;
-use crate::pose::{Vector, minus};
+use crate::pose::Vector;
 use crate::solve::symmetric_eigen;
 
 /// Sphere: parameters x, y, z of the centre and the radius.
@@ -66,30 +68,15 @@ fn one_to_one<const N: usize>(quantities: [usize; N]) -> [[f64; QUANTITIES]; N] 
 /// the smallest eigenvector of the moments of ((z - z̄)/(2√z̄), x, y), z = x² + y². Unlike Kasa's it is hardly biased on
 /// short arcs.
 pub(super) fn taubin<const M: usize>(points: &[Vector]) -> (Vector, f64) {
-    let square = |q: &Vector| q.iter().take(M - 1).map(|x| x * x).sum::<f64>();
-    let (mut total, mut centre) = (0.0, [0.0; 3]);
-    for q in points {
-        total += square(q);
-        for (c, x) in centre.iter_mut().zip(q).take(M - 1) {
-            *c += x / points.len() as f64;
-        }
-    }
-    let mean = total / points.len().max(1) as f64 - square(&centre);
+    let count = points.len().max(1) as f64;
+    let (sum, _) = Cloud::about([0.0; 3], points).gather(Sums::<M>::default());
+    let centre = sum.map(|s| s / count);
+    let centred = Cloud::about(centre, points);
+    let mean = centred.gather(Sums::<M>::default()).1 / count;
     if mean <= 0.0 || mean.is_nan() {
         return (centre, 0.0);
     }
-    let mut moments = [[0.0; M]; M];
-    for q in points {
-        let q = minus(*q, centre);
-        let mut row = [0.0; M];
-        row[0] = (square(&q) - mean) / (2.0 * mean.sqrt());
-        row[1..].copy_from_slice(&q[..M - 1]);
-        for (i, line) in moments.iter_mut().enumerate() {
-            for (m, x) in line.iter_mut().zip(&row) {
-                *m += row[i] * x;
-            }
-        }
-    }
+    let moments = centred.gather(Moments::<M> { mean, sums: [[Lanes::default(); M]; M] });
     let (_, vectors) = symmetric_eigen(moments);
     let v = vectors[0];
     let normal = v[1..].iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -97,9 +84,72 @@ pub(super) fn taubin<const M: usize>(points: &[Vector]) -> (Vector, f64) {
     let least = 1e-6 * normal.max(1e-6);
     let curvature = v[0] / (2.0 * mean.sqrt());
     let curvature = if curvature.abs() < least { least.copysign(curvature) } else { curvature };
-    for (c, x) in centre.iter_mut().zip(&v[1..]) {
+    let mut middle = centre;
+    for (c, x) in middle.iter_mut().zip(&v[1..]) {
         *c -= x / (2.0 * curvature);
     }
     let radius = (normal * normal + 4.0 * mean * curvature * curvature).sqrt() / (2.0 * curvature.abs());
-    (centre, radius)
+    (middle, radius)
+}
+
+/// Sums of the first `M` - 1 coordinates and of the squares of distances in them.
+#[derive(Clone, Default)]
+struct Sums<const M: usize> {
+    coordinates: Points,
+    squares: Lanes,
+}
+
+impl<const M: usize> Gather for Sums<M> {
+    type Sum = (Vector, f64);
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        for (sum, q) in self.coordinates.iter_mut().zip(q).take(M - 1) {
+            *sum = sum.plus(w, q);
+            self.squares = self.squares.plus(w * q, q);
+        }
+    }
+
+    fn close(self) -> Self::Sum {
+        (self.coordinates.map(Lanes::sum), self.squares.sum())
+    }
+
+    fn join(a: Self::Sum, b: Self::Sum) -> Self::Sum {
+        ([0, 1, 2].map(|k| a.0[k] + b.0[k]), a.1 + b.1)
+    }
+}
+
+/// Products of ((z - z̄)/(2√z̄), x, y, ...).
+#[derive(Clone)]
+struct Moments<const M: usize> {
+    mean: f64,
+    sums: [[Lanes; M]; M],
+}
+
+impl<const M: usize> Gather for Moments<M> {
+    type Sum = [[f64; M]; M];
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        let mut row = [Lanes::default(); M];
+        row[1..].copy_from_slice(&q[..M - 1]);
+        let z = row[1..].iter().fold(Lanes::default(), |sum, x| sum.plus(*x, *x));
+        row[0] = (z - self.mean) * (0.5 / self.mean.sqrt());
+        for (line, x) in self.sums.iter_mut().zip(row) {
+            for (sum, y) in line.iter_mut().zip(row) {
+                *sum = sum.plus(w * x, y);
+            }
+        }
+    }
+
+    fn close(self) -> Self::Sum {
+        self.sums.map(|line| line.map(Lanes::sum))
+    }
+
+    fn join(mut a: Self::Sum, b: Self::Sum) -> Self::Sum {
+        for (a, b) in a.iter_mut().flatten().zip(b.iter().flatten()) {
+            *a += b;
+        }
+        a
+    }
 }

@@ -69,6 +69,19 @@ impl<'a> Cloud<'a> {
         Ok(cloud)
     }
 
+    /// Points as they are seen from a centre, to be summed up.
+    pub fn about(centre: Vector, points: &'a [Vector]) -> Self {
+        Self {
+            source: Source::Space(points.into()),
+            weights: None,
+            weight_unit: [1.0; 2],
+            centre_mm: centre,
+            scale_mm: 1.0,
+            spread: [0.0; 3],
+            axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        }
+    }
+
     /// Checks count, numbers and weights, and finds centroid and spread.
     pub fn centred(name: &str, minimum: usize, source: Source<'a>, weights: Option<&'a [f64]>) -> Result<Self> {
         Self::surveyed(name, minimum, source, weights, None)
@@ -91,15 +104,8 @@ impl<'a> Cloud<'a> {
             ));
         }
         let weight_unit = weight_unit(name, count, weights)?;
-        let mut cloud = Self {
-            centre_mm: if count > 0 { source.at(0) } else { [0.0; 3] },
-            source,
-            weights: weights.map(Cow::Borrowed),
-            weight_unit,
-            scale_mm: 1.0,
-            spread: [0.0; 3],
-            axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-        };
+        let first = if count > 0 { source.at(0) } else { [0.0; 3] };
+        let mut cloud = Self { source, weights: weights.map(Cow::Borrowed), weight_unit, ..Self::about(first, &[]) };
         cloud.survey(name, rough)?;
         Ok(cloud)
     }

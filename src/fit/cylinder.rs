@@ -1,6 +1,6 @@
 //! Circular cylinder.
 
-use super::axis::{Axial, Chart, length};
+use super::axis::{Axial, Chart};
 use super::ball::taubin;
 use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
@@ -9,6 +9,7 @@ use super::element::{Element, Settings};
 use super::lanes::{Lanes, Points};
 use super::result::{Fit, QUANTITIES, largest_component_positive};
 use super::search::{no_start, rival_warning, search};
+use super::stream::Gather;
 use super::surface::Surface;
 use crate::message::Result;
 use crate::pose::Vector;
@@ -55,9 +56,34 @@ pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
 fn circle_along(points: &[Vector], chart: &Chart) -> (f64, [f64; 6]) {
     let flat: Vec<Vector> = points.iter().map(|&q| chart.flat(q)).collect();
     let (centre, radius) = taubin::<3>(&flat);
-    let off = |q: &Vector| (length(q[0] - centre[0], q[1] - centre[1]) - radius).powi(2);
-    let cost = flat.iter().map(off).sum();
+    let cost = Cloud::about(centre, &flat).gather(OffCircle { radius, squares: Lanes::default() });
     (cost, [centre[0], centre[1], 0.0, 0.0, 0.0, radius])
+}
+
+/// Sum of squared distances from a circle about the origin.
+#[derive(Clone)]
+struct OffCircle {
+    radius: f64,
+    squares: Lanes,
+}
+
+impl Gather for OffCircle {
+    type Sum = f64;
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: Lanes) {
+        let [x, y, _] = q;
+        let off = (x * x).plus(y, y).sqrt() - self.radius;
+        self.squares = self.squares.plus(w * off, off);
+    }
+
+    fn close(self) -> f64 {
+        self.squares.sum()
+    }
+
+    fn join(a: f64, b: f64) -> f64 {
+        a + b
+    }
 }
 
 /// Parameters a, b, h, u, v of the axis (h held at the foot of the centroid) and the radius.

@@ -17,7 +17,7 @@ use crate::solve::{Factor, Termination, trust_region_step};
 /// Points that a start is found from; of four times as many, not all are looked at before the start is good.
 pub(super) const SAMPLE: usize = 1024;
 /// Points that make it good, at most, and how many there are for one of them.
-const LARGEST_SAMPLE: usize = 65_536;
+const LARGEST_SAMPLE: usize = 16_384;
 const THINNED: usize = 32;
 /// Below this pivot of the scaled normal equations a step from them has fewer than six digits.
 const LEAST_PIVOT: f64 = 1e-9;

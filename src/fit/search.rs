@@ -14,7 +14,7 @@ use crate::pose::{Vector, dot};
 /// Directions tried over the hemisphere, 8 degrees apart.
 const DIRECTIONS: usize = 300;
 /// Points that the directions are judged by, and that the starts are followed with.
-const JUDGED: usize = 60;
+const JUDGED: usize = 64;
 const SEARCHED: usize = 120;
 /// Iterations of the first look.
 const GLANCE: usize = 6;

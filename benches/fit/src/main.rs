@@ -27,13 +27,18 @@ fn main() {
             let points = Points::on(element, count);
             let file = folder.path().join("points.f64");
             std::fs::write(&file, points.bytes()).expect("points");
-            let mut times: [Vec<f64>; 4] = Default::default();
+            let mut times: [Vec<f64>; 5] = Default::default();
             let mut answers = None;
+            peak_kb();
+            let before = peak_kb();
+            two.install(|| etalon(element, &points));
+            let memory = peak_kb().zip(before).map(|(after, before)| after - before);
             for round in 0..rounds {
                 times[0].push(seconds(|| black_box(plain_sum(points.flat()))).0);
                 let (time, fit) = seconds(|| one.install(|| etalon(element, &points)));
                 times[1].push(time);
                 times[2].push(seconds(|| two.install(|| etalon(element, &points))).0);
+                times[4].push(seconds(|| two.install(|| black_box(plain_sum_in_two(points.flat())))).0);
                 if count < 1_000_000 || round == 0 {
                     let (time, answer) = seconds(|| engeom(element, &points));
                     times[3].push(time);
@@ -41,16 +46,24 @@ fn main() {
                 }
             }
             let Some((fit, theirs)) = answers else { continue };
-            let [read, ours, twice, engeom] = times.map(median);
+            let [read, ours, twice, engeom, read_twice] = times.map(median);
             let passes = passes(&fit);
             println!(
-                "\n{element}, {count} points: etalon {:.2} ms, {:.0} million points a second; two threads {:.2} times; \
-                 {passes} passes take {:.1} times as long as plain sums over the points",
+                "\n{element}, {count} points: etalon {:.2} ms, {:.0} million points a second; two threads {:.2} times (plain sums \
+                 {:.2} times); {passes} passes take {:.1} times as long as plain sums over the points",
                 ours * 1e3,
                 count as f64 / ours * 1e-6,
                 ours / twice,
+                read / read_twice,
                 ours / (passes as f64 * read),
             );
+            if let Some(kb) = memory {
+                println!(
+                    "  peak of memory grows by {:.1} MB in a fit, points {:.1} MB",
+                    kb / 1024.0,
+                    points.flat().len() as f64 * 8e-6
+                );
+            }
             let answer = answer(&fit);
             assert!(theirs.len() == answer.len() && theirs.iter().all(|x| x.is_finite()), "engeom answers {theirs:?}");
             report("engeom 0.5", Some((engeom, theirs)), ours, &answer);
@@ -86,6 +99,21 @@ fn plain_sum(values: &[f64]) -> f64 {
         }
     }
     sums.iter().sum()
+}
+
+/// The same on two threads: what a second one is worth to memory and cores, without any arithmetic to speak of.
+fn plain_sum_in_two(values: &[f64]) -> f64 {
+    let (first, second) = values.split_at(values.len() / 48 * 24);
+    let (a, b) = rayon::join(|| plain_sum(first), || plain_sum(second));
+    a + b
+}
+
+/// Peak of this process' memory since the last question, in kB, where the system tells it: asked twice, what it holds now.
+fn peak_kb() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?.split_whitespace().next()?.parse().ok();
+    std::fs::write("/proc/self/clear_refs", "5").ok()?;
+    peak
 }
 
 fn etalon(element: Element, points: &Points) -> Fit {
