@@ -190,6 +190,7 @@ impl Campaign {
                 .contact
                 .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),
             temperature_c: file.temperature_c,
+            conditions: file.conditions.clone(),
         }
     }
 

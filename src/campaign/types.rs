@@ -50,6 +50,9 @@ pub struct CampaignFile {
     pub operator: Option<String>,
     /// Temperature during the measurements.
     pub temperature_c: Option<f64>,
+    /// What a test report asks for beside that.
+    #[serde(default)]
+    pub conditions: crate::document::Conditions,
     /// What was measured with.
     pub instrument: Instrument,
     /// How well the robot finds a measured point again. Stated where points are measured once and touched often: the

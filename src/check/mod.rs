@@ -1,5 +1,6 @@
 //! Everything that is wrong with a campaign, found at once and without identifying anything.
 
+mod conditions;
 mod names;
 mod statements;
 
@@ -101,6 +102,7 @@ struct Found {
 fn find(campaign: &Campaign) -> Found {
     let mut problems = Problems::default();
     statements::check(campaign, &mut problems);
+    conditions::check(campaign, &mut problems);
     let before = problems.0.len();
     statements::frames(campaign, &mut problems);
     let (imported, more) = import::recover(campaign);

@@ -3,6 +3,7 @@
 //! Angles are in degrees, lengths in millimetres; every name carries its unit, every parameter its own.
 
 mod answer;
+mod conditions;
 mod fit;
 mod geometric;
 mod iso9283;
@@ -15,6 +16,7 @@ mod stated;
 mod study;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
+pub use conditions::Conditions;
 pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
 pub use geometric::*;
 pub use iso9283::*;

@@ -1,5 +1,6 @@
 //! Repeatability of a campaign: table 2.1 of the thesis, and its figure 2.7 for every pose.
 
+use super::facts;
 use super::number;
 use super::plane::{Plane, WIDTH};
 use super::points::Picture;
@@ -12,6 +13,8 @@ use std::collections::BTreeMap;
 #[derive(Debug, Serialize)]
 pub(super) struct Section<'a> {
     pub document: &'a Iso9283Document,
+    /// pose, visits, mean of x, y and z, in mm
+    pub places: Vec<[String; 5]>,
     /// table 2.1, in µm
     pub rows: Vec<[String; 9]>,
     /// pose, U over RP, verdict
@@ -29,6 +32,7 @@ pub(super) fn section(document: &Iso9283Document) -> Section<'_> {
     let judged = || document.poses.iter().chain(&document.homing);
     Section {
         document,
+        places: facts::places(document),
         rows: judged().map(row).collect(),
         quarter: judged().filter_map(quarter).collect(),
         quarter_sentence: quarter_sentence(document),

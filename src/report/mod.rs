@@ -7,6 +7,9 @@ mod axis;
 mod by_pose;
 #[cfg(test)]
 mod demo;
+#[cfg(test)]
+mod demo_iso9283;
+mod facts;
 mod geometric;
 mod histogram;
 mod iso9283;
@@ -75,6 +78,7 @@ pub struct TestReport<'a> {
 #[derive(Serialize)]
 struct Page<'a> {
     campaign: &'a CampaignSummary,
+    facts: Vec<facts::Fact>,
     import: &'a ImportDocument,
     features: &'a FeaturesDocument,
     world: &'a WorldFrame,
@@ -98,6 +102,7 @@ pub fn html(report: &Report) -> Result<String> {
     let mut environment = environment().map_err(fail)?;
     let page = Page {
         campaign: report.campaign,
+        facts: facts::facts(report.campaign, report.iso9283),
         import: report.import,
         features: report.features,
         world: &report.frames.world,
@@ -123,6 +128,7 @@ pub fn html(report: &Report) -> Result<String> {
 #[derive(Serialize)]
 struct TestPage<'a> {
     campaign: &'a CampaignSummary,
+    facts: Vec<facts::Fact>,
     import: &'a ImportDocument,
     features: &'a FeaturesDocument,
     world: &'a WorldFrame,
@@ -139,6 +145,7 @@ pub fn test_html(report: &TestReport) -> Result<String> {
     let (class, sentence) = iso9283::verdict(report.iso9283);
     let page = TestPage {
         campaign: report.campaign,
+        facts: facts::facts(report.campaign, Some(report.iso9283)),
         import: report.import,
         features: report.features,
         world: &report.frames.world,
@@ -165,8 +172,7 @@ fn environment() -> std::result::Result<Environment<'static>, minijinja::Error> 
     environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
     environment.add_filter("significant", |value: f64, digits: usize| number::significant(value, digits));
     environment.add_filter("fixed", |value: f64, decimals: usize| number::fixed(value, decimals));
-    environment
-        .add_filter("stated", |value: f64| if value.is_finite() { value.to_string() } else { "not a number".into() });
+    environment.add_filter("stated", facts::stated);
     environment.add_filter("one_line", |text: String| one_line(&text));
     for (name, text) in [
         ("style.html", include_str!("style.html")),

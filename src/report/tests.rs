@@ -55,6 +55,11 @@ fn with_text(text: &str) -> Documents {
     let c = &mut d.campaign;
     (c.name, c.synthetic, c.notes, c.date) = (t(), Some(t()), Some(t()), Some(t()));
     (c.operator, c.instrument) = (Some(t()), Some(t()));
+    let given = &mut c.conditions;
+    (given.laboratory, given.robot, given.controller) = (Some(t()), Some(t()), Some(t()));
+    (given.mounting, given.measurement_point) = (Some(t()), Some(t()));
+    (given.environment, given.instrument_calibration) = (Some(t()), Some(t()));
+    given.deviations = Some(vec![t(), t()]);
     let message = || Message::error(t()).at(Place::line(t(), 1, t())).expected(t()).hint(t());
     d.import.messages = vec![message()];
     for s in &mut d.import.sources {
@@ -147,4 +152,23 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
     let page = page(&documents);
     assert!(page.contains("Position error before calibration, xz plane") && page.contains("z in mm"));
     assert_eq!(page.matches("<svg").count(), 9);
+}
+
+#[test]
+fn a_test_report_has_what_the_standard_asks_for() {
+    let (documents, iso9283) = (Documents::demo(), super::demo_iso9283::iso9283());
+    let report = TestReport {
+        campaign: &documents.campaign,
+        import: &documents.import,
+        features: &documents.features,
+        frames: &documents.frames,
+        iso9283: &iso9283,
+    };
+    let page = test_html(&report).unwrap();
+    for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from ISO 9283", "SHA-256"] {
+        assert!(page.contains(what), "{what}");
+    }
+    let sha256 = &documents.import.sources[0].sha256;
+    assert!(page.contains(sha256) && page.contains(env!("CARGO_PKG_VERSION")));
+    assert!(page.matches("not stated").count() > 8 && page.contains("2 poses, 30 visits of each"));
 }

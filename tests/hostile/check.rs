@@ -136,3 +136,15 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
         assert!(parts.iter().all(|part| said.contains(part)), "{parts:?}:\n{said}");
     }
 }
+
+#[test]
+fn conditions_that_no_test_has_are_refused() {
+    let stated = |line: &str, parts: &[&str]| {
+        broken("campaign.toml", "[instrument]", &format!("[conditions]\n{line}\n\n[instrument]"), parts);
+    };
+    stated("load_kg = -1", &["`load_kg` must not be negative", "load_kg = -1"]);
+    stated("velocities_percent = [100, 0]", &["`velocities_percent` must be positive"]);
+    stated("humidity_percent = 101", &["`humidity_percent` must be at most 100"]);
+    stated("mass_kg = 1.0", &["unknown key `mass_kg`"]);
+    stated("load_centre_mm = [0.0, 1.0]", &["load_centre_mm"]);
+}
