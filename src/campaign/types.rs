@@ -86,6 +86,9 @@ pub struct CampaignFile {
     /// What the result must meet.
     #[serde(default)]
     pub limits: Limits,
+    /// How the report is dressed.
+    #[serde(default)]
+    pub report: super::ReportDefinition,
     /// Controller files to write.
     #[serde(default = "default_controllers")]
     pub controllers: Vec<Spanned<String>>,

@@ -2,6 +2,7 @@
 
 mod conditions;
 mod names;
+mod report;
 mod statements;
 
 pub use statements::selections;
@@ -103,6 +104,7 @@ fn find(campaign: &Campaign) -> Found {
     let mut problems = Problems::default();
     statements::check(campaign, &mut problems);
     conditions::check(campaign, &mut problems);
+    report::check(campaign, &mut problems);
     let before = problems.0.len();
     statements::frames(campaign, &mut problems);
     let (imported, more) = import::recover(campaign);

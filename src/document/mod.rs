@@ -10,6 +10,7 @@ mod iso9283;
 mod iso9283_plan;
 mod iso9283_stream;
 mod plan;
+mod presentation;
 mod refit;
 mod standstill;
 mod stated;
@@ -25,6 +26,7 @@ pub use iso9283_stream::*;
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };
+pub use presentation::{Language, Presentation};
 pub use refit::{FitProbe, FitStated};
 pub use standstill::{StandingInterval, StandingJoint};
 pub use stated::{CampaignSummary, ContactSummary, ResidualSummary};

@@ -60,6 +60,9 @@ pub struct CampaignSummary {
     /// Conditions of a test.
     #[serde(default)]
     pub conditions: super::Conditions,
+    /// How the report is dressed.
+    #[serde(default)]
+    pub report: super::Presentation,
 }
 
 /// How well the robot finds a measured point again.

@@ -82,6 +82,7 @@ impl Documents {
                 contact: None,
                 temperature_c: Some(20.1),
                 conditions: Conditions::default(),
+                report: Presentation::default(),
             },
             import: import(),
             features: features(),

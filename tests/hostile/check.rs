@@ -148,3 +148,16 @@ fn conditions_that_no_test_has_are_refused() {
     stated("mass_kg = 1.0", &["unknown key `mass_kg`"]);
     stated("load_centre_mm = [0.0, 1.0]", &["load_centre_mm"]);
 }
+
+#[test]
+fn a_report_that_cannot_be_dressed_is_refused() {
+    let dressed = |line: &str, parts: &[&str]| {
+        broken("campaign.toml", "[instrument]", &format!("[report]\n{line}\n\n[instrument]"), parts);
+    };
+    dressed("language = \"es\"", &["unknown variant `es`", "language = \"es\""]);
+    dressed("logo = \"logo.svg\"", &["cannot read `", "logo.svg", "logo = \"logo.svg\""]);
+    dressed("logo = \"robot.toml\"", &["is no picture that a report can hold", "an SVG or PNG picture"]);
+    dressed("logo = \"../logo.svg\"", &["leaves the folder of the campaign"]);
+    dressed("templates = \"exports\"", &["there is no template in `", "--write-templates"]);
+    dressed("templates = \"none\"", &["cannot read the folder `", "templates = \"none\""]);
+}
