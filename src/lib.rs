@@ -36,7 +36,7 @@
 //! their tables share), [`test_plan`] (what to command in such a test).
 //!
 //! What comes out: [`document`] (the types behind every JSON document), [`schema`], [`parameters`], [`output`],
-//! [`report`] and [`export`], which read documents and nothing else. [`message`] is how everything says what is wrong.
+//! [`report`] and [`export`], which read documents and nothing else, [`dress`] (a laboratory's logo and templates). [`message`] is how everything says what is wrong.
 //!
 //! # Conventions
 //!
@@ -82,6 +82,7 @@ pub mod check;
 pub mod cli;
 pub mod coordinates;
 pub mod document;
+pub mod dress;
 pub mod evaluate;
 pub mod export;
 pub mod files;

@@ -96,7 +96,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     let geometric = geometry::calibrate(campaign, robot.as_ref(), &imported.points, &sets, &found)?;
 
     // report and export, from the documents alone
-    let summary = campaign.summary();
+    let summary = campaign.summary()?;
     let html = report::html(&report::Report {
         campaign: &summary,
         import: &imported.document,
@@ -167,7 +167,7 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     let frames = frames::make_frames(campaign, &imported.points, &features, planar)?;
     let found = repeatability::evaluate(campaign, &imported.points, &frames)?;
     let iso9283 = found.ok_or_else(|| Message::error("the campaign has neither [identify] nor [repeatability]"))?;
-    let summary = campaign.summary();
+    let summary = campaign.summary()?;
     let html = report::test_html(&report::TestReport {
         campaign: &summary,
         import: &imported.document,

@@ -13,6 +13,7 @@ mod paths;
 mod presets;
 mod reader;
 mod repeatability;
+mod report;
 mod robot_file;
 mod selection;
 mod text;
@@ -32,16 +33,17 @@ pub use lost::Lost;
 pub use presets::PRESETS;
 pub use reader::Reader;
 pub use repeatability::RepeatabilityDefinition;
+pub use report::ReportDefinition;
 pub use robot_file::RobotFile;
 pub use selection::Selection;
 pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};
 pub use types::*;
 
-use crate::document::{CampaignSummary, ContactSummary};
-use crate::files;
+use crate::document::{CampaignSummary, ContactSummary, Presentation};
 use crate::identify::Settings;
 use crate::message::{Message, Place, Problems, Result};
 use crate::robots::Robot;
+use crate::{dress, files};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -175,9 +177,9 @@ impl Campaign {
     }
 
     /// What a report says about the campaign.
-    pub fn summary(&self) -> CampaignSummary {
+    pub fn summary(&self) -> Result<CampaignSummary> {
         let file = &self.file;
-        CampaignSummary {
+        Ok(CampaignSummary {
             name: file.name.clone(),
             synthetic: file.synthetic.clone(),
             notes: file.notes.clone(),
@@ -190,7 +192,20 @@ impl Campaign {
                 .contact
                 .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),
             temperature_c: file.temperature_c,
-        }
+            conditions: file.conditions.clone(),
+            report: self.presentation()?,
+        })
+    }
+
+    /// How the report is dressed, with logo and templates read.
+    pub fn presentation(&self) -> Result<Presentation> {
+        let stated = &self.file.report;
+        let read = |file: &Spanned<String>| Ok::<_, Problems>((self.resolve(file)?, self.place(file)));
+        let logo = stated.logo.as_ref().map(read).transpose()?;
+        let templates = stated.templates.as_ref().map(read).transpose()?;
+        let logo = logo.map(|(path, place)| dress::logo(&path).map_err(|p| p.at(&place))).transpose()?;
+        let templates = templates.map(|(path, place)| dress::templates(&path).map_err(|p| p.at(&place))).transpose()?;
+        Ok(Presentation { language: stated.language, logo, templates: templates.unwrap_or_default() })
     }
 
     /// Which poses are for what: `calibration` and `validation`.

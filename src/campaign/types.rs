@@ -50,6 +50,9 @@ pub struct CampaignFile {
     pub operator: Option<String>,
     /// Temperature during the measurements.
     pub temperature_c: Option<f64>,
+    /// What a test report asks for beside that.
+    #[serde(default)]
+    pub conditions: crate::document::Conditions,
     /// What was measured with.
     pub instrument: Instrument,
     /// How well the robot finds a measured point again. Stated where points are measured once and touched often: the
@@ -83,6 +86,9 @@ pub struct CampaignFile {
     /// What the result must meet.
     #[serde(default)]
     pub limits: Limits,
+    /// How the report is dressed.
+    #[serde(default)]
+    pub report: super::ReportDefinition,
     /// Controller files to write.
     #[serde(default = "default_controllers")]
     pub controllers: Vec<Spanned<String>>,

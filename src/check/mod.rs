@@ -1,6 +1,8 @@
 //! Everything that is wrong with a campaign, found at once and without identifying anything.
 
+mod conditions;
 mod names;
+mod report;
 mod statements;
 
 pub use statements::selections;
@@ -101,6 +103,8 @@ struct Found {
 fn find(campaign: &Campaign) -> Found {
     let mut problems = Problems::default();
     statements::check(campaign, &mut problems);
+    conditions::check(campaign, &mut problems);
+    report::check(campaign, &mut problems);
     let before = problems.0.len();
     statements::frames(campaign, &mut problems);
     let (imported, more) = import::recover(campaign);

@@ -1,61 +1,118 @@
 //! `etalon report`
 
 use super::{Verdict, print_written};
-use crate::document::{GeometricDocument, Iso9283Document};
-use crate::message::{Message, Result};
-use crate::{evaluate, files, report, table};
+use crate::document::{CampaignSummary, GeometricDocument, Iso9283Document, Language, Presentation};
+use crate::message::{Message, Problems, Result};
+use crate::{dress, evaluate, files, report, table};
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 
 /// Make report.html again from the documents of an output folder
+///
+/// Language, logo and templates are those of the campaign, unless they are stated here.
 #[derive(Debug, clap::Args)]
 pub struct Report {
     /// Folder that `etalon run` wrote
-    folder: PathBuf,
+    #[arg(required_unless_present = "write_templates")]
+    folder: Option<PathBuf>,
+    #[command(flatten)]
+    dressed: Dressed,
+    /// Write the built-in templates to this folder instead, to start from
+    #[arg(long, value_name = "FOLDER", conflicts_with = "folder")]
+    write_templates: Option<PathBuf>,
     /// Print the names of the files written as JSON
     #[arg(long)]
     json: bool,
 }
 
+/// How a report is dressed.
+#[derive(Debug, clap::Args)]
+pub(super) struct Dressed {
+    /// Language of the report
+    #[arg(long, value_enum)]
+    language: Option<Language>,
+    /// Logo of the laboratory, SVG or PNG
+    #[arg(long, value_name = "FILE")]
+    logo: Option<PathBuf>,
+    /// Templates that replace the built-in ones of the same name
+    #[arg(long, value_name = "FOLDER")]
+    templates: Option<PathBuf>,
+}
+
+impl Dressed {
+    /// What is stated here, and for the rest what `campaign` states.
+    pub fn over(&self, campaign: Presentation) -> Result<Presentation> {
+        let logo = self.logo.as_deref().map(dress::logo).transpose()?;
+        let templates = self.templates.as_deref().map(dress::templates).transpose()?;
+        Ok(Presentation {
+            language: self.language.unwrap_or(campaign.language),
+            logo: logo.or(campaign.logo),
+            templates: templates.unwrap_or(campaign.templates),
+        })
+    }
+}
+
 impl Report {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let folder = &self.folder;
-        let optional = |name: &str| folder.join(name).is_file();
-        let iso9283: Option<Iso9283Document> =
-            optional("iso9283.json").then(|| document(folder, "iso9283.json")).transpose()?;
-        let (campaign, import) = (document(folder, "campaign.json")?, document(folder, "import.json")?);
-        let (features, frames) = (document(folder, "features.json")?, document(folder, "frames.json")?);
-        let path = folder.join("report.html");
-        if let Some(iso9283) = iso9283.as_ref().filter(|_| !optional("parameters.json")) {
-            let html = report::test_html(&report::TestReport {
-                campaign: &campaign,
-                import: &import,
-                features: &features,
-                frames: &frames,
-                iso9283,
-            })?;
-            files::write(&path, html.as_bytes())?;
-            print_written(vec![path.display().to_string()], self.json)?;
-            return Ok(Verdict::Met);
-        }
-        let errors = evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?;
-        let geometric: Option<GeometricDocument> =
-            optional("geometric.json").then(|| document(folder, "geometric.json")).transpose()?;
-        let html = report::html(&report::Report {
+        let written = match (&self.folder, &self.write_templates) {
+            (_, Some(folder)) => write_templates(folder)?,
+            (Some(folder), None) => vec![write_report(folder, &self.dressed)?],
+            (None, None) => return Err(Problems::from(Message::error("no folder is stated")).into()),
+        };
+        print_written(written, self.json)?;
+        Ok(Verdict::Met)
+    }
+}
+
+fn write_report(folder: &Path, dressed: &Dressed) -> Result<String> {
+    let optional = |name: &str| folder.join(name).is_file();
+    let iso9283: Option<Iso9283Document> =
+        optional("iso9283.json").then(|| document(folder, "iso9283.json")).transpose()?;
+    let mut campaign: CampaignSummary = document(folder, "campaign.json")?;
+    campaign.report = dressed.over(campaign.report)?;
+    let import = document(folder, "import.json")?;
+    let (features, frames) = (document(folder, "features.json")?, document(folder, "frames.json")?);
+    let html = match iso9283.as_ref().filter(|_| !optional("parameters.json")) {
+        Some(iso9283) => report::test_html(&report::TestReport {
             campaign: &campaign,
             import: &import,
             features: &features,
             frames: &frames,
-            parameters: &document(folder, "parameters.json")?,
-            accuracy: &document(folder, "accuracy.json")?,
-            errors: &errors,
-            geometric: geometric.as_ref(),
-            iso9283: iso9283.as_ref(),
-        })?;
-        files::write(&path, html.as_bytes())?;
-        print_written(vec![path.display().to_string()], self.json)?;
-        Ok(Verdict::Met)
+            iso9283,
+        })?,
+        None => {
+            let errors = evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?;
+            let geometric: Option<GeometricDocument> =
+                optional("geometric.json").then(|| document(folder, "geometric.json")).transpose()?;
+            report::html(&report::Report {
+                campaign: &campaign,
+                import: &import,
+                features: &features,
+                frames: &frames,
+                parameters: &document(folder, "parameters.json")?,
+                accuracy: &document(folder, "accuracy.json")?,
+                errors: &errors,
+                geometric: geometric.as_ref(),
+                iso9283: iso9283.as_ref(),
+            })?
+        }
+    };
+    let path = folder.join("report.html");
+    files::write(&path, html.as_bytes())?;
+    Ok(path.display().to_string())
+}
+
+/// Writes the built-in templates, over none that is there.
+fn write_templates(folder: &Path) -> Result<Vec<String>> {
+    let named = report::templates::BUILT_IN.map(|(name, text)| (folder.join(name), text));
+    if let Some((path, _)) = named.iter().find(|(path, _)| path.exists()) {
+        let message = Message::error(format!("`{}` is there already", path.display()));
+        return Err(message.hint("name a new folder").into());
     }
+    for (path, text) in &named {
+        files::write(path, text.as_bytes())?;
+    }
+    Ok(named.iter().map(|(path, _)| path.display().to_string()).collect())
 }
 
 /// A document that an earlier stage wrote.

@@ -3,18 +3,21 @@
 //! Angles are in degrees, lengths in millimetres; every name carries its unit, every parameter its own.
 
 mod answer;
+mod conditions;
 mod fit;
 mod geometric;
 mod iso9283;
 mod iso9283_plan;
 mod iso9283_stream;
 mod plan;
+mod presentation;
 mod refit;
 mod standstill;
 mod stated;
 mod study;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
+pub use conditions::Conditions;
 pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
 pub use geometric::*;
 pub use iso9283::*;
@@ -23,6 +26,7 @@ pub use iso9283_stream::*;
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };
+pub use presentation::{Language, Presentation};
 pub use refit::{FitProbe, FitStated};
 pub use standstill::{StandingInterval, StandingJoint};
 pub use stated::{CampaignSummary, ContactSummary, ResidualSummary};

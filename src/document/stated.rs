@@ -57,6 +57,12 @@ pub struct CampaignSummary {
     pub contact: Option<ContactSummary>,
     /// Temperature during the campaign.
     pub temperature_c: Option<f64>,
+    /// Conditions of a test.
+    #[serde(default)]
+    pub conditions: super::Conditions,
+    /// How the report is dressed.
+    #[serde(default)]
+    pub report: super::Presentation,
 }
 
 /// How well the robot finds a measured point again.

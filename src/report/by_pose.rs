@@ -4,6 +4,7 @@ use super::axis::{Axis, left_margin, range};
 use super::number;
 use super::points::{self, Picture};
 use super::svg::{Shape, Svg};
+use super::words::Words;
 use crate::document::PointError;
 use std::collections::BTreeSet;
 
@@ -19,10 +20,11 @@ const LIMIT: usize = 1500;
 const RATIO: f64 = 20.0;
 
 /// Position and, where there is one, orientation.
-pub(super) fn pictures(errors: &[&PointError]) -> Vec<Picture> {
+pub(super) fn pictures(errors: &[&PointError], words: &Words) -> Vec<Picture> {
     let position = |p: &PointError| Some((points::before_mm(p), points::after_mm(p)));
     let orientation = |p: &PointError| Some((p.before_deg?.abs(), p.after_deg?.abs()));
-    let all = [picture(errors, "position", "mm", position), picture(errors, "orientation", "deg", orientation)];
+    let all =
+        [picture(errors, "position", "mm", position, words), picture(errors, "orientation", "deg", orientation, words)];
     all.into_iter().flatten().collect()
 }
 
@@ -31,6 +33,7 @@ fn picture(
     quantity: &str,
     unit: &str,
     value: impl Fn(&PointError) -> Option<(f64, f64)>,
+    words: &Words,
 ) -> Option<Picture> {
     let sizes = |p: &PointError| value(p).filter(|(before, after)| before.is_finite() && after.is_finite());
     let all: Vec<_> = errors.iter().copied().filter(|p| sizes(p).is_some()).collect();
@@ -49,38 +52,52 @@ fn picture(
         true => Axis::logarithmic(smallest * shown.factor, largest * shown.factor, BOTTOM, TOP),
         false => Axis::from_zero(largest * shown.factor, BOTTOM, TOP),
     };
-    let title = format!("{} error by pose, before and after calibration", capital(quantity));
-    let kind = if logarithmic { "logarithmic" } else { "linear" };
-    let description = format!("One mark for each pose, cycle and target; {kind} axis in {}.", shown.unit);
+    let (title, name) = match quantity {
+        "orientation" => (
+            words.say("Orientation error by pose, before and after calibration"),
+            words.fill("orientation error in {0}", &[&shown.unit]),
+        ),
+        _ => (
+            words.say("Position error by pose, before and after calibration"),
+            words.fill("position error in {0}", &[&shown.unit]),
+        ),
+    };
+    let description = match logarithmic {
+        true => words.fill("One mark for each pose, cycle and target; logarithmic axis in {0}.", &[&shown.unit]),
+        false => words.fill("One mark for each pose, cycle and target; linear axis in {0}.", &[&shown.unit]),
+    };
     let mut svg = Svg::new(&format!("by-pose-{quantity}"), WIDTH, HEIGHT, &title, &description);
     let poses: Vec<i64> = pairs.iter().map(|(p, _)| p.pose).collect::<BTreeSet<_>>().into_iter().collect();
     let left = left_margin(&axis.ticks(TICKS));
     let across = Axis::linear(-0.7, poses.len() as f64 - 0.3, left, WIDTH - RIGHT);
-    draw_axes(&mut svg, left, (&across, &axis), &poses, &format!("{quantity} error in {}", shown.unit));
+    draw_axes(&mut svg, left, (&across, &axis), &poses, [&name, &words.say("pose")]);
     for after in [false, true] {
         for (p, s) in &pairs {
             let place = poses.binary_search(&p.pose).unwrap_or(0) as f64;
             let size = if after { s.1 } else { s.0 };
             let class = if after { points::class(p) } else { "before" };
             let at = (across.at(place), axis.at(size * shown.factor));
-            svg.mark(points::shape(p), class, at, 2.8, "", &points::tooltip(p, s.0, s.1, shown));
+            svg.mark(points::shape(p), class, at, 2.8, "", &points::tooltip(p, s.0, s.1, shown, words));
         }
     }
-    legend(&mut svg, left, &drawn);
+    legend(&mut svg, left, &drawn, words);
     let rule = match logarithmic {
-        true => "more than",
-        false => "no more than",
+        true => words.fill(
+            "The error axis is logarithmic: the largest error before is more than {0} times the median after.",
+            &[&RATIO],
+        ),
+        false => words.fill(
+            "The error axis is linear: the largest error before is no more than {0} times the median after.",
+            &[&RATIO],
+        ),
     };
     let low = axis.low() / shown.factor;
     let lower = match pairs.iter().flat_map(|(_, s)| [s.0, s.1]).filter(|&v| v < low).count() {
         0 => String::new(),
-        1 => " 1 smaller error is drawn at the lower edge.".to_owned(),
-        n => format!(" {n} smaller errors are drawn at the lower edge."),
+        1 => format!(" {}", words.say("1 smaller error is drawn at the lower edge.")),
+        n => format!(" {}", words.fill("{0} smaller errors are drawn at the lower edge.", &[&n])),
     };
-    let caption = format!(
-        "The error axis is {kind}: the largest error before is {rule} {RATIO} times the median after.{lower}{}",
-        points::how_many(drawn.len(), all.len())
-    );
+    let caption = rule + &lower + &points::how_many(drawn.len(), all.len(), words);
     Some(Picture {
         title,
         svg: svg.finish(),
@@ -92,7 +109,7 @@ fn picture(
     })
 }
 
-fn draw_axes(svg: &mut Svg, left: f64, (across, axis): (&Axis, &Axis), poses: &[i64], name: &str) {
+fn draw_axes(svg: &mut Svg, left: f64, (across, axis): (&Axis, &Axis), poses: &[i64], [up, along]: [&str; 2]) {
     for (value, label) in axis.ticks(TICKS) {
         let y = axis.at(value);
         svg.line("grid", (left, y), (WIDTH - RIGHT, y));
@@ -109,14 +126,14 @@ fn draw_axes(svg: &mut Svg, left: f64, (across, axis): (&Axis, &Axis), poses: &[
     }
     svg.line("axis", (left, BOTTOM), (WIDTH - RIGHT, BOTTOM));
     svg.line("axis", (left, TOP), (left, BOTTOM));
-    svg.text("mid", ((left + WIDTH - RIGHT) / 2.0, BOTTOM + 36.0), "pose");
-    svg.text_upwards((14.0, (TOP + BOTTOM) / 2.0), name);
+    svg.text("mid", ((left + WIDTH - RIGHT) / 2.0, BOTTOM + 36.0), along);
+    svg.text_upwards((14.0, (TOP + BOTTOM) / 2.0), up);
 }
 
-fn legend(svg: &mut Svg, left: f64, drawn: &[&PointError]) {
+fn legend(svg: &mut Svg, left: f64, drawn: &[&PointError], words: &Words) {
     let sets = points::sets(drawn);
-    let before = sets.iter().map(|&(shape, _, name)| (shape, "before", format!("{name}, before")));
-    let after = sets.iter().map(|&(shape, class, name)| (shape, class, format!("{name}, after")));
+    let before = sets.iter().map(|&(shape, _, name)| (shape, "before", words.fill("{0}, before", &[&words.say(name)])));
+    let after = sets.iter().map(|&(shape, class, name)| (shape, class, words.fill("{0}, after", &[&words.say(name)])));
     let entries: Vec<(Shape, &str, String)> = before.chain(after).collect();
     for (i, (shape, class, name)) in entries.iter().enumerate() {
         let x = left + 8.0 + 160.0 * i as f64;
@@ -131,11 +148,6 @@ fn quantile(values: impl Iterator<Item = f64>, share: f64) -> f64 {
     sorted.get((sorted.len() as f64 * share) as usize).copied().unwrap_or(0.0)
 }
 
-fn capital(word: &str) -> String {
-    let mut letters = word.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::demo::point;
@@ -145,7 +157,7 @@ mod tests {
     fn the_axis_follows_its_stated_rule() {
         let caption = |before: f64| {
             let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [before, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
-            pictures(&errors.iter().collect::<Vec<_>>())[0].caption.clone()
+            pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[0].caption.clone()
         };
         assert!(caption(0.19).starts_with("The error axis is linear: the largest error before is no more than 20"));
         assert!(caption(0.21).starts_with("The error axis is logarithmic: the largest error before is more than 20"));
@@ -155,9 +167,13 @@ mod tests {
     #[test]
     fn errors_below_the_axis_are_counted() {
         let mut errors: Vec<_> = (0..99).map(|i| point(i, [0.0; 3], [0.5, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
-        assert!(!pictures(&errors.iter().collect::<Vec<_>>())[0].caption.contains("lower edge"));
+        assert!(!pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[0].caption.contains("lower edge"));
         errors[7].after_mm = [1e-9, 0.0, 0.0];
-        assert!(pictures(&errors.iter().collect::<Vec<_>>())[0].caption.contains(" 1 smaller error is drawn"));
+        assert!(
+            pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[0]
+                .caption
+                .contains(" 1 smaller error is drawn")
+        );
     }
 
     #[test]
@@ -166,7 +182,7 @@ mod tests {
         for p in &mut errors {
             (p.before_deg, p.after_deg) = (Some(0.02), Some(0.000_13));
         }
-        let svg = &pictures(&errors.iter().collect::<Vec<_>>())[1].svg;
+        let svg = &pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[1].svg;
         let labels = svg.lines().filter(|l| l.starts_with("<text class=\"end\"") && l.contains(">0.0001<"));
         let right: Vec<f64> = labels.filter_map(|l| l.split('"').nth(3)?.parse().ok()).collect();
         // the name is centred at 14 and 12 high, six characters are some 42 wide
@@ -176,10 +192,10 @@ mod tests {
     #[test]
     fn orientation_is_drawn_where_there_is_one() {
         let mut errors = vec![point(1, [0.0; 3], [0.1; 3], [0.01; 3]); 3];
-        assert_eq!(pictures(&errors.iter().collect::<Vec<_>>()).len(), 1);
+        assert_eq!(pictures(&errors.iter().collect::<Vec<_>>(), &Words::default()).len(), 1);
         (errors[0].before_deg, errors[0].after_deg) = (Some(-0.1), Some(0.01));
         (errors[1].before_deg, errors[1].after_deg) = (Some(f64::NAN), Some(0.01));
-        let both = pictures(&errors.iter().collect::<Vec<_>>());
+        let both = pictures(&errors.iter().collect::<Vec<_>>(), &Words::default());
         assert_eq!((both.len(), both[1].svg.matches("pose 1, ").count()), (2, 2));
         assert!(both[1].svg.contains("0.100 deg before, 0.0100 deg after"));
     }

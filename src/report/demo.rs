@@ -81,6 +81,8 @@ impl Documents {
                 coverage_factor: Some(2.0),
                 contact: None,
                 temperature_c: Some(20.1),
+                conditions: Conditions::default(),
+                report: Presentation::default(),
             },
             import: import(),
             features: features(),

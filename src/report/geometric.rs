@@ -3,6 +3,7 @@
 use super::number;
 use super::plane::{Plane, WIDTH};
 use super::svg::Svg;
+use super::words::Words;
 use crate::document::{GeometricDocument, GeometricQuantity, MeanError, PoseRow};
 use serde::Serialize;
 
@@ -23,10 +24,10 @@ pub(super) struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
-pub(super) fn section(document: &GeometricDocument) -> Section<'_> {
+pub(super) fn section<'a>(document: &'a GeometricDocument, words: &Words) -> Section<'a> {
     Section {
         document,
-        sentence: sentence(document),
+        sentence: sentence(document, words),
         quantities: document.quantities.iter().map(quantity).collect(),
         leads: leads(document),
         tables: document
@@ -34,12 +35,12 @@ pub(super) fn section(document: &GeometricDocument) -> Section<'_> {
             .iter()
             .map(|t| Table { title: t.title.clone(), rows: t.rows.iter().map(row).collect() })
             .collect(),
-        drawing: drawing(document),
+        drawing: drawing(document, words),
     }
 }
 
 /// What the technician's way costs in accuracy.
-fn sentence(document: &GeometricDocument) -> String {
+fn sentence(document: &GeometricDocument, words: &Words) -> String {
     let largest = |name: &str| document.methods.iter().find(|m| m.name == name).map(|m| m.position_max_mm);
     let (Some(before), Some(geometric), Some(identified)) =
         (largest("before"), largest("geometric"), largest("identified"))
@@ -48,15 +49,17 @@ fn sentence(document: &GeometricDocument) -> String {
     };
     let mm = |v: f64| number::significant(v, 3);
     let times = |a: f64, b: f64| number::significant(a / b, 2);
-    format!(
-        "The largest mean position error falls from {} mm to {} mm by geometry alone, {} times less, and to {} mm by \
-         identification of all parameters from the same campaign: the technician's way leaves {} times as much.",
-        mm(before),
-        mm(geometric),
-        times(before, geometric),
-        mm(identified),
-        times(geometric, identified)
-    )
+    let values: [&dyn std::fmt::Display; 5] =
+        [&mm(before), &mm(geometric), &times(before, geometric), &mm(identified), &times(geometric, identified)];
+    let alone = words.fill(
+        "The largest mean position error falls from {0} mm to {1} mm by geometry alone, {2} times less.",
+        &values,
+    );
+    let beside = words.fill(
+        "Identification of all parameters from the same campaign brings it to {3} mm: the technician's way leaves {4} times as much.",
+        &values,
+    );
+    format!("{alone} {beside}")
 }
 
 fn quantity(q: &GeometricQuantity) -> [String; 10] {
@@ -109,17 +112,17 @@ fn row(r: &PoseRow) -> Vec<String> {
 }
 
 /// Outlines of the regions, the last one (every orientation) heavier.
-fn drawing(document: &GeometricDocument) -> Option<String> {
+fn drawing(document: &GeometricDocument, words: &Words) -> Option<String> {
     let regions: Vec<_> = document.workspace.iter().filter(|r| r.corners_mm.len() > 2).collect();
     let corners: Vec<_> = regions.iter().flat_map(|r| &r.corners_mm).copied().collect();
     if corners.is_empty() || !corners.iter().flatten().all(|v| v.abs() < 1e7) {
         return None;
     }
     let plane = Plane::around((0, 1), &corners);
-    let title = "Workspace of the platform's centre C, xy plane";
+    let title = words.fill("Workspace of the platform's centre C, {0} plane", &[&"xy"]);
     let names = regions.iter().map(|r| format!("{}: {} mm²", r.name, number::fixed(r.area_mm2, 0)));
-    let mut svg = Svg::new("workspace", WIDTH, plane.height(), title, &names.collect::<Vec<_>>().join("; "));
-    plane.draw(&mut svg);
+    let mut svg = Svg::new("workspace", WIDTH, plane.height(), &title, &names.collect::<Vec<_>>().join("; "));
+    plane.draw(&mut svg, words);
     for region in &regions {
         let last = document.workspace.last().is_some_and(|l| l.name == region.name);
         for (a, b) in region.corners_mm.iter().zip(region.corners_mm.iter().cycle().skip(1)) {

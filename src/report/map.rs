@@ -5,6 +5,7 @@ use super::number::{self, Shown};
 use super::plane::{self, Plane, WIDTH};
 use super::points::{self, Picture};
 use super::svg::{Place, Svg};
+use super::words::Words;
 use crate::document::PointError;
 use std::collections::BTreeMap;
 
@@ -18,46 +19,53 @@ const NEAR: f64 = 2.0;
 const RAMP: [[f64; 3]; 4] = [[250.0, 205.0, 100.0], [226.0, 110.0, 70.0], [150.0, 40.0, 100.0], [45.0, 10.0, 75.0]];
 
 /// Before and after, side by side, for every plane of the workspace.
-pub(super) fn maps(errors: &[&PointError], planar: bool) -> Vec<Picture> {
-    let of_plane = |&axes: &(usize, usize)| {
-        [map(errors, axes, "before", points::before_mm), map(errors, axes, "after", points::after_mm)]
-    };
+pub(super) fn maps(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Picture> {
+    let of_plane = |&axes: &(usize, usize)| [map(errors, axes, false, words), map(errors, axes, true, words)];
     plane::planes(planar).iter().flat_map(of_plane).collect()
 }
 
-fn map(errors: &[&PointError], axes: (usize, usize), when: &str, size: fn(&PointError) -> f64) -> Picture {
+fn map(errors: &[&PointError], axes: (usize, usize), after: bool, words: &Words) -> Picture {
+    let size: fn(&PointError) -> f64 = if after { points::after_mm } else { points::before_mm };
     let places: Vec<_> = errors.iter().map(|p| p.at_mm).collect();
     let plane = Plane::around(axes, &places);
     let largest = range(errors.iter().map(|p| size(p))).map_or(0.0, |r| r.1);
     let shown = number::shown("mm", largest);
     let scale = Axis::from_zero(largest * shown.factor, 0.0, 1.0);
     let top = format!("{} {}", number::significant(scale.high(), 2), shown.unit);
-    let title = format!("Position error {when} calibration, {} plane", plane::name(axes));
+    let title = match after {
+        false => words.fill("Position error before calibration, {0} plane", &[&plane::name(axes)]),
+        true => words.fill("Position error after calibration, {0} plane", &[&plane::name(axes)]),
+    };
     let largest = format!("{} {}", number::significant(largest * shown.factor, 3), shown.unit);
-    let description = format!("Marks at the measured positions; colour and size from 0 to {top}; largest {largest}.");
-    let id = format!("map-{when}-{}", plane::name(axes));
+    let description =
+        words.fill("Marks at the measured positions; colour and size from 0 to {0}; largest {1}.", &[&top, &largest]);
+    let id = format!("map-{}-{}", if after { "after" } else { "before" }, plane::name(axes));
     let mut svg = Svg::new(&id, WIDTH, plane.height() + 48.0, &title, &description);
-    plane.draw(&mut svg);
+    plane.draw(&mut svg, words);
     // largest first: the small ones lie on top of the large ones
     let seen = seen(errors, size, |p| plane.at(p.at_mm));
     let drawn = points::thin(&seen, LIMIT, size);
     for p in &drawn {
         let share = scale.at(size(p) * shown.factor);
-        let tip = points::tooltip(p, points::before_mm(p), points::after_mm(p), shown);
+        let tip = points::tooltip(p, points::before_mm(p), points::after_mm(p), shown, words);
         svg.mark(points::shape(p), "map", plane.at(p.at_mm), radius(share), &colour(share), &tip);
     }
-    legend(&mut svg, errors, &scale, shown, plane.height());
+    legend(&mut svg, errors, &scale, shown, plane.height(), words);
+    let places = match seen.len() < errors.len() {
+        true => {
+            let counts: [&dyn std::fmt::Display; 2] = [&errors.len(), &seen.len()];
+            format!(" {}", words.fill("Of {0} errors the largest is drawn at each of {1} places.", &counts))
+        }
+        false => String::new(),
+    };
     Picture {
         title,
         svg: svg.finish(),
-        caption: format!(
-            "Colour and size of the marks from 0 to {top}, a scale of this picture's own; largest error {largest}.{}{}",
-            match seen.len() < errors.len() {
-                true => format!(" Of {} errors the largest is drawn at each of {} places.", errors.len(), seen.len()),
-                false => String::new(),
-            },
-            points::how_many(drawn.len(), seen.len())
-        ),
+        caption: words.fill(
+            "Colour and size of the marks from 0 to {0}, a scale of this picture's own; largest error {1}.",
+            &[&top, &largest],
+        ) + &places
+            + &points::how_many(drawn.len(), seen.len(), words),
         wide: false,
         table_title: String::new(),
         header: vec![],
@@ -88,7 +96,7 @@ fn seen<'a>(
     sorted
 }
 
-fn legend(svg: &mut Svg, errors: &[&PointError], scale: &Axis, shown: Shown, top: f64) {
+fn legend(svg: &mut Svg, errors: &[&PointError], scale: &Axis, shown: Shown, top: f64, words: &Words) {
     let ticks = scale.ticks(5);
     let pitch = (WIDTH - 60.0) / ticks.len().max(1) as f64;
     for (i, (value, label)) in ticks.iter().enumerate() {
@@ -100,7 +108,7 @@ fn legend(svg: &mut Svg, errors: &[&PointError], scale: &Axis, shown: Shown, top
     for (i, (shape, _, name)) in points::sets(errors).into_iter().enumerate() {
         let x = 30.0 + 120.0 * i as f64;
         svg.mark(shape, "map", (x, top + 36.0), 4.5, "#ffffff", "");
-        svg.text("start", (x + 10.0, top + 40.0), name);
+        svg.text("start", (x + 10.0, top + 40.0), &words.say(name));
     }
 }
 
@@ -138,7 +146,7 @@ mod tests {
         let mut errors: Vec<_> =
             (0..15).map(|i| point(i, [0.001 * i as f64, 0.0, 0.0], [1.0; 3], [size(i), 0.0, 0.0])).collect();
         errors.push(point(99, [100.0, 80.0, 0.0], [1.0; 3], [0.001, 0.0, 0.0]));
-        let map = &maps(&errors.iter().collect::<Vec<_>>(), true)[1];
+        let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
         assert_eq!(map.svg.matches("cycle 1").count(), 2);
         assert!(map.svg.contains("7.00 µm after"));
         assert!(map.caption.contains("Of 16 errors the largest is drawn at each of 2 places."), "{}", map.caption);
@@ -148,7 +156,7 @@ mod tests {
     fn before_and_after_have_their_own_scale() {
         let errors = [point(1, [0.0; 3], [0.35, 0.0, 0.0], [0.002, 0.0, 0.0]), point(2, [9.0; 3], [1.2; 3], [0.0; 3])];
         let errors: Vec<_> = errors.iter().collect();
-        let maps = maps(&errors, false);
+        let maps = maps(&errors, false, &Words::default());
         assert_eq!(maps.len(), 4);
         assert!(maps[0].caption.contains("from 0 to 2.5 mm"), "{}", maps[0].caption);
         assert!(maps[1].caption.contains("from 0 to 2.0 µm"), "{}", maps[1].caption);
@@ -160,7 +168,7 @@ mod tests {
     fn of_several_errors_at_one_place_the_largest_is_drawn() {
         let at = |pose, x: f64, after: f64| point(pose, [x, 0.0, 0.0], [1.0; 3], [after, 0.0, 0.0]);
         let errors = [at(1, 5.0, 0.001), at(2, 5.0, 0.003), at(3, 5.0, 0.002), at(4, 9.0, 0.001)];
-        let map = &maps(&errors.iter().collect::<Vec<_>>(), true)[1];
+        let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
         let drawn = |pose: i64| map.svg.contains(&format!("pose {pose}, "));
         assert_eq!([1, 2, 3, 4].map(drawn), [false, true, false, true]);
         assert!(map.caption.contains("the largest is drawn") && !map.caption.contains("evenly chosen"));

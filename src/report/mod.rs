@@ -7,6 +7,9 @@ mod axis;
 mod by_pose;
 #[cfg(test)]
 mod demo;
+#[cfg(test)]
+mod demo_iso9283;
+mod facts;
 mod geometric;
 mod histogram;
 mod iso9283;
@@ -18,9 +21,11 @@ mod plane;
 mod points;
 mod svg;
 mod tables;
+pub mod templates;
 #[cfg(test)]
 mod tests;
 mod verdict;
+mod words;
 
 pub use plan::html as plan_html;
 
@@ -28,12 +33,9 @@ use crate::document::{
     AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument,
     Iso9283Document, ParametersDocument, PointError, Provenance, WorldFrame,
 };
-use crate::message::one_line;
 use crate::message::{Message, Result};
-use minijinja::syntax::SyntaxConfig;
-use minijinja::value::Serde;
-use minijinja::{Environment, UndefinedBehavior};
 use serde::Serialize;
+use words::Words;
 
 /// Everything that a report tells.
 pub struct Report<'a> {
@@ -75,6 +77,7 @@ pub struct TestReport<'a> {
 #[derive(Serialize)]
 struct Page<'a> {
     campaign: &'a CampaignSummary,
+    facts: Vec<facts::Fact>,
     import: &'a ImportDocument,
     features: &'a FeaturesDocument,
     world: &'a WorldFrame,
@@ -94,35 +97,34 @@ struct Page<'a> {
 
 /// The report as one HTML page.
 pub fn html(report: &Report) -> Result<String> {
-    let fail = |e: minijinja::Error| Message::error(format!("cannot write the report: {e:#}"));
-    let mut environment = environment().map_err(fail)?;
+    let presentation = &report.campaign.report;
+    let words = &Words::of(presentation.language)?;
     let page = Page {
         campaign: report.campaign,
+        facts: facts::facts(report.campaign, report.iso9283, words),
         import: report.import,
         features: report.features,
         world: &report.frames.world,
         fit: report.parameters,
         messages: messages(report),
-        verdict: verdict::verdict(report),
+        verdict: verdict::verdict(report, words),
         definition: &report.accuracy.definition,
-        sets: tables::sets(report.accuracy),
-        poses: tables::poses(report.errors),
-        parameters: parameters::rows(&report.parameters.parameters),
-        pictures: pictures(report),
-        geometric: report.geometric.map(geometric::section),
-        iso9283: report.iso9283.map(iso9283::section),
+        sets: tables::sets(report.accuracy, words),
+        poses: tables::poses(report.errors, words),
+        parameters: parameters::rows(&report.parameters.parameters, words),
+        pictures: pictures(report, words),
+        geometric: report.geometric.map(|g| geometric::section(g, words)),
+        iso9283: report.iso9283.map(|i| iso9283::section(i, words)),
         undrawn: report.errors.len() - points::drawable(report.errors).len(),
     };
-    // the name's ending turns escaping on
-    environment.add_template("report.html", include_str!("report.html")).map_err(fail)?;
-    let template = environment.get_template("report.html").map_err(fail)?;
-    Ok(template.render(Serde(page)).map_err(fail)?)
+    templates::render("report.html", presentation, words, page)
 }
 
 /// What the template of a test of repeatability sees.
 #[derive(Serialize)]
 struct TestPage<'a> {
     campaign: &'a CampaignSummary,
+    facts: Vec<facts::Fact>,
     import: &'a ImportDocument,
     features: &'a FeaturesDocument,
     world: &'a WorldFrame,
@@ -135,10 +137,12 @@ struct TestPage<'a> {
 
 /// The report of a test of repeatability alone as one HTML page.
 pub fn test_html(report: &TestReport) -> Result<String> {
-    let fail = |e: minijinja::Error| Message::error(format!("cannot write the report: {e:#}"));
-    let (class, sentence) = iso9283::verdict(report.iso9283);
+    let presentation = &report.campaign.report;
+    let words = &Words::of(presentation.language)?;
+    let (class, sentence) = iso9283::verdict(report.iso9283, words);
     let page = TestPage {
         campaign: report.campaign,
+        facts: facts::facts(report.campaign, Some(report.iso9283), words),
         import: report.import,
         features: report.features,
         world: &report.frames.world,
@@ -150,38 +154,9 @@ pub fn test_html(report: &TestReport) -> Result<String> {
         messages: report.import.messages.iter().chain(&report.iso9283.messages).collect(),
         class,
         sentence,
-        iso9283: iso9283::section(report.iso9283),
+        iso9283: iso9283::section(report.iso9283, words),
     };
-    let mut environment = environment().map_err(fail)?;
-    environment.add_template("repeatability.html", include_str!("repeatability.html")).map_err(fail)?;
-    let template = environment.get_template("repeatability.html").map_err(fail)?;
-    Ok(template.render(Serde(page)).map_err(fail)?)
-}
-
-/// Templates with their filters, and the parts and the style that they share.
-fn environment() -> std::result::Result<Environment<'static>, minijinja::Error> {
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
-    environment.add_filter("significant", |value: f64, digits: usize| number::significant(value, digits));
-    environment.add_filter("fixed", |value: f64, decimals: usize| number::fixed(value, decimals));
-    environment
-        .add_filter("stated", |value: f64| if value.is_finite() { value.to_string() } else { "not a number".into() });
-    environment.add_filter("one_line", |text: String| one_line(&text));
-    for (name, text) in [
-        ("style.html", include_str!("style.html")),
-        ("head.html", include_str!("parts/head.html")),
-        ("macros.html", include_str!("parts/macros.html")),
-        ("campaign.html", include_str!("parts/campaign.html")),
-        ("messages.html", include_str!("parts/messages.html")),
-        ("iso9283.html", include_str!("parts/iso9283.html")),
-        ("frames.html", include_str!("parts/frames.html")),
-        ("import.html", include_str!("parts/import.html")),
-        ("provenance.html", include_str!("parts/provenance.html")),
-    ] {
-        environment.add_template(name, text)?;
-    }
-    Ok(environment)
+    templates::render("repeatability.html", presentation, words, page)
 }
 
 fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
@@ -190,16 +165,16 @@ fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
     report.parameters.messages.iter().chain(&report.import.messages).chain(geometric).chain(iso9283).collect()
 }
 
-fn pictures(report: &Report) -> Vec<points::Picture> {
+fn pictures(report: &Report, words: &Words) -> Vec<points::Picture> {
     let errors = points::drawable(report.errors);
     if errors.is_empty() {
         return vec![];
     }
     let flat = |p: &&PointError| p.at_mm[2] == 0.0 && p.before_mm[2] == 0.0 && p.after_mm[2] == 0.0;
     let planar = report.frames.world.planar || errors.iter().all(flat);
-    let mut pictures = map::maps(&errors, planar);
-    pictures.extend(arrows::arrows(&errors, planar));
-    pictures.extend(histogram::histogram(&errors));
-    pictures.extend(by_pose::pictures(&errors));
+    let mut pictures = map::maps(&errors, planar, words);
+    pictures.extend(arrows::arrows(&errors, planar, words));
+    pictures.extend(histogram::histogram(&errors, words));
+    pictures.extend(by_pose::pictures(&errors, words));
     pictures
 }

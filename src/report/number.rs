@@ -1,9 +1,12 @@
 //! Numbers as a reader wants them: no digit that means nothing, none missing that does.
 
+/// What stands where there is no finite number, in every language.
+const NOT_A_NUMBER: &str = "—";
+
 /// `value` with a fixed number of decimals; never "-0".
 pub(super) fn fixed(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
-        return "not a number".to_owned();
+        return NOT_A_NUMBER.to_owned();
     }
     if value.abs() >= 1e15 {
         return format!("{value:e}");
@@ -84,8 +87,8 @@ mod tests {
     fn zero_has_no_sign_and_nan_a_name() {
         assert_eq!(fixed(-0.000_01, 4), "0.0000");
         assert_eq!(fixed(-0.000_06, 4), "-0.0001");
-        assert_eq!(fixed(f64::NAN, 2), "not a number");
-        assert_eq!(significant(f64::INFINITY, 3), "not a number");
+        assert_eq!(fixed(f64::NAN, 2), "—");
+        assert_eq!(significant(f64::INFINITY, 3), "—");
         assert_eq!(significant(0.0, 3), "0");
         assert_eq!(significant(f64::MAX, 3), "1.80e308");
     }

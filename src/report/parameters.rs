@@ -1,6 +1,7 @@
 //! The table of parameters: each number with the digits that its uncertainty allows.
 
 use super::number;
+use super::words::Words;
 use crate::document::{ParameterEntry, ParameterStatus};
 use serde::Serialize;
 
@@ -16,15 +17,15 @@ pub(super) struct Row {
     pub u: String,
     /// U = 2 u
     pub expanded: String,
-    pub status: &'static str,
+    pub status: String,
     pub confounded_with: Vec<String>,
 }
 
-pub(super) fn rows(parameters: &[ParameterEntry]) -> Vec<Row> {
-    parameters.iter().map(row).collect()
+pub(super) fn rows(parameters: &[ParameterEntry], words: &Words) -> Vec<Row> {
+    parameters.iter().map(|p| row(p, words)).collect()
 }
 
-fn row(p: &ParameterEntry) -> Row {
+fn row(p: &ParameterEntry, words: &Words) -> Row {
     let u = p.standard_uncertainty;
     let value = |v: f64| number::with_uncertainty(v, u);
     let change = p.value - p.nominal;
@@ -38,9 +39,9 @@ fn row(p: &ParameterEntry) -> Row {
         u: u.map_or_else(String::new, |u| number::significant(u, 2)),
         expanded: u.map_or_else(String::new, |u| number::significant(2.0 * u, 2)),
         status: match p.status {
-            ParameterStatus::Identified => "identified",
-            ParameterStatus::Fixed => "held by the campaign",
-            ParameterStatus::NotIdentifiable => "held: the data cannot tell it apart",
+            ParameterStatus::Identified => words.say("identified"),
+            ParameterStatus::Fixed => words.say("held by the campaign"),
+            ParameterStatus::NotIdentifiable => words.say("held: the data cannot tell it apart"),
         },
         confounded_with: p.confounded_with.clone(),
     }
@@ -62,11 +63,11 @@ mod tests {
             status: ParameterStatus::Identified,
             confounded_with: vec![],
         };
-        let identified = row(&p);
+        let identified = row(&p, &Words::default());
         assert_eq!((identified.value.as_str(), identified.change.as_str()), ("299.1235", "-0.8765"));
         assert_eq!((identified.u.as_str(), identified.expanded.as_str()), ("0.0015", "0.0030"));
         (p.standard_uncertainty, p.status) = (None, ParameterStatus::NotIdentifiable);
-        let held = row(&p);
+        let held = row(&p, &Words::default());
         assert_eq!((held.value.as_str(), held.u.as_str()), ("299.1235", ""));
         assert!(held.status.contains("cannot tell it apart"));
     }

@@ -2,6 +2,7 @@
 
 use super::axis::{Axis, range};
 use super::svg::{Place, Svg};
+use super::words::Words;
 use crate::pose::Vector;
 
 /// Width of a map, in units of the picture: that of a phone, so that letters keep their size there.
@@ -80,7 +81,7 @@ impl Plane {
     }
 
     /// Draws grid, ticks and names of the axes.
-    pub fn draw(&self, svg: &mut Svg) {
+    pub fn draw(&self, svg: &mut Svg, words: &Words) {
         let right = WIDTH - RIGHT;
         for (value, label) in self.across.ticks(5) {
             let x = self.across.at(value);
@@ -95,8 +96,9 @@ impl Plane {
         svg.line("axis", (LEFT, self.bottom), (right, self.bottom));
         svg.line("axis", (LEFT, TOP), (LEFT, self.bottom));
         let middle = ((LEFT + right) / 2.0, self.bottom + 32.0);
-        svg.text("mid", middle, &format!("{} in {}", axis_name(self.axes.0), self.unit));
-        svg.text_upwards((12.0, (TOP + self.bottom) / 2.0), &format!("{} in {}", axis_name(self.axes.1), self.unit));
+        let named = |axis: usize| words.fill("{0} in {1}", &[&axis_name(axis), &self.unit]);
+        svg.text("mid", middle, &named(self.axes.0));
+        svg.text_upwards((12.0, (TOP + self.bottom) / 2.0), &named(self.axes.1));
     }
 }
 

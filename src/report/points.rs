@@ -2,8 +2,10 @@
 
 use super::number::{self, Shown};
 use super::svg::Shape;
+use super::words::Words;
 use crate::document::PointError;
 use crate::pose::norm;
+use std::fmt::Display;
 
 /// Places and errors beyond this are blunders that no picture can show, mm.
 const DRAWABLE_MM: f64 = 1e7;
@@ -42,9 +44,14 @@ pub(super) fn thin<'a>(
 }
 
 /// A sentence on how many of the points are drawn; empty where all are.
-pub(super) fn how_many(drawn: usize, all: usize) -> String {
+pub(super) fn how_many(drawn: usize, all: usize, words: &Words) -> String {
     match drawn < all {
-        true => format!(" {drawn} of {all} points are drawn, evenly chosen, the largest among them."),
+        true => {
+            format!(
+                " {}",
+                words.fill("{0} of {1} points are drawn, evenly chosen, the largest among them.", &[&drawn, &all])
+            )
+        }
         false => String::new(),
     }
 }
@@ -82,11 +89,12 @@ pub(super) fn sets(points: &[&PointError]) -> Vec<(Shape, &'static str, &'static
 }
 
 /// Which point, and its error before and after; the target's name is isolated from its surroundings (right-to-left).
-pub(super) fn tooltip(p: &PointError, before: f64, after: f64, shown: Shown) -> String {
+pub(super) fn tooltip(p: &PointError, before: f64, after: f64, shown: Shown, words: &Words) -> String {
     let value = |v: f64| format!("{} {}", number::significant(v * shown.factor, 3), shown.unit);
-    let (target, set) =
-        (format!("\u{2068}{}\u{2069}", p.target), if is_validation(p) { "validation" } else { "calibration" });
-    format!("pose {}, cycle {}, {target} ({set}): {} before, {} after", p.pose, p.cycle, value(before), value(after))
+    let target = format!("\u{2068}{}\u{2069}", p.target);
+    let set = words.say(if is_validation(p) { "validation" } else { "calibration" });
+    let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &set, &value(before), &value(after)];
+    words.fill("pose {0}, cycle {1}, {2} ({3}): {4} before, {5} after", &values)
 }
 
 #[cfg(test)]
@@ -103,7 +111,8 @@ mod tests {
         assert!(few.len() <= 301 && few.iter().any(|p| p.pose == 777), "{}", few.len());
         assert_eq!(thin(&all, 1000, after_mm).len(), 1000);
         assert_eq!(thin(&[], 10, after_mm).len(), 0);
-        assert_eq!((how_many(3, 3), how_many(2, 3).is_empty()), (String::new(), false));
+        let words = Words::default();
+        assert_eq!((how_many(3, 3, &words), how_many(2, 3, &words).is_empty()), (String::new(), false));
     }
 
     #[test]

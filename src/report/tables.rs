@@ -2,6 +2,7 @@
 
 use super::number::{self, Shown};
 use super::points;
+use super::words::Words;
 use crate::document::{AccuracyDocument, ErrorStatistics, PointError, Statistics};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -29,15 +30,15 @@ pub(super) struct Row {
 }
 
 /// Errors of every set of poses.
-pub(super) fn sets(accuracy: &AccuracyDocument) -> Vec<Set> {
+pub(super) fn sets(accuracy: &AccuracyDocument, words: &Words) -> Vec<Set> {
     // one unit for all lengths, so that rows and sets can be compared
     let lengths = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == "mm");
     let largest_mm = lengths.map(|e| e.before.max.max(e.after.max)).fold(0.0, f64::max);
     let set = |s: &crate::document::AccuracySet| Set {
-        name: s.name.clone(),
+        name: words.say(&s.name),
         poses: s.poses,
         count: s.count,
-        rows: s.errors.iter().map(|e| row(e, largest_mm, decimals(accuracy, &e.unit, largest_mm))).collect(),
+        rows: s.errors.iter().map(|e| row(e, largest_mm, decimals(accuracy, &e.unit, largest_mm), words)).collect(),
     };
     accuracy.sets.iter().map(set).collect()
 }
@@ -54,12 +55,12 @@ fn all(s: &Statistics) -> [f64; 4] {
     [s.mean, s.rms, s.p95, s.max]
 }
 
-fn row(e: &ErrorStatistics, largest_mm: f64, decimals: usize) -> Row {
+fn row(e: &ErrorStatistics, largest_mm: f64, decimals: usize, words: &Words) -> Row {
     let Shown { unit, factor } = number::shown(&e.unit, largest_mm);
     let text = |s: &Statistics| all(s).map(|v| number::fixed(v * factor, decimals));
     let ratio = e.before.rms / e.after.rms;
     Row {
-        quantity: e.quantity.clone(),
+        quantity: words.say(&e.quantity),
         unit: if unit.is_empty() { e.unit.clone() } else { unit.to_owned() },
         before: text(&e.before),
         after: text(&e.after),
@@ -77,7 +78,7 @@ pub(super) struct Poses {
 }
 
 /// Largest and mean error of every pose.
-pub(super) fn poses(errors: &[PointError]) -> Poses {
+pub(super) fn poses(errors: &[PointError], words: &Words) -> Poses {
     let mut by_pose: BTreeMap<(&str, i64), Vec<&PointError>> = BTreeMap::new();
     for p in errors {
         by_pose.entry((&p.set, p.pose)).or_default().push(p);
@@ -96,7 +97,7 @@ pub(super) fn poses(errors: &[PointError]) -> Poses {
         let (before, after) = (largest(points, points::before_mm), largest(points, points::after_mm));
         let count = points.len().to_string();
         let angles = (angle(points, |p| p.before_deg), angle(points, |p| p.after_deg));
-        [pose.to_string(), set.to_owned(), count, length(before), length(after), angles.0, angles.1]
+        [pose.to_string(), words.say(set), count, length(before), length(after), angles.0, angles.1]
     };
     Poses {
         unit,
@@ -127,7 +128,9 @@ mod tests {
 
     #[test]
     fn small_lengths_are_in_micrometres_with_the_digits_of_the_smallest() {
-        let shown = |before: f64, after: f64| sets(&accuracy(vec![errors("position", before, after)])).remove(0).rows;
+        let shown = |before: f64, after: f64| {
+            sets(&accuracy(vec![errors("position", before, after)]), &Words::default()).remove(0).rows
+        };
         let small = &shown(0.4, 0.008)[0];
         assert_eq!((small.unit.as_str(), small.ratio.as_str()), ("µm", "50"));
         assert_eq!(small.before, ["320.00", "400.00", "720.00", "800.00"].map(str::to_owned));
@@ -140,7 +143,9 @@ mod tests {
     #[test]
     fn numbers_in_one_unit_have_the_same_decimals_and_three_digits_after() {
         // the case of a robot that is better along x than in all: 0.1366 against a limit of 0.137
-        let rows = sets(&accuracy(vec![errors("position", 2.0, 0.1366), errors("x", 1.0, 0.0747)])).remove(0).rows;
+        let rows = sets(&accuracy(vec![errors("position", 2.0, 0.1366), errors("x", 1.0, 0.0747)]), &Words::default())
+            .remove(0)
+            .rows;
         assert_eq!((rows[0].after[1].as_str(), rows[1].after[1].as_str()), ("0.1366", "0.0747"));
         assert_eq!(rows[0].before[1], "2.0000");
     }
@@ -148,10 +153,10 @@ mod tests {
     #[test]
     fn a_pose_has_the_largest_of_its_errors_and_long_tables_are_cut() {
         let two = [point(1, [0.0; 3], [0.3, 0.0, 0.0], [0.02, 0.0, 0.0]), point(1, [0.0; 3], [0.2; 3], [0.01; 3])];
-        let table = poses(&two);
+        let table = poses(&two, &Words::default());
         assert_eq!(table.rows, [["1", "calibration", "2", "346", "20.0", "", ""].map(str::to_owned)]);
         let many: Vec<_> = (0..600).map(|i| point(i, [0.0; 3], [0.1; 3], [0.01; 3])).collect();
-        assert_eq!((poses(&many).rows.len(), poses(&many).left_out), (500, 100));
-        assert!(poses(&[]).rows.is_empty());
+        assert_eq!((poses(&many, &Words::default()).rows.len(), poses(&many, &Words::default()).left_out), (500, 100));
+        assert!(poses(&[], &Words::default()).rows.is_empty());
     }
 }

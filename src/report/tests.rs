@@ -2,7 +2,7 @@
 
 use super::demo::{Documents, point};
 use super::*;
-use crate::document::{Refused, Statistics};
+use crate::document::{Language, Refused, Statistics};
 use crate::message::Place;
 
 fn page(documents: &Documents) -> String {
@@ -55,6 +55,11 @@ fn with_text(text: &str) -> Documents {
     let c = &mut d.campaign;
     (c.name, c.synthetic, c.notes, c.date) = (t(), Some(t()), Some(t()), Some(t()));
     (c.operator, c.instrument) = (Some(t()), Some(t()));
+    let given = &mut c.conditions;
+    (given.laboratory, given.robot, given.controller) = (Some(t()), Some(t()), Some(t()));
+    (given.mounting, given.measurement_point) = (Some(t()), Some(t()));
+    (given.environment, given.instrument_calibration) = (Some(t()), Some(t()));
+    given.deviations = Some(vec![t(), t()]);
     let message = || Message::error(t()).at(Place::line(t(), 1, t())).expected(t()).hint(t());
     d.import.messages = vec![message()];
     for s in &mut d.import.sources {
@@ -147,4 +152,78 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
     let page = page(&documents);
     assert!(page.contains("Position error before calibration, xz plane") && page.contains("z in mm"));
     assert_eq!(page.matches("<svg").count(), 9);
+}
+
+#[test]
+fn a_test_report_has_what_the_standard_asks_for() {
+    let (documents, iso9283) = (Documents::demo(), super::demo_iso9283::iso9283());
+    let report = TestReport {
+        campaign: &documents.campaign,
+        import: &documents.import,
+        features: &documents.features,
+        frames: &documents.frames,
+        iso9283: &iso9283,
+    };
+    let page = test_html(&report).unwrap();
+    for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from ISO 9283", "SHA-256"] {
+        assert!(page.contains(what), "{what}");
+    }
+    let sha256 = &documents.import.sources[0].sha256;
+    assert!(page.contains(sha256) && page.contains(env!("CARGO_PKG_VERSION")));
+    assert!(page.matches("not stated").count() > 8 && page.contains("2 poses, 30 visits of each"));
+}
+
+/// The calibration report and the test report in a language.
+fn in_language(language: Language) -> [String; 2] {
+    let mut documents = Documents::demo();
+    documents.campaign.report.language = language;
+    let iso9283 = super::demo_iso9283::iso9283();
+    let test = TestReport {
+        campaign: &documents.campaign,
+        import: &documents.import,
+        features: &documents.features,
+        frames: &documents.frames,
+        iso9283: &iso9283,
+    };
+    [page(&documents), test_html(&test).unwrap()]
+}
+
+#[test]
+fn a_page_speaks_one_language_and_marks_what_is_english() {
+    let english = in_language(Language::En);
+    for (language, verdict) in
+        [(Language::Fr, "Les deux limites de la campagne"), (Language::De, "Beide Grenzwerte der")]
+    {
+        let pages = in_language(language);
+        assert!(pages[0].contains(verdict) && pages[0].contains("<bdi lang=\"en\">Error: measured minus predicted."));
+        for (page, english) in pages.iter().zip(&english) {
+            assert!(page.contains(&format!("<html lang=\"{}\">", language.code())));
+            // one note more: on the decimal point
+            assert_eq!(page.matches('<').count(), english.matches('<').count() + 2);
+            let own = |text: &&String| text.len() > 9 && english.contains(&format!(">{text}<"));
+            for text in Words::of(language).unwrap().differing().filter(own) {
+                assert!(!page.contains(&format!(">{text}<")), "{language:?}: {text}");
+            }
+        }
+    }
+    assert!(english[0].contains("<html lang=\"en\">"));
+}
+
+#[test]
+fn a_laboratory_puts_its_own_template_and_logo_in_place() {
+    let mut documents = Documents::demo();
+    let report = &mut documents.campaign.report;
+    report.logo = Some("data:image/png;base64,iVBORw==".to_owned());
+    report.templates.insert("signatures.html".to_owned(), "<p>Seal of {{ campaign.name }}</p>".to_owned());
+    let dressed = page(&documents);
+    assert!(dressed.contains("<p>Seal of PreXYT, CMM, spring check</p>") && !dressed.contains("Approved by"));
+    assert_eq!(dressed.matches("<img class=\"logo\" src=\"data:image&#x2f;png;base64,iVBORw==\"").count(), 1);
+    let mut broken = |text: &str| {
+        documents.campaign.report.templates.insert("signatures.html".to_owned(), text.to_owned());
+        html(&documents.report()).unwrap_err().to_string()
+    };
+    let unknown = broken("<p>\n{{ campaign.no_such_key }}</p>");
+    assert!(unknown.contains("signatures.html:2") && unknown.contains("{{ campaign.no_such_key }}"), "{unknown}");
+    let unclosed = broken("{% if true %}");
+    assert!(unclosed.contains("signatures.html:1"), "{unclosed}");
 }

@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::number::{self, Shown};
+use super::words::Words;
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, Statistics};
 use serde::Serialize;
 
@@ -36,30 +37,32 @@ pub(super) struct Limit {
     pub met: bool,
 }
 
-pub(super) fn verdict(report: &Report) -> Verdict {
+pub(super) fn verdict(report: &Report, words: &Words) -> Verdict {
     let limits = &report.accuracy.limits;
     let missed = limits.iter().filter(|l| !l.met).count();
     let (class, sentence) = match (limits.len(), missed) {
-        (0, _) => ("open", "The campaign states no limits.".to_owned()),
-        (1, 0) => ("good", "The limit of the campaign is met.".to_owned()),
-        (2, 0) => ("good", "Both limits of the campaign are met.".to_owned()),
-        (n, 0) => ("good", format!("All {n} limits of the campaign are met.")),
-        (n, m) => ("bad", format!("{m} of {n} limits of the campaign {} not met.", if m == 1 { "is" } else { "are" })),
+        (0, _) => ("open", words.say("The campaign states no limits.")),
+        (1, 0) => ("good", words.say("The limit of the campaign is met.")),
+        (2, 0) => ("good", words.say("Both limits of the campaign are met.")),
+        (n, 0) => ("good", words.fill("All {0} limits of the campaign are met.", &[&n])),
+        (1, _) => ("bad", words.say("The limit of the campaign is not met.")),
+        (n, 1) => ("bad", words.fill("1 of {0} limits of the campaign is not met.", &[&n])),
+        (n, m) => ("bad", words.fill("{0} of {1} limits of the campaign are not met.", &[&m, &n])),
     };
     let termination = report.parameters.solver.termination;
     let converged = termination.is_success() && report.parameters.is_plausible();
     let alarm = match termination.is_success() {
         true if converged => String::new(),
-        true => "These parameters cannot be those of the robot: they must not be loaded.".to_owned(),
-        false => format!("The identification failed: {termination}."),
+        true => words.say("These parameters cannot be those of the robot: they must not be loaded."),
+        false => words.fill("The identification failed: {0}.", &[&termination]),
     };
     let set = headline_set(report.accuracy);
     Verdict {
         class: if converged { class } else { "bad" },
         sentence,
         alarm,
-        set: set.map_or_else(String::new, |s| s.name.clone()),
-        headlines: set.map_or_else(Vec::new, headlines),
+        set: set.map_or_else(String::new, |s| words.say(&s.name)),
+        headlines: set.map_or_else(Vec::new, |set| headlines(set, words)),
         limits: limits.iter().map(limit).collect(),
     }
 }
@@ -70,20 +73,24 @@ fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
     counted().find(|s| s.name == "validation").or_else(|| counted().next())
 }
 
-fn headlines(set: &AccuracySet) -> Vec<Headline> {
+fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
     let whole = |e: &&ErrorStatistics| e.quantity == "position" || e.quantity == "orientation";
     set.errors
         .iter()
         .filter(whole)
-        .flat_map(|e| [headline(e, "max", |s| s.max), headline(e, "RMS", |s| s.rms)])
+        .flat_map(|e| {
+            let (max, rms) =
+                (words.fill("{0} max", &[&words.say(&e.quantity)]), words.fill("{0} RMS", &[&words.say(&e.quantity)]));
+            [headline(e, max, |s| s.max), headline(e, rms, |s| s.rms)]
+        })
         .collect()
 }
 
-fn headline(errors: &ErrorStatistics, statistic: &str, number: fn(&Statistics) -> f64) -> Headline {
+fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f64) -> Headline {
     let (before, after) = (number(&errors.before), number(&errors.after));
     let Shown { unit, factor } = number::shown(&errors.unit, errors.before.max);
     let text = |v: f64| number::significant(v * factor, 3);
-    Headline { what: format!("{} {statistic}", errors.quantity), before: text(before), after: text(after), unit }
+    Headline { what, before: text(before), after: text(after), unit }
 }
 
 fn limit(l: &LimitVerdict) -> Limit {
@@ -103,31 +110,31 @@ mod tests {
     #[test]
     fn limits_are_judged_as_stated() {
         let mut documents = Documents::demo();
-        let good = verdict(&documents.report());
+        let good = verdict(&documents.report(), &Words::default());
         assert_eq!((good.class, good.sentence.as_str()), ("good", "Both limits of the campaign are met."));
         documents.accuracy.limits[0].met = false;
-        let bad = verdict(&documents.report());
+        let bad = verdict(&documents.report(), &Words::default());
         assert_eq!((bad.class, bad.sentence.as_str()), ("bad", "1 of 2 limits of the campaign is not met."));
         documents.accuracy.limits.clear();
-        assert_eq!(verdict(&documents.report()).class, "open");
+        assert_eq!(verdict(&documents.report(), &Words::default()).class, "open");
     }
 
     #[test]
     fn a_solver_that_failed_is_never_good() {
         let mut documents = Documents::demo();
         documents.parameters.solver.termination = Termination::LostPatience;
-        let verdict = verdict(&documents.report());
+        let verdict = verdict(&documents.report(), &Words::default());
         assert!(verdict.class == "bad" && verdict.alarm.contains("not converged"), "{verdict:?}");
     }
 
     #[test]
     fn headlines_are_from_validation_where_there_is_any() {
         let mut documents = Documents::demo();
-        assert_eq!(verdict(&documents.report()).set, "validation");
+        assert_eq!(verdict(&documents.report(), &Words::default()).set, "validation");
         documents.accuracy.sets.iter_mut().for_each(|s| s.count *= usize::from(s.name == "calibration"));
-        assert_eq!(verdict(&documents.report()).set, "calibration");
+        assert_eq!(verdict(&documents.report(), &Words::default()).set, "calibration");
         documents.accuracy.sets.clear();
-        assert!(verdict(&documents.report()).headlines.is_empty());
+        assert!(verdict(&documents.report(), &Words::default()).headlines.is_empty());
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod fit;
 mod five_bar;
 mod iso9283;
 mod plan;
+mod report;
 
 use crate::scratch::copy_sample;
 use std::path::Path;

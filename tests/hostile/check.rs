@@ -136,3 +136,28 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
         assert!(parts.iter().all(|part| said.contains(part)), "{parts:?}:\n{said}");
     }
 }
+
+#[test]
+fn conditions_that_no_test_has_are_refused() {
+    let stated = |line: &str, parts: &[&str]| {
+        broken("campaign.toml", "[instrument]", &format!("[conditions]\n{line}\n\n[instrument]"), parts);
+    };
+    stated("load_kg = -1", &["`load_kg` must not be negative", "load_kg = -1"]);
+    stated("velocities_percent = [100, 0]", &["`velocities_percent` must be positive"]);
+    stated("humidity_percent = 101", &["`humidity_percent` must be at most 100"]);
+    stated("mass_kg = 1.0", &["unknown key `mass_kg`"]);
+    stated("load_centre_mm = [0.0, 1.0]", &["load_centre_mm"]);
+}
+
+#[test]
+fn a_report_that_cannot_be_dressed_is_refused() {
+    let dressed = |line: &str, parts: &[&str]| {
+        broken("campaign.toml", "[instrument]", &format!("[report]\n{line}\n\n[instrument]"), parts);
+    };
+    dressed("language = \"es\"", &["unknown variant `es`", "language = \"es\""]);
+    dressed("logo = \"logo.svg\"", &["cannot read `", "logo.svg", "logo = \"logo.svg\""]);
+    dressed("logo = \"robot.toml\"", &["is no picture that a report can hold", "an SVG or PNG picture"]);
+    dressed("logo = \"../logo.svg\"", &["leaves the folder of the campaign"]);
+    dressed("templates = \"exports\"", &["there is no template in `", "--write-templates"]);
+    dressed("templates = \"none\"", &["cannot read the folder `", "templates = \"none\""]);
+}

@@ -3,10 +3,11 @@
 mod document;
 mod text;
 
+use super::report::Dressed;
 use super::table_file::TableFile;
 use super::{Verdict, print, say};
 use crate::campaign::{RobotFile, read_robot, read_true_parameters};
-use crate::document::StudyDocument;
+use crate::document::{Presentation, StudyDocument};
 use crate::identify::{Observation, ResidualKind, Settings};
 use crate::message::{Message, Place, Problems, Result};
 use crate::plan::candidates::{self, Candidates};
@@ -74,6 +75,8 @@ pub struct Plan {
     /// Write a report with pictures
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
+    #[command(flatten)]
+    dressed: Dressed,
     /// Simulate a calibration with the chosen poses, of a robot with the [parameters] of this TOML file
     #[arg(long, value_name = "FILE", requires = "standard_uncertainty_um")]
     truth: Option<PathBuf>,
@@ -119,7 +122,7 @@ impl Plan {
             files::write(path, &export::targets(&document, &path.display().to_string())?)?;
         }
         if let Some(path) = &self.report {
-            files::write(path, report::plan_html(&document)?.as_bytes())?;
+            files::write(path, report::plan_html(&document, &self.dressed.over(Presentation::default())?)?.as_bytes())?;
         }
         if self.json {
             print(output::to_json(&document)?)?;

@@ -1,8 +1,10 @@
 //! The map of candidates and chosen positions (figure 4.7).
 
+use super::super::number;
 use super::super::plane::{Plane, WIDTH};
 use super::super::points::Picture;
 use super::super::svg::{Shape, Svg};
+use super::super::words::Words;
 use crate::document::{CandidatePlace, PlanDocument};
 
 /// Places beyond this are no places of a robot, mm.
@@ -11,7 +13,7 @@ const DRAWABLE_MM: f64 = 1e7;
 const LIMIT: usize = 2000;
 
 /// Candidates, and those chosen with the number of their pose; `None` where no candidate has a place.
-pub(super) fn map(plan: &PlanDocument) -> Option<Picture> {
+pub(super) fn map(plan: &PlanDocument, words: &Words) -> Option<Picture> {
     let whole = |p: &&CandidatePlace| p.at_mm.iter().all(|v| v.abs() < DRAWABLE_MM);
     let all: Vec<&CandidatePlace> = plan.places.iter().filter(whole).collect();
     let stride = all.len().div_ceil(LIMIT).max(1);
@@ -21,16 +23,17 @@ pub(super) fn map(plan: &PlanDocument) -> Option<Picture> {
         return None;
     }
     let plane = Plane::around((0, 1), &drawn.iter().map(|p| p.at_mm).collect::<Vec<_>>());
-    let title = "Candidates and chosen positions".to_owned();
-    let description = "Hollow marks: candidates; filled marks with the number of their pose: chosen.";
-    let mut svg = Svg::new("chosen", WIDTH, plane.height() + 26.0, &title, description);
-    plane.draw(&mut svg);
+    let title = words.say("Candidates and chosen positions");
+    let description = words.say("Hollow marks: candidates; filled marks with the number of their pose: chosen.");
+    let mut svg = Svg::new("chosen", WIDTH, plane.height() + 26.0, &title, &description);
+    plane.draw(&mut svg, words);
     let tip = |p: &CandidatePlace| {
-        let chosen = if p.chosen { ", chosen" } else { "" };
-        format!(
-            "pose {}, {} configurations{chosen}: x {:.1}, y {:.1} mm",
-            p.pose, p.configurations, p.at_mm[0], p.at_mm[1]
-        )
+        let [x, y, _] = p.at_mm.map(|v| number::fixed(v, 1));
+        let values: [&dyn std::fmt::Display; 4] = [&p.pose, &p.configurations, &x, &y];
+        match p.chosen {
+            true => words.fill("pose {0}, {1} configurations, chosen: x {2}, y {3} mm", &values),
+            false => words.fill("pose {0}, {1} configurations: x {2}, y {3} mm", &values),
+        }
     };
     let radius = |p: &CandidatePlace| 1.6 + 0.7 * (p.configurations.min(6) as f64);
     for p in drawn.iter().filter(|p| !p.chosen) {
@@ -48,15 +51,14 @@ pub(super) fn map(plan: &PlanDocument) -> Option<Picture> {
         let x = 30.0 + 84.0 * i as f64;
         let size = 1.6 + 0.7 * (*count).min(6) as f64;
         svg.mark(Shape::Circle, "before", (x, plane.height() + 12.0), size, "", "");
-        svg.text("start", (x + 10.0, plane.height() + 16.0), &format!("{count} modes"));
+        svg.text("start", (x + 10.0, plane.height() + 16.0), &words.fill("{0} modes", &[count]));
     }
     Some(Picture {
         title,
         svg: svg.finish(),
-        caption: format!(
-            "{} of {} candidates are chosen (thesis, figure 4.7); the larger a mark, the more configurations reach it.",
-            plan.chosen.len(),
-            plan.candidates
+        caption: words.fill(
+            "{0} of {1} candidates are chosen (thesis, figure 4.7); the larger a mark, the more configurations reach it.",
+            &[&plan.chosen.len(), &plan.candidates],
         ),
         wide: false,
         table_title: String::new(),

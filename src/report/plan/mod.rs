@@ -5,10 +5,10 @@ mod curve;
 mod parameter_errors;
 
 use super::points::Picture;
-use super::{environment, map, number};
-use crate::document::{PlanDocument, PointError, StudyDocument};
-use crate::message::{Message, Result};
-use minijinja::value::Serde;
+use super::words::Words;
+use super::{map, number, templates};
+use crate::document::{PlanDocument, PointError, Presentation, StudyDocument};
+use crate::message::Result;
 use serde::Serialize;
 
 /// What the template sees.
@@ -30,8 +30,8 @@ struct Study<'a> {
 }
 
 /// The report as one HTML page, from the document alone.
-pub fn html(plan: &PlanDocument) -> Result<String> {
-    let fail = |e: minijinja::Error| Message::error(format!("cannot write the report: {e:#}"));
+pub fn html(plan: &PlanDocument, presentation: &Presentation) -> Result<String> {
+    let words = &Words::of(presentation.language)?;
     let columns = plan.chosen.iter().flat_map(|p| &p.configurations).next();
     let columns: Vec<&str> = columns.iter().flat_map(|c| c.keys().map(String::as_str)).collect();
     let cells = |configuration: &std::collections::BTreeMap<String, f64>| {
@@ -41,32 +41,29 @@ pub fn html(plan: &PlanDocument) -> Result<String> {
     };
     let rows = plan.chosen.iter().flat_map(|p| p.configurations.iter().map(move |c| (p.pose, c)));
     let poses = rows.map(|(pose, c)| (pose, cells(c))).collect();
-    let pictures = [curve::curve(plan), chosen::map(plan)].into_iter().flatten().collect();
+    let pictures = [curve::curve(plan, words), chosen::map(plan, words)].into_iter().flatten().collect();
     let study = plan.study.as_ref().map(|document| {
-        let errors: Vec<PointError> = document.places.iter().map(error).collect();
+        let errors: Vec<PointError> = document.places.iter().map(|place| error(place, words)).collect();
         let drawable = super::points::drawable(&errors);
         let planar = errors.iter().all(|e| e.at_mm[2] == 0.0);
-        let mut pictures = parameter_errors::pictures(document);
+        let mut pictures = parameter_errors::pictures(document, words);
         if !drawable.is_empty() {
-            pictures.extend(map::maps(&drawable, planar));
+            pictures.extend(map::maps(&drawable, planar, words));
         }
         Study { document, pictures }
     });
     let configurations = plan.chosen.iter().map(|p| p.configurations.len()).sum();
     let page = Page { plan, configurations, columns, poses, pictures, study };
-    let mut environment = environment().map_err(fail)?;
-    environment.add_template("plan.html", include_str!("plan.html")).map_err(fail)?;
-    let template = environment.get_template("plan.html").map_err(fail)?;
-    Ok(template.render(Serde(page)).map_err(fail)?)
+    templates::render("plan.html", presentation, words, page)
 }
 
 /// The largest error of a place as a mark of a map.
-fn error(place: &crate::document::StudiedPlace) -> PointError {
+fn error(place: &crate::document::StudiedPlace, words: &Words) -> PointError {
     PointError {
         set: "validation".to_owned(),
         pose: place.pose,
         cycle: 1,
-        target: "largest of all working modes".to_owned(),
+        target: words.say("largest of all working modes"),
         at_mm: place.at_mm,
         before_mm: [place.max_before_mm, 0.0, 0.0],
         after_mm: [place.max_mm, 0.0, 0.0],

@@ -4,6 +4,7 @@ use super::super::axis::{Axis, range};
 use super::super::number::{self, Shown};
 use super::super::points::Picture;
 use super::super::svg::Svg;
+use super::super::words::Words;
 use crate::document::{StudiedParameter, StudyDocument};
 
 const WIDTH: f64 = 380.0;
@@ -14,11 +15,11 @@ const TOP: f64 = 14.0;
 const BOTTOM: f64 = 262.0;
 
 /// One picture for each unit that occurs.
-pub(super) fn pictures(study: &StudyDocument) -> Vec<Picture> {
-    ["mm", "deg", "1"].into_iter().filter_map(|unit| picture(study, unit)).collect()
+pub(super) fn pictures(study: &StudyDocument, words: &Words) -> Vec<Picture> {
+    ["mm", "deg", "1"].into_iter().filter_map(|unit| picture(study, unit, words)).collect()
 }
 
-fn picture(study: &StudyDocument, unit: &str) -> Option<Picture> {
+fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Picture> {
     let off = |p: &StudiedParameter| p.identified - p.actual;
     let all: Vec<_> = study.parameters.iter().filter(|p| p.unit == unit && off(p).is_finite()).collect();
     let largest = range(all.iter().map(|p| off(p).abs()))?.1;
@@ -29,9 +30,9 @@ fn picture(study: &StudyDocument, unit: &str) -> Option<Picture> {
     };
     let reach = Axis::from_zero(largest * shown.factor, 0.0, 1.0).high();
     let up = Axis::linear(-reach, reach, BOTTOM, TOP);
-    let title = format!("Errors of identified parameters, {}", shown.unit);
-    let mut svg =
-        Svg::new(&format!("off-{unit}"), WIDTH, HEIGHT, &title, "One bar a parameter: identified minus true.");
+    let title = words.fill("Errors of identified parameters, {0}", &[&shown.unit]);
+    let description = words.say("One bar a parameter: identified minus true.");
+    let mut svg = Svg::new(&format!("off-{unit}"), WIDTH, HEIGHT, &title, &description);
     for (value, label) in up.ticks(6) {
         svg.line("grid", (LEFT, up.at(value)), (RIGHT, up.at(value)));
         svg.text("end", (LEFT - 5.0, up.at(value) + 4.0), &label);
@@ -55,11 +56,12 @@ fn picture(study: &StudyDocument, unit: &str) -> Option<Picture> {
     }
     svg.line("axis", (LEFT, zero), (RIGHT, zero));
     svg.line("axis", (LEFT, TOP), (LEFT, BOTTOM));
-    svg.text_upwards((12.0, (TOP + BOTTOM) / 2.0), &format!("identified minus true in {}", shown.unit));
+    svg.text_upwards((12.0, (TOP + BOTTOM) / 2.0), &words.fill("identified minus true in {0}", &[&shown.unit]));
     Some(Picture {
         title,
         svg: svg.finish(),
-        caption: format!("Mean of {} identifications (thesis, figure 4.8); values are in the table above.", study.runs),
+        caption: words
+            .fill("Mean of {0} identifications (thesis, figure 4.8); values are in the table above.", &[&study.runs]),
         wide: false,
         table_title: String::new(),
         header: vec![],

@@ -1,0 +1,83 @@
+//! The templates of the reports: those that are built in, and those that a laboratory puts in their place.
+
+use super::words::Words;
+use super::{facts, number};
+use crate::document::Presentation;
+use crate::message::{Message, Place, Problems, Result, one_line};
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::{Rest, Serde};
+use minijinja::{Environment, UndefinedBehavior, Value};
+use serde::Serialize;
+use std::error::Error;
+
+/// Every template by its name; the ending turns escaping on.
+pub const BUILT_IN: [(&str, &str); 13] = [
+    ("report.html", include_str!("report.html")),
+    ("repeatability.html", include_str!("repeatability.html")),
+    ("plan.html", include_str!("plan/plan.html")),
+    ("style.html", include_str!("style.html")),
+    ("head.html", include_str!("parts/head.html")),
+    ("macros.html", include_str!("parts/macros.html")),
+    ("campaign.html", include_str!("parts/campaign.html")),
+    ("messages.html", include_str!("parts/messages.html")),
+    ("iso9283.html", include_str!("parts/iso9283.html")),
+    ("frames.html", include_str!("parts/frames.html")),
+    ("import.html", include_str!("parts/import.html")),
+    ("provenance.html", include_str!("parts/provenance.html")),
+    ("signatures.html", include_str!("parts/signatures.html")),
+];
+
+/// A page from the template of this name.
+pub(super) fn render<T: Serialize>(name: &str, presentation: &Presentation, words: &Words, page: T) -> Result<String> {
+    let environment = environment(presentation, words)?;
+    let fail = |e: minijinja::Error| Problems::from(told(&e, presentation));
+    environment.get_template(name).map_err(fail)?.render(Serde(page)).map_err(fail)
+}
+
+/// Whether the laboratory's templates read, without a page to fill.
+pub fn check(presentation: &Presentation) -> Result<()> {
+    environment(presentation, &Words::default()).map(|_| ())
+}
+
+fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Environment<'a>> {
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build();
+    environment.set_syntax(syntax.map_err(|e| told(&e, presentation))?);
+    environment.add_filter("significant", |value: f64, digits: usize| number::significant(value, digits));
+    environment.add_filter("fixed", |value: f64, decimals: usize| number::fixed(value, decimals));
+    environment.add_filter("stated", facts::stated);
+    environment.add_filter("one_line", |text: String| one_line(&text));
+    // a name in a sentence, whatever way it reads
+    environment.add_filter("isolated", |text: String| format!("\u{2068}{text}\u{2069}"));
+    let words = words.clone();
+    environment.add_filter("t", move |text: String, values: Rest<Value>| {
+        let values: Vec<&dyn std::fmt::Display> = values.iter().map(|v| v as &dyn std::fmt::Display).collect();
+        words.fill(&text, &values)
+    });
+    environment.add_global("lang", presentation.language.code());
+    environment.add_global("logo", presentation.logo.as_deref());
+    for (name, text) in BUILT_IN {
+        environment.add_template(name, text).map_err(|e| told(&e, presentation))?;
+    }
+    let own = presentation.templates.iter();
+    let read = |(name, text): (&'a String, &'a String)| environment.add_template(name, text).err();
+    let problems = Problems(own.filter_map(read).map(|e| told(&e, presentation)).collect());
+    problems.check()?;
+    Ok(environment)
+}
+
+/// What is wrong with a template, with its line where it is the laboratory's.
+fn told(error: &minijinja::Error, presentation: &Presentation) -> Message {
+    // of a template within a template the innermost is wrong
+    if let Some(inner) = error.source().and_then(|inner| inner.downcast_ref()) {
+        return told(inner, presentation);
+    }
+    let what = error.detail().map_or_else(|| error.kind().to_string(), |detail| format!("{}: {detail}", error.kind()));
+    let message = Message::error(format!("the report's template does not work: {what}"));
+    let Some((name, line)) = error.name().zip(error.line()) else { return message };
+    match presentation.templates.get(name).and_then(|text| text.lines().nth(line.saturating_sub(1))) {
+        Some(text) => message.at(Place::line(name, line, text)),
+        None => message.at(Place::file(name)),
+    }
+}

@@ -1,0 +1,148 @@
+//! The report's words in the languages that it speaks. The English text is the key; `words/` has one table per language.
+//!
+//! What a campaign states, and messages of the program, are never translated.
+
+use crate::document::Language;
+use crate::message::{Message, Result};
+use std::collections::BTreeMap;
+use std::fmt::Display;
+
+/// Words that come from documents, not from the text of this program's reports.
+#[cfg(test)]
+const OF_DOCUMENTS: [&str; 17] = [
+    "calibration",
+    "validation",
+    "position",
+    "x",
+    "y",
+    "z",
+    "orientation",
+    "error",
+    "warning",
+    "geometric",
+    "plane",
+    "line",
+    "circle",
+    "cylinder",
+    "export",
+    "log",
+    "campaign",
+];
+
+/// One language.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Words(BTreeMap<String, String>);
+
+impl Words {
+    /// The table of a language; of English, which is its own key, none.
+    pub fn of(language: Language) -> Result<Self> {
+        let text = match language {
+            Language::En => return Ok(Self::default()),
+            Language::Fr => include_str!("words/fr.toml"),
+            Language::De => include_str!("words/de.toml"),
+        };
+        let table = toml::from_str(text)
+            .map_err(|e| Message::error(format!("the table of words `{}` does not read: {e}", language.code())))?;
+        Ok(Self(table))
+    }
+
+    /// A text; one without translation stays English.
+    pub fn say(&self, text: &str) -> String {
+        self.0.get(text).map_or_else(|| text.to_owned(), Clone::clone)
+    }
+
+    /// The texts that read otherwise in this language.
+    #[cfg(test)]
+    pub fn differing(&self) -> impl Iterator<Item = &String> {
+        self.0.iter().filter(|(text, translation)| text != translation).map(|(text, _)| text)
+    }
+
+    /// A text with values in the places `{0}`, `{1}` ...
+    pub fn fill(&self, text: &str, values: &[&dyn Display]) -> String {
+        let text = self.say(text);
+        let mut pieces = text.split('{');
+        let mut filled = pieces.next().unwrap_or_default().to_owned();
+        for piece in pieces {
+            let place = piece.split_once('}').and_then(|(i, rest)| Some((values.get(i.parse::<usize>().ok()?)?, rest)));
+            match place {
+                Some((value, rest)) => filled.push_str(&format!("{value}{rest}")),
+                None => filled.push_str(&format!("{{{piece}")),
+            }
+        }
+        filled
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    /// Every text that a file of the report asks a translation for.
+    fn asked(text: &str, rust: bool, found: &mut BTreeSet<String>) {
+        if !rust {
+            for (end, _) in
+                text.match_indices("\"|t").filter(|(i, _)| !text[i + 3..].starts_with(char::is_alphanumeric))
+            {
+                let start = text[..end].rfind('"').unwrap();
+                found.insert(text[start + 1..end].to_owned());
+            }
+            return;
+        }
+        // the tests of a file say what comes out, not what goes in
+        let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
+        for call in [".say(", ".fill("] {
+            for (i, _) in text.match_indices(call) {
+                let Some(literal) = text[i + call.len()..].trim_start().strip_prefix('"') else { continue };
+                let end = literal.match_indices('"').find(|(j, _)| !literal[..*j].ends_with('\\')).unwrap().0;
+                found.insert(literal[..end].replace("\\\"", "\""));
+            }
+        }
+    }
+
+    fn all_asked(folder: &Path, found: &mut BTreeSet<String>) {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                all_asked(&path, found);
+            } else if path.extension().is_some_and(|e| e == "rs" || e == "html") {
+                let text = std::fs::read_to_string(&path).unwrap();
+                asked(&text, path.extension().is_some_and(|e| e == "rs"), found);
+            }
+        }
+    }
+
+    #[test]
+    fn every_text_has_its_translation_and_every_translation_its_text() {
+        let mut found: BTreeSet<String> = OF_DOCUMENTS.map(str::to_owned).into();
+        all_asked(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src/report"), &mut found);
+        assert!(found.len() > 200, "{}", found.len());
+        for language in [Language::Fr, Language::De] {
+            let words = Words::of(language).unwrap();
+            let missing: Vec<_> = found.iter().filter(|text| !words.0.contains_key(*text)).collect();
+            let unused: Vec<_> = words.0.keys().filter(|text| !found.contains(*text)).collect();
+            assert!(missing.is_empty() && unused.is_empty(), "{language:?}: missing {missing:#?}, unused {unused:#?}");
+        }
+    }
+
+    #[test]
+    fn a_translation_has_the_places_of_its_text() {
+        let places = |text: &str| -> BTreeSet<String> {
+            text.split('{').skip(1).map(|piece| piece.split('}').next().unwrap().to_owned()).collect()
+        };
+        for language in [Language::Fr, Language::De] {
+            for (text, translation) in Words::of(language).unwrap().0 {
+                assert_eq!(places(&text), places(&translation), "{language:?}: {text}");
+                assert!(!translation.trim().is_empty() && translation.trim() == translation, "{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn values_stand_in_their_places_and_are_not_read_again() {
+        let words = Words::default();
+        assert_eq!(words.fill("{1} of {0}, {x} {7", &[&"{1}", &2]), "2 of {1}, {x} {7");
+        assert_eq!(Words::of(Language::De).unwrap().say("no such text"), "no such text");
+    }
+}

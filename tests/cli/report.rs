@@ -1,0 +1,40 @@
+//! `etalon report`: the same page again, in another language, with another dress.
+
+use super::{etalon, text};
+use crate::scratch::copy_sample;
+
+#[test]
+fn the_report_is_made_again_as_the_campaign_dresses_it_and_as_the_command_does() {
+    let scratch = copy_sample("prexyt-repeatability");
+    let done = |arguments: &[&str]| {
+        let output = etalon(scratch.root(), arguments);
+        assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
+        std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap_or_default()
+    };
+    done(&["report", "--write-templates", "campaign/own"]);
+    let templates: Vec<_> = std::fs::read_dir(scratch.path().join("own")).unwrap().collect();
+    assert!(templates.len() > 10, "{}", templates.len());
+    let signatures = scratch.path().join("own/signatures.html");
+    std::fs::write(&signatures, "<p>Sealed: {{ \"Tested by\"|t }}</p>\n").unwrap();
+    std::fs::write(scratch.path().join("logo.svg"), "<svg xmlns=\"http://www.w3.org/2000/svg\"/>").unwrap();
+    scratch.replace(
+        "campaign.toml",
+        "[instrument]",
+        "[report]\nlanguage = \"fr\"\nlogo = \"logo.svg\"\ntemplates = \"own\"\n\n[instrument]",
+    );
+    let page = done(&["run", "campaign"]);
+    for part in ["<html lang=\"fr\">", "src=\"data:image&#x2f;svg+xml;base64,PHN2Z", "<p>Sealed: Essai réalisé par</p>"]
+    {
+        assert!(page.contains(part), "{part}");
+    }
+    assert_eq!(done(&["report", "campaign/out"]), page);
+    let german = done(&["report", "campaign/out", "--language", "de"]);
+    assert!(german.contains("<html lang=\"de\">") && german.contains("<p>Sealed: Geprüft von</p>"));
+    // templates as they are written make the page as it is built in
+    std::fs::remove_file(&signatures).unwrap();
+    let dressed = done(&["report", "campaign/out", "--language", "en", "--templates", "campaign/own"]);
+    assert!(dressed.contains("Approved by") && !dressed.contains("Sealed"));
+    let again = etalon(scratch.root(), &["report", "--write-templates", "campaign/own"]);
+    assert_eq!(again.status.code(), Some(2));
+    assert!(text(&again.stderr).contains("is there already"));
+}
