@@ -2,7 +2,7 @@
 //! plain is left to the strict reader, which says where and why.
 
 use super::names::Names;
-use super::plain_line::{LONGEST, Line};
+use super::plain_line::{LONGEST, Line, line_feeds};
 use crate::campaign::{Columns, Decimal, Delimiter, Dialect, Format, Header, Role, Unit};
 use crate::message::{Message, Problems, Result};
 use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
@@ -50,8 +50,10 @@ pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> 
     let fail = |e: std::io::Error| Problems::from(Message::error(format!("cannot read `{}`: {e}", path.display())));
     let size = std::fs::metadata(path).map_err(fail)?.len();
     let Some(plain) = Plain::of(path, format, unit).map_err(fail)? else { return Ok(None) };
-    let parts: std::io::Result<Vec<Option<Part>>> =
-        (0..size.div_ceil(BLOCK)).into_par_iter().map(|k| plain.part(path, k * BLOCK, size)).collect();
+    let parts: std::io::Result<Vec<Option<Part>>> = (0..size.div_ceil(BLOCK))
+        .into_par_iter()
+        .map_init(Vec::new, |bytes, k| plain.part(path, k * BLOCK, size, bytes))
+        .collect();
     let Some(parts) = parts.map_err(fail)?.into_iter().collect::<Option<Vec<Part>>>() else { return Ok(None) };
     // columns called x, y, z that hold two angles and a distance are the strict reader's matter
     let stated = matches!(format, Format::Delimited(dialect) if dialect.coordinates.is_none());
@@ -65,12 +67,15 @@ pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> 
 fn together(mut parts: Vec<Part>) -> Result<Cloud> {
     let texts: Vec<Vec<String>> = parts.iter_mut().map(|part| std::mem::take(&mut part.labels)).collect();
     let mut known = Names::new();
+    let mut of_file: Vec<Vec<u32>> = Vec::with_capacity(texts.len());
+    for texts in &texts {
+        of_file.push(texts.iter().map(|label| known.place(label.as_bytes()).0).collect());
+    }
+    parts.par_iter_mut().zip(&of_file).filter(|(_, of_file)| !of_file.is_empty()).for_each(|(part, of_file)| {
+        part.label.iter_mut().for_each(|label| *label = of_file[*label as usize]);
+    });
     let mut columns: [Option<Column>; 4] = [const { None }; 4];
-    for (mut part, texts) in parts.into_iter().zip(&texts) {
-        let of_file: Vec<u32> = texts.iter().map(|label| known.place(label.as_bytes()).0).collect();
-        if !of_file.is_empty() {
-            part.label.iter_mut().for_each(|label| *label = of_file[*label as usize]);
-        }
+    for part in parts {
         let [x, y, z] = part.xyz;
         let pieces = [
             UInt32Chunked::from_vec("label".into(), part.label).into_column(),
@@ -117,27 +122,28 @@ impl Plain {
         Ok(Some(Self { delimiter, labelled, in_mm }))
     }
 
-    /// Points of the lines that begin in a block; none if one of them is not plain.
-    fn part(self, path: &Path, start: u64, size: u64) -> std::io::Result<Option<Part>> {
+    /// Points of the lines that begin in a block, which is read into `bytes`; none if one of them is not plain.
+    fn part(self, path: &Path, start: u64, size: u64, bytes: &mut Vec<u8>) -> std::io::Result<Option<Part>> {
         // one byte before tells whether a line begins with the block
         let from = start.saturating_sub(1);
-        let mut bytes = Vec::with_capacity(BLOCK as usize + LONGEST + 2);
+        bytes.clear();
+        bytes.reserve_exact(BLOCK as usize + LONGEST + 2);
         let mut file = File::open(path)?;
         file.seek(SeekFrom::Start(from))?;
-        file.take(BLOCK + LONGEST as u64 + 1).read_to_end(&mut bytes)?;
+        file.take(BLOCK + LONGEST as u64 + 1).read_to_end(bytes)?;
         let last = from + bytes.len() as u64 == size;
         let mut at = match start {
             0 => 0,
             _ => bytes.iter().position(|b| *b == b'\n').map_or(bytes.len(), |i| i + 1),
         };
         let end = (start + BLOCK - from) as usize;
-        let rows = bytes[at..].iter().filter(|b| **b == b'\n').count() + 1;
+        let rows = line_feeds(&bytes[at..]) + 1;
         let mut part = Part { xyz: std::array::from_fn(|_| Vec::with_capacity(rows)), angles: true, ..Part::default() };
         part.label.reserve_exact(rows);
         let mut known = Names::new();
         let mut before: (&[u8], u32) = (b"", u32::MAX);
         while at < end.min(bytes.len()) {
-            let mut line = Line { bytes: &bytes, at, delimiter: self.delimiter };
+            let mut line = Line { bytes, at, delimiter: self.delimiter };
             if line.is_blank() {
                 at = line.at;
                 continue;

@@ -6,15 +6,35 @@ pub(super) struct Names<'a> {
     pub all: Vec<&'a [u8]>,
     /// Place of a name plus one, where its hash falls or behind; a power of two of them, half of them free.
     slots: Vec<u32>,
+    /// The place of the last name asked for, and of each name the one that came behind it: rows repeat.
+    last: u32,
+    next: Vec<u32>,
 }
 
 impl<'a> Names<'a> {
     pub fn new() -> Self {
-        Self { all: Vec::new(), slots: vec![0; 1024] }
+        Self { all: Vec::new(), slots: vec![0; 1024], last: 0, next: Vec::new() }
     }
 
     /// The place of a name, and whether it is new.
     pub fn place(&mut self, name: &'a [u8]) -> (u32, bool) {
+        let guess = self.next.get(self.last as usize).copied().unwrap_or_default();
+        if self.all.get(guess as usize).is_some_and(|known| same(known, name)) {
+            self.last = guess;
+            return (guess, false);
+        }
+        let (place, new) = self.find(name);
+        if new {
+            self.next.push(0);
+        }
+        if let Some(next) = self.next.get_mut(self.last as usize) {
+            *next = place;
+        }
+        self.last = place;
+        (place, new)
+    }
+
+    fn find(&mut self, name: &'a [u8]) -> (u32, bool) {
         if 2 * self.all.len() >= self.slots.len() {
             self.slots = vec![0; 2 * self.slots.len()];
             for i in 0..self.all.len() {
