@@ -12,7 +12,7 @@ use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// Bytes whose lines are read together.
-const BLOCK: u64 = 4 << 20;
+const BLOCK: u64 = 8 << 20;
 /// Points of a plain table.
 #[derive(Clone, Debug)]
 pub struct Cloud {
@@ -34,7 +34,8 @@ struct Plain {
 /// Rows of one block.
 #[derive(Default)]
 struct Part {
-    labels: Vec<String>,
+    /// Each once, ended by a line feed.
+    labels: String,
     label: Vec<u32>,
     xyz: [Vec<f64>; 3],
     /// All rows look like two angles and a distance.
@@ -65,11 +66,11 @@ pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> 
 
 /// The parts one after the other, without copying their coordinates.
 fn together(mut parts: Vec<Part>) -> Result<Cloud> {
-    let texts: Vec<Vec<String>> = parts.iter_mut().map(|part| std::mem::take(&mut part.labels)).collect();
+    let texts: Vec<String> = parts.iter_mut().map(|part| std::mem::take(&mut part.labels)).collect();
     let mut known = Names::new();
     let mut of_file: Vec<Vec<u32>> = Vec::with_capacity(texts.len());
     for texts in &texts {
-        of_file.push(texts.iter().map(|label| known.place(label.as_bytes()).0).collect());
+        of_file.push(texts.split_terminator('\n').map(|label| known.place(label.as_bytes()).0).collect());
     }
     parts.par_iter_mut().zip(&of_file).filter(|(_, of_file)| !of_file.is_empty()).for_each(|(part, of_file)| {
         part.label.iter_mut().for_each(|label| *label = of_file[*label as usize]);
@@ -144,13 +145,16 @@ impl Plain {
         let mut before: (&[u8], u32) = (b"", u32::MAX);
         while at < end.min(bytes.len()) {
             let mut line = Line { bytes, at, delimiter: self.delimiter };
-            if line.is_blank() {
-                at = line.at;
-                continue;
-            }
             let label = if self.labelled { line.label() } else { Some(&b""[..]) };
             let row = label.and_then(|label| Some((label, [line.number()?, line.number()?, line.number()?])));
-            let (Some((label, xyz)), true) = (row, line.end(last)) else { return Ok(None) };
+            let Some((label, xyz)) = row.filter(|_| line.end(last)) else {
+                let mut line = Line { bytes, at, delimiter: self.delimiter };
+                if !line.is_blank() {
+                    return Ok(None);
+                }
+                at = line.at;
+                continue;
+            };
             if self.labelled && label != before.0 || before.1 == u32::MAX {
                 let (id, new) = known.place(label);
                 if new && self.labelled {
@@ -160,7 +164,8 @@ impl Plain {
                     if text.trim() != text || parted {
                         return Ok(None);
                     }
-                    part.labels.push(text.to_owned());
+                    part.labels.push_str(text);
+                    part.labels.push('\n');
                 }
                 before = (label, id);
             }
