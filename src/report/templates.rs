@@ -3,11 +3,13 @@
 use super::words::Words;
 use super::{facts, number};
 use crate::document::Presentation;
+use crate::dress;
 use crate::message::{Message, Place, Problems, Result, one_line};
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Rest, Serde};
 use minijinja::{Environment, UndefinedBehavior, Value};
 use serde::Serialize;
+use sha2::{Digest, Sha256};
 use std::error::Error;
 
 /// Every template by its name; the ending turns escaping on.
@@ -26,6 +28,9 @@ pub const BUILT_IN: [(&str, &str); 13] = [
     ("provenance.html", include_str!("parts/provenance.html")),
     ("signatures.html", include_str!("parts/signatures.html")),
 ];
+
+/// What makes marks answer; the page's policy lets no other script run.
+pub(super) const SCRIPT: &str = include_str!("script.js");
 
 /// A page from the template of this name.
 pub(super) fn render<T: Serialize>(name: &str, presentation: &Presentation, words: &Words, page: T) -> Result<String> {
@@ -57,6 +62,8 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     });
     environment.add_global("lang", presentation.language.code());
     environment.add_global("logo", presentation.logo.as_deref());
+    environment.add_global("script", SCRIPT);
+    environment.add_global("script_sha256", dress::base64(&Sha256::digest(SCRIPT)));
     for (name, text) in BUILT_IN {
         environment.add_template(name, text).map_err(|e| told(&e, presentation))?;
     }
