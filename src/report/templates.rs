@@ -13,11 +13,12 @@ use sha2::{Digest, Sha256};
 use std::error::Error;
 
 /// Every template by its name; the ending turns escaping on.
-pub const BUILT_IN: [(&str, &str); 13] = [
+pub const BUILT_IN: [(&str, &str); 14] = [
     ("report.html", include_str!("report.html")),
     ("repeatability.html", include_str!("repeatability.html")),
     ("plan.html", include_str!("plan/plan.html")),
     ("style.html", include_str!("style.html")),
+    ("picture.css", include_str!("picture.css")),
     ("head.html", include_str!("parts/head.html")),
     ("macros.html", include_str!("parts/macros.html")),
     ("campaign.html", include_str!("parts/campaign.html")),
@@ -31,6 +32,9 @@ pub const BUILT_IN: [(&str, &str); 13] = [
 
 /// What makes marks answer; the page's policy lets no other script run.
 pub(super) const SCRIPT: &str = include_str!("script.js");
+
+/// The template of report.pdf, in the language of typst.
+pub const TYPESET: (&str, &str) = ("report.typ", include_str!("pdf/report.typ"));
 
 /// A page from the template of this name.
 pub(super) fn render<T: Serialize>(name: &str, presentation: &Presentation, words: &Words, page: T) -> Result<String> {
@@ -67,7 +71,7 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     for (name, text) in BUILT_IN {
         environment.add_template(name, text).map_err(|e| told(&e, presentation))?;
     }
-    let own = presentation.templates.iter();
+    let own = presentation.templates.iter().filter(|(name, _)| name.ends_with(".html"));
     let read = |(name, text): (&'a String, &'a String)| environment.add_template(name, text).err();
     let problems = Problems(own.filter_map(read).map(|e| told(&e, presentation)).collect());
     problems.check()?;

@@ -52,7 +52,7 @@ fn the_same_documents_make_the_same_bytes() {
 }
 
 /// Puts a text wherever a campaign, a file or a person can put one.
-fn with_text(text: &str) -> Documents {
+pub(super) fn with_text(text: &str) -> Documents {
     let mut d = Documents::demo();
     let t = || text.to_owned();
     let c = &mut d.campaign;
