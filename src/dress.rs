@@ -42,12 +42,12 @@ pub fn logo_file(uri: &str) -> Option<(&'static str, Vec<u8>)> {
     Some((ending, bytes))
 }
 
-/// All templates of a folder (`.html`, and `report.typ` of report.pdf) by their names.
+/// All templates of a folder (`.html`, `.css`, and `report.typ` of report.pdf) by their names.
 pub fn templates(folder: &Path) -> Result<BTreeMap<String, String>> {
     let entries = std::fs::read_dir(folder)
         .map_err(|e| Message::error(format!("cannot read the folder `{}`: {e}", folder.display())))?;
     let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
-    paths.retain(|path| path.extension().is_some_and(|e| e == "html") || path.ends_with("report.typ"));
+    paths.retain(|path| path.extension().is_some_and(|e| e == "html" || e == "css") || path.ends_with("report.typ"));
     if paths.is_empty() {
         let message = Message::error(format!("there is no template in `{}`", folder.display()));
         return Err(message.hint("`etalon report --write-templates FOLDER` writes those that are built in").into());

@@ -45,7 +45,10 @@ pub(super) fn render<T: Serialize>(name: &str, presentation: &Presentation, word
 
 /// Whether the laboratory's templates read, without a page to fill.
 pub fn check(presentation: &Presentation) -> Result<()> {
-    environment(presentation, &Words::default()).map(|_| ())
+    environment(presentation, &Words::default())?;
+    #[cfg(feature = "pdf")]
+    presentation.templates.get(TYPESET.0).map_or(Ok(()), |text| super::pdf::check(text))?;
+    Ok(())
 }
 
 fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Environment<'a>> {
@@ -71,7 +74,7 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     for (name, text) in BUILT_IN {
         environment.add_template(name, text).map_err(|e| told(&e, presentation))?;
     }
-    let own = presentation.templates.iter().filter(|(name, _)| name.ends_with(".html"));
+    let own = presentation.templates.iter().filter(|(name, _)| *name != TYPESET.0);
     let read = |(name, text): (&'a String, &'a String)| environment.add_template(name, text).err();
     let problems = Problems(own.filter_map(read).map(|e| told(&e, presentation)).collect());
     problems.check()?;

@@ -69,6 +69,49 @@ mod pdf {
     }
 
     #[test]
+    fn a_laboratory_lays_it_out_in_its_own_way_and_language() {
+        let scratch = copy_sample("prexyt-repeatability");
+        let own = "#set page(footer: [sheet #context counter(page).display()])\n#let r = json(\"report.json\")\n\
+                   = #r.title\n#r.labels.signatures: #r.sections.len()";
+        std::fs::create_dir(scratch.path().join("own")).unwrap();
+        std::fs::write(scratch.path().join("own/report.typ"), own).unwrap();
+        std::fs::write(scratch.path().join("logo.png"), PNG).unwrap();
+        let dress = "[report]\nlanguage = \"de\"\nlogo = \"logo.png\"\ntemplates = \"own\"\n\n[instrument]";
+        scratch.replace("campaign.toml", "[instrument]", dress);
+        let run = || etalon(scratch.root(), &["run", "campaign"]);
+        assert!(run().status.success());
+        let file = scratch.path().join("out/report.pdf");
+        if let Some(words) = tool("pdftotext", &["{}", "-"], &file) {
+            assert!(words.contains("Unterschriften: ") && words.contains("sheet 1"), "{words}");
+        }
+        // the documents go along with any layout
+        if let Some(attached) = tool("qpdf", &["--list-attachments", "{}"], &file) {
+            assert!(attached.contains("iso9283.json") && attached.contains("campaign.json"), "{attached}");
+        }
+        // the built-in layout in German, with the logo
+        std::fs::remove_file(scratch.path().join("own/report.typ")).unwrap();
+        std::fs::write(scratch.path().join("own/signatures.html"), "").unwrap();
+        assert!(run().status.success());
+        if let Some(words) = tool("pdftotext", &["{}", "-"], &file) {
+            assert!(words.contains("Seite 1 von") && words.contains("Grenzwert"), "{words}");
+        }
+        if let Some(images) = tool("pdfimages", &["-list", "{}"], &file) {
+            assert_eq!(images.lines().count(), 3, "{images}");
+        }
+        // what is wrong with a layout is told with its line
+        for (text, said) in [("ok\n#let x = (1", "unclosed"), ("ok\n#panic(\"no\")", "panicked")] {
+            std::fs::write(scratch.path().join("own/report.typ"), text).unwrap();
+            let refused = run();
+            let told = text_of(&refused);
+            assert_eq!(refused.status.code(), Some(2), "{told}");
+            assert!(told.contains(said) && told.contains("report.typ:2:"), "{told}");
+        }
+    }
+
+    /// One grey point.
+    const PNG: &[u8] = b"\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00\x01\x00\x00\x00\x01\x08\x00\x00\x00\x00:~\x9bU\x00\x00\x00\x0aIDATx\x9cch\x00\x00\x00\x82\x00\x81w\xcdr\xb6\x00\x00\x00\x00IEND\xaeB`\x82";
+
+    #[test]
     fn fonts_are_embedded_and_the_file_is_sound() {
         let scratch = ran("prexyt-repeatability");
         let file = scratch.path().join("out/report.pdf");

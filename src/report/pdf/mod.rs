@@ -66,6 +66,12 @@ pub fn test_pdf(report: &TestReport) -> Result<Vec<u8>> {
     typeset(&test::paper(report, &Words::of(report.campaign.report.language)?), &attachments, report.campaign)
 }
 
+/// Whether a laboratory's template reads, without a report to lay out.
+pub(super) fn check(template: &str) -> Result<()> {
+    let files = [(TYPESET.0.to_owned(), Bytes::from_string(template.to_owned()))];
+    Desk::new(files.into(), UNDATED)?.check(TYPESET.0)
+}
+
 fn attachment<T: Serialize>(
     name: &'static str,
     relationship: &'static str,

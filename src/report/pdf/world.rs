@@ -30,12 +30,18 @@ impl Desk {
     /// `files` by name: `report.typ`, and what it reads. `date`: year, month, day.
     pub fn new(mut files: BTreeMap<String, Bytes>, date: (i32, u8, u8)) -> Result<Self> {
         files.insert(MAIN.to_owned(), Bytes::from_string(START));
-        let path = VirtualPath::new(MAIN).map_err(|e| Message::error(format!("cannot name {MAIN}: {e:?}")))?;
         let (year, month, day) = date;
         let date = Datetime::from_ymd(year, month, day)
             .ok_or_else(|| Message::error(format!("{year}-{month}-{day} is no date")))?;
-        let main = RootedPath::new(VirtualRoot::Project, path).intern();
-        Ok(Self { library: LazyHash::new(Library::default()), main, files, date })
+        Ok(Self { library: LazyHash::new(Library::default()), main: id(MAIN)?, files, date })
+    }
+
+    /// Whether a file is written as typst wants it.
+    pub fn check(&self, name: &str) -> Result<()> {
+        let source = self.source(id(name)?).map_err(|e| Message::error(format!("{name}: {e}")))?;
+        let (errors, _) = source.root().errors_and_warnings();
+        let wrong = errors.into_iter().map(|e| self.told(&SourceDiagnostic::from(e)));
+        Problems(wrong.collect()).check().map(|_| ())
     }
 
     /// The typeset document as PDF/A-3a, identified by `ident`.
@@ -66,6 +72,11 @@ impl Desk {
             None => message,
         }
     }
+}
+
+fn id(name: &str) -> Result<FileId> {
+    let path = VirtualPath::new(name).map_err(|e| Message::error(format!("cannot name `{name}`: {e:?}")))?;
+    Ok(RootedPath::new(VirtualRoot::Project, path).intern())
 }
 
 impl World for Desk {

@@ -26,7 +26,7 @@ pub fn workbook(report: &Report) -> Result<Vec<u8>> {
     sheets.extend(places::sheets(report.features, &report.frames.world));
     sheets.extend(import::sheets(report.import, &report.parameters.provenance.inputs));
     sheets.push(summary::messages(&messages(report)));
-    sheet::write(&report.campaign.name, &sheets, words)
+    sheet::write(&report.campaign.name, &sheets)
 }
 
 /// All tables of a test of repeatability as a workbook (.xlsx).
@@ -38,7 +38,7 @@ pub fn test_workbook(report: &TestReport) -> Result<Vec<u8>> {
     sheets.extend(places::sheets(report.features, &report.frames.world));
     sheets.extend(import::sheets(report.import, &report.import.inputs()));
     sheets.push(summary::messages(&test_messages(report)));
-    sheet::write(&report.campaign.name, &sheets, words)
+    sheet::write(&report.campaign.name, &sheets)
 }
 
 fn limits<'a>(report: &Report<'a>) -> Vec<&'a crate::document::LimitVerdict> {

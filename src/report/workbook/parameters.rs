@@ -3,6 +3,7 @@
 use super::sheet::{Cell, Sheet};
 use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
 use crate::report::parameters::status;
+use crate::report::words::Words;
 
 pub(super) fn sheets(document: &ParametersDocument) -> [Sheet; 3] {
     [
@@ -25,7 +26,7 @@ fn parameters(document: &ParametersDocument) -> Sheet {
             ("change", "", |p| (p.value - p.nominal).into()),
             ("u (k = 1)", "", |p| p.standard_uncertainty.into()),
             ("U = 2u", "", |p| p.standard_uncertainty.map(|u| 2.0 * u).into()),
-            ("status", "", |p| status(p.status).into()),
+            ("status", "", |p| status(p.status, &Words::default()).into()),
             ("confounded with", "", |p| p.confounded_with.join(", ").into()),
         ],
     )

@@ -1,7 +1,6 @@
 //! A sheet: columns with their titles and units, and rows of cells.
 
 use crate::message::{Message, Result};
-use crate::report::words::Words;
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
 /// What Excel holds on one sheet, less the header and a line that says what is left out.
@@ -81,13 +80,13 @@ impl Sheet {
         }
     }
 
-    fn title((title, unit): &Column, words: &Words) -> String {
-        let title = words.say(title);
-        if unit.is_empty() { title } else { format!("{title} [{unit}]") }
+    /// The same in every language, so that programs find it.
+    fn title((title, unit): &Column) -> String {
+        if unit.is_empty() { title.clone() } else { format!("{title} [{unit}]") }
     }
 
     /// Characters that column `i` needs.
-    fn width(&self, i: usize, words: &Words) -> usize {
+    fn width(&self, i: usize) -> usize {
         let shown = |cell: &Cell| match cell {
             Cell::Empty => 0,
             Cell::Number(_) => 11,
@@ -95,13 +94,13 @@ impl Sheet {
         };
         let rows = self.rows.iter().take(LOOKED_AT).filter_map(|row| row.get(i)).map(shown).max().unwrap_or(0);
         // room for the button of the filter
-        let header = Self::title(&self.columns[i], words).chars().count() + 3;
+        let header = Self::title(&self.columns[i]).chars().count() + 3;
         rows.max(header).clamp(*WIDTH.start(), *WIDTH.end())
     }
 }
 
 /// A workbook of these sheets, those without columns left out, as bytes that depend on nothing else.
-pub(super) fn write(title: &str, sheets: &[Sheet], words: &Words) -> Result<Vec<u8>> {
+pub(super) fn write(title: &str, sheets: &[Sheet]) -> Result<Vec<u8>> {
     let fail = |e: XlsxError| Message::error(format!("cannot write the workbook: {e}"));
     let mut workbook = Workbook::new();
     let created = rust_xlsxwriter::ExcelDateTime::from_ymd(1980, 1, 1).map_err(fail)?;
@@ -110,12 +109,12 @@ pub(super) fn write(title: &str, sheets: &[Sheet], words: &Words) -> Result<Vec<
         &properties.set_title(printable(title)).set_comment(concat!("etalon ", env!("CARGO_PKG_VERSION"))),
     );
     for sheet in sheets.iter().filter(|s| !s.columns.is_empty()) {
-        fill(workbook.add_worksheet(), sheet, words).map_err(fail)?;
+        fill(workbook.add_worksheet(), sheet).map_err(fail)?;
     }
     Ok(workbook.save_to_buffer().map_err(fail)?)
 }
 
-fn fill(page: &mut Worksheet, sheet: &Sheet, words: &Words) -> std::result::Result<(), XlsxError> {
+fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxError> {
     let head =
         Format::new().set_bold().set_background_color(Color::RGB(0x00F3_F5F8)).set_border_bottom(FormatBorder::Thin);
     let text = Format::new().set_num_format("@").set_align(FormatAlign::Top);
@@ -123,8 +122,8 @@ fn fill(page: &mut Worksheet, sheet: &Sheet, words: &Words) -> std::result::Resu
     let last = sheet.columns.len().saturating_sub(1) as u16;
     let mut numbers = Vec::new();
     for (i, column) in (0u16..).zip(&sheet.columns) {
-        page.write_string_with_format(0, i, printable(&Sheet::title(column, words)), &head)?;
-        page.set_column_width(i, sheet.width(usize::from(i), words) as f64)?;
+        page.write_string_with_format(0, i, printable(&Sheet::title(column)), &head)?;
+        page.set_column_width(i, sheet.width(usize::from(i)) as f64)?;
         numbers.push(Format::new().set_num_format(number_format(&column.1)).set_align(FormatAlign::Top));
     }
     for (i, row) in (1u32..).zip(sheet.rows.iter().take(ROWS)) {
