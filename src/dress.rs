@@ -7,6 +7,8 @@ use std::path::Path;
 
 /// A larger logo has no place in every report, bytes.
 const LOGO_BYTES: usize = 1 << 20;
+/// RFC 4648, table 1.
+const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// A logo (SVG or PNG) as a data URI.
 pub fn logo(path: &Path) -> Result<String> {
@@ -26,12 +28,26 @@ pub fn logo(path: &Path) -> Result<String> {
     Ok(format!("data:image/{kind};base64,{}", base64(&bytes)))
 }
 
-/// All `.html` files of a folder by their names.
+/// Ending and bytes of a logo that was read by [`logo`].
+pub fn logo_file(uri: &str) -> Option<(&'static str, Vec<u8>)> {
+    let (kind, text) = uri.strip_prefix("data:image/")?.split_once(";base64,")?;
+    let ending = if kind == "png" { "png" } else { "svg" };
+    let place = |letter: u8| ALPHABET.iter().position(|a| *a == letter).map(|i| i as u32);
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
+    for four in text.trim_end_matches('=').as_bytes().chunks(4) {
+        let word =
+            four.iter().enumerate().try_fold(0, |word, (i, letter)| Some(word | place(*letter)? << (18 - 6 * i)))?;
+        bytes.extend((0..four.len().saturating_sub(1)).map(|i| (word >> (16 - 8 * i) & 255) as u8));
+    }
+    Some((ending, bytes))
+}
+
+/// All templates of a folder (`.html`, `.css`, and `report.typ` of report.pdf) by their names.
 pub fn templates(folder: &Path) -> Result<BTreeMap<String, String>> {
     let entries = std::fs::read_dir(folder)
         .map_err(|e| Message::error(format!("cannot read the folder `{}`: {e}", folder.display())))?;
     let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
-    paths.retain(|path| path.extension().is_some_and(|e| e == "html"));
+    paths.retain(|path| path.extension().is_some_and(|e| e == "html" || e == "css") || path.ends_with("report.typ"));
     if paths.is_empty() {
         let message = Message::error(format!("there is no template in `{}`", folder.display()));
         return Err(message.hint("`etalon report --write-templates FOLDER` writes those that are built in").into());
@@ -45,7 +61,6 @@ pub fn templates(folder: &Path) -> Result<BTreeMap<String, String>> {
 
 /// RFC 4648, 4.
 pub fn base64(bytes: &[u8]) -> String {
-    const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for three in bytes.chunks(3) {
         let byte = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
@@ -69,7 +84,11 @@ mod tests {
             [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE=")];
         for (bytes, text) in pairs {
             assert_eq!(base64(bytes.as_bytes()), text);
+            let uri = format!("data:image/png;base64,{text}");
+            assert_eq!(logo_file(&uri), Some(("png", bytes.as_bytes().to_vec())));
         }
+        assert_eq!(logo_file("data:image/svg+xml;base64,+/+/"), Some(("svg", vec![0xfb, 0xff, 0xbf])));
+        assert!(logo_file("data:image/png;base64,a b").is_none() && logo_file("logo.png").is_none());
         assert_eq!(base64(&[0xfb, 0xff, 0xbf]), "+/+/");
     }
 

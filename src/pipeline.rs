@@ -97,7 +97,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
 
     // report and export, from the documents alone
     let summary = campaign.summary()?;
-    let html = report::html(&report::Report {
+    let reports = report::files(&report::Report {
         campaign: &summary,
         import: &imported.document,
         features: &features,
@@ -138,7 +138,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
             false => out.remove(exporter.file_name()),
         }
     }
-    out.bytes("report.html", html.into_bytes());
+    add(&mut out, reports);
     let messages = imported.document.messages.iter().chain(&parameters.messages);
     let messages = messages.chain(geometric.iter().flat_map(|g| &g.messages));
     let messages = messages.chain(iso9283.iter().flat_map(|i| &i.messages)).cloned().collect();
@@ -168,7 +168,7 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     let found = repeatability::evaluate(campaign, &imported.points, &frames)?;
     let iso9283 = found.ok_or_else(|| Message::error("the campaign has neither [identify] nor [repeatability]"))?;
     let summary = campaign.summary()?;
-    let html = report::test_html(&report::TestReport {
+    let reports = report::test_files(&report::TestReport {
         campaign: &summary,
         import: &imported.document,
         features: &features,
@@ -183,9 +183,17 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     out.json("features.json", &features)?;
     out.json("frames.json", &frames)?;
     out.json("iso9283.json", &iso9283)?;
-    out.bytes("report.html", html.into_bytes());
+    add(&mut out, reports);
     let messages = imported.document.messages.iter().chain(&iso9283.messages).cloned().collect();
     Ok(Tested { written: out.write()?, iso9283, messages })
+}
+
+/// Adds the files of a report; a program without PDF leaves none of an earlier run.
+fn add(out: &mut Output, reports: Vec<report::File>) {
+    if !cfg!(feature = "pdf") {
+        out.remove("report.pdf");
+    }
+    reports.into_iter().for_each(|(name, bytes)| out.bytes(name, bytes));
 }
 
 /// A log by its name, its observations and what they identify.

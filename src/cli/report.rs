@@ -7,7 +7,7 @@ use crate::{dress, evaluate, files, report, table};
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 
-/// Make report.html again from the documents of an output folder
+/// Make the report again from the documents of an output folder
 ///
 /// Language, logo and templates are those of the campaign, unless they are stated here.
 #[derive(Debug, clap::Args)]
@@ -56,7 +56,7 @@ impl Report {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let written = match (&self.folder, &self.write_templates) {
             (_, Some(folder)) => write_templates(folder)?,
-            (Some(folder), None) => vec![write_report(folder, &self.dressed)?],
+            (Some(folder), None) => write_report(folder, &self.dressed)?,
             (None, None) => return Err(Problems::from(Message::error("no folder is stated")).into()),
         };
         print_written(written, self.json)?;
@@ -64,7 +64,7 @@ impl Report {
     }
 }
 
-fn write_report(folder: &Path, dressed: &Dressed) -> Result<String> {
+fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
     let optional = |name: &str| folder.join(name).is_file();
     let iso9283: Option<Iso9283Document> =
         optional("iso9283.json").then(|| document(folder, "iso9283.json")).transpose()?;
@@ -72,8 +72,8 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<String> {
     campaign.report = dressed.over(campaign.report)?;
     let import = document(folder, "import.json")?;
     let (features, frames) = (document(folder, "features.json")?, document(folder, "frames.json")?);
-    let html = match iso9283.as_ref().filter(|_| !optional("parameters.json")) {
-        Some(iso9283) => report::test_html(&report::TestReport {
+    let made = match iso9283.as_ref().filter(|_| !optional("parameters.json")) {
+        Some(iso9283) => report::test_files(&report::TestReport {
             campaign: &campaign,
             import: &import,
             features: &features,
@@ -84,7 +84,7 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<String> {
             let errors = evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?;
             let geometric: Option<GeometricDocument> =
                 optional("geometric.json").then(|| document(folder, "geometric.json")).transpose()?;
-            report::html(&report::Report {
+            report::files(&report::Report {
                 campaign: &campaign,
                 import: &import,
                 features: &features,
@@ -97,14 +97,18 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<String> {
             })?
         }
     };
-    let path = folder.join("report.html");
-    files::write(&path, html.as_bytes())?;
-    Ok(path.display().to_string())
+    let write = |(name, bytes): (&str, Vec<u8>)| {
+        let path = folder.join(name);
+        files::write(&path, &bytes)?;
+        Ok(path.display().to_string())
+    };
+    made.into_iter().map(write).collect()
 }
 
 /// Writes the built-in templates, over none that is there.
 fn write_templates(folder: &Path) -> Result<Vec<String>> {
-    let named = report::templates::BUILT_IN.map(|(name, text)| (folder.join(name), text));
+    let built_in = report::templates::BUILT_IN.into_iter().chain([report::templates::TYPESET]);
+    let named: Vec<(PathBuf, &str)> = built_in.map(|(name, text)| (folder.join(name), text)).collect();
     if let Some((path, _)) = named.iter().find(|(path, _)| path.exists()) {
         let message = Message::error(format!("`{}` is there already", path.display()));
         return Err(message.hint("name a new folder").into());

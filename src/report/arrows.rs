@@ -59,7 +59,7 @@ fn in_plane(errors: &[&PointError], axes: (usize, usize), with_table: bool, word
     let caption = words.fill("Arrows enlarged {0} times; the longest is {1}.", &[&times, &longest])
         + &points::how_many(drawn.len(), errors.len(), words);
     let (table_title, header, rows) = if with_table { table(&drawn, words) } else { Default::default() };
-    Picture { title, svg: svg.finish(), caption, wide: false, table_title, header, rows }
+    Picture { title, svg: svg.finish(), caption, table_title, header, rows, ..Picture::default() }
 }
 
 /// The round factor that makes the longest arrow a readable share of the workspace.

@@ -98,15 +98,7 @@ fn picture(
         n => format!(" {}", words.fill("{0} smaller errors are drawn at the lower edge.", &[&n])),
     };
     let caption = rule + &lower + &points::how_many(drawn.len(), all.len(), words);
-    Some(Picture {
-        title,
-        svg: svg.finish(),
-        caption,
-        wide: true,
-        table_title: String::new(),
-        header: vec![],
-        rows: vec![],
-    })
+    Some(Picture { title, svg: svg.finish(), caption, wide: true, ..Picture::default() })
 }
 
 fn draw_axes(svg: &mut Svg, left: f64, (across, axis): (&Axis, &Axis), poses: &[i64], [up, along]: [&str; 2]) {

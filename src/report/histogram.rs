@@ -73,10 +73,10 @@ pub(super) fn histogram(errors: &[&PointError], words: &Words) -> Option<Picture
         title,
         svg: svg.finish(),
         caption: words.fill("Share of each set in steps of {0}: {1}.", &[&step_text, &totals.join(", ")]),
-        wide: false,
         table_title: words.say("Numbers of this picture"),
         header,
         rows: (0..bins).map(row).collect(),
+        ..Picture::default()
     })
 }
 

@@ -217,9 +217,6 @@ fn picture(pose: i64, visits: &[&Iso9283Visit], words: &Words) -> Option<Picture
                 words.fill("{0} visits about their mean, all from one pose; diamonds are the means.", &[&visits.len()])
             }
         },
-        wide: false,
-        table_title: String::new(),
-        header: vec![],
-        rows: vec![],
+        ..Picture::default()
     })
 }

@@ -60,16 +60,15 @@ fn map(errors: &[&PointError], axes: (usize, usize), after: bool, words: &Words)
     };
     Picture {
         title,
+        pair: format!("map-{}", plane::name(axes)),
+        side: if after { "after" } else { "before" },
         svg: svg.finish(),
         caption: words.fill(
             "Colour and size of the marks from 0 to {0}, a scale of this picture's own; largest error {1}.",
             &[&top, &largest],
         ) + &places
             + &points::how_many(drawn.len(), seen.len(), words),
-        wide: false,
-        table_title: String::new(),
-        header: vec![],
-        rows: vec![],
+        ..Picture::default()
     }
 }
 

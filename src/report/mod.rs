@@ -1,6 +1,8 @@
-//! The report: one page that needs no network, made from the documents alone.
+//! The report, made from the documents alone: one page that needs no network, the same typeset to be signed, and its tables
+//! as a workbook.
 //!
-//! `html` is a pure function: it reads nothing but its argument and writes the same bytes for the same documents.
+//! `html`, `pdf` and `workbook` are pure functions: they read nothing but their argument and write the same bytes for the
+//! same documents.
 
 mod arrows;
 mod axis;
@@ -16,6 +18,8 @@ mod iso9283;
 mod map;
 mod number;
 mod parameters;
+#[cfg(feature = "pdf")]
+mod pdf;
 mod plan;
 mod plane;
 mod points;
@@ -26,6 +30,7 @@ pub mod templates;
 mod tests;
 mod verdict;
 mod words;
+mod workbook;
 
 pub use plan::html as plan_html;
 
@@ -95,6 +100,29 @@ struct Page<'a> {
     undrawn: usize,
 }
 
+/// A file of a report: its name and its bytes.
+pub type File = (&'static str, Vec<u8>);
+
+/// All files of the report of a calibration.
+pub fn files(report: &Report) -> Result<Vec<File>> {
+    Ok(vec![
+        ("report.html", html(report)?.into_bytes()),
+        #[cfg(feature = "pdf")]
+        ("report.pdf", pdf::pdf(report)?),
+        ("report.xlsx", workbook::workbook(report)?),
+    ])
+}
+
+/// All files of the report of a test of repeatability.
+pub fn test_files(report: &TestReport) -> Result<Vec<File>> {
+    Ok(vec![
+        ("report.html", test_html(report)?.into_bytes()),
+        #[cfg(feature = "pdf")]
+        ("report.pdf", pdf::test_pdf(report)?),
+        ("report.xlsx", workbook::test_workbook(report)?),
+    ])
+}
+
 /// The report as one HTML page.
 pub fn html(report: &Report) -> Result<String> {
     let presentation = &report.campaign.report;
@@ -151,7 +179,7 @@ pub fn test_html(report: &TestReport) -> Result<String> {
             inputs: report.import.inputs(),
             seed: None,
         },
-        messages: report.import.messages.iter().chain(&report.iso9283.messages).collect(),
+        messages: test_messages(report),
         class,
         sentence,
         iso9283: iso9283::section(report.iso9283, words),
@@ -163,6 +191,10 @@ fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
     let geometric = report.geometric.iter().flat_map(|g| &g.messages);
     let iso9283 = report.iso9283.iter().flat_map(|i| &i.messages);
     report.parameters.messages.iter().chain(&report.import.messages).chain(geometric).chain(iso9283).collect()
+}
+
+fn test_messages<'a>(report: &TestReport<'a>) -> Vec<&'a Message> {
+    report.import.messages.iter().chain(&report.iso9283.messages).collect()
 }
 
 fn pictures(report: &Report, words: &Words) -> Vec<points::Picture> {

@@ -38,12 +38,17 @@ fn row(p: &ParameterEntry, words: &Words) -> Row {
         change: if change > 0.0 { format!("+{}", value(change)) } else { value(change) },
         u: u.map_or_else(String::new, |u| number::significant(u, 2)),
         expanded: u.map_or_else(String::new, |u| number::significant(2.0 * u, 2)),
-        status: match p.status {
-            ParameterStatus::Identified => words.say("identified"),
-            ParameterStatus::Fixed => words.say("held by the campaign"),
-            ParameterStatus::NotIdentifiable => words.say("held: the data cannot tell it apart"),
-        },
+        status: status(p.status, words),
         confounded_with: p.confounded_with.clone(),
+    }
+}
+
+/// Why a parameter has its value, in words.
+pub(super) fn status(status: ParameterStatus, words: &Words) -> String {
+    match status {
+        ParameterStatus::Identified => words.say("identified"),
+        ParameterStatus::Fixed => words.say("held by the campaign"),
+        ParameterStatus::NotIdentifiable => words.say("held: the data cannot tell it apart"),
     }
 }
 

@@ -11,13 +11,16 @@ use std::fmt::Display;
 const DRAWABLE_MM: f64 = 1e7;
 
 /// A picture with what stands under it.
-#[derive(Debug, serde::Serialize)]
+#[derive(Debug, Default, serde::Serialize)]
 pub(super) struct Picture {
     pub title: String,
     pub svg: String,
     pub caption: String,
     /// wide pictures get a row of their own
     pub wide: bool,
+    /// name that the pictures before and after share, and which of them this is; empty where there is no other
+    pub pair: String,
+    pub side: &'static str,
     /// header and rows of the numbers behind it; empty where another table has them
     pub table_title: String,
     pub header: Vec<String>,

@@ -77,12 +77,18 @@ pub(super) struct Poses {
     pub left_out: usize,
 }
 
-/// Largest and mean error of every pose.
-pub(super) fn poses(errors: &[PointError], words: &Words) -> Poses {
+/// Errors by their set and pose.
+pub(super) fn by_pose(errors: &[PointError]) -> BTreeMap<(&str, i64), Vec<&PointError>> {
     let mut by_pose: BTreeMap<(&str, i64), Vec<&PointError>> = BTreeMap::new();
     for p in errors {
         by_pose.entry((&p.set, p.pose)).or_default().push(p);
     }
+    by_pose
+}
+
+/// Largest and mean error of every pose.
+pub(super) fn poses(errors: &[PointError], words: &Words) -> Poses {
+    let by_pose = by_pose(errors);
     let largest =
         |points: &[&PointError], size: fn(&PointError) -> f64| points.iter().map(|p| size(p)).fold(0.0, f64::max);
     let all: Vec<&PointError> = errors.iter().collect();

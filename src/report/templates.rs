@@ -3,19 +3,22 @@
 use super::words::Words;
 use super::{facts, number};
 use crate::document::Presentation;
+use crate::dress;
 use crate::message::{Message, Place, Problems, Result, one_line};
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Rest, Serde};
 use minijinja::{Environment, UndefinedBehavior, Value};
 use serde::Serialize;
+use sha2::{Digest, Sha256};
 use std::error::Error;
 
 /// Every template by its name; the ending turns escaping on.
-pub const BUILT_IN: [(&str, &str); 13] = [
+pub const BUILT_IN: [(&str, &str); 14] = [
     ("report.html", include_str!("report.html")),
     ("repeatability.html", include_str!("repeatability.html")),
     ("plan.html", include_str!("plan/plan.html")),
     ("style.html", include_str!("style.html")),
+    ("picture.css", include_str!("picture.css")),
     ("head.html", include_str!("parts/head.html")),
     ("macros.html", include_str!("parts/macros.html")),
     ("campaign.html", include_str!("parts/campaign.html")),
@@ -27,6 +30,12 @@ pub const BUILT_IN: [(&str, &str); 13] = [
     ("signatures.html", include_str!("parts/signatures.html")),
 ];
 
+/// What makes marks answer; the page's policy lets no other script run.
+pub(super) const SCRIPT: &str = include_str!("script.js");
+
+/// The template of report.pdf, in the language of typst.
+pub const TYPESET: (&str, &str) = ("report.typ", include_str!("pdf/report.typ"));
+
 /// A page from the template of this name.
 pub(super) fn render<T: Serialize>(name: &str, presentation: &Presentation, words: &Words, page: T) -> Result<String> {
     let environment = environment(presentation, words)?;
@@ -36,7 +45,10 @@ pub(super) fn render<T: Serialize>(name: &str, presentation: &Presentation, word
 
 /// Whether the laboratory's templates read, without a page to fill.
 pub fn check(presentation: &Presentation) -> Result<()> {
-    environment(presentation, &Words::default()).map(|_| ())
+    environment(presentation, &Words::default())?;
+    #[cfg(feature = "pdf")]
+    presentation.templates.get(TYPESET.0).map_or(Ok(()), |text| super::pdf::check(text))?;
+    Ok(())
 }
 
 fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Environment<'a>> {
@@ -57,10 +69,12 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     });
     environment.add_global("lang", presentation.language.code());
     environment.add_global("logo", presentation.logo.as_deref());
+    environment.add_global("script", SCRIPT);
+    environment.add_global("script_sha256", dress::base64(&Sha256::digest(SCRIPT)));
     for (name, text) in BUILT_IN {
         environment.add_template(name, text).map_err(|e| told(&e, presentation))?;
     }
-    let own = presentation.templates.iter();
+    let own = presentation.templates.iter().filter(|(name, _)| *name != TYPESET.0);
     let read = |(name, text): (&'a String, &'a String)| environment.add_template(name, text).err();
     let problems = Problems(own.filter_map(read).map(|e| told(&e, presentation)).collect());
     problems.check()?;

@@ -93,7 +93,7 @@ fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f
     Headline { what, before: text(before), after: text(after), unit }
 }
 
-fn limit(l: &LimitVerdict) -> Limit {
+pub(super) fn limit(l: &LimitVerdict) -> Limit {
     // the value with the digits that decide, also where it is close to the limit
     let digits =
         number::decimals((l.limit - l.value).abs(), 2).unwrap_or(0).max(number::decimals(l.limit, 3).unwrap_or(4));

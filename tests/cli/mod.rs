@@ -5,6 +5,7 @@ mod five_bar;
 mod iso9283;
 mod plan;
 mod report;
+mod reports;
 
 use crate::scratch::copy_sample;
 use std::path::Path;
@@ -92,7 +93,9 @@ fn every_command_that_answers_does_so_in_json() {
     assert_eq!(files(&["init", "--synthetic", "c", "--json"]), ["c/campaign.toml", "c/robot.toml", "c/truth.toml"]);
     assert_eq!(files(&["simulate", "c", "--json"]), ["exports/world.txt", "exports/poses.txt", "encoders.csv"]);
     answer::<etalon::document::AccuracyDocument>(at, &["run", "c", "--json"], 0);
-    assert_eq!(files(&["report", "c/out", "--json"]), ["c/out/report.html"]);
+    let mut reports = vec!["c/out/report.html", "c/out/report.pdf", "c/out/report.xlsx"];
+    reports.retain(|name| cfg!(feature = "pdf") || !name.ends_with("pdf"));
+    assert_eq!(files(&["report", "c/out", "--json"]), reports);
     let exported = files(&["export", "c/out/parameters.json", "--format", "csv", "--to", "k", "--json"]);
     assert_eq!(exported, ["k/controller.csv"]);
     let formats: etalon::document::FormatsDocument = answer(at, &["formats", "c/exports/poses.txt", "--json"], 0);

@@ -60,9 +60,6 @@ pub(super) fn map(plan: &PlanDocument, words: &Words) -> Option<Picture> {
             "{0} of {1} candidates are chosen (thesis, figure 4.7); the larger a mark, the more configurations reach it.",
             &[&plan.chosen.len(), &plan.candidates],
         ),
-        wide: false,
-        table_title: String::new(),
-        header: vec![],
-        rows: vec![],
+        ..Picture::default()
     })
 }

@@ -79,9 +79,9 @@ pub(super) fn curve(plan: &PlanDocument, words: &Words) -> Option<Picture> {
             "One after the other, the best position with all its configurations (thesis, section 4.5, figure 4.6).",
         ) + " "
             + &words.say("The knee is where the index lies farthest above the line from its first to its last value."),
-        wide: false,
         table_title: words.say("Numbers of the curve"),
         header: vec![words.say("positions"), words.say("configurations"), plan.index.clone(), words.say("condition")],
         rows: points.iter().map(row).collect(),
+        ..Picture::default()
     })
 }

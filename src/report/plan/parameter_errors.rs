@@ -62,9 +62,6 @@ fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Picture> 
         svg: svg.finish(),
         caption: words
             .fill("Mean of {0} identifications (thesis, figure 4.8); values are in the table above.", &[&study.runs]),
-        wide: false,
-        table_title: String::new(),
-        header: vec![],
-        rows: vec![],
+        ..Picture::default()
     })
 }

@@ -1,0 +1,96 @@
+//! The report of a calibration, from its verdict to the line for signatures.
+
+use super::paper::{Block, Labels, Paper, Section, Verdict};
+use super::{annex, fit, geometric, iso9283, places, stated};
+use crate::report::words::Words;
+use crate::report::{Report, facts, messages, parameters, pictures, points, tables, verdict};
+
+/// What stands in it, in the order of reading.
+pub(super) fn paper(report: &Report, words: &Words) -> Paper {
+    let tested = report.iso9283.iter().flat_map(|d| &d.limits);
+    let inputs = &report.parameters.provenance;
+    let (messages, more) = stated::messages(&messages(report), words);
+    let geometric = report.geometric.and_then(|d| {
+        Section::of("geometric", words.say("Geometry alone, beside the identification"), geometric::blocks(d, words))
+    });
+    let sections = [
+        stated::conditions(facts::facts(report.campaign, report.iso9283, words), words),
+        stated::limits(report.accuracy.limits.iter().chain(tested), words),
+        messages,
+        Section::of("errors", words.say("Errors before and after"), errors(report, words)),
+        report.iso9283.and_then(|d| iso9283::section(d, words)),
+        Section::of("parameters", words.say("Parameters"), parameters(report, words)),
+        geometric,
+        Section::of("fit", words.say("Fit and observability"), fit::blocks(report.parameters, words)),
+        Section::of("pictures", words.say("Pictures"), drawings(report, words)),
+        places::section(report.features, &report.frames.world, words),
+        stated::inputs(report.import, &inputs.inputs, words),
+    ];
+    Paper {
+        title: report.campaign.name.clone(),
+        subtitle: format!("{} {}", words.say("Calibration report of robot"), report.parameters.robot),
+        synthetic: report.campaign.synthetic.clone(),
+        date: report.campaign.date.clone(),
+        version: inputs.version.clone(),
+        labels: Labels::of(&report.campaign.report, words),
+        verdict: judged(verdict::verdict(report, words), words),
+        sections: sections.into_iter().flatten().collect(),
+        annexes: [annex::poses(report.errors, words), annex::refused(report.import, words), more]
+            .into_iter()
+            .flatten()
+            .collect(),
+    }
+}
+
+fn judged(verdict: verdict::Verdict, words: &Words) -> Verdict {
+    let sentences = [verdict.alarm, verdict.sentence].into_iter().filter(|s| !s.is_empty());
+    Verdict {
+        class: verdict.class,
+        sentences: sentences.collect(),
+        about: words.fill("Errors before → after calibration, {0} poses:", &[&verdict.set]),
+        headlines: verdict.headlines.into_iter().map(|h| [h.what, h.before, h.after, h.unit.to_owned()]).collect(),
+    }
+}
+
+fn errors(report: &Report, words: &Words) -> Vec<Block> {
+    let sets = tables::sets(report.accuracy, words);
+    let mut blocks = vec![Block::note(report.accuracy.definition.clone())];
+    if sets.is_empty() {
+        blocks.push(Block::text(words.say("No errors are given.")));
+    }
+    for set in sets {
+        let title = words.fill("{0}: {1} poses, {2} errors", &[&set.name, &set.poses, &set.count]);
+        blocks.push(Block::heading(title));
+        let row = |r: tables::Row| [vec![r.quantity, r.unit], r.before.into(), r.after.into(), vec![r.ratio]].concat();
+        let four = ["#mean", "#RMS", "#95 %", "#max"];
+        let titles = [&["error", "unit"][..], &four, &four, &["#RMS ratio"]].concat();
+        let groups = [("", 2), ("before", 4), ("after", 4), ("", 1)];
+        blocks.push(Block::grouped(words, &groups, &titles, set.rows.into_iter().map(row)));
+    }
+    blocks
+}
+
+fn parameters(report: &Report, words: &Words) -> Vec<Block> {
+    let rows = parameters::rows(&report.parameters.parameters, words).into_iter().map(|p| {
+        let confounded = p.confounded_with.join(", ");
+        [p.name, p.unit, p.nominal, p.before, p.value, p.change, p.u, p.expanded, p.status, confounded]
+    });
+    let titles =
+        ["name", "unit", "#nominal", "#before", "#identified", "#change", "#u", "#U = 2u", "status", "confounded with"];
+    let note = words.say("u is the standard uncertainty (k = 1), U = 2u the expanded one; numbers are shown to the second digit of u. “Before” is with only base and targets fitted. The change is from nominal to identified.");
+    vec![Block::note(note), Block::table(words, &titles, rows)]
+}
+
+fn drawings(report: &Report, words: &Words) -> Vec<Block> {
+    let Some(pictures) = Block::pictures(pictures(report, words)) else {
+        return vec![Block::text(words.say("There is no error that could be drawn."))];
+    };
+    let undrawn = report.errors.len() - points::drawable(report.errors).len();
+    let mut blocks = vec![Block::note(words.say("Circles are calibration poses, diamonds validation poses."))];
+    if undrawn > 0 {
+        let note = words.fill("{0} errors have no finite position or size and are not drawn.", &[&undrawn]);
+        blocks.push(Block::note(note));
+    }
+    blocks.push(pictures);
+    blocks
+}

@@ -1,0 +1,192 @@
+//! The report as a typesetter gets it: sections of paragraphs, tables and pictures, every number already text.
+
+use crate::document::Presentation;
+use crate::report::points::Picture;
+use crate::report::words::Words;
+use serde::Serialize;
+
+/// A whole report.
+#[derive(Debug, Serialize)]
+pub(super) struct Paper {
+    pub title: String,
+    pub subtitle: String,
+    /// why the data are none of a robot's
+    pub synthetic: Option<String>,
+    pub date: Option<String>,
+    pub version: String,
+    pub labels: Labels,
+    pub verdict: Verdict,
+    pub sections: Vec<Section>,
+    /// what is too long to stand between a reader and the signature
+    pub annexes: Vec<Section>,
+}
+
+/// What the layout itself says, and in which language.
+#[derive(Debug, Serialize)]
+pub(super) struct Labels {
+    pub lang: &'static str,
+    pub synthetic: String,
+    /// with places `{0}` and `{1}`
+    pub page: String,
+    /// what the file `logo` is; absent without one
+    pub logo: Option<String>,
+    pub signatures: String,
+    /// who signs
+    pub signs: [String; 2],
+    pub line: String,
+    /// what is not translated; empty in English
+    pub note: String,
+}
+
+impl Labels {
+    pub fn of(presentation: &Presentation, words: &Words) -> Self {
+        let note = words.say("Numbers have a decimal point; texts of the campaign and messages of the program are in their own language.");
+        let lang = presentation.language.code();
+        Self {
+            lang,
+            synthetic: words.say("Synthetic data:"),
+            page: words.say("page {0} of {1}"),
+            logo: presentation.logo.as_ref().map(|_| words.say("Logo of the laboratory")),
+            signatures: words.say("Signatures"),
+            signs: [words.say("Tested by"), words.say("Approved by")],
+            line: words.say("name, date, signature"),
+            note: if lang == "en" { String::new() } else { note },
+        }
+    }
+}
+
+/// What a reader wants to know first.
+#[derive(Debug, Serialize)]
+pub(super) struct Verdict {
+    /// `good`, `bad` or `open`
+    pub class: &'static str,
+    pub sentences: Vec<String>,
+    /// what the headlines are about
+    pub about: String,
+    /// quantity, before, after, unit
+    pub headlines: Vec<[String; 4]>,
+}
+
+/// A section; `id` names it for templates.
+#[derive(Debug, Serialize)]
+pub(super) struct Section {
+    pub id: &'static str,
+    pub title: String,
+    pub blocks: Vec<Block>,
+}
+
+/// What a section is made of.
+#[derive(Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub(super) enum Block {
+    Heading {
+        text: String,
+    },
+    Paragraph {
+        text: String,
+        strong: bool,
+    },
+    Note {
+        text: String,
+    },
+    /// one warning or error
+    Message {
+        class: &'static str,
+        lines: Vec<String>,
+    },
+    /// what, and what is said of it
+    Facts {
+        rows: Vec<[String; 2]>,
+    },
+    Table(Table),
+    Pictures {
+        pictures: Vec<Drawing>,
+    },
+}
+
+/// A table; columns of numbers stand at the right.
+#[derive(Debug, Serialize)]
+pub(super) struct Table {
+    /// titles above several columns, and how many; empty without such
+    pub groups: Vec<(String, usize)>,
+    pub header: Vec<String>,
+    pub numeric: Vec<bool>,
+    pub rows: Vec<Vec<String>>,
+}
+
+/// A picture.
+#[derive(Debug, Serialize)]
+pub(super) struct Drawing {
+    pub title: String,
+    pub caption: String,
+    pub wide: bool,
+    pub svg: String,
+}
+
+impl Section {
+    /// A section, if there is anything in it.
+    pub fn of(id: &'static str, title: String, blocks: Vec<Block>) -> Option<Self> {
+        (!blocks.is_empty()).then_some(Self { id, title, blocks })
+    }
+}
+
+impl Block {
+    pub fn heading(text: impl Into<String>) -> Self {
+        Self::Heading { text: text.into() }
+    }
+
+    pub fn text(text: impl Into<String>) -> Self {
+        Self::Paragraph { text: text.into(), strong: false }
+    }
+
+    pub fn strong(text: impl Into<String>) -> Self {
+        Self::Paragraph { text: text.into(), strong: true }
+    }
+
+    pub fn note(text: impl Into<String>) -> Self {
+        Self::Note { text: text.into() }
+    }
+
+    /// A table with one line of titles: `#` before one marks a column of numbers.
+    pub fn table<R: IntoIterator<Item = String>>(
+        words: &Words,
+        titles: &[&str],
+        rows: impl IntoIterator<Item = R>,
+    ) -> Self {
+        Self::grouped(words, &[], titles, rows)
+    }
+
+    /// The same with titles above several columns.
+    pub fn grouped<R: IntoIterator<Item = String>>(
+        words: &Words,
+        groups: &[(&str, usize)],
+        titles: &[&str],
+        rows: impl IntoIterator<Item = R>,
+    ) -> Self {
+        Self::Table(Table {
+            groups: groups.iter().map(|(title, columns)| (words.say(title), *columns)).collect(),
+            header: titles.iter().map(|t| words.say(t.trim_start_matches('#'))).collect(),
+            numeric: titles.iter().map(|t| t.starts_with('#')).collect(),
+            rows: rows.into_iter().map(|row| row.into_iter().collect()).collect(),
+        })
+    }
+
+    /// The pictures of the HTML page, with the style that it has there.
+    pub fn pictures(pictures: Vec<Picture>) -> Option<Self> {
+        let drawing = |p: Picture| Drawing { svg: styled(&p.svg), title: p.title, caption: p.caption, wide: p.wide };
+        (!pictures.is_empty()).then(|| Self::Pictures { pictures: pictures.into_iter().map(drawing).collect() })
+    }
+}
+
+/// An inline picture as a file of its own.
+pub(super) fn styled(svg: &str) -> String {
+    const STYLE: &str = concat!(
+        "<style>text { font-family: 'Libertinus Serif'; font-size: 12px }\n",
+        include_str!("../picture.css"),
+        "</style>"
+    );
+    match svg.split_once('>') {
+        Some((open, rest)) => format!("{open} xmlns=\"http://www.w3.org/2000/svg\">{STYLE}{rest}"),
+        None => String::new(),
+    }
+}

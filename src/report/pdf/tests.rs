@@ -1,0 +1,97 @@
+//! What the typesetter is given, and what it must survive.
+
+use super::*;
+use crate::report::demo::{Documents, point};
+use crate::report::tests::with_text;
+
+fn typeset_of(documents: &Documents) -> Vec<u8> {
+    pdf(&documents.report()).unwrap()
+}
+
+/// What `pdftotext` reads; `None` where it is not installed.
+fn text_of(pdf: &[u8]) -> Option<String> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("report.pdf");
+    std::fs::write(&file, pdf).unwrap();
+    let output = std::process::Command::new("pdftotext").args(["-layout", "-q"]).arg(&file).arg("-").output().ok()?;
+    assert!(output.status.success());
+    Some(String::from_utf8(output.stdout).unwrap())
+}
+
+/// `ETALON_REPORT_DEMO` names a folder to write it to, and what it was made from.
+#[test]
+fn the_demo_is_typeset_and_its_bytes_are_the_same_twice() {
+    let documents = Documents::demo();
+    let pdf = typeset_of(&documents);
+    assert!(pdf.starts_with(b"%PDF-1.7") && pdf == typeset_of(&documents));
+    if let Some(folder) = std::env::var_os("ETALON_REPORT_DEMO") {
+        let folder = std::path::PathBuf::from(folder);
+        let paper = calibration::paper(&documents.report(), &Words::default());
+        std::fs::write(folder.join("report.pdf"), pdf).unwrap();
+        std::fs::write(folder.join("report.json"), serde_json::to_vec(&paper).unwrap()).unwrap();
+    }
+}
+
+#[test]
+fn hostile_names_are_printed_as_they_are() {
+    let hostile =
+        ["<script>alert(1)</script>", "=HYPERLINK(\"x\")", "#import \"x\"", "$a$ #panic() *b* _c_ @d <e> `f` \\u{0}"];
+    for text in hostile {
+        let Some(read) = text_of(&typeset_of(&with_text(text))) else { return };
+        let told = read.matches(text.split(' ').next().unwrap()).count();
+        assert!(told > 20, "{text}: {told} times in {read}");
+    }
+}
+
+#[test]
+fn long_right_to_left_and_unknown_letters_do_no_harm() {
+    let texts = [
+        "n".repeat(200),
+        "\u{202e}\u{5e8}\u{5d5}\u{5d1}".into(),
+        "\u{4e2d}\u{1f600}\u{e000}\0\u{fffe}".into(),
+        " ".into(),
+        String::new(),
+    ];
+    for text in texts {
+        typeset_of(&with_text(&text));
+    }
+}
+
+#[test]
+fn nothing_and_numbers_that_are_none_are_typeset() {
+    let mut documents = Documents::demo();
+    documents.errors.clear();
+    documents.accuracy.sets.clear();
+    documents.accuracy.limits.clear();
+    documents.import.sources.clear();
+    documents.parameters.messages.clear();
+    documents.parameters.parameters.clear();
+    documents.features.features.clear();
+    documents.frames.world.poses.clear();
+    typeset_of(&documents);
+    for size in [0.0, 1e-12, 1e300, f64::NAN, f64::INFINITY] {
+        let mut documents = Documents::demo();
+        documents.errors = vec![point(1, [size; 3], [size; 3], [size; 3]); 3];
+        documents.parameters.residuals.rms = size;
+        documents.parameters.parameters[0].value = size;
+        documents.campaign.expanded_uncertainty_um = Some(size);
+        if let Some(read) = text_of(&typeset_of(&documents)) {
+            assert!(!read.contains("NaN") && !read.contains(" inf"), "{size}: {read}");
+        }
+    }
+}
+
+#[test]
+fn a_date_is_read_where_there_is_one() {
+    let cases = [
+        ("2011-05-12", Some((2011, 5, 12))),
+        ("2011-05-12T10:00:00", Some((2011, 5, 12))),
+        ("2011-02-30", None),
+        ("May 2011", None),
+        ("0000-01-01", None),
+        ("日本語日本語", None),
+    ];
+    for (text, date) in cases {
+        assert_eq!(day(text), date, "{text}");
+    }
+}

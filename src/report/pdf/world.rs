@@ -1,0 +1,131 @@
+//! What a typst template can see: the files that it is given and the fonts of the program. No disk, no network, no clock.
+
+use crate::message::{Message, Place, Problems, Result};
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+use typst::diag::{FileError, FileResult, SourceDiagnostic};
+use typst::foundations::{Bytes, Datetime, Duration, Smart};
+use typst::syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot};
+use typst::text::{Font, FontBook};
+use typst::utils::LazyHash;
+use typst::{Library, LibraryExt, World, WorldExt};
+use typst_layout::PagedDocument;
+use typst_pdf::{PdfOptions, PdfStandard, PdfStandards, Timestamp};
+
+/// What is typeset: attachments first, so that no template can leave them out.
+const MAIN: &str = "main.typ";
+const START: &str = "#for file in json(\"attachments.json\") {\n  \
+    pdf.attach(file.name, bytes(file.text), relationship: file.relationship, mime-type: \"application/json\", \
+    description: file.description)\n}\n#include \"report.typ\"\n";
+
+/// Files and fonts, and the date that stands for today.
+pub(super) struct Desk {
+    library: LazyHash<Library>,
+    main: FileId,
+    files: BTreeMap<String, Bytes>,
+    date: Datetime,
+}
+
+impl Desk {
+    /// `files` by name: `report.typ`, and what it reads. `date`: year, month, day.
+    pub fn new(mut files: BTreeMap<String, Bytes>, date: (i32, u8, u8)) -> Result<Self> {
+        files.insert(MAIN.to_owned(), Bytes::from_string(START));
+        let (year, month, day) = date;
+        let date = Datetime::from_ymd(year, month, day)
+            .ok_or_else(|| Message::error(format!("{year}-{month}-{day} is no date")))?;
+        Ok(Self { library: LazyHash::new(Library::default()), main: id(MAIN)?, files, date })
+    }
+
+    /// Whether a file is written as typst wants it.
+    pub fn check(&self, name: &str) -> Result<()> {
+        let source = self.source(id(name)?).map_err(|e| Message::error(format!("{name}: {e}")))?;
+        let (errors, _) = source.root().errors_and_warnings();
+        let wrong = errors.into_iter().map(|e| self.told(&SourceDiagnostic::from(e)));
+        Problems(wrong.collect()).check().map(|_| ())
+    }
+
+    /// The typeset document as PDF/A-3a, identified by `ident`.
+    pub fn pdf(&self, ident: &str) -> Result<Vec<u8>> {
+        let problems = |diagnostics: &[SourceDiagnostic]| Problems(diagnostics.iter().map(|d| self.told(d)).collect());
+        let document = typst::compile::<PagedDocument>(self).output.map_err(|e| problems(&e))?;
+        let standards = PdfStandards::new(&[PdfStandard::A_3a]).map_err(|e| Message::error(e.message().as_str()))?;
+        let options = PdfOptions {
+            ident: Smart::Custom(ident.to_owned()),
+            creator: Smart::Custom(Some(concat!("etalon ", env!("CARGO_PKG_VERSION")).to_owned())),
+            timestamp: Some(Timestamp::new_utc(self.date)),
+            standards,
+            ..PdfOptions::default()
+        };
+        typst_pdf::pdf(&document, &options).map_err(|e| problems(&e))
+    }
+
+    /// A diagnostic with its place in the template.
+    fn told(&self, diagnostic: &SourceDiagnostic) -> Message {
+        let message = Message::error(format!("cannot typeset report.pdf: {}", diagnostic.message));
+        let place = diagnostic.span.id().and_then(|id| {
+            let (source, span) = (self.source(id).ok()?, self.range(diagnostic.span)?);
+            Some(Place::span(id.vpath().get_without_slash(), source.text(), span))
+        });
+        let message = place.map_or(message.clone(), |place| message.at(place));
+        match diagnostic.hints.first() {
+            Some(hint) => message.hint(hint.v.as_str()),
+            None => message,
+        }
+    }
+}
+
+fn id(name: &str) -> Result<FileId> {
+    let path = VirtualPath::new(name).map_err(|e| Message::error(format!("cannot name `{name}`: {e:?}")))?;
+    Ok(RootedPath::new(VirtualRoot::Project, path).intern())
+}
+
+impl World for Desk {
+    fn library(&self) -> &LazyHash<Library> {
+        &self.library
+    }
+
+    fn book(&self) -> &LazyHash<FontBook> {
+        &fonts().1
+    }
+
+    fn main(&self) -> FileId {
+        self.main
+    }
+
+    fn source(&self, id: FileId) -> FileResult<Source> {
+        let bytes = self.file(id)?;
+        let text = std::str::from_utf8(&bytes).map_err(|_| FileError::InvalidUtf8)?;
+        Ok(Source::new(id, text.to_owned()))
+    }
+
+    fn file(&self, id: FileId) -> FileResult<Bytes> {
+        let name = id.vpath().get_without_slash();
+        let here = matches!(id.root(), VirtualRoot::Project);
+        let file = self.files.get(name).filter(|_| here);
+        file.cloned().ok_or_else(|| FileError::NotFound(name.into()))
+    }
+
+    fn font(&self, index: usize) -> Option<Font> {
+        fonts().0.get(index).cloned()
+    }
+
+    fn today(&self, _: Option<Duration>) -> Option<Datetime> {
+        Some(self.date)
+    }
+}
+
+/// The fonts of the program, read once. Those that typst brings along are more, but not all under a licence of our kind.
+pub(super) fn fonts() -> &'static (Vec<Font>, LazyHash<FontBook>) {
+    static FONTS: OnceLock<(Vec<Font>, LazyHash<FontBook>)> = OnceLock::new();
+    const FILES: [&[u8]; 4] = [
+        include_bytes!("fonts/LibertinusSerif-Regular.otf"),
+        include_bytes!("fonts/LibertinusSerif-Bold.otf"),
+        include_bytes!("fonts/LibertinusSerif-Italic.otf"),
+        include_bytes!("fonts/DejaVuSansMono.ttf"),
+    ];
+    FONTS.get_or_init(|| {
+        let fonts: Vec<Font> = FILES.into_iter().flat_map(|data| Font::iter(Bytes::new(data))).collect();
+        let book = LazyHash::new(FontBook::from_fonts(&fonts));
+        (fonts, book)
+    })
+}

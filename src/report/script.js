@@ -1,0 +1,59 @@
+// Marks answer to pointer, finger and keyboard. Without this script their titles do, and the tables hold the numbers.
+(function () {
+  "use strict";
+  var tip = document.createElement("div"), chosen = null;
+  tip.id = "tip";
+  tip.setAttribute("role", "status");
+  tip.hidden = true;
+  document.body.appendChild(tip);
+
+  // a mark's text is its title; moved aside, so that the browser's own tip does not lie over this one
+  function text(mark) {
+    var title = mark.querySelector("title");
+    if (title) {
+      mark.setAttribute("aria-label", title.textContent);
+      title.remove();
+    }
+    return mark.getAttribute("aria-label");
+  }
+  function markOf(node) {
+    var mark = node instanceof Element ? node.closest("svg circle, svg polygon, svg rect") : null;
+    return mark && (mark.querySelector("title") || mark.hasAttribute("aria-label")) ? mark : null;
+  }
+  function hide() {
+    if (chosen) chosen.classList.remove("chosen");
+    chosen = null;
+    tip.hidden = true;
+  }
+  function show(mark) {
+    hide();
+    if (!mark) return;
+    chosen = mark;
+    mark.classList.add("chosen");
+    tip.textContent = text(mark);
+    tip.hidden = false;
+    var at = mark.getBoundingClientRect(), room = document.documentElement.clientWidth - tip.offsetWidth - 8;
+    var above = at.top - tip.offsetHeight - 8;
+    tip.style.left = Math.max(8, Math.min(room, at.left + at.width / 2 - tip.offsetWidth / 2)) + "px";
+    tip.style.top = (above > 8 ? above : at.bottom + 8) + "px";
+  }
+  function marks(picture) {
+    return Array.from(picture.querySelectorAll("circle, polygon, rect")).filter(markOf);
+  }
+
+  document.addEventListener("pointerover", function (event) { show(markOf(event.target)); });
+  document.addEventListener("scroll", hide, true);
+  document.querySelectorAll("svg").forEach(function (picture) {
+    if (!marks(picture).length) return;
+    picture.setAttribute("tabindex", "0");
+    picture.addEventListener("blur", hide);
+    picture.addEventListener("keydown", function (event) {
+      var step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+      if (event.key === "Escape") hide();
+      if (!step) return;
+      event.preventDefault();
+      var all = marks(picture), at = all.indexOf(chosen);
+      show(all[at < 0 ? (step > 0 ? 0 : all.length - 1) : (at + step + all.length) % all.length]);
+    });
+  });
+})();

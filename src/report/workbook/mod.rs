@@ -1,0 +1,46 @@
+//! The report as an Excel workbook: one sheet for each table, every number with all its digits.
+
+mod accuracy;
+mod geometric;
+mod import;
+mod iso9283;
+mod parameters;
+mod places;
+mod sheet;
+mod summary;
+#[cfg(test)]
+mod tests;
+
+use super::words::Words;
+use super::{Report, TestReport, messages, test_messages, verdict};
+use crate::message::Result;
+
+/// All tables of a calibration as a workbook (.xlsx).
+pub fn workbook(report: &Report) -> Result<Vec<u8>> {
+    let words = &Words::of(report.campaign.report.language)?;
+    let mut sheets = vec![summary::calibration(report, words), summary::limits(&limits(report))];
+    sheets.extend(accuracy::sheets(report.accuracy, report.errors));
+    sheets.extend(report.iso9283.iter().flat_map(|d| iso9283::sheets(d)));
+    sheets.extend(parameters::sheets(report.parameters));
+    sheets.extend(report.geometric.iter().flat_map(|d| geometric::sheets(d)));
+    sheets.extend(places::sheets(report.features, &report.frames.world));
+    sheets.extend(import::sheets(report.import, &report.parameters.provenance.inputs));
+    sheets.push(summary::messages(&messages(report)));
+    sheet::write(&report.campaign.name, &sheets)
+}
+
+/// All tables of a test of repeatability as a workbook (.xlsx).
+pub fn test_workbook(report: &TestReport) -> Result<Vec<u8>> {
+    let words = &Words::of(report.campaign.report.language)?;
+    let mut sheets =
+        vec![summary::test(report, words), summary::limits(&report.iso9283.limits.iter().collect::<Vec<_>>())];
+    sheets.extend(iso9283::sheets(report.iso9283));
+    sheets.extend(places::sheets(report.features, &report.frames.world));
+    sheets.extend(import::sheets(report.import, &report.import.inputs()));
+    sheets.push(summary::messages(&test_messages(report)));
+    sheet::write(&report.campaign.name, &sheets)
+}
+
+fn limits<'a>(report: &Report<'a>) -> Vec<&'a crate::document::LimitVerdict> {
+    report.accuracy.limits.iter().chain(report.iso9283.iter().flat_map(|d| &d.limits)).collect()
+}

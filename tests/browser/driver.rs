@@ -1,0 +1,144 @@
+//! Chromium without a window, spoken to over two pipes: JSON messages that end with a zero byte.
+
+use serde_json::{Value, json};
+use std::fs::File;
+use std::io::{BufRead, BufReader, Write};
+use std::os::unix::process::CommandExt;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+
+/// A browser that hangs is ended after this many seconds, and the test fails.
+const PATIENCE_S: u32 = 120;
+
+/// One page in one browser.
+pub struct Browser {
+    child: Child,
+    to: File,
+    from: BufReader<File>,
+    asked: u64,
+    session: Option<String>,
+    /// Addresses of everything that the page asked for since it was opened.
+    pub requests: Vec<String>,
+    /// What is loaded, by the name that the browser gave the loading.
+    loaded: Vec<Value>,
+    _profile: tempfile::TempDir,
+}
+
+impl Browser {
+    /// A browser, or `None` after saying that there is none.
+    pub fn start() -> Option<Self> {
+        if Command::new("chromium").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_err() {
+            println!("skipped: there is no `chromium` to show the report with");
+            return None;
+        }
+        let profile = tempfile::tempdir().unwrap();
+        let pipe = |name: &str| {
+            let path = profile.path().join(name);
+            assert!(Command::new("mkfifo").arg(&path).status().unwrap().success());
+            path
+        };
+        let (to, from) = (pipe("to"), pipe("from"));
+        let script = format!(
+            "exec timeout {PATIENCE_S} chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \
+             --disable-background-networking --disable-component-update --disable-sync --remote-debugging-pipe \
+             --user-data-dir=\"$2\" about:blank 3<\"$0\" 4>\"$1\""
+        );
+        let child = Command::new("sh")
+            .arg("-c")
+            .arg(script)
+            .args([&to, &from])
+            .arg(profile.path().join("profile"))
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .process_group(0)
+            .spawn()
+            .unwrap();
+        // a named pipe opens when both ends do: in the order of the shell
+        let to = File::options().write(true).open(to).unwrap();
+        let from = BufReader::new(File::open(from).unwrap());
+        let mut browser = Self {
+            child,
+            to,
+            from,
+            asked: 0,
+            session: None,
+            requests: Vec::new(),
+            loaded: Vec::new(),
+            _profile: profile,
+        };
+        let target = browser.call("Target.createTarget", json!({ "url": "about:blank" }))["targetId"].clone();
+        let attached = browser.call("Target.attachToTarget", json!({ "targetId": target, "flatten": true }));
+        browser.session = attached["sessionId"].as_str().map(str::to_owned);
+        for domain in ["Page.enable", "Network.enable", "Runtime.enable"] {
+            browser.call(domain, json!({}));
+        }
+        browser.call("Page.setLifecycleEventsEnabled", json!({ "enabled": true }));
+        Some(browser)
+    }
+
+    /// Opens a file and waits until it is loaded.
+    pub fn open(&mut self, page: &Path) {
+        self.requests.clear();
+        let address = format!("file://{}", page.display());
+        let navigated = self.call("Page.navigate", json!({ "url": address }));
+        assert!(navigated.get("errorText").is_none(), "{address}: {navigated}");
+        let loader = navigated["loaderId"].clone();
+        while !self.loaded.contains(&loader) {
+            self.message();
+        }
+    }
+
+    /// The width of the window, and its height.
+    pub fn size(&mut self, width: u32, height: u32) {
+        let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
+        self.call("Emulation.setDeviceMetricsOverride", metrics);
+    }
+
+    /// What an expression comes to in the page.
+    pub fn evaluate(&mut self, expression: &str) -> Value {
+        let asked = json!({ "expression": expression, "returnByValue": true, "awaitPromise": true });
+        let answer = self.call("Runtime.evaluate", asked);
+        assert!(answer.get("exceptionDetails").is_none(), "{expression}: {answer}");
+        answer["result"]["value"].clone()
+    }
+
+    /// Asks for something and waits for its answer.
+    pub fn call(&mut self, method: &str, parameters: Value) -> Value {
+        self.asked += 1;
+        let mut message = json!({ "id": self.asked, "method": method, "params": parameters });
+        if let Some(session) = &self.session {
+            message["sessionId"] = json!(session);
+        }
+        self.to.write_all(format!("{message}\0").as_bytes()).unwrap();
+        loop {
+            let mut answer = self.message();
+            if answer["id"] == self.asked {
+                assert!(answer.get("error").is_none(), "{method}: {answer}");
+                return answer["result"].take();
+            }
+        }
+    }
+
+    /// The next message: an answer, or an event.
+    fn message(&mut self) -> Value {
+        let mut bytes = Vec::new();
+        let count = self.from.read_until(0, &mut bytes).unwrap();
+        assert!(count > 0, "the browser went away");
+        let message: Value = serde_json::from_slice(&bytes[..count - 1]).unwrap();
+        if message["method"] == "Network.requestWillBeSent" {
+            self.requests.extend(message["params"]["request"]["url"].as_str().map(str::to_owned));
+        }
+        if message["method"] == "Page.lifecycleEvent" && message["params"]["name"] == "load" {
+            self.loaded.push(message["params"]["loaderId"].clone());
+        }
+        message
+    }
+}
+
+impl Drop for Browser {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}

@@ -1,0 +1,141 @@
+//! Reports as a browser shows and prints them. Skipped, saying so, where there is no `chromium`.
+
+mod driver;
+mod pages;
+
+use driver::Browser;
+use pages::{Pages, all, hostile};
+use serde_json::{Value, json};
+use std::process::{Command, Stdio};
+
+const OVERFLOW: &str = include_str!("overflow.js");
+
+fn list(value: &Value) -> Vec<String> {
+    value.as_array().unwrap().iter().map(|v| v.as_str().unwrap().to_owned()).collect()
+}
+
+#[test]
+fn nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen() {
+    let Some(mut browser) = Browser::start() else { return };
+    let Pages { pages, folder: _folder } = all();
+    for page in &pages {
+        for (width, height) in [(390, 844), (1024, 768), (1920, 1080)] {
+            browser.size(width, height);
+            browser.open(page);
+            let found = list(&browser.evaluate(OVERFLOW));
+            assert!(found.is_empty(), "{} at {width} px: {found:#?}", page.display());
+        }
+    }
+}
+
+#[test]
+fn a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing() {
+    let Some(mut browser) = Browser::start() else { return };
+    let Pages { pages, folder: _folder } = all();
+    for page in &pages {
+        browser.open(page);
+        // whatever a name might start is given the time to do so
+        browser.evaluate("new Promise(done => setTimeout(done, 200))");
+        let itself = format!("file://{}", page.display());
+        let beside: Vec<_> = browser.requests.iter().filter(|r| **r != itself && !r.starts_with("data:")).collect();
+        assert!(beside.is_empty(), "{}: {beside:?}", page.display());
+        let strange = browser.evaluate(
+            "[window.owned, document.scripts.length, document.querySelectorAll('img:not(.logo), iframe, object, link, a[href^=http]').length]",
+        );
+        assert_eq!(strange, json!([null, 1, 0]), "{}", page.display());
+    }
+}
+
+#[test]
+fn marks_answer_to_the_pointer_and_to_the_keyboard() {
+    let Some(mut browser) = Browser::start() else { return };
+    let Pages { pages, folder: _folder } = all();
+    browser.size(1024, 768);
+    for page in &pages {
+        browser.open(page);
+        let at = browser.evaluate(
+            "(() => { const mark = [...document.querySelectorAll('figure svg circle.map, figure svg circle.cal')].find(m => m.querySelector('title'));
+               mark.scrollIntoView({ block: 'center' });
+               const box = mark.getBoundingClientRect();
+               return [box.left + box.width / 2, box.top + box.height / 2] })()",
+        );
+        browser.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))");
+        browser.call("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": at[0], "y": at[1] }));
+        let tip = "document.getElementById('tip').hidden ? '' : document.getElementById('tip').textContent";
+        let said = browser.evaluate(tip).as_str().unwrap().to_owned();
+        let numbers = said.split(|c: char| !c.is_ascii_digit()).filter(|n| !n.is_empty()).count();
+        assert!(
+            numbers >= 4 && said.to_lowercase().contains("pose") && said.contains("µm"),
+            "{}: {said:?}",
+            page.display()
+        );
+        // away from it, and on with the keys
+        browser.call("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": 1, "y": 1 }));
+        assert_eq!(browser.evaluate(tip), "", "{}", page.display());
+        browser.evaluate("document.querySelector('svg[tabindex]').focus()");
+        let press = |browser: &mut Browser| {
+            browser.call(
+                "Input.dispatchKeyEvent",
+                json!({ "type": "keyDown", "key": "ArrowRight", "code": "ArrowRight" }),
+            );
+            browser.evaluate(tip).as_str().unwrap().to_owned()
+        };
+        let (first, second) = (press(&mut browser), press(&mut browser));
+        assert!(!first.is_empty() && first != second, "{}: {first:?}, {second:?}", page.display());
+    }
+}
+
+#[test]
+fn before_and_after_are_switched_without_a_script() {
+    let Some(mut browser) = Browser::start() else { return };
+    let Pages { pages, folder: _folder } = all();
+    browser.open(&pages[0]);
+    let shown = "[...document.querySelectorAll('.pair figure')].map(f => f.checkVisibility())";
+    assert_eq!(browser.evaluate(shown), json!([true, true]));
+    for (side, expected) in [("before", [true, false]), ("after", [false, true]), ("both", [true, true])] {
+        browser.evaluate(&format!("document.querySelector('.switch input[value={side}]').checked = true"));
+        assert_eq!(browser.evaluate(shown), json!(expected), "{side}");
+    }
+    browser.evaluate("document.querySelector('.switch input[value=after]').checked = true");
+    browser.call("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+    assert_eq!(browser.evaluate(shown), json!([true, true]));
+}
+
+/// Whitespace is where a printer breaks lines; marks of direction are not printed.
+fn letters(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace() && !('\u{2066}'..='\u{2069}').contains(c)).collect()
+}
+
+#[test]
+fn printing_cuts_no_figure_and_no_row() {
+    let Some(mut browser) = Browser::start() else { return };
+    if Command::new("pdftotext").arg("-v").stderr(Stdio::null()).status().is_err() {
+        println!("skipped: there is no `pdftotext` to read the printed pages with");
+        return;
+    }
+    let Pages { pages, folder } = all();
+    for page in pages.iter().filter(|page| **page != hostile(&folder)) {
+        browser.open(page);
+        browser.call("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+        let whole = list(&browser.evaluate(
+            "[...document.querySelectorAll('tr, figure, .signatures')].filter(e => e.checkVisibility()).map(e =>
+               e.tagName === 'FIGURE' ? e.querySelector('figcaption').textContent + [...e.querySelectorAll('svg text')].map(t => t.textContent).join('') : e.textContent)",
+        ));
+        let printed = browser.call(
+            "Page.printToPDF",
+            json!({ "paperWidth": 8.27, "paperHeight": 11.69, "printBackground": true, "preferCSSPageSize": true }),
+        );
+        let path = folder.path().join("printed.pdf");
+        std::fs::write(path.with_extension("base64"), printed["data"].as_str().unwrap()).unwrap();
+        let decoded = Command::new("base64").arg("-d").arg(path.with_extension("base64")).output().unwrap();
+        std::fs::write(&path, decoded.stdout).unwrap();
+        let text = Command::new("pdftotext").args(["-raw".as_ref(), path.as_os_str(), "-".as_ref()]).output().unwrap();
+        let text = String::from_utf8_lossy(&text.stdout).into_owned();
+        let sheets: Vec<String> = text.split('\u{c}').map(letters).filter(|sheet| !sheet.is_empty()).collect();
+        assert!(whole.len() > 20 && sheets.len() > 2, "{}: {} sheets", page.display(), sheets.len());
+        let on_one_sheet = |text: &String| sheets.iter().any(|sheet| sheet.contains(&letters(text)));
+        let cut: Vec<_> = whole.iter().filter(|text| !on_one_sheet(text)).collect();
+        assert!(cut.is_empty(), "{}: {cut:#?}", page.display());
+        browser.call("Emulation.setEmulatedMedia", json!({ "media": "" }));
+    }
+}

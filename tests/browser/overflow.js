@@ -1,0 +1,32 @@
+(() => {
+  const width = document.documentElement.clientWidth, found = [];
+  const say = (what, node) => found.push(what + ": <" + node.tagName + " class=" + (node.getAttribute("class") || "") + "> "
+    + node.textContent.trim().slice(0, 60));
+  if (document.documentElement.scrollWidth > width) found.push("the page is " + document.documentElement.scrollWidth + " wide");
+  const scrolls = node => {
+    for (let at = node.parentElement; at && at !== document.body; at = at.parentElement)
+      if (getComputedStyle(at).overflowX !== "visible") return true;
+    return false;
+  };
+  for (const node of document.body.querySelectorAll("*")) {
+    if (node.closest("svg") && node.tagName !== "svg") continue;
+    const box = node.getBoundingClientRect();
+    if (box.width && (box.right > width + 1 || box.left < -1) && !scrolls(node)) say("beyond the window", node);
+  }
+  // letters of a picture stay inside it, and apart from each other
+  for (const picture of document.querySelectorAll("svg")) {
+    const frame = picture.viewBox.baseVal, boxes = [];
+    for (const letters of picture.querySelectorAll("text")) {
+      const box = letters.getBBox(), turned = letters.hasAttribute("transform");
+      const middle = [box.x + box.width / 2, box.y + box.height / 2];
+      const [w, h] = turned ? [box.height, box.width] : [box.width, box.height];
+      const seen = { left: middle[0] - w / 2, right: middle[0] + w / 2, top: middle[1] - h / 2, bottom: middle[1] + h / 2, node: letters };
+      if (seen.left < -1 || seen.right > frame.width + 1 || seen.top < -2 || seen.bottom > frame.height + 2) say("outside its picture", letters);
+      for (const other of boxes)
+        if (seen.left < other.right - 1 && other.left < seen.right - 1 && seen.top < other.bottom - 4 && other.top < seen.bottom - 4)
+          say("over `" + other.node.textContent + "`", letters);
+      boxes.push(seen);
+    }
+  }
+  return found;
+})()

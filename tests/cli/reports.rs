@@ -1,0 +1,272 @@
+//! The report as PDF and as workbook: what other programs find in them.
+
+use super::{etalon, text_of};
+use crate::scratch::{Scratch, copy_sample};
+use calamine::{Data, Reader, Xlsx};
+use serde_json::Value;
+use std::io::Cursor;
+use std::path::Path;
+use std::process::Command;
+
+fn ran(sample: &str) -> Scratch {
+    let scratch = copy_sample(sample);
+    let output = etalon(scratch.root(), &["run", "campaign"]);
+    assert!(output.status.success(), "{}", text_of(&output));
+    scratch
+}
+
+/// What a program of the machine prints when asked about `{}`, a file, or `None` after saying that it is not there.
+fn tool(program: &str, arguments: &[&str], file: &Path) -> Option<String> {
+    let file = file.to_str().unwrap();
+    let arguments: Vec<&str> = arguments.iter().map(|a| if *a == "{}" { file } else { a }).collect();
+    match Command::new(program).args(&arguments).output() {
+        Ok(output) => {
+            assert!(output.status.success(), "{program} {arguments:?}: {}", text_of(&output));
+            Some(String::from_utf8_lossy(&output.stdout).into_owned())
+        }
+        Err(e) => {
+            println!("skipped: {program} could not be started ({e})");
+            None
+        }
+    }
+}
+
+fn document(scratch: &Scratch, name: &str) -> Value {
+    serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(name)).unwrap()).unwrap()
+}
+
+#[cfg(feature = "pdf")]
+mod pdf {
+    use super::*;
+
+    #[test]
+    fn its_text_is_what_the_documents_say_and_its_pages_are_counted() {
+        let scratch = ran("prexyt-cmm");
+        let file = scratch.path().join("out/report.pdf");
+        let Some(information) = tool("pdfinfo", &["{}"], &file) else { return };
+        let pages = information.lines().find_map(|l| l.strip_prefix("Pages:")).unwrap().trim().to_owned();
+        let words = tool("pdftotext", &["-layout", "{}", "-"], &file).unwrap();
+        for page in 1..=pages.parse::<usize>().unwrap() {
+            assert!(words.contains(&format!("page {page} of {pages}")), "{page} of {pages}");
+        }
+        let inputs = document(&scratch, "parameters.json");
+        let checksum = inputs["provenance"]["inputs"]["encoders.csv"].as_str().unwrap();
+        for part in [
+            "PreXYT, CMM (synthetic)",
+            "Both limits of the campaign are met.",
+            "Synthetic data:",
+            checksum,
+            "epsilon_theta",
+            "Signatures",
+        ] {
+            assert!(words.contains(part), "{part}: {words}");
+        }
+        // every parameter with its uncertainty stands in a row of its own
+        for p in inputs["parameters"].as_array().unwrap() {
+            let name = p["name"].as_str().unwrap();
+            assert!(words.lines().any(|l| l.trim_start().starts_with(&format!("{name} "))), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_laboratory_lays_it_out_in_its_own_way_and_language() {
+        let scratch = copy_sample("prexyt-repeatability");
+        let own = "#set page(footer: [sheet #context counter(page).display()])\n#let r = json(\"report.json\")\n\
+                   = #r.title\n#r.labels.signatures: #r.sections.len()";
+        std::fs::create_dir(scratch.path().join("own")).unwrap();
+        std::fs::write(scratch.path().join("own/report.typ"), own).unwrap();
+        std::fs::write(scratch.path().join("logo.png"), PNG).unwrap();
+        let dress = "[report]\nlanguage = \"de\"\nlogo = \"logo.png\"\ntemplates = \"own\"\n\n[instrument]";
+        scratch.replace("campaign.toml", "[instrument]", dress);
+        let run = || etalon(scratch.root(), &["run", "campaign"]);
+        assert!(run().status.success());
+        let file = scratch.path().join("out/report.pdf");
+        if let Some(words) = tool("pdftotext", &["{}", "-"], &file) {
+            assert!(words.contains("Unterschriften: ") && words.contains("sheet 1"), "{words}");
+        }
+        // the documents go along with any layout
+        if let Some(attached) = tool("qpdf", &["--list-attachments", "{}"], &file) {
+            assert!(attached.contains("iso9283.json") && attached.contains("campaign.json"), "{attached}");
+        }
+        // the built-in layout in German, with the logo
+        std::fs::remove_file(scratch.path().join("own/report.typ")).unwrap();
+        std::fs::write(scratch.path().join("own/signatures.html"), "").unwrap();
+        assert!(run().status.success());
+        if let Some(words) = tool("pdftotext", &["{}", "-"], &file) {
+            assert!(words.contains("Seite 1 von") && words.contains("Grenzwert"), "{words}");
+        }
+        if let Some(images) = tool("pdfimages", &["-list", "{}"], &file) {
+            assert_eq!(images.lines().count(), 3, "{images}");
+        }
+        // what is wrong with a layout is told with its line
+        for (text, said) in [("ok\n#let x = (1", "unclosed"), ("ok\n#panic(\"no\")", "panicked")] {
+            std::fs::write(scratch.path().join("own/report.typ"), text).unwrap();
+            let refused = run();
+            let told = text_of(&refused);
+            assert_eq!(refused.status.code(), Some(2), "{told}");
+            assert!(told.contains(said) && told.contains("report.typ:2:"), "{told}");
+        }
+    }
+
+    /// One grey point.
+    const PNG: &[u8] = b"\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00\x01\x00\x00\x00\x01\x08\x00\x00\x00\x00:~\x9bU\x00\x00\x00\x0aIDATx\x9cch\x00\x00\x00\x82\x00\x81w\xcdr\xb6\x00\x00\x00\x00IEND\xaeB`\x82";
+
+    #[test]
+    fn fonts_are_embedded_and_the_file_is_sound() {
+        let scratch = ran("prexyt-repeatability");
+        let file = scratch.path().join("out/report.pdf");
+        if let Some(fonts) = tool("pdffonts", &["{}"], &file) {
+            let rows: Vec<&str> = fonts.lines().skip(2).collect();
+            assert!(!rows.is_empty() && rows.iter().all(|r| r.contains(" yes yes yes ")), "{fonts}");
+        }
+        if let Some(checked) = tool("qpdf", &["--check", "{}"], &file) {
+            assert!(checked.contains("No syntax or stream encoding errors found"), "{checked}");
+        }
+    }
+
+    #[test]
+    fn it_says_that_it_is_pdf_a_3_and_carries_its_documents() {
+        let scratch = ran("prexyt-cmm");
+        let file = scratch.path().join("out/report.pdf");
+        let Some(plain) = tool("qpdf", &["--qdf", "--object-streams=disable", "{}", "-"], &file) else {
+            return;
+        };
+        for part in [
+            "<pdfaid:part>3</pdfaid:part>",
+            "<pdfaid:conformance>A</pdfaid:conformance>",
+            "/OutputIntents",
+            "/S /GTS_PDFA1",
+            "/AFRelationship /Data",
+            "/AFRelationship /Source",
+            "/StructTreeRoot",
+            "/Marked true",
+            "D:1980",
+        ] {
+            assert!(plain.contains(part), "{part}");
+        }
+        assert!(!plain.contains("/JavaScript") && !plain.contains("/Encrypt"));
+        for name in ["parameters.json", "accuracy.json", "campaign.json"] {
+            let attached = tool("qpdf", &[&format!("--show-attachment={name}"), "{}"], &file).unwrap();
+            assert!(attached == std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap(), "{name}");
+        }
+    }
+}
+
+/// A workbook of the output folder.
+fn workbook(scratch: &Scratch) -> Xlsx<Cursor<Vec<u8>>> {
+    calamine::open_workbook_from_rs(Cursor::new(std::fs::read(scratch.path().join("out/report.xlsx")).unwrap()))
+        .unwrap()
+}
+
+/// The cells below the header whose title is `column`.
+fn column(book: &mut Xlsx<Cursor<Vec<u8>>>, sheet: &str, column: &str) -> Vec<Data> {
+    let range = book.worksheet_range(sheet).unwrap();
+    let titles: Vec<String> = range.rows().next().unwrap().iter().map(ToString::to_string).collect();
+    let at = titles.iter().position(|t| t == column).unwrap_or_else(|| panic!("{sheet} has no {column}: {titles:?}"));
+    range.rows().skip(1).map(|row| row[at].clone()).collect()
+}
+
+/// The same numbers, to the last bit, and the same texts.
+fn same(cells: &[Data], values: &[Value]) {
+    assert_eq!(cells.len(), values.len());
+    for (cell, value) in cells.iter().zip(values) {
+        match (cell, value) {
+            (Data::Empty, Value::Null) => {}
+            (Data::Float(a), Value::Number(b)) => assert_eq!(Some(*a), b.as_f64()),
+            (Data::String(a), Value::String(b)) => assert_eq!(a, b),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+fn all(values: &Value, key: &str) -> Vec<Value> {
+    values.as_array().unwrap().iter().map(|v| v.pointer(key).cloned().unwrap_or_default()).collect()
+}
+
+#[test]
+fn the_workbook_holds_every_number_of_a_calibration() {
+    let scratch = ran("prexyt-cmm");
+    let (parameters, accuracy) = (document(&scratch, "parameters.json"), document(&scratch, "accuracy.json"));
+    let mut book = workbook(&scratch);
+    let list = &parameters["parameters"];
+    for (title, key) in [
+        ("name", "/name"),
+        ("unit", "/unit"),
+        ("nominal", "/nominal"),
+        ("identified", "/value"),
+        ("u (k = 1)", "/standard_uncertainty"),
+    ] {
+        same(&column(&mut book, "Parameters", title), &all(list, key));
+    }
+    let identified: Vec<&Value> = list.as_array().unwrap().iter().filter(|p| p["status"] == "identified").collect();
+    for (i, p) in identified.iter().enumerate() {
+        let name = p["name"].as_str().unwrap();
+        same(&column(&mut book, "Covariance", name), &all(&parameters["covariance"], &format!("/{i}")));
+        assert_eq!(column(&mut book, "Correlation", name)[i], Data::Float(1.0));
+    }
+    let errors: Vec<Value> = all(&accuracy["sets"], "/errors").iter().flat_map(|e| all(e, "/after/rms")).collect();
+    same(&column(&mut book, "Errors", "after, RMS"), &errors);
+    same(&column(&mut book, "Limits", "reached"), &all(&accuracy["limits"], "/value"));
+    let inputs = &parameters["provenance"]["inputs"];
+    let checksums: Vec<Value> = inputs.as_object().unwrap().values().cloned().collect();
+    same(&column(&mut book, "Inputs", "SHA-256"), &checksums);
+    let features = document(&scratch, "features.json");
+    same(&column(&mut book, "Features", "point x [mm]"), &all(&features["features"], "/point_mm/0"));
+    let frames = document(&scratch, "frames.json");
+    let axis = all(&frames["world"]["poses"], "/export_T_world/rotation/1/0");
+    same(&column(&mut book, "Frames", "x axis, y"), &axis);
+    // every residual, and their largest by pose
+    let largest = |book: &mut _, sheet: &str, title: &str| {
+        let cells = column(book, sheet, title);
+        cells.iter().filter_map(|c| if let Data::Float(v) = c { Some(*v) } else { None }).fold(0.0, f64::max)
+    };
+    let count: u64 = all(&accuracy["sets"], "/count").iter().filter_map(Value::as_u64).sum();
+    assert_eq!(column(&mut book, "Residuals", "after, x [mm]").len() as u64, count);
+    let max = all(&accuracy["sets"], "/errors/0/after/max").iter().filter_map(Value::as_f64).fold(0.0, f64::max);
+    assert!((largest(&mut book, "Errors by pose", "position after, max [mm]") - max).abs() < 1e-12);
+}
+
+#[test]
+fn the_workbook_holds_every_characteristic_of_a_test() {
+    let scratch = ran("prexyt-repeatability");
+    let found = document(&scratch, "iso9283.json");
+    let mut book = workbook(&scratch);
+    let mut poses = found["poses"].as_array().unwrap().clone();
+    poses.push(found["homing"].clone());
+    for (title, key) in
+        [("RP [mm]", "/rp_mm"), ("RP along z [mm]", "/rp_along_z_mm"), ("U over RP", "/uncertainty_over_rp")]
+    {
+        same(&column(&mut book, "ISO 9283 poses", title), &all(&Value::Array(poses.clone()), key));
+    }
+    same(&column(&mut book, "ISO 9283 variation", "vAP [mm]"), &all(&found["approaches"], "/vap_mm"));
+    same(&column(&mut book, "ISO 9283 visits", "z [mm]"), &all(&found["visits"], "/attained_mm/2"));
+    same(&column(&mut book, "ISO 9283 visits", "approached"), &all(&found["visits"], "/approach"));
+    let sheets = book.sheet_names();
+    assert!(sheets.iter().any(|s| s == "Summary") && !sheets.iter().any(|s| s == "Parameters"), "{sheets:?}");
+}
+
+#[test]
+fn names_are_texts_in_the_workbook_and_never_formulas() {
+    let scratch = copy_sample("prexyt-cmm");
+    let name = r#"=HYPERLINK("http://192.0.2.1","x")"#;
+    scratch.replace("campaign.toml", "\"PreXYT, CMM (synthetic)\"", &format!("'{name}'"));
+    assert!(etalon(scratch.root(), &["run", "campaign"]).status.success());
+    let mut book = workbook(&scratch);
+    let told = column(&mut book, "Summary", "value");
+    assert!(told.contains(&Data::String(name.to_owned())), "{told:?}");
+    for sheet in book.sheet_names() {
+        assert!(book.worksheet_formula(&sheet).unwrap().is_empty(), "{sheet}");
+    }
+    let bytes = std::fs::read(scratch.path().join("out/report.xlsx")).unwrap();
+    assert!(!text_in(&bytes, "Target=\"http"));
+}
+
+/// Whether any part of a ZIP file holds `text`.
+fn text_in(bytes: &[u8], text: &str) -> bool {
+    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).unwrap();
+    (0..archive.len()).any(|i| {
+        let mut part = String::new();
+        std::io::Read::read_to_string(&mut archive.by_index(i).unwrap(), &mut part).unwrap();
+        part.contains(text)
+    })
+}
