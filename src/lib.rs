@@ -33,7 +33,7 @@
 //! [`repeatability`] and [`pose_test`] (labelled visits, or tables of them, become characteristics),
 //! [`recording`] and [`stream_test`] (so do recorded motions), [`load_test`] (and a loaded robot's),
 //! [`reference_targets`] (drift of the set-up taken out), [`coordinates`] (what
-//! their tables share), [`test_plan`] (what to command in such a test).
+//! their tables share), [`test_plan`] (what to command in such a test), [`compare`] (what changed between campaigns).
 //!
 //! What comes out: [`document`] (the types behind every JSON document), [`schema`], [`parameters`], [`output`],
 //! [`report`] and [`export`], which read documents and nothing else, [`dress`] (a laboratory's logo and templates). [`message`] is how everything says what is wrong.
@@ -80,6 +80,7 @@
 pub mod campaign;
 pub mod check;
 pub mod cli;
+pub mod compare;
 pub mod coordinates;
 pub mod document;
 pub mod dress;

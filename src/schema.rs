@@ -9,6 +9,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("accuracy", schema::<AccuracyDocument>()),
         ("campaign", schema::<CampaignSummary>()),
         ("check", schema::<CheckDocument>()),
+        ("compare", schema::<CompareDocument>()),
         ("fit", schema::<FitDocument>()),
         ("features", schema::<FeaturesDocument>()),
         ("formats", schema::<FormatsDocument>()),

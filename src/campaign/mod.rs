@@ -181,6 +181,7 @@ impl Campaign {
         let file = &self.file;
         Ok(CampaignSummary {
             name: file.name.clone(),
+            robot: self.robot.name.clone(),
             synthetic: file.synthetic.clone(),
             notes: file.notes.clone(),
             date: file.date.clone(),

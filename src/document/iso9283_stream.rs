@@ -1,5 +1,6 @@
 //! What `etalon iso9283 --stream` answers.
 
+use super::Iso9283Interval;
 use crate::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -104,12 +105,19 @@ pub struct Iso9283Path {
     pub reorientation: bool,
     /// AT_p (8.2): largest distance of the mean path from the commanded one.
     pub at_mm: f64,
+    /// 95 % interval of AT_p by parametric bootstrap over the passes; null with fewer than three.
+    #[serde(default)]
+    pub at_interval: Option<Iso9283Interval>,
     /// Where on the path AT_p is attained.
     pub at_along_mm: f64,
     /// AT of the angles that exist, in the order a, b, c.
     pub at_angles_deg: Vec<f64>,
     /// RT_p (8.3): largest mean radius + 3 s; null with a single pass.
     pub rt_mm: Option<f64>,
+    /// 95 % interval of the RT_p of infinitely many passes, likewise. RT_p may lie above it: the largest of many values that
+    /// scatter is too large.
+    #[serde(default)]
+    pub rt_interval: Option<Iso9283Interval>,
     /// Where on the path RT_p is attained.
     pub rt_along_mm: Option<f64>,
     /// RT of the angles that exist; empty with a single pass.

@@ -5,6 +5,7 @@
 mod arrows;
 mod axis;
 mod by_pose;
+pub(crate) mod compare;
 #[cfg(test)]
 mod demo;
 #[cfg(test)]
@@ -14,7 +15,7 @@ mod geometric;
 mod histogram;
 mod iso9283;
 mod map;
-mod number;
+pub(crate) mod number;
 mod parameters;
 mod plan;
 mod plane;
@@ -27,6 +28,7 @@ mod tests;
 mod verdict;
 mod words;
 
+pub use compare::html as compare_html;
 pub use plan::html as plan_html;
 
 use crate::document::{

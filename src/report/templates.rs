@@ -11,10 +11,11 @@ use serde::Serialize;
 use std::error::Error;
 
 /// Every template by its name; the ending turns escaping on.
-pub const BUILT_IN: [(&str, &str); 13] = [
+pub const BUILT_IN: [(&str, &str); 14] = [
     ("report.html", include_str!("report.html")),
     ("repeatability.html", include_str!("repeatability.html")),
     ("plan.html", include_str!("plan/plan.html")),
+    ("compare.html", include_str!("compare/compare.html")),
     ("style.html", include_str!("style.html")),
     ("head.html", include_str!("parts/head.html")),
     ("macros.html", include_str!("parts/macros.html")),

@@ -2,6 +2,7 @@
 
 use super::{etalon, text_of};
 use etalon::document::{Iso9283ComplianceDocument, Iso9283PlanDocument, Iso9283StreamDocument};
+use etalon::pose::Pose;
 use std::path::Path;
 use std::process::Output;
 
@@ -278,4 +279,62 @@ fn reference_targets_carry_positions_back_and_must_be_there_from_the_first_cycle
         assert_eq!(refused.status.code(), Some(2), "{said}");
         assert!(text_of(&refused).contains(said), "{said}: {}", text_of(&refused));
     }
+}
+
+/// From cycle 4 on the instrument stands elsewhere, turned by half a radian: position, orientation and targets move as one
+/// rigid body. Carried back, the test is the one without.
+#[test]
+fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let moved = Pose::from_xyz_rpy([30.0, -20.0, 10.0], [0.02, -0.03, 0.5]);
+    let attained = |cycle: i32| {
+        let j = f64::from(cycle);
+        Pose::from_xyz_rpy(
+            [100.0 + 0.01 * j * j, 200.0, 300.0 - 0.02 * j],
+            [0.1 + 0.001 * j * j, -0.2, 3.1 + 0.0003 * j],
+        )
+    };
+    let write = |name: &str, moves: bool| {
+        let now = |cycle: i32, pose: Pose| if moves && cycle > 3 { moved.then(&pose) } else { pose };
+        let row = |cycle: i32| {
+            let pose = now(cycle, attained(cycle));
+            let ([x, y, z], [a, b, c]) = (pose.translation_mm, pose.rpy_rad().map(f64::to_degrees));
+            format!("1,{cycle},{x},{y},{z},{a},{b},{c}\n")
+        };
+        let poses: String = (1..=6).map(row).collect();
+        std::fs::write(here.join(name), format!("pose,cycle,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n{poses}")).unwrap();
+        let nest = |cycle: i32| {
+            let at = [("a", [0.0, 0.0, 0.0]), ("b", [900.0, 0.0, 0.0]), ("c", [0.0, 700.0, 50.0])];
+            let places = at.map(|(name, p)| (name, now(cycle, Pose::identity()).apply(p)));
+            places.map(|(name, [x, y, z])| format!("{cycle},{name},{x},{y},{z}\n")).concat()
+        };
+        std::fs::write(here.join("nests.csv"), format!("cycle,target,x_mm,y_mm,z_mm\n{}{}", nest(1), nest(4))).unwrap();
+    };
+    let (a, b, c) = (0.1f64.to_degrees(), -(0.2f64.to_degrees()), 3.1f64.to_degrees());
+    let commanded = format!("pose,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n1,100,200,300,{a},{b},{c}\n");
+    std::fs::write(here.join("commanded.csv"), commanded).unwrap();
+    let arguments = ["iso9283", "poses.csv", "--commanded", "commanded.csv", "--all", "--json"];
+    let answer = |more: &[&str]| {
+        let output = super::etalon(here, &[&arguments[..], more].concat());
+        let document: etalon::document::Iso9283Document = serde_json::from_slice(&output.stdout).unwrap();
+        (document, text_of(&output))
+    };
+    write("poses.csv", false);
+    let (still, _) = answer(&[]);
+    write("poses.csv", true);
+    let order = ["--reference", "nests.csv", "--rotation-order", "Rz(c) Ry(b) Rx(a)"];
+    let (back, _) = answer(&order);
+    let numbers = |d: &etalon::document::Iso9283Document| {
+        let p = &d.poses[0];
+        [p.ap_mm, p.rp_mm, p.ap_a_deg, p.ap_b_deg, p.ap_c_deg, p.rp_a_deg, p.rp_b_deg, p.rp_c_deg].map(|v| v.unwrap())
+    };
+    for (found, expected) in numbers(&back).iter().zip(numbers(&still)) {
+        assert!((found - expected).abs() < 1e-9, "{found} instead of {expected}");
+    }
+    assert!(back.conventions.iter().any(|c| c == "positions and orientations are carried back by reference targets"));
+    // without the order positions alone are carried back, and that is told
+    let (half, said) = answer(&order[..2]);
+    assert!((half.poses[0].ap_mm.unwrap() - still.poses[0].ap_mm.unwrap()).abs() < 1e-9);
+    assert!(half.poses[0].rp_c_deg.unwrap() > 10.0 && said.contains("angles are not turned back"), "{said}");
 }

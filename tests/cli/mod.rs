@@ -1,5 +1,6 @@
 //! The command line: what README.md shows is what the program prints, and every command does what it says.
 
+mod compare;
 mod fit;
 mod five_bar;
 mod iso9283;

@@ -66,7 +66,7 @@ pub(super) struct StreamOptions {
 }
 
 impl StreamOptions {
-    pub fn run(&self, file: &Path, commanded: Option<&Path>, json: bool) -> anyhow::Result<Verdict> {
+    pub fn run(&self, file: &Path, commanded: Option<&Path>, (seed, json): (u64, bool)) -> anyhow::Result<Verdict> {
         self.check()?;
         let recording = self.recording(file)?;
         let settings = Settings {
@@ -79,6 +79,7 @@ impl StreamOptions {
                 Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
                 None => "times: as stamped in the recording".to_owned(),
             },
+            seed,
         };
         let document = evaluate(&recording, &settings)?;
         if let Some(path) = &self.write_poses {
