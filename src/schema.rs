@@ -20,6 +20,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("iso9283-compliance", schema::<Iso9283ComplianceDocument>()),
         ("iso9283-plan", schema::<Iso9283PlanDocument>()),
         ("iso9283-stream", schema::<Iso9283StreamDocument>()),
+        ("iso9283-streams", schema::<Iso9283StreamsDocument>()),
         ("parameters", schema::<ParametersDocument>()),
         ("plan", schema::<PlanDocument>()),
         ("written", schema::<WrittenDocument>()),

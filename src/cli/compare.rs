@@ -138,7 +138,7 @@ fn as_text(document: &CompareDocument) -> String {
             );
         }
     }
-    text + "\n" + &document.conventions.iter().map(|c| format!("{}\n", one_line(c))).collect::<String>()
+    text + "\n" + &document.conventions.iter().map(|c| format!("{c}\n")).collect::<String>()
 }
 
 fn together(text: &mut String, t: &CompareTogether) {

@@ -17,6 +17,7 @@ use plan::PlanOptions;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use stream::StreamOptions;
+pub(super) use stream_text::as_text as stream_as_text;
 
 /// Pose accuracy, repeatability and what goes with them, by ISO 9283
 ///

@@ -17,10 +17,10 @@ mod report;
 mod run;
 mod schema;
 mod simulate;
-mod table_file;
 mod text_format;
 
 use crate::document::WrittenDocument;
+use crate::table_file;
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
 use std::io::Write;

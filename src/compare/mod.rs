@@ -9,7 +9,7 @@ pub mod significance;
 mod trend;
 
 use crate::document::*;
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Problems, Result, one_line};
 use std::collections::{BTreeMap, BTreeSet};
 use trend::judge;
 
@@ -184,9 +184,10 @@ fn shared_instrument(all: &[Compared]) -> String {
     let names: BTreeSet<Option<&str>> = all.iter().map(|c| c.campaign.instrument.as_deref()).collect();
     match (names.len(), names.first()) {
         (1, Some(Some(name))) => format!(
-            "all campaigns share the instrument {name}: errors of it that stay the same are in every value and cancel in the \
+            "all campaigns share the instrument {}: errors of it that stay the same are in every value and cancel in the \
              changes, so that changes are known better than stated where they are part of u; what it drifted by between \
-             campaigns looks like a change of the robot"
+             campaigns looks like a change of the robot",
+            one_line(name)
         ),
         _ => "the campaigns have different instruments: a systematic difference between them, which no scatter shows, looks \
               like a change of the robot"

@@ -23,6 +23,9 @@ pub struct Iso9283StreamDocument {
     pub standstills: Vec<Iso9283Standstill>,
     /// Arrivals by pose; empty without a limit band.
     pub settling: Vec<Iso9283Settling>,
+    /// How the robot came to stand: the first arrivals at each pose; empty without a limit band.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub arrivals: Vec<Iso9283Arrival>,
     /// Moves between poses; empty without a limit band.
     pub posing: Vec<Iso9283Posing>,
     /// The commanded path, where one is stated and it is no weave.
@@ -192,4 +195,49 @@ pub struct Iso9283Weaving {
     pub ws_percent: f64,
     /// WF.
     pub wf_percent: f64,
+}
+
+/// One arrival, from the first entry into the limit band on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Arrival {
+    /// Number of the pose.
+    pub pose: i64,
+    /// Which visit of that pose it is, from 1.
+    pub cycle: i64,
+    /// Times since the entry.
+    pub time_s: Vec<f64>,
+    /// Distances from where the robot came to stand.
+    pub away_mm: Vec<f64>,
+}
+
+/// Recorded motions of a campaign.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283StreamsDocument {
+    /// `etalon/iso9283-streams/1`
+    pub schema: String,
+    /// One per `[[stream]]`.
+    pub streams: Vec<Iso9283NamedStream>,
+}
+
+impl Iso9283StreamsDocument {
+    /// What is remarked of any of them.
+    pub fn messages(&self) -> impl Iterator<Item = &Message> {
+        self.streams.iter().flat_map(|s| &s.stream.messages)
+    }
+}
+
+/// One of them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283NamedStream {
+    /// Name in the campaign.
+    pub name: String,
+    /// File as the campaign names it.
+    pub file: String,
+    /// Limit band, where one is stated.
+    pub band_mm: Option<f64>,
+    /// What the recording tells.
+    pub stream: Iso9283StreamDocument,
 }

@@ -33,6 +33,12 @@ const STREAM: u64 = 8283;
 /// At most so many command points, evenly chosen, the worst among them: neighbours say the same.
 const POINTS: usize = 100;
 
+/// Probability beyond either end for AT: with 2.5 %, simulated tests of ten passes hold the truth in 93 % and not in 95 %.
+const AT_TAIL: f64 = 0.018;
+/// Probability below the lower end for RT: few passes tell neighbours more alike than they are, which hides some of what the
+/// largest of many adds; with 2.5 %, simulated tests lie above the truth in up to 11 %.
+const RT_LOW_TAIL: f64 = 0.01;
+
 impl PathBootstrap {
     /// 95 % interval of AT_p, at least three passes: how much more or less the mean path may deviate, as a whole, before what
     /// was found is at either end of what is drawn. Its errors are Student's, alike in shape to what the passes scatter.
@@ -75,11 +81,12 @@ impl PathBootstrap {
         if found.at_mm == 0.0 {
             return Ok(Interval { low_mm: 0.0, high_mm: 0.0 });
         }
-        Ok(Interval { low_mm: if beyond(0.0) > TAIL { 0.0 } else { end(TAIL) }, high_mm: end(1.0 - TAIL) })
+        let low_mm = if beyond(0.0) > AT_TAIL { 0.0 } else { end(AT_TAIL) };
+        Ok(Interval { low_mm, high_mm: end(1.0 - AT_TAIL) })
     }
 
-    /// 95 % interval of RT_p, at least three passes. How differently points scatter is drawn together first, as a sample's
-    /// scatters lie wider apart than the truth's.
+    /// 95 % interval of RT_p, at least three passes. A sample's scatters lie wider apart along the path than the truth's, and
+    /// few passes do not tell by how much: for the lower end they are drawn together, for the upper end they stay as found.
     pub fn repeatability(
         &self,
         passes: &[Pass],
@@ -120,11 +127,15 @@ impl PathBootstrap {
         let share = if share.is_finite() { share } else { 1.0 };
         let truth: Vec<f64> = logs.iter().map(|l| (mean + share * (l - mean)).exp()).collect();
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
-        let rt = largest(&mut truth.iter().copied());
-        let ratio = |r: &Vec<f64>| largest(&mut r.iter().zip(&truth).map(|(r, t)| r * t)) / rt;
-        let mut ratios: Vec<f64> = ratios.iter().map(ratio).collect();
-        let mut end = |share: f64| found.rt_mm / quantile(&mut ratios, share);
-        Ok(Interval { low_mm: end(1.0 - TAIL), high_mm: end(TAIL) })
+        let as_found: Vec<f64> = there.iter().map(|&i| expected[i]).collect();
+        let quantile_of = |truth: &[f64], share: f64| {
+            let rt = largest(&mut truth.iter().copied());
+            let ratio = |r: &Vec<f64>| largest(&mut r.iter().zip(truth).map(|(r, t)| r * t)) / rt;
+            quantile(&mut ratios.iter().map(ratio).collect::<Vec<_>>(), share)
+        };
+        let low_mm = found.rt_mm / quantile_of(&truth, 1.0 - RT_LOW_TAIL);
+        let high_mm = found.rt_mm / quantile_of(&as_found, TAIL);
+        Ok(Interval { low_mm, high_mm: high_mm.max(low_mm) })
     }
 }
 

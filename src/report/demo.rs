@@ -37,6 +37,7 @@ impl Documents {
             errors: &self.errors,
             geometric: None,
             iso9283: None,
+            streams: None,
         }
     }
 

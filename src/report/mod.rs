@@ -20,6 +20,7 @@ mod parameters;
 mod plan;
 mod plane;
 mod points;
+mod streams;
 mod svg;
 mod tables;
 pub mod templates;
@@ -33,7 +34,7 @@ pub use plan::html as plan_html;
 
 use crate::document::{
     AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument,
-    Iso9283Document, ParametersDocument, PointError, Provenance, WorldFrame,
+    Iso9283Document, Iso9283StreamsDocument, ParametersDocument, PointError, Provenance, WorldFrame,
 };
 use crate::message::{Message, Result};
 use serde::Serialize;
@@ -59,6 +60,8 @@ pub struct Report<'a> {
     pub geometric: Option<&'a GeometricDocument>,
     /// Repeatability, where the campaign tests it.
     pub iso9283: Option<&'a Iso9283Document>,
+    /// Recorded motions, where the campaign has any.
+    pub streams: Option<&'a Iso9283StreamsDocument>,
 }
 
 /// What the report of a test of repeatability alone tells.
@@ -73,6 +76,8 @@ pub struct TestReport<'a> {
     pub frames: &'a FramesDocument,
     /// Repeatability.
     pub iso9283: &'a Iso9283Document,
+    /// Recorded motions, where the campaign has any.
+    pub streams: Option<&'a Iso9283StreamsDocument>,
 }
 
 /// What the template sees: documents as they are, and what was computed from them.
@@ -93,6 +98,7 @@ struct Page<'a> {
     pictures: Vec<points::Picture>,
     geometric: Option<geometric::Section<'a>>,
     iso9283: Option<iso9283::Section<'a>>,
+    streams: Vec<streams::Section<'a>>,
     /// errors that are not finite
     undrawn: usize,
 }
@@ -117,6 +123,7 @@ pub fn html(report: &Report) -> Result<String> {
         pictures: pictures(report, words),
         geometric: report.geometric.map(|g| geometric::section(g, words)),
         iso9283: report.iso9283.map(|i| iso9283::section(i, words)),
+        streams: report.streams.map(streams::sections).unwrap_or_default(),
         undrawn: report.errors.len() - points::drawable(report.errors).len(),
     };
     templates::render("report.html", presentation, words, page)
@@ -135,6 +142,7 @@ struct TestPage<'a> {
     class: &'static str,
     sentence: String,
     iso9283: iso9283::Section<'a>,
+    streams: Vec<streams::Section<'a>>,
 }
 
 /// The report of a test of repeatability alone as one HTML page.
@@ -153,10 +161,14 @@ pub fn test_html(report: &TestReport) -> Result<String> {
             inputs: report.import.inputs(),
             seed: None,
         },
-        messages: report.import.messages.iter().chain(&report.iso9283.messages).collect(),
+        messages: {
+            let tested = report.import.messages.iter().chain(&report.iso9283.messages);
+            tested.chain(report.streams.iter().flat_map(|s| s.messages())).collect()
+        },
         class,
         sentence,
         iso9283: iso9283::section(report.iso9283, words),
+        streams: report.streams.map(streams::sections).unwrap_or_default(),
     };
     templates::render("repeatability.html", presentation, words, page)
 }
@@ -164,7 +176,9 @@ pub fn test_html(report: &TestReport) -> Result<String> {
 fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
     let geometric = report.geometric.iter().flat_map(|g| &g.messages);
     let iso9283 = report.iso9283.iter().flat_map(|i| &i.messages);
-    report.parameters.messages.iter().chain(&report.import.messages).chain(geometric).chain(iso9283).collect()
+    let streams = report.streams.iter().flat_map(|s| s.messages());
+    let all = report.parameters.messages.iter().chain(&report.import.messages);
+    all.chain(geometric).chain(iso9283).chain(streams).collect()
 }
 
 fn pictures(report: &Report, words: &Words) -> Vec<points::Picture> {

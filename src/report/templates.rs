@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::error::Error;
 
 /// Every template by its name; the ending turns escaping on.
-pub const BUILT_IN: [(&str, &str); 14] = [
+pub const BUILT_IN: [(&str, &str); 15] = [
     ("report.html", include_str!("report.html")),
     ("repeatability.html", include_str!("repeatability.html")),
     ("plan.html", include_str!("plan/plan.html")),
@@ -22,6 +22,7 @@ pub const BUILT_IN: [(&str, &str); 14] = [
     ("campaign.html", include_str!("parts/campaign.html")),
     ("messages.html", include_str!("parts/messages.html")),
     ("iso9283.html", include_str!("parts/iso9283.html")),
+    ("streams.html", include_str!("parts/streams.html")),
     ("frames.html", include_str!("parts/frames.html")),
     ("import.html", include_str!("parts/import.html")),
     ("provenance.html", include_str!("parts/provenance.html")),

@@ -338,3 +338,42 @@ fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
     assert!((half.poses[0].ap_mm.unwrap() - still.poses[0].ap_mm.unwrap()).abs() < 1e-9);
     assert!(half.poses[0].rp_c_deg.unwrap() > 10.0 && said.contains("angles are not turned back"), "{said}");
 }
+
+/// The PreXYT's travel is 170, 300 and 300 mm: of a square that is wider not all is reached, and what is, is where the model says.
+#[test]
+fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let dextar = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/dextar/robot.toml");
+    let answer = |robot: &str, workspace: &str| {
+        let arguments =
+            ["iso9283", "--plan", "--json", "--write", "test", "--robot", robot, "--workspace-mm", workspace];
+        super::etalon(here, &arguments)
+    };
+    let inside = answer(dextar, "350,250,430,330");
+    assert_eq!(inside.status.code(), Some(0), "{}", text_of(&inside));
+    let document: Iso9283PlanDocument = serde_json::from_slice(&inside.stdout).unwrap();
+    let robot = etalon::campaign::read_robot(Path::new(dextar)).unwrap().build(&["tool".to_owned()]).unwrap();
+    for places in &document.places {
+        for (point, joints) in places.points.iter().zip(&places.joints) {
+            let joints = joints.as_ref().unwrap();
+            let q = [joints["theta1_deg"].to_radians(), joints["theta2_deg"].to_radians(), joints["assembly"]];
+            let [x, y, _] = robot.position(&robot.nominal(), &q, 0);
+            assert!((x - point["x_mm"]).abs() < 1e-9 && (y - point["y_mm"]).abs() < 1e-9, "{} {point:?}", places.name);
+        }
+    }
+    let table = std::fs::read_to_string(here.join("test/poses-joints.csv")).unwrap();
+    assert!(table.starts_with("pose,assembly,theta1_deg,theta2_deg\n1,") && table.lines().count() == 6, "{table}");
+    let outside = answer(dextar, "300,200,2300,2200");
+    assert_eq!(outside.status.code(), Some(1));
+    let document: Iso9283PlanDocument = serde_json::from_slice(&outside.stdout).unwrap();
+    assert!(document.unreached.iter().any(|u| u.places == "poses" && u.point == 5), "{:?}", document.unreached);
+    assert!(text_of(&outside).contains("is not reached"));
+
+    let prexyt = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/prexyt-cmm/robot.toml");
+    let table = answer(prexyt, "150,50,1150,1050");
+    assert_eq!(table.status.code(), Some(1), "{}", text_of(&table));
+    assert!(text_of(&table).contains("its travel is 0 to"), "{}", text_of(&table));
+    let arm = answer(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/abb-irb120/robot.toml"), "300,-250,900,350");
+    assert!(arm.status.code() == Some(2) && text_of(&arm).contains("model `serial`"), "{}", text_of(&arm));
+}

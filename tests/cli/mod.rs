@@ -6,6 +6,7 @@ mod five_bar;
 mod iso9283;
 mod plan;
 mod report;
+mod streams;
 
 use crate::scratch::copy_sample;
 use std::path::Path;

@@ -71,6 +71,8 @@ fn identified(folder: &str, values: &[f64], u: &[f64], of: &mut dyn FnMut(&mut P
         coverage_factor: None,
         contact: None,
         temperature_c: None,
+        conditions: Conditions::default(),
+        report: Presentation::default(),
     };
     Compared {
         folder: folder.to_owned(),

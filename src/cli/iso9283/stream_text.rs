@@ -3,19 +3,20 @@
 use crate::document::{Iso9283Interval, Iso9283Path, Iso9283StreamDocument};
 use std::fmt::Write;
 
-/// What a terminal shows.
-pub(super) fn as_text(document: &Iso9283StreamDocument) -> String {
+/// What a terminal shows; with `all`, a row for each standstill.
+pub(in crate::cli) fn as_text(document: &Iso9283StreamDocument, all: bool) -> String {
     let mut text = format!("{} samples, {:.3} s\n", document.samples, document.duration_s);
     let number = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
     let whole = |v: Option<i64>| v.map_or_else(|| "-".to_owned(), |v| v.to_string());
-    if !document.standstills.is_empty() {
+    let standstills = if all { &document.standstills[..] } else { &[] };
+    if !standstills.is_empty() {
         let _ = writeln!(
             text,
             "{:>5} {:>6} {:>10} {:>10} {:>9} {:>12} {:>12} {:>9}",
             "pose", "cycle", "from s", "to s", "noise mm", "settles s", "overshoot mm", "posing s"
         );
     }
-    for s in &document.standstills {
+    for s in standstills {
         let _ = writeln!(
             text,
             "{:>5} {:>6} {:>10.3} {:>10.3} {:>9} {:>12} {:>12} {:>9}",
