@@ -31,9 +31,9 @@
 //! (measurements meet joint values), [`evaluate`] (errors before and after),
 //! [`geometry`] (what [`geometric`] makes of a campaign), [`simulate`] (campaigns with a known truth), [`visits`],
 //! [`repeatability`] and [`pose_test`] (labelled visits, or tables of them, become characteristics),
-//! [`recording`] and [`stream_test`] (so do recorded motions), [`load_test`] (and a loaded robot's),
+//! [`recording`], [`stream_test`] and [`streams`] (so do recorded motions), [`load_test`] (and a loaded robot's),
 //! [`reference_targets`] (drift of the set-up taken out), [`coordinates`] (what
-//! their tables share), [`test_plan`] (what to command in such a test).
+//! their tables share), [`test_plan`] (what to command in such a test), [`compare`] (what changed between campaigns).
 //!
 //! What comes out: [`document`] (the types behind every JSON document), [`schema`], [`parameters`], [`output`],
 //! [`report`] and [`export`], which read documents and nothing else, [`dress`] (a laboratory's logo and templates). [`message`] is how everything says what is wrong.
@@ -80,6 +80,7 @@
 pub mod campaign;
 pub mod check;
 pub mod cli;
+pub mod compare;
 pub mod coordinates;
 pub mod document;
 pub mod dress;
@@ -116,6 +117,8 @@ pub mod simulate;
 pub mod solve;
 mod steps;
 pub mod stream_test;
+pub mod streams;
 pub mod table;
+mod table_file;
 pub mod test_plan;
 pub mod visits;

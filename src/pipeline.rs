@@ -5,12 +5,13 @@ use crate::check::{check, selections};
 use crate::document::*;
 use crate::evaluate::{self, Sets};
 use crate::identify::{self, Identification, Observation};
+use crate::import::Imported;
 use crate::message::{Message, Problems, Result};
 use crate::output::Output;
 use crate::parameters::parameters_document;
 use crate::plausible::doubts;
 use crate::robots::Robot;
-use crate::{export, frames, geometry, join, repeatability, report};
+use crate::{export, frames, geometry, join, repeatability, report, streams};
 
 /// What a run found, for the one who called it.
 #[derive(Clone, Debug)]
@@ -21,6 +22,8 @@ pub struct Outcome {
     pub accuracy: AccuracyDocument,
     /// Repeatability, where the campaign has visits.
     pub iso9283: Option<Iso9283Document>,
+    /// Recorded motions, where the campaign has any.
+    pub streams: Option<Iso9283StreamsDocument>,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
     /// Files written, in order.
@@ -57,6 +60,9 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
 
     // repeatability: visits of poses become characteristics of ISO 9283
     let iso9283 = repeatability::evaluate(campaign, &imported.points, &frames)?;
+
+    // streams: recorded motions likewise
+    let streams = recorded_motions(campaign, &mut imported)?;
 
     // join: measurements meet joint values
     let joined = join::join(campaign, &imported, &frames, robot.as_ref())?;
@@ -107,6 +113,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         errors: &errors,
         geometric: geometric.as_ref(),
         iso9283: iso9283.as_ref(),
+        streams: streams.as_ref(),
     })?;
     out.table("points", &mut imported.points)?;
     for (name, log) in &mut imported.logs {
@@ -132,6 +139,10 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         Some(document) => out.json("iso9283.json", document)?,
         None => out.remove("iso9283.json"),
     }
+    match &streams {
+        Some(document) => out.json("iso9283-streams.json", document)?,
+        None => out.remove("iso9283-streams.json"),
+    }
     for exporter in campaign.file.controllers.iter().filter_map(|name| export::by_name(name.get_ref())) {
         match parameters.is_plausible() {
             true => out.bytes(exporter.file_name(), exporter.write(&parameters)?),
@@ -141,8 +152,9 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     add(&mut out, reports);
     let messages = imported.document.messages.iter().chain(&parameters.messages);
     let messages = messages.chain(geometric.iter().flat_map(|g| &g.messages));
-    let messages = messages.chain(iso9283.iter().flat_map(|i| &i.messages)).cloned().collect();
-    Ok(Outcome { written: out.write()?, parameters, accuracy, iso9283, messages })
+    let messages = messages.chain(iso9283.iter().flat_map(|i| &i.messages));
+    let messages = messages.chain(streams.iter().flat_map(Iso9283StreamsDocument::messages)).cloned().collect();
+    Ok(Outcome { written: out.write()?, parameters, accuracy, iso9283, streams, messages })
 }
 
 /// What a test of repeatability found, for the one who called it.
@@ -150,6 +162,8 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
 pub struct Tested {
     /// Its characteristics.
     pub iso9283: Iso9283Document,
+    /// Recorded motions, where the campaign has any.
+    pub streams: Option<Iso9283StreamsDocument>,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
     /// Files written, in order.
@@ -167,6 +181,7 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     let frames = frames::make_frames(campaign, &imported.points, &features, planar)?;
     let found = repeatability::evaluate(campaign, &imported.points, &frames)?;
     let iso9283 = found.ok_or_else(|| Message::error("the campaign has neither [identify] nor [repeatability]"))?;
+    let streams = recorded_motions(campaign, &mut imported)?;
     let summary = campaign.summary()?;
     let reports = report::test_files(&report::TestReport {
         campaign: &summary,
@@ -174,6 +189,7 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
         features: &features,
         frames: &frames,
         iso9283: &iso9283,
+        streams: streams.as_ref(),
     })?;
     // an earlier run may have identified
     ["parameters.json", "accuracy.json", "residuals.parquet", "geometric.json"].into_iter().for_each(|n| out.remove(n));
@@ -183,9 +199,21 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     out.json("features.json", &features)?;
     out.json("frames.json", &frames)?;
     out.json("iso9283.json", &iso9283)?;
+    match &streams {
+        Some(document) => out.json("iso9283-streams.json", document)?,
+        None => out.remove("iso9283-streams.json"),
+    }
     add(&mut out, reports);
-    let messages = imported.document.messages.iter().chain(&iso9283.messages).cloned().collect();
-    Ok(Tested { written: out.write()?, iso9283, messages })
+    let messages = imported.document.messages.iter().chain(&iso9283.messages);
+    let messages = messages.chain(streams.iter().flat_map(Iso9283StreamsDocument::messages)).cloned().collect();
+    Ok(Tested { written: out.write()?, iso9283, streams, messages })
+}
+
+/// Characteristics of the campaign's recorded motions; their files are sources as well.
+fn recorded_motions(campaign: &Campaign, imported: &mut Imported) -> Result<Option<Iso9283StreamsDocument>> {
+    let Some((document, sources)) = streams::evaluate_all(campaign)? else { return Ok(None) };
+    imported.document.sources.extend(sources);
+    Ok(Some(document))
 }
 
 /// Adds the files of a report; a program without PDF leaves none of an earlier run.

@@ -3,6 +3,7 @@
 use crate::coordinates::{at_row, coordinates, in_file};
 use crate::document::Iso9283Epoch;
 use crate::iso9283::reference::{Epoch, epochs};
+use crate::iso9283::rotations::RotationOrder;
 use crate::message::{Message, Result};
 use crate::pose::Vector;
 use crate::table;
@@ -10,21 +11,77 @@ use crate::visits::Visits;
 use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 
+/// What was done.
+#[derive(Clone, Debug, Default)]
+pub struct CarriedBack {
+    /// What the targets say.
+    pub epochs: Vec<Iso9283Epoch>,
+    /// Whether orientations were turned as well.
+    pub turned: bool,
+}
+
 /// Carries every visit back to the first epoch of a table `cycle,target,x_mm,y_mm[,z_mm]`: the targets measured in a cycle
-/// hold from this cycle on, until the next time. Gives what they say. Angles are not turned.
-pub fn carry_back(visits: &mut Visits, (file, frame): (&str, &DataFrame)) -> Result<Vec<Iso9283Epoch>> {
+/// hold from this cycle on, until the next time. Gives what they say.
+///
+/// Orientations are turned back as well, where `rotation_order` says what the angles mean (as [`RotationOrder::parse`] reads
+/// it) and all of a, b, c are there, or c of a planar robot; else angles stay, and a warning says so.
+pub fn carry_back(
+    visits: &mut Visits,
+    (file, frame): (&str, &DataFrame),
+    rotation_order: Option<&str>,
+) -> Result<CarriedBack> {
     let (cycles, epochs) = read((file, frame))?;
-    for visit in visits.poses.iter_mut().flat_map(|p| &mut p.visits) {
-        let Some(epoch) = cycles.partition_point(|c| *c <= visit.cycle).checked_sub(1).map(|i| &epochs[i]) else {
-            let what = format!("cycle {} was measured before any reference target", visit.cycle);
-            let hint = format!("the first are of cycle {}; measure them before the test", cycles[0]);
-            return Err(in_file(Message::error(what).hint(hint).into(), file));
-        };
-        visit.position_mm = epoch.first_T_now.apply(visit.position_mm);
-        visit.readings_mm.iter_mut().for_each(|p| *p = epoch.first_T_now.apply(*p));
+    let turning = turning(visits, rotation_order);
+    let angles = visits.angles.clone();
+    for p in &mut visits.poses {
+        // the way to write an orientation that is nearest to the commanded one
+        let start_rad = all_three(&angles, &p.commanded_rad);
+        for visit in &mut p.visits {
+            let epoch = holding(&cycles, &epochs, visit.cycle).map_err(|p| in_file(p, file))?;
+            visit.position_mm = epoch.first_T_now.apply(visit.position_mm);
+            visit.readings_mm.iter_mut().for_each(|p| *p = epoch.first_T_now.apply(*p));
+            let Some(order) = turning.filter(|_| epoch.moved_mm > 0.0) else { continue };
+            let attained = order.pose(all_three(&angles, &visit.angles_rad));
+            let Some(turned) = order.angles_rad(&epoch.first_T_now.then(&attained), start_rad) else {
+                let what = format!("angles of pose {}, cycle {} cannot be turned back", p.pose, visit.cycle);
+                let hint = "near this orientation the order of rotations does not tell two angles apart: state another";
+                return Err(Message::error(what).hint(hint).into());
+            };
+            visit.angles_rad = angles.iter().map(|&k| turned[k]).collect();
+        }
     }
     let told = |(&cycle, e): (&i64, &Epoch)| Iso9283Epoch { cycle, moved_mm: e.moved_mm, rms_mm: e.rms_mm };
-    Ok(cycles.iter().zip(&epochs).map(told).collect())
+    Ok(CarriedBack { epochs: cycles.iter().zip(&epochs).map(told).collect(), turned: turning.is_some() })
+}
+
+/// The order by which angles are turned; a warning where there are angles and it is not known.
+fn turning(visits: &mut Visits, rotation_order: Option<&str>) -> Option<RotationOrder> {
+    let planar = !visits.spatial && visits.angles == [2];
+    let order = match planar {
+        true => RotationOrder::parse("Rz(c) Ry(b) Rx(a)"),
+        false => rotation_order.and_then(RotationOrder::parse).filter(|_| visits.angles.len() == 3),
+    };
+    if order.is_none() && !visits.angles.is_empty() {
+        let message = Message::warning("angles are not turned back with the reference targets")
+            .expected("all of a_deg, b_deg, c_deg (of a planar robot c_deg), and the order of their rotations");
+        visits.warnings.push(message.hint("state it: --rotation-order \"Rz(c) Ry(b) Rx(a)\""));
+    }
+    order
+}
+
+/// Angles a, b, c; zero where there is none.
+fn all_three(angles: &[usize], values: &[f64]) -> Vector {
+    let mut all = [0.0; 3];
+    angles.iter().zip(values).for_each(|(&k, v)| all[k] = *v);
+    all
+}
+
+/// The epoch that holds in a cycle.
+fn holding<'a>(cycles: &[i64], epochs: &'a [Epoch], cycle: i64) -> Result<&'a Epoch> {
+    cycles.partition_point(|c| *c <= cycle).checked_sub(1).map(|i| &epochs[i]).ok_or_else(|| {
+        let message = Message::error(format!("cycle {cycle} was measured before any reference target"));
+        message.hint(format!("the first are of cycle {}; measure them before the test", cycles[0])).into()
+    })
 }
 
 /// Cycles in which the targets were measured, ascending, and what they say.

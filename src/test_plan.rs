@@ -1,5 +1,9 @@
 //! A test by ISO 9283 laid into a workspace: what to command, and how often.
 
+mod reach;
+
+pub use reach::reach;
+
 use crate::coordinates::ANGLES;
 use crate::document::{Iso9283Item, Iso9283Places, Iso9283PlanDocument};
 use crate::iso9283::layout::{PLANES, layout};
@@ -53,6 +57,7 @@ pub fn plan(request: &Request) -> Result<Iso9283PlanDocument> {
         name: name.to_owned(),
         purpose: purpose.to_owned(),
         points: points.into_iter().map(|p| place(p, 0.0)).collect(),
+        joints: Vec::new(),
     };
     let [large, small] = test.circles(CHORDS);
     let mut places = vec![
@@ -68,7 +73,7 @@ pub fn plan(request: &Request) -> Result<Iso9283PlanDocument> {
         let at = |(share, turned): (f64, f64)| place([0, 1, 2].map(|k| from[k] + share * (to[k] - from[k])), turned);
         let points = [(0.0, 0.0), (0.25, 1.0), (0.5, 0.0), (0.75, -1.0), (1.0, 0.0)].map(at).to_vec();
         let purpose = "path accuracy on reorientation: P2 to P4, turned there and back".to_owned();
-        places.push(Iso9283Places { name: "reorientation".to_owned(), purpose, points });
+        places.push(Iso9283Places { name: "reorientation".to_owned(), purpose, points, joints: Vec::new() });
     }
     Ok(Iso9283PlanDocument {
         schema: "etalon/iso9283-plan/1".to_owned(),
@@ -77,6 +82,7 @@ pub fn plan(request: &Request) -> Result<Iso9283PlanDocument> {
         test_plane: test.plane.map(|k| format!("C{}", k + 1)).join("-"),
         corners_mm: test.corners_mm,
         places,
+        unreached: Vec::new(),
         programme: programme(),
         loads_percent: LOADS_PERCENT.to_vec(),
     })

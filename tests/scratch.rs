@@ -40,6 +40,9 @@ pub fn copy_sample(name: &str) -> Scratch {
         "exports/poses.txt",
         "exports/geometric.txt",
         "exports/visits.txt",
+        "exports/motion.csv",
+        "path.csv",
+        "commanded.csv",
     ] {
         if from.join(file).exists() {
             std::fs::copy(from.join(file), scratch.path().join(file)).unwrap();

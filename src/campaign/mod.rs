@@ -16,6 +16,7 @@ mod repeatability;
 mod report;
 mod robot_file;
 mod selection;
+mod stream;
 mod text;
 mod toml_problems;
 mod types;
@@ -36,6 +37,7 @@ pub use repeatability::RepeatabilityDefinition;
 pub use report::ReportDefinition;
 pub use robot_file::RobotFile;
 pub use selection::Selection;
+pub use stream::StreamDefinition;
 pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};
 pub use types::*;
 
@@ -181,6 +183,7 @@ impl Campaign {
         let file = &self.file;
         Ok(CampaignSummary {
             name: file.name.clone(),
+            robot: self.robot.name.clone(),
             synthetic: file.synthetic.clone(),
             notes: file.notes.clone(),
             date: file.date.clone(),

@@ -83,6 +83,9 @@ pub struct CampaignFile {
     pub geometric: Option<super::GeometricDefinition>,
     /// Poses that are visited again and again (thesis 2.4).
     pub repeatability: Option<super::RepeatabilityDefinition>,
+    /// Recorded motions.
+    #[serde(default, rename = "stream")]
+    pub streams: Vec<super::StreamDefinition>,
     /// What the result must meet.
     #[serde(default)]
     pub limits: Limits,

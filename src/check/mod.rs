@@ -13,7 +13,7 @@ use crate::import::{self, Imported};
 use crate::message::{Problems, Result};
 use crate::pose::Pose;
 use crate::robots::Robot;
-use crate::{frames, geometry, join, repeatability, table};
+use crate::{frames, geometry, join, repeatability, streams, table};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 
@@ -125,6 +125,7 @@ fn find(campaign: &Campaign) -> Found {
         problems.0.extend(missing.into_iter().flat_map(|p| p.0));
     }
     problems.0.extend(more.0);
+    problems.0.extend(streams::read(campaign).err().into_iter().flat_map(|p| p.0));
     let robot = campaign.build_robot().map_err(|more| problems.0.extend(more.0)).ok();
     if let Some(robot) = &robot {
         names::robot(campaign, robot.as_ref(), &mut problems);

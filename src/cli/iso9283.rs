@@ -11,12 +11,13 @@ use crate::document::{Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso92
 use crate::message::{Message, Problems};
 use crate::output;
 use crate::pose_test::{Settings, evaluate};
-use crate::reference_targets::carry_back;
+use crate::reference_targets::{CarriedBack, carry_back};
 use crate::visits::Visits;
 use plan::PlanOptions;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use stream::StreamOptions;
+pub(super) use stream_text::as_text as stream_as_text;
 
 /// Pose accuracy, repeatability and what goes with them, by ISO 9283
 ///
@@ -43,14 +44,14 @@ pub struct Iso9283 {
     /// Limit of RP, likewise
     #[arg(long, value_name = "MM", requires = "poses")]
     rp_limit_mm: Option<f64>,
-    /// Reference targets that stand still beside the robot: cycle,target,x_mm,y_mm[,z_mm], measured from time to time; positions
-    /// are carried back to the first time
+    /// Reference targets that stand still beside the robot: cycle,target,x_mm,y_mm[,z_mm], measured from time to time; positions,
+    /// and angles whose order is stated, are carried back to the first time
     #[arg(long, value_name = "FILE", requires = "poses")]
     reference: Option<PathBuf>,
     /// Cycles of one set of a drift test, e.g. 10
     #[arg(long, value_name = "CYCLES")]
     drift_set: Option<usize>,
-    /// Order of the rotations a, b, c, for the record, e.g. "Rz(c) Ry(b) Rx(a)"
+    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)": for the record, and with --reference to turn angles back
     #[arg(long, value_name = "TEXT")]
     rotation_order: Option<String>,
     /// Seed of the bootstrap intervals
@@ -80,7 +81,7 @@ impl Iso9283 {
             return compliance::run(table, self.json);
         }
         match (&self.stream.stream, &self.poses, &self.commanded) {
-            (Some(stream), _, commanded) => self.stream.run(stream, commanded.as_deref(), self.json),
+            (Some(stream), _, commanded) => self.stream.run(stream, commanded.as_deref(), (self.seed, self.json)),
             (None, Some(poses), Some(commanded)) => self.poses(poses, commanded),
             _ => Err(Problems::from(Message::error("nothing to evaluate is stated")).into()),
         }
@@ -102,9 +103,10 @@ impl Iso9283 {
         let (attained, commanded) = (TableFile::read(poses)?, TableFile::read(commanded)?);
         let mut visits =
             Visits::from_tables(attained.named(), commanded.named()).map_err(|p| commanded.place(attained.place(p)))?;
-        let reference = match self.reference.as_deref().map(TableFile::read).transpose()? {
-            None => Vec::new(),
-            Some(targets) => carry_back(&mut visits, targets.named()).map_err(|p| targets.place(p))?,
+        let carried = match self.reference.as_deref().map(TableFile::read).transpose()? {
+            None => CarriedBack::default(),
+            Some(targets) => carry_back(&mut visits, targets.named(), self.rotation_order.as_deref())
+                .map_err(|p| targets.place(p))?,
         };
         let mut document = evaluate(
             &visits,
@@ -117,10 +119,15 @@ impl Iso9283 {
                 rp_limit_mm: self.rp_limit_mm,
             },
         )?;
-        if !reference.is_empty() {
-            document.conventions.push("positions are carried back by reference targets; angles are not".to_owned());
+        if !carried.epochs.is_empty() {
+            let said = match (carried.turned, visits.angles.is_empty()) {
+                (true, _) => "positions and orientations are carried back by reference targets",
+                (false, true) => "positions are carried back by reference targets",
+                (false, false) => "positions are carried back by reference targets; angles are not",
+            };
+            document.conventions.push(said.to_owned());
         }
-        document.reference = reference;
+        document.reference = carried.epochs;
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }

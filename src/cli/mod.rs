@@ -4,6 +4,7 @@
 //! result cannot be a robot; 2 could not run.
 
 mod check;
+mod compare;
 mod export;
 mod fit;
 mod fit_text;
@@ -16,10 +17,10 @@ mod report;
 mod run;
 mod schema;
 mod simulate;
-mod table_file;
 mod text_format;
 
 use crate::document::WrittenDocument;
+use crate::table_file;
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
 use std::io::Write;
@@ -52,6 +53,7 @@ enum Command {
     Plan(plan::Plan),
     Iso9283(Box<iso9283::Iso9283>),
     Report(report::Report),
+    Compare(compare::Compare),
     Export(export::Export),
     Simulate(simulate::Simulate),
     Schema(schema::Schema),
@@ -77,6 +79,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Plan(command) => command.run(),
         Command::Iso9283(command) => command.run(),
         Command::Report(command) => command.run(),
+        Command::Compare(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Simulate(command) => command.run(),
         Command::Schema(command) => command.run(),

@@ -1,7 +1,9 @@
 //! `etalon report`
 
 use super::{Verdict, print_written};
-use crate::document::{CampaignSummary, GeometricDocument, Iso9283Document, Language, Presentation};
+use crate::document::{
+    CampaignSummary, GeometricDocument, Iso9283Document, Iso9283StreamsDocument, Language, Presentation,
+};
 use crate::message::{Message, Problems, Result};
 use crate::{dress, evaluate, files, report, table};
 use serde::de::DeserializeOwned;
@@ -68,6 +70,8 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
     let optional = |name: &str| folder.join(name).is_file();
     let iso9283: Option<Iso9283Document> =
         optional("iso9283.json").then(|| document(folder, "iso9283.json")).transpose()?;
+    let streams: Option<Iso9283StreamsDocument> =
+        optional("iso9283-streams.json").then(|| document(folder, "iso9283-streams.json")).transpose()?;
     let mut campaign: CampaignSummary = document(folder, "campaign.json")?;
     campaign.report = dressed.over(campaign.report)?;
     let import = document(folder, "import.json")?;
@@ -79,6 +83,7 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
             features: &features,
             frames: &frames,
             iso9283,
+            streams: streams.as_ref(),
         })?,
         None => {
             let errors = evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?;
@@ -94,6 +99,7 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
                 errors: &errors,
                 geometric: geometric.as_ref(),
                 iso9283: iso9283.as_ref(),
+                streams: streams.as_ref(),
             })?
         }
     };

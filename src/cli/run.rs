@@ -2,7 +2,7 @@
 
 use super::{Verdict, print, say};
 use crate::campaign::Campaign;
-use crate::document::{AccuracySet, LimitVerdict};
+use crate::document::{AccuracySet, Iso9283StreamsDocument, LimitVerdict};
 use crate::message::Message;
 use crate::pipeline;
 use std::fmt::Write;
@@ -68,6 +68,7 @@ impl Run {
                 text.push_str(&super::iso9283::as_text(document, true));
                 document.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
             }
+            text.push_str(&streams(outcome.streams.as_ref()));
             let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
             print(text)?;
         }
@@ -92,11 +93,18 @@ impl Run {
         } else {
             let mut text = format!("{}\n{}", campaign.file.name, super::iso9283::as_text(document, true));
             document.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
+            text.push_str(&streams(tested.streams.as_ref()));
             let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
             print(text)?;
         }
         Ok(if document.limits.iter().all(|l| l.met) { Verdict::Met } else { Verdict::LimitNotMet })
     }
+}
+
+/// Recorded motions, each below its name.
+fn streams(document: Option<&Iso9283StreamsDocument>) -> String {
+    let all = document.iter().flat_map(|d| &d.streams);
+    all.map(|s| format!("{}: {}", s.name, super::iso9283::stream_as_text(&s.stream, false))).collect()
 }
 
 fn summary(set: &AccuracySet) -> String {

@@ -22,6 +22,9 @@ pub struct Iso9283PlanDocument {
     pub test_plane: String,
     /// Places to visit in order, each list with its name: `poses` (P1 to P5), `linear`, `circle-large`, ...
     pub places: Vec<Iso9283Places>,
+    /// Places that the robot does not reach, where one is stated.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unreached: Vec<Iso9283Unreached>,
     /// Which characteristic is tested how.
     pub programme: Vec<Iso9283Item>,
     /// Loads in per cent of the rated one; the first is mandatory.
@@ -38,6 +41,21 @@ pub struct Iso9283Places {
     pub purpose: String,
     /// `x_mm`, `y_mm` and, where they exist, `z_mm`, `a_deg`, `b_deg`, `c_deg` of each, numbered from 1.
     pub points: Vec<BTreeMap<String, f64>>,
+    /// Joint values of each, where a robot is stated; null where it does not get there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub joints: Vec<Option<BTreeMap<String, f64>>>,
+}
+
+/// A place that the stated robot does not reach.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Unreached {
+    /// Name of the list.
+    pub places: String,
+    /// Number of the point in it, from 1.
+    pub point: usize,
+    /// Why.
+    pub reason: String,
 }
 
 /// One line of the programme.

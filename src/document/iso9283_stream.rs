@@ -1,5 +1,6 @@
 //! What `etalon iso9283 --stream` answers.
 
+use super::Iso9283Interval;
 use crate::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -22,6 +23,9 @@ pub struct Iso9283StreamDocument {
     pub standstills: Vec<Iso9283Standstill>,
     /// Arrivals by pose; empty without a limit band.
     pub settling: Vec<Iso9283Settling>,
+    /// How the robot came to stand: the first arrivals at each pose; empty without a limit band.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub arrivals: Vec<Iso9283Arrival>,
     /// Moves between poses; empty without a limit band.
     pub posing: Vec<Iso9283Posing>,
     /// The commanded path, where one is stated and it is no weave.
@@ -104,12 +108,19 @@ pub struct Iso9283Path {
     pub reorientation: bool,
     /// AT_p (8.2): largest distance of the mean path from the commanded one.
     pub at_mm: f64,
+    /// 95 % interval of AT_p by parametric bootstrap over the passes; null with fewer than three.
+    #[serde(default)]
+    pub at_interval: Option<Iso9283Interval>,
     /// Where on the path AT_p is attained.
     pub at_along_mm: f64,
     /// AT of the angles that exist, in the order a, b, c.
     pub at_angles_deg: Vec<f64>,
     /// RT_p (8.3): largest mean radius + 3 s; null with a single pass.
     pub rt_mm: Option<f64>,
+    /// 95 % interval of the RT_p of infinitely many passes, likewise. RT_p may lie above it: the largest of many values that
+    /// scatter is too large.
+    #[serde(default)]
+    pub rt_interval: Option<Iso9283Interval>,
     /// Where on the path RT_p is attained.
     pub rt_along_mm: Option<f64>,
     /// RT of the angles that exist; empty with a single pass.
@@ -184,4 +195,49 @@ pub struct Iso9283Weaving {
     pub ws_percent: f64,
     /// WF.
     pub wf_percent: f64,
+}
+
+/// One arrival, from the first entry into the limit band on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Arrival {
+    /// Number of the pose.
+    pub pose: i64,
+    /// Which visit of that pose it is, from 1.
+    pub cycle: i64,
+    /// Times since the entry.
+    pub time_s: Vec<f64>,
+    /// Distances from where the robot came to stand.
+    pub away_mm: Vec<f64>,
+}
+
+/// Recorded motions of a campaign.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283StreamsDocument {
+    /// `etalon/iso9283-streams/1`
+    pub schema: String,
+    /// One per `[[stream]]`.
+    pub streams: Vec<Iso9283NamedStream>,
+}
+
+impl Iso9283StreamsDocument {
+    /// What is remarked of any of them.
+    pub fn messages(&self) -> impl Iterator<Item = &Message> {
+        self.streams.iter().flat_map(|s| &s.stream.messages)
+    }
+}
+
+/// One of them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283NamedStream {
+    /// Name in the campaign.
+    pub name: String,
+    /// File as the campaign names it.
+    pub file: String,
+    /// Limit band, where one is stated.
+    pub band_mm: Option<f64>,
+    /// What the recording tells.
+    pub stream: Iso9283StreamDocument,
 }

@@ -3,6 +3,7 @@
 //! Angles are in degrees, lengths in millimetres; every name carries its unit, every parameter its own.
 
 mod answer;
+mod compare;
 mod conditions;
 mod fit;
 mod geometric;
@@ -17,6 +18,7 @@ mod stated;
 mod study;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
+pub use compare::*;
 pub use conditions::Conditions;
 pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};
 pub use geometric::*;

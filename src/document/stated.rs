@@ -39,6 +39,9 @@ pub struct ResidualSummary {
 pub struct CampaignSummary {
     /// Name of the campaign.
     pub name: String,
+    /// Name of the robot, where its file states one.
+    #[serde(default)]
+    pub robot: Option<String>,
     /// Whether its data are synthetic, and what that means; absent for measured data.
     pub synthetic: Option<String>,
     /// Remarks.

@@ -104,7 +104,7 @@ fn square(d: Vector) -> f64 {
 }
 
 /// The nearest order statistic; NaN without any.
-fn quantile(values: &mut [f64], share: f64) -> f64 {
+pub(super) fn quantile(values: &mut [f64], share: f64) -> f64 {
     let rank = (share * (values.len() as f64 - 1.0)).round() as usize;
     if rank < values.len() { *values.select_nth_unstable_by(rank, f64::total_cmp).1 } else { f64::NAN }
 }

@@ -25,9 +25,9 @@
 //! | uncertainty at most 25 % of the characteristic | 6 | [`quarter`] | unverified |
 //!
 //! Not of the standard: smallest enclosing sphere and circle beside mean + 3 s ([`repeatability`]), intervals of AP and RP
-//! ([`interval`], [`bootstrap`]), conformity with a limit ([`conformity`]), the ellipsoid of the next position
+//! ([`interval`], [`bootstrap`]) and of AT and RT ([`path_bootstrap`]), conformity with a limit ([`conformity`]), the ellipsoid of the next position
 //! ([`ellipsoid`]), RP without the instrument's noise ([`noise_free`]), drift of the set-up by reference targets
-//! ([`mod@reference`]), spread by the pose approached from ([`directions`]), coplanarity of mean positions ([`coplanarity`],
+//! ([`mod@reference`], [`rotations`]), spread by the pose approached from ([`directions`]), coplanarity of mean positions ([`coplanarity`],
 //! thesis 2.4).
 //!
 //! Recorded motions ([`stream`]) are cut into standstills ([`standstill`]) and passes of a commanded path ([`path`],
@@ -54,6 +54,7 @@ pub mod overshoot;
 pub mod passes;
 pub mod path;
 pub mod path_accuracy;
+pub mod path_bootstrap;
 pub mod path_repeatability;
 pub mod path_velocity;
 pub mod posing_time;
@@ -61,6 +62,7 @@ pub mod programme;
 pub mod quarter;
 pub mod reference;
 pub mod repeatability;
+pub mod rotations;
 mod sample;
 mod scatter;
 pub mod stabilisation;

@@ -37,6 +37,7 @@ impl Documents {
             errors: &self.errors,
             geometric: None,
             iso9283: None,
+            streams: None,
         }
     }
 
@@ -72,6 +73,7 @@ impl Documents {
         Self {
             campaign: CampaignSummary {
                 name: "PreXYT, CMM, spring check".to_owned(),
+                robot: None,
                 synthetic: Some("made by `etalon simulate` with seed 7".to_owned()),
                 notes: None,
                 date: Some("2011-05-12".to_owned()),

@@ -7,6 +7,7 @@
 mod arrows;
 mod axis;
 mod by_pose;
+pub(crate) mod compare;
 #[cfg(test)]
 mod demo;
 #[cfg(test)]
@@ -16,13 +17,14 @@ mod geometric;
 mod histogram;
 mod iso9283;
 mod map;
-mod number;
+pub(crate) mod number;
 mod parameters;
 #[cfg(feature = "pdf")]
 mod pdf;
 mod plan;
 mod plane;
 mod points;
+mod streams;
 mod svg;
 mod tables;
 pub mod templates;
@@ -32,11 +34,12 @@ mod verdict;
 mod words;
 mod workbook;
 
+pub use compare::html as compare_html;
 pub use plan::html as plan_html;
 
 use crate::document::{
     AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument,
-    Iso9283Document, ParametersDocument, PointError, Provenance, WorldFrame,
+    Iso9283Document, Iso9283StreamsDocument, ParametersDocument, PointError, Provenance, WorldFrame,
 };
 use crate::message::{Message, Result};
 use serde::Serialize;
@@ -62,6 +65,8 @@ pub struct Report<'a> {
     pub geometric: Option<&'a GeometricDocument>,
     /// Repeatability, where the campaign tests it.
     pub iso9283: Option<&'a Iso9283Document>,
+    /// Recorded motions, where the campaign has any.
+    pub streams: Option<&'a Iso9283StreamsDocument>,
 }
 
 /// What the report of a test of repeatability alone tells.
@@ -76,6 +81,8 @@ pub struct TestReport<'a> {
     pub frames: &'a FramesDocument,
     /// Repeatability.
     pub iso9283: &'a Iso9283Document,
+    /// Recorded motions, where the campaign has any.
+    pub streams: Option<&'a Iso9283StreamsDocument>,
 }
 
 /// What the template sees: documents as they are, and what was computed from them.
@@ -96,6 +103,7 @@ struct Page<'a> {
     pictures: Vec<points::Picture>,
     geometric: Option<geometric::Section<'a>>,
     iso9283: Option<iso9283::Section<'a>>,
+    streams: Vec<streams::Section<'a>>,
     /// errors that are not finite
     undrawn: usize,
 }
@@ -143,6 +151,7 @@ pub fn html(report: &Report) -> Result<String> {
         pictures: pictures(report, words),
         geometric: report.geometric.map(|g| geometric::section(g, words)),
         iso9283: report.iso9283.map(|i| iso9283::section(i, words)),
+        streams: report.streams.map(streams::sections).unwrap_or_default(),
         undrawn: report.errors.len() - points::drawable(report.errors).len(),
     };
     templates::render("report.html", presentation, words, page)
@@ -161,6 +170,7 @@ struct TestPage<'a> {
     class: &'static str,
     sentence: String,
     iso9283: iso9283::Section<'a>,
+    streams: Vec<streams::Section<'a>>,
 }
 
 /// The report of a test of repeatability alone as one HTML page.
@@ -183,6 +193,7 @@ pub fn test_html(report: &TestReport) -> Result<String> {
         class,
         sentence,
         iso9283: iso9283::section(report.iso9283, words),
+        streams: report.streams.map(streams::sections).unwrap_or_default(),
     };
     templates::render("repeatability.html", presentation, words, page)
 }
@@ -190,11 +201,14 @@ pub fn test_html(report: &TestReport) -> Result<String> {
 fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
     let geometric = report.geometric.iter().flat_map(|g| &g.messages);
     let iso9283 = report.iso9283.iter().flat_map(|i| &i.messages);
-    report.parameters.messages.iter().chain(&report.import.messages).chain(geometric).chain(iso9283).collect()
+    let streams = report.streams.iter().flat_map(|s| s.messages());
+    let all = report.parameters.messages.iter().chain(&report.import.messages);
+    all.chain(geometric).chain(iso9283).chain(streams).collect()
 }
 
 fn test_messages<'a>(report: &TestReport<'a>) -> Vec<&'a Message> {
-    report.import.messages.iter().chain(&report.iso9283.messages).collect()
+    let tested = report.import.messages.iter().chain(&report.iso9283.messages);
+    tested.chain(report.streams.iter().flat_map(|s| s.messages())).collect()
 }
 
 fn pictures(report: &Report, words: &Words) -> Vec<points::Picture> {

@@ -4,7 +4,7 @@
 const NOT_A_NUMBER: &str = "—";
 
 /// `value` with a fixed number of decimals; never "-0".
-pub(super) fn fixed(value: f64, decimals: usize) -> String {
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
         return NOT_A_NUMBER.to_owned();
     }
@@ -32,7 +32,7 @@ pub(super) fn decimals(value: f64, digits: usize) -> Option<usize> {
 }
 
 /// `value` with `digits` significant digits; as a power of ten where it is very large or small.
-pub(super) fn significant(value: f64, digits: usize) -> String {
+pub(crate) fn significant(value: f64, digits: usize) -> String {
     match magnitude(value, digits) {
         Some(exponent) if !(-4..9).contains(&exponent) => format!("{value:.*e}", digits.saturating_sub(1)),
         _ => fixed(value, decimals(value, digits).unwrap_or(0)),
@@ -40,7 +40,7 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
 }
 
 /// `value` to the second significant digit of its standard uncertainty; 4 decimals without one.
-pub(super) fn with_uncertainty(value: f64, u: Option<f64>) -> String {
+pub(crate) fn with_uncertainty(value: f64, u: Option<f64>) -> String {
     fixed(value, u.and_then(|u| decimals(u, 2)).unwrap_or(4))
 }
 

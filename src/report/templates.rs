@@ -13,10 +13,11 @@ use sha2::{Digest, Sha256};
 use std::error::Error;
 
 /// Every template by its name; the ending turns escaping on.
-pub const BUILT_IN: [(&str, &str); 14] = [
+pub const BUILT_IN: [(&str, &str); 16] = [
     ("report.html", include_str!("report.html")),
     ("repeatability.html", include_str!("repeatability.html")),
     ("plan.html", include_str!("plan/plan.html")),
+    ("compare.html", include_str!("compare/compare.html")),
     ("style.html", include_str!("style.html")),
     ("picture.css", include_str!("picture.css")),
     ("head.html", include_str!("parts/head.html")),
@@ -24,6 +25,7 @@ pub const BUILT_IN: [(&str, &str); 14] = [
     ("campaign.html", include_str!("parts/campaign.html")),
     ("messages.html", include_str!("parts/messages.html")),
     ("iso9283.html", include_str!("parts/iso9283.html")),
+    ("streams.html", include_str!("parts/streams.html")),
     ("frames.html", include_str!("parts/frames.html")),
     ("import.html", include_str!("parts/import.html")),
     ("provenance.html", include_str!("parts/provenance.html")),

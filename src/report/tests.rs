@@ -166,6 +166,7 @@ fn a_test_report_has_what_the_standard_asks_for() {
         features: &documents.features,
         frames: &documents.frames,
         iso9283: &iso9283,
+        streams: None,
     };
     let page = test_html(&report).unwrap();
     for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from ISO 9283", "SHA-256"] {
@@ -187,6 +188,7 @@ fn in_language(language: Language) -> [String; 2] {
         features: &documents.features,
         frames: &documents.frames,
         iso9283: &iso9283,
+        streams: None,
     };
     [page(&documents), test_html(&test).unwrap()]
 }

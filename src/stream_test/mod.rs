@@ -3,19 +3,26 @@
 mod path;
 
 use crate::coordinates::ANGLES;
-use crate::document::{Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamDocument};
+use crate::document::{Iso9283Arrival, Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamDocument};
 use crate::iso9283::overshoot::overshoot_mm;
 use crate::iso9283::path::CommandedPath;
 use crate::iso9283::posing_time::{Posing, posing};
 use crate::iso9283::repeatability::pose_repeatability;
-use crate::iso9283::stabilisation::{Arrival, arrival, stabilisation_time_s};
+use crate::iso9283::stabilisation::{Arrival, arrival, stabilisation_time_s, watched};
 use crate::iso9283::standstill::{Standstill, Stillness, places_mm, standstills, visited};
+use crate::iso9283::stream::Stream;
 use crate::message::{Message, Result, count};
-use crate::pose::Vector;
+use crate::pose::{Vector, minus, norm};
 use crate::recording::Recording;
 use path::Driven;
 use std::collections::BTreeMap;
 use std::fmt::Write;
+
+/// Arrivals of a pose that are told with their course: the standard's cycles.
+const SHOWN_ARRIVALS: usize = 3;
+/// At least this long, with at most so many samples.
+const SHOWN_S: f64 = 0.2;
+const SHOWN_SAMPLES: usize = 200;
 
 /// What the recording does not say.
 #[derive(Clone, Debug)]
@@ -32,6 +39,8 @@ pub struct Settings {
     pub path: Option<PathSettings>,
     /// Where times come from, in words.
     pub time: String,
+    /// Seed of the bootstrap intervals.
+    pub seed: u64,
 }
 
 /// A commanded path and how it is compared.
@@ -73,6 +82,7 @@ pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283Str
         left_out: recording.left_out.clone(),
         duration_s: time_s[time_s.len() - 1] - time_s[0],
         settling: settling(&standing),
+        arrivals: arrivals(stream, &stood, &standing),
         posing: moves(&standing),
         standstills: standing.into_iter().map(|s| s.told).collect(),
         path: None,
@@ -83,7 +93,7 @@ pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283Str
         let driven = Driven::new(recording, path, settings.near_mm)?;
         match path.weave {
             Some(weave) => document.weaving = Some(driven.weaving(weave)?),
-            None => document.path = Some(driven.path(settings.band_mm)?),
+            None => document.path = Some(driven.path(settings.band_mm, settings.seed)?),
         }
     }
     Ok(document)
@@ -111,6 +121,13 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
             let _ = write!(text, "; velocities between them in the central {} %", 100.0 * path.central);
         }
         said.push(text);
+        if path.weave.is_none() {
+            said.push(
+                "AT and RT: intervals by parametric bootstrap over the passes, of the AT and RT of infinitely many; in simulated \
+                 tests of ten passes they hold the truth in 92 to 99 % by the kind of scatter"
+                    .to_owned(),
+            );
+        }
     }
     if !recording.angles.is_empty() {
         let names: Vec<&str> = recording.angles.iter().map(|&k| &ANGLES[k][..1]).collect();
@@ -199,6 +216,31 @@ fn settling(standing: &[Standing]) -> Vec<Iso9283Settling> {
         Some(Iso9283Settling { pose, arrivals: arrivals.len(), stabilisation_s, overshoot_mm })
     };
     by_pose.into_iter().filter_map(told).collect()
+}
+
+/// The first arrivals at each pose, until twice the time that they took to settle.
+fn arrivals(stream: &Stream, stood: &[Standstill], standing: &[Standing]) -> Vec<Iso9283Arrival> {
+    let mut all: Vec<Iso9283Arrival> = Vec::new();
+    for (i, (s, told)) in stood.iter().zip(standing).enumerate() {
+        let (Some(arrival), Some(pose), Some(cycle)) = (told.arrival, told.told.pose, told.told.cycle) else {
+            continue;
+        };
+        if all.iter().filter(|a| a.pose == pose).count() == SHOWN_ARRIVALS {
+            continue;
+        }
+        let entered_s = stream.time_s()[arrival.entered];
+        let last_s = entered_s + (2.0 * arrival.stabilisation_s).max(SHOWN_S);
+        let end = watched(i.checked_sub(1).map(|i| &stood[i]), s).end;
+        let shown: Vec<usize> = (arrival.entered..end).take_while(|&k| stream.time_s()[k] <= last_s).collect();
+        let shown = || shown.iter().step_by(shown.len().div_ceil(SHOWN_SAMPLES).max(1));
+        all.push(Iso9283Arrival {
+            pose,
+            cycle,
+            time_s: shown().map(|&k| stream.time_s()[k] - entered_s).collect(),
+            away_mm: shown().map(|&k| norm(minus(stream.positions_mm()[k], s.mean_mm))).collect(),
+        });
+    }
+    all
 }
 
 fn moves(standing: &[Standing]) -> Vec<Iso9283Posing> {

@@ -1,11 +1,13 @@
 //! From the passes of a commanded path to its characteristics.
 
 use super::PathSettings;
-use crate::document::{Iso9283Corner, Iso9283Path, Iso9283PathPoint, Iso9283Velocity, Iso9283Weaving};
+use crate::document::{Iso9283Corner, Iso9283Interval, Iso9283Path, Iso9283PathPoint, Iso9283Velocity, Iso9283Weaving};
 use crate::iso9283::cornering::cornering;
+use crate::iso9283::interval::Interval;
 use crate::iso9283::passes::{Pass, Passes, passes};
 use crate::iso9283::path::{CommandPoint, Corner};
 use crate::iso9283::path_accuracy::{path_accuracy, path_accuracy_on_reorientation, path_angle_accuracy_rad};
+use crate::iso9283::path_bootstrap::PathBootstrap;
 use crate::iso9283::path_repeatability::{path_angle_repeatability_rad, path_repeatability};
 use crate::iso9283::path_velocity::path_velocity;
 use crate::iso9283::weaving::{Weave, Weaving, weaving};
@@ -15,6 +17,8 @@ use crate::recording::Recording;
 
 /// Turns of the commanded path from this angle on are corners.
 const CORNER_RAD: f64 = 30.0 * std::f64::consts::PI / 180.0;
+/// Simulated tests behind an interval.
+const DRAWS: usize = 1000;
 
 /// The passes of a path, at least one, at its command points.
 pub(super) struct Driven<'a> {
@@ -39,7 +43,7 @@ impl<'a> Driven<'a> {
     }
 
     /// AT, RT, velocities and corners.
-    pub fn path(&self, band_mm: Option<f64>) -> Result<Iso9283Path> {
+    pub fn path(&self, band_mm: Option<f64>, seed: u64) -> Result<Iso9283Path> {
         let (passes, points, path) = (&self.found.complete[..], &self.points[..], &self.settings.path);
         let reorientation = path.turned_rad().iter().any(|turned| *turned > 0.0);
         let accuracy = match reorientation {
@@ -47,6 +51,15 @@ impl<'a> Driven<'a> {
             false => path_accuracy(passes, points)?,
         };
         let repeated = (passes.len() > 1).then(|| path_repeatability(passes, points)).transpose()?;
+        let (at_interval, rt_interval) = match repeated.as_ref().filter(|_| passes.len() > 2) {
+            Some(repeated) => {
+                let bootstrap = PathBootstrap { draws: DRAWS, seed };
+                let stated = |i: Interval| Some(Iso9283Interval { low_mm: i.low_mm, high_mm: i.high_mm });
+                let at = bootstrap.accuracy(passes, points, &accuracy)?;
+                (stated(at), stated(bootstrap.repeatability(passes, points, repeated)?))
+            }
+            None => (None, None),
+        };
         let at = |k: usize| path_angle_accuracy_rad(passes, points, k).to_degrees();
         let rt = |k: usize| path_angle_repeatability_rad(passes, points, k).to_degrees();
         let angles = self.recording.angles.len();
@@ -63,9 +76,11 @@ impl<'a> Driven<'a> {
             length_mm: path.length_mm(),
             reorientation,
             at_mm: accuracy.at_mm,
+            at_interval,
             at_along_mm: points[accuracy.worst].along_mm,
             at_angles_deg: (0..angles).map(at).collect(),
             rt_mm: repeated.as_ref().map(|r| r.rt_mm),
+            rt_interval,
             rt_along_mm: repeated.as_ref().map(|r| points[r.worst].along_mm),
             rt_angles_deg: if repeated.is_some() { (0..angles).map(rt).collect() } else { Vec::new() },
             velocity: self.velocity(passes)?,

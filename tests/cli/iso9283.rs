@@ -2,6 +2,7 @@
 
 use super::{etalon, text_of};
 use etalon::document::{Iso9283ComplianceDocument, Iso9283PlanDocument, Iso9283StreamDocument};
+use etalon::pose::Pose;
 use std::path::Path;
 use std::process::Output;
 
@@ -278,4 +279,101 @@ fn reference_targets_carry_positions_back_and_must_be_there_from_the_first_cycle
         assert_eq!(refused.status.code(), Some(2), "{said}");
         assert!(text_of(&refused).contains(said), "{said}: {}", text_of(&refused));
     }
+}
+
+/// From cycle 4 on the instrument stands elsewhere, turned by half a radian: position, orientation and targets move as one
+/// rigid body. Carried back, the test is the one without.
+#[test]
+fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let moved = Pose::from_xyz_rpy([30.0, -20.0, 10.0], [0.02, -0.03, 0.5]);
+    let attained = |cycle: i32| {
+        let j = f64::from(cycle);
+        Pose::from_xyz_rpy(
+            [100.0 + 0.01 * j * j, 200.0, 300.0 - 0.02 * j],
+            [0.1 + 0.001 * j * j, -0.2, 3.1 + 0.0003 * j],
+        )
+    };
+    let write = |name: &str, moves: bool| {
+        let now = |cycle: i32, pose: Pose| if moves && cycle > 3 { moved.then(&pose) } else { pose };
+        let row = |cycle: i32| {
+            let pose = now(cycle, attained(cycle));
+            let ([x, y, z], [a, b, c]) = (pose.translation_mm, pose.rpy_rad().map(f64::to_degrees));
+            format!("1,{cycle},{x},{y},{z},{a},{b},{c}\n")
+        };
+        let poses: String = (1..=6).map(row).collect();
+        std::fs::write(here.join(name), format!("pose,cycle,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n{poses}")).unwrap();
+        let nest = |cycle: i32| {
+            let at = [("a", [0.0, 0.0, 0.0]), ("b", [900.0, 0.0, 0.0]), ("c", [0.0, 700.0, 50.0])];
+            let places = at.map(|(name, p)| (name, now(cycle, Pose::identity()).apply(p)));
+            places.map(|(name, [x, y, z])| format!("{cycle},{name},{x},{y},{z}\n")).concat()
+        };
+        std::fs::write(here.join("nests.csv"), format!("cycle,target,x_mm,y_mm,z_mm\n{}{}", nest(1), nest(4))).unwrap();
+    };
+    let (a, b, c) = (0.1f64.to_degrees(), -(0.2f64.to_degrees()), 3.1f64.to_degrees());
+    let commanded = format!("pose,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n1,100,200,300,{a},{b},{c}\n");
+    std::fs::write(here.join("commanded.csv"), commanded).unwrap();
+    let arguments = ["iso9283", "poses.csv", "--commanded", "commanded.csv", "--all", "--json"];
+    let answer = |more: &[&str]| {
+        let output = super::etalon(here, &[&arguments[..], more].concat());
+        let document: etalon::document::Iso9283Document = serde_json::from_slice(&output.stdout).unwrap();
+        (document, text_of(&output))
+    };
+    write("poses.csv", false);
+    let (still, _) = answer(&[]);
+    write("poses.csv", true);
+    let order = ["--reference", "nests.csv", "--rotation-order", "Rz(c) Ry(b) Rx(a)"];
+    let (back, _) = answer(&order);
+    let numbers = |d: &etalon::document::Iso9283Document| {
+        let p = &d.poses[0];
+        [p.ap_mm, p.rp_mm, p.ap_a_deg, p.ap_b_deg, p.ap_c_deg, p.rp_a_deg, p.rp_b_deg, p.rp_c_deg].map(|v| v.unwrap())
+    };
+    for (found, expected) in numbers(&back).iter().zip(numbers(&still)) {
+        assert!((found - expected).abs() < 1e-9, "{found} instead of {expected}");
+    }
+    assert!(back.conventions.iter().any(|c| c == "positions and orientations are carried back by reference targets"));
+    // without the order positions alone are carried back, and that is told
+    let (half, said) = answer(&order[..2]);
+    assert!((half.poses[0].ap_mm.unwrap() - still.poses[0].ap_mm.unwrap()).abs() < 1e-9);
+    assert!(half.poses[0].rp_c_deg.unwrap() > 10.0 && said.contains("angles are not turned back"), "{said}");
+}
+
+/// The PreXYT's travel is 170, 300 and 300 mm: of a square that is wider not all is reached, and what is, is where the model says.
+#[test]
+fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let dextar = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/dextar/robot.toml");
+    let answer = |robot: &str, workspace: &str| {
+        let arguments =
+            ["iso9283", "--plan", "--json", "--write", "test", "--robot", robot, "--workspace-mm", workspace];
+        super::etalon(here, &arguments)
+    };
+    let inside = answer(dextar, "350,250,430,330");
+    assert_eq!(inside.status.code(), Some(0), "{}", text_of(&inside));
+    let document: Iso9283PlanDocument = serde_json::from_slice(&inside.stdout).unwrap();
+    let robot = etalon::campaign::read_robot(Path::new(dextar)).unwrap().build(&["tool".to_owned()]).unwrap();
+    for places in &document.places {
+        for (point, joints) in places.points.iter().zip(&places.joints) {
+            let joints = joints.as_ref().unwrap();
+            let q = [joints["theta1_deg"].to_radians(), joints["theta2_deg"].to_radians(), joints["assembly"]];
+            let [x, y, _] = robot.position(&robot.nominal(), &q, 0);
+            assert!((x - point["x_mm"]).abs() < 1e-9 && (y - point["y_mm"]).abs() < 1e-9, "{} {point:?}", places.name);
+        }
+    }
+    let table = std::fs::read_to_string(here.join("test/poses-joints.csv")).unwrap();
+    assert!(table.starts_with("pose,assembly,theta1_deg,theta2_deg\n1,") && table.lines().count() == 6, "{table}");
+    let outside = answer(dextar, "300,200,2300,2200");
+    assert_eq!(outside.status.code(), Some(1));
+    let document: Iso9283PlanDocument = serde_json::from_slice(&outside.stdout).unwrap();
+    assert!(document.unreached.iter().any(|u| u.places == "poses" && u.point == 5), "{:?}", document.unreached);
+    assert!(text_of(&outside).contains("is not reached"));
+
+    let prexyt = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/prexyt-cmm/robot.toml");
+    let table = answer(prexyt, "150,50,1150,1050");
+    assert_eq!(table.status.code(), Some(1), "{}", text_of(&table));
+    assert!(text_of(&table).contains("its travel is 0 to"), "{}", text_of(&table));
+    let arm = answer(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/abb-irb120/robot.toml"), "300,-250,900,350");
+    assert!(arm.status.code() == Some(2) && text_of(&arm).contains("model `serial`"), "{}", text_of(&arm));
 }

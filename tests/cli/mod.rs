@@ -1,11 +1,13 @@
 //! The command line: what README.md shows is what the program prints, and every command does what it says.
 
+mod compare;
 mod fit;
 mod five_bar;
 mod iso9283;
 mod plan;
 mod report;
 mod reports;
+mod streams;
 
 use crate::scratch::copy_sample;
 use std::path::Path;

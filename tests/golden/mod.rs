@@ -1,5 +1,7 @@
 //! Documents as they are committed. `ETALON_UPDATE=1 make test` writes them again.
 
+mod motion;
+
 use crate::scratch::copy_sample;
 use std::path::Path;
 

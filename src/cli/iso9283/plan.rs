@@ -1,11 +1,12 @@
 //! `etalon iso9283 --plan`
 
-use super::super::{Verdict, print, print_written};
+use super::super::{Verdict, print, print_written, say};
+use crate::campaign::read_robot;
 use crate::coordinates::ANGLES;
 use crate::document::{Iso9283Places, Iso9283PlanDocument};
 use crate::message::{Message, Problems};
 use crate::table::XYZ;
-use crate::test_plan::{Request, plan};
+use crate::test_plan::{Request, plan, reach};
 use crate::{export, files, output};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -29,6 +30,10 @@ pub(super) struct PlanOptions {
     /// Change of the angles along the path with reorientation, there and back
     #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "plan")]
     reorientation_deg: Vec<f64>,
+    /// Robot file: whether the robot reaches the places within its limits, and with which joint values; a place out of reach
+    /// is exit code 1
+    #[arg(long, value_name = "FILE", requires = "plan")]
+    robot: Option<PathBuf>,
     /// Write each list of places as CSV, and as targets of a controller (.json, .h), and the programme, into this folder
     #[arg(long, value_name = "FOLDER", requires = "plan")]
     write: Option<PathBuf>,
@@ -44,21 +49,29 @@ impl PlanOptions {
                 return Err(Problems::from(message.expected("six, or four for planar robots")).into());
             }
         };
-        let document = plan(&Request {
+        let mut document = plan(&Request {
             workspace_mm,
             plane: self.test_plane.clone(),
             orientation_deg: self.orientation_deg.clone(),
             reorientation_deg: self.reorientation_deg.clone(),
         })?;
+        if let Some(file) = &self.robot {
+            let robot = read_robot(file)?.build(&["target".to_owned()])?;
+            reach(&mut document, robot.as_ref())?;
+        }
+        for u in &document.unreached {
+            say(format_args!("warning: {} {} is not reached: {}\n", u.places, u.point, u.reason));
+        }
+        let verdict = if document.unreached.is_empty() { Verdict::Met } else { Verdict::LimitNotMet };
         if let Some(folder) = &self.write {
             let written = write(folder, &document)?;
             if !json {
                 print_written(written, false)?;
-                return Ok(Verdict::Met);
+                return Ok(verdict);
             }
         }
         print(if json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
-        Ok(Verdict::Met)
+        Ok(verdict)
     }
 }
 
@@ -66,6 +79,9 @@ fn write(folder: &Path, document: &Iso9283PlanDocument) -> anyhow::Result<Vec<St
     let mut all = vec![("programme.csv".to_owned(), programme(document).into_bytes())];
     for places in &document.places {
         all.push((format!("{}.csv", places.name), csv(places).into_bytes()));
+        if places.joints.iter().any(Option::is_some) {
+            all.push((format!("{}-joints.csv", places.name), joints(places).into_bytes()));
+        }
         for ending in ["json", "h"] {
             let name = format!("{}.{ending}", places.name);
             all.push((name.clone(), export::places(places, &name)?));
@@ -84,6 +100,18 @@ fn csv(places: &Iso9283Places) -> String {
     let mut text = format!("pose,{}\n", columns.join(","));
     for (i, point) in places.points.iter().enumerate() {
         let cells: Vec<String> = columns.iter().filter_map(|name| Some(point.get(*name)?.to_string())).collect();
+        let _ = writeln!(text, "{},{}", i + 1, cells.join(","));
+    }
+    text
+}
+
+/// Joint values of a list of places; those that are not reached are left out.
+fn joints(places: &Iso9283Places) -> String {
+    let columns: Vec<&String> = places.joints.iter().flatten().next().map(|q| q.keys().collect()).unwrap_or_default();
+    let names: Vec<&str> = columns.iter().map(|name| name.as_str()).collect();
+    let mut text = format!("pose,{}\n", names.join(","));
+    for (i, q) in places.joints.iter().enumerate().filter_map(|(i, q)| Some((i, q.as_ref()?))) {
+        let cells: Vec<String> = columns.iter().filter_map(|name| Some(q.get(*name)?.to_string())).collect();
         let _ = writeln!(text, "{},{}", i + 1, cells.join(","));
     }
     text

@@ -1,7 +1,7 @@
 //! `etalon iso9283 --stream`
 
 use super::super::table_file::TableFile;
-use super::super::text_format::TextFormat;
+use super::super::text_format::{TextFormat, word};
 use super::super::{Verdict, print, say};
 use super::stream_text::as_text;
 use crate::coordinates::ANGLES;
@@ -22,6 +22,9 @@ pub(super) struct StreamOptions {
     /// Recorded motion: time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], or any text whose --columns and --unit are stated
     #[arg(long, value_name = "FILE")]
     pub stream: Option<PathBuf>,
+    /// Format of the recording, e.g. spatialanalyzer: no columns are to be stated then, --unit and the rate are
+    #[arg(long, value_name = "NAME", requires_all = ["stream", "rate_hz"], conflicts_with = "columns")]
+    format: Option<String>,
     #[command(flatten)]
     text: TextFormat,
     /// Sampling rate of the recording, instead of its time stamps: those of some exports are full seconds
@@ -66,7 +69,7 @@ pub(super) struct StreamOptions {
 }
 
 impl StreamOptions {
-    pub fn run(&self, file: &Path, commanded: Option<&Path>, json: bool) -> anyhow::Result<Verdict> {
+    pub fn run(&self, file: &Path, commanded: Option<&Path>, (seed, json): (u64, bool)) -> anyhow::Result<Verdict> {
         self.check()?;
         let recording = self.recording(file)?;
         let settings = Settings {
@@ -79,6 +82,7 @@ impl StreamOptions {
                 Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
                 None => "times: as stamped in the recording".to_owned(),
             },
+            seed,
         };
         let document = evaluate(&recording, &settings)?;
         if let Some(path) = &self.write_poses {
@@ -87,7 +91,7 @@ impl StreamOptions {
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }
-        print(if json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
+        print(if json { output::to_json(&document)? } else { as_text(&document, true).into_bytes() })?;
         Ok(Verdict::Met)
     }
 
@@ -116,12 +120,17 @@ impl StreamOptions {
     }
 
     fn recording(&self, path: &Path) -> Result<Recording> {
-        let recorded = match self.text.stated() {
-            true => {
-                let (format, unit) = (self.text.format()?, self.text.unit()?);
+        let stated = self.format.as_deref().map(|name| word("--format", name)).transpose()?;
+        let stated = match stated {
+            None if self.text.stated() => Some(self.text.format()?),
+            stated => stated,
+        };
+        let recorded = match stated {
+            Some(format) => {
+                let unit = self.text.unit()?;
                 TableFile::read_with(path, |file, text| import::recorded_points(file, text, &format, unit))?
             }
-            false => TableFile::read(path)?,
+            None => TableFile::read(path)?,
         };
         Recording::from_table(recorded.named(), self.rate_hz).map_err(|p| recorded.place(p))
     }

@@ -1,21 +1,22 @@
 //! A recorded motion as text.
 
-use crate::document::{Iso9283Path, Iso9283StreamDocument};
+use crate::document::{Iso9283Interval, Iso9283Path, Iso9283StreamDocument};
 use std::fmt::Write;
 
-/// What a terminal shows.
-pub(super) fn as_text(document: &Iso9283StreamDocument) -> String {
+/// What a terminal shows; with `all`, a row for each standstill.
+pub(in crate::cli) fn as_text(document: &Iso9283StreamDocument, all: bool) -> String {
     let mut text = format!("{} samples, {:.3} s\n", document.samples, document.duration_s);
     let number = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
     let whole = |v: Option<i64>| v.map_or_else(|| "-".to_owned(), |v| v.to_string());
-    if !document.standstills.is_empty() {
+    let standstills = if all { &document.standstills[..] } else { &[] };
+    if !standstills.is_empty() {
         let _ = writeln!(
             text,
             "{:>5} {:>6} {:>10} {:>10} {:>9} {:>12} {:>12} {:>9}",
             "pose", "cycle", "from s", "to s", "noise mm", "settles s", "overshoot mm", "posing s"
         );
     }
-    for s in &document.standstills {
+    for s in standstills {
         let _ = writeln!(
             text,
             "{:>5} {:>6} {:>10.3} {:>10.3} {:>9} {:>12} {:>12} {:>9}",
@@ -56,15 +57,23 @@ pub(super) fn as_text(document: &Iso9283StreamDocument) -> String {
     text
 }
 
+fn interval(i: &Option<Iso9283Interval>) -> String {
+    i.map_or_else(String::new, |i| format!(" [{:.4}, {:.4}]", i.low_mm, i.high_mm))
+}
+
 fn path_lines(text: &mut String, path: &Iso9283Path) {
     let clause = if path.reorientation { " on reorientation" } else { "" };
     let _ = write!(
         text,
-        "path of {:.3} mm, {} passes: AT{clause} {:.4} mm at {:.3} mm",
-        path.length_mm, path.passes, path.at_mm, path.at_along_mm
+        "path of {:.3} mm, {} passes: AT{clause} {:.4} mm{} at {:.3} mm",
+        path.length_mm,
+        path.passes,
+        path.at_mm,
+        interval(&path.at_interval),
+        path.at_along_mm
     );
     if let (Some(rt), Some(along)) = (path.rt_mm, path.rt_along_mm) {
-        let _ = write!(text, ", RT {rt:.4} mm at {along:.3} mm");
+        let _ = write!(text, ", RT {rt:.4} mm{} at {along:.3} mm", interval(&path.rt_interval));
     }
     text.push('\n');
     for (name, angles) in [("AT", &path.at_angles_deg), ("RT", &path.rt_angles_deg)] {

@@ -1,4 +1,4 @@
-//! A table that a command is given.
+//! A table that a command is given, or a campaign names.
 
 use crate::message::{Problems, Result};
 use crate::{files, import, table};
@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// A table with the text that it was read from.
 #[derive(Clone, Debug)]
-pub(super) struct TableFile {
+pub(crate) struct TableFile {
     /// The file as the user named it.
     pub name: String,
     text: String,

@@ -1,0 +1,148 @@
+//! `etalon compare`
+
+use super::{Verdict, print, say};
+use crate::campaign::Campaign;
+use crate::compare::{Compared, compare};
+use crate::document::{CompareDocument, CompareFamily, CompareTogether};
+use crate::message::{Message, Problems, Result, one_line};
+use crate::report::compare::words;
+use crate::report::{self, number};
+use crate::{files, output};
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Campaigns of one robot side by side: what changed, and what is chance
+///
+/// Each folder is a campaign's, or the output folder that `etalon run` wrote; the eldest first. Parameters, errors, AP, RP and
+/// mean positions are compared with the first campaign and with the one before.
+#[derive(Debug, clap::Args)]
+pub struct Compare {
+    /// Folders of campaigns, or their output folders, in the order of time
+    #[arg(required = true, num_args = 2..)]
+    folders: Vec<PathBuf>,
+    /// Write a report with pictures
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Compare {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let mut problems = Problems::default();
+        let mut all = Vec::new();
+        for folder in &self.folders {
+            match read(folder) {
+                Ok(read) => all.push(read),
+                Err(more) => problems.0.extend(more.0),
+            }
+        }
+        problems.check()?;
+        let document = compare(&all)?;
+        for message in &document.messages {
+            say(format_args!("{message}\n"));
+        }
+        if let Some(path) = &self.report {
+            files::write(path, report::compare_html(&document)?.as_bytes())?;
+        }
+        print(if self.json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
+        Ok(Verdict::Met)
+    }
+}
+
+/// What stands in a campaign's output folder.
+fn read(named: &Path) -> Result<Compared> {
+    let folder = match named.join("campaign.toml").is_file() || named.is_file() {
+        true => {
+            let (campaign, problems) = Campaign::recover(named)?;
+            campaign.ok_or(problems)?.output()?
+        }
+        false => named.to_owned(),
+    };
+    let mut folder = Folder { named: named.display().to_string(), folder, inputs: BTreeMap::new() };
+    let campaign = folder.document("campaign.json", None)?.ok_or_else(|| folder.missing("campaign.json"))?;
+    let parameters = folder.document("parameters.json", Some("etalon/parameters/1"))?;
+    let accuracy = folder.document("accuracy.json", Some("etalon/accuracy/1"))?;
+    let identified = match (parameters, accuracy) {
+        (Some(parameters), Some(accuracy)) => Some((parameters, accuracy)),
+        (None, None) => None,
+        (Some(_), None) => return Err(folder.missing("accuracy.json")),
+        (None, Some(_)) => return Err(folder.missing("parameters.json")),
+    };
+    let iso9283 = folder.document("iso9283.json", Some("etalon/iso9283/1"))?;
+    Ok(Compared { folder: folder.named, campaign, identified, iso9283, inputs: folder.inputs })
+}
+
+struct Folder {
+    named: String,
+    folder: PathBuf,
+    inputs: BTreeMap<String, String>,
+}
+
+impl Folder {
+    fn missing(&self, name: &str) -> Problems {
+        let message = Message::error(format!("there is no file `{}`", self.folder.join(name).display()));
+        message.hint("name a folder that `etalon run` wrote, or a campaign that was run").into()
+    }
+
+    /// A document, if it is there, of the version that this program writes.
+    fn document<T: DeserializeOwned>(&mut self, name: &str, schema: Option<&str>) -> Result<Option<T>> {
+        let path = self.folder.join(name);
+        if !path.is_file() {
+            return Ok(None);
+        }
+        let bytes = files::read(&path)?;
+        let wrong = |what: String| {
+            let message =
+                Message::error(format!("`{}` is not the document that this version writes: {what}", path.display()));
+            message.hint("run the campaign again with this version: `etalon run CAMPAIGN`")
+        };
+        let value: serde_json::Value = serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string()))?;
+        let found = value.get("schema").and_then(|s| s.as_str()).unwrap_or("none");
+        if let Some(schema) = schema.filter(|s| *s != found) {
+            return Err(wrong(format!("its schema is {found:?}")).expected(format!("{schema:?}")).into());
+        }
+        let document = serde_json::from_value(value).map_err(|e| wrong(e.to_string()))?;
+        self.inputs.insert(path.display().to_string(), files::sha256(&bytes));
+        Ok(Some(document))
+    }
+}
+
+/// What a terminal shows.
+fn as_text(document: &CompareDocument) -> String {
+    let mut text = String::new();
+    for (i, c) in document.campaigns.iter().enumerate() {
+        let date = one_line(c.date.as_deref().unwrap_or("no date"));
+        let _ = writeln!(text, "{} {date}, {} ({})", i + 1, one_line(&c.name), one_line(&c.folder));
+    }
+    let mut family = None;
+    for t in &document.trends {
+        if family != Some(t.family) {
+            family = Some(t.family);
+            let _ = writeln!(text, "\n{}", report::compare::name(t.family));
+            if t.family == CompareFamily::Robot {
+                document.together.iter().for_each(|t| together(&mut text, t));
+            }
+        }
+        let values: Vec<String> = t.values.iter().map(words::value).collect();
+        let _ = writeln!(text, "  {} {}  {}", one_line(&t.name), words::unit(&t.unit), values.join("  "));
+        for c in &t.changes {
+            let w = words::change(t, c);
+            let _ = writeln!(
+                text,
+                "    {}: {} [{}], p {} (Holm {}): {}",
+                w.pair, w.change, w.interval, w.p, w.p_holm, w.verdict
+            );
+        }
+    }
+    text + "\n" + &document.conventions.iter().map(|c| format!("{c}\n")).collect::<String>()
+}
+
+fn together(text: &mut String, t: &CompareTogether) {
+    let verdict = if t.significant { "changed" } else { "no significant change" };
+    let (f, p) = (number::significant(t.f, 3), number::significant(t.p, 2));
+    let _ = writeln!(text, "  all {} together, {} from {}: F {f}, p {p}: {verdict}", t.parameters, t.to, t.from);
+}

@@ -1,0 +1,117 @@
+//! Characteristics of poses by ISO 9283 over campaigns.
+
+use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
+use super::trend::{changed, of_estimates, pairs};
+use crate::document::*;
+use crate::iso9283::spread;
+use crate::message::Message;
+
+/// AP, mean position and RP of every pose that all campaigns have; homings too.
+pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
+    let Some(first) = all.first() else { return Vec::new() };
+    let mut trends = Vec::new();
+    let mut missing = Vec::new();
+    for pose in &first.poses {
+        let same: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.poses.iter().find(|p| p.pose == pose.pose)).collect();
+        if same.len() < all.len() {
+            missing.push(pose.pose.to_string());
+            continue;
+        }
+        let name = format!("pose {}", pose.pose);
+        trends.extend(accuracy(&name, &same));
+        trends.extend(positions(&name, all, &same));
+        trends.extend(repeatability(&name, &same));
+    }
+    let homings: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.homing.as_ref()).collect();
+    if homings.len() == all.len() {
+        trends.extend(repeatability("homing", &homings));
+    }
+    if !missing.is_empty() {
+        let message = Message::warning(format!("not in every campaign: pose {}", missing.join(", ")));
+        messages.push(message.hint("pose numbers must mean the same in all of them"));
+    }
+    trends.sort_by_key(|t| t.family);
+    trends
+}
+
+fn accuracy(name: &str, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
+    let known = |p: &&Iso9283Pose| Some((p.ap_mm?, p.ap_interval?.low_mm, p.ap_interval?.high_mm));
+    let values = all.iter().map(known).collect::<Option<Vec<Recovered>>>()?;
+    let change = |(from, to)| changed((from, to), &recovered(values[from], values[to]), None);
+    Some(CompareTrend {
+        family: CompareFamily::PoseAccuracy,
+        name: format!("AP, {name}"),
+        unit: "mm".to_owned(),
+        values: values
+            .iter()
+            .map(|v| CompareValue { value: Some(v.0), standard_uncertainty: None, low: Some(v.1), high: Some(v.2) })
+            .collect(),
+        changes: pairs(all.len()).into_iter().map(change).collect(),
+    })
+}
+
+/// The mean of each coordinate: of the visits where all documents have them, else from the commanded position.
+fn positions(name: &str, documents: &[&Iso9283Document], all: &[&Iso9283Pose]) -> Vec<CompareTrend> {
+    let visited = |(d, p): (&&Iso9283Document, &&Iso9283Pose)| {
+        let of_pose = d.visits.iter().filter(|v| v.pose == p.pose).map(|v| v.attained_mm);
+        of_pose.collect::<Vec<_>>()
+    };
+    let visits: Vec<_> = documents.iter().zip(all).map(visited).collect();
+    let mut trends = Vec::new();
+    for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+        let estimates: Option<Vec<Option<Estimate>>> = match visits.iter().all(|v| v.len() > 1) {
+            _ if axis == 2 && all.iter().any(|p| p.rp_z_mm.is_none()) => None,
+            true => Some(
+                visits
+                    .iter()
+                    .map(|v| {
+                        let s = spread(&v.iter().map(|p| p[axis]).collect::<Vec<_>>());
+                        Some(mean(s.mean, s.deviation, v.len()))
+                    })
+                    .collect(),
+            ),
+            false => all
+                .iter()
+                .map(|p| {
+                    let (deviation, three) =
+                        [(p.ap_x_mm, p.rp_x_mm), (p.ap_y_mm, p.rp_y_mm), (p.ap_z_mm, p.rp_z_mm)][axis];
+                    Some(Some(mean(deviation?, three? / 3.0, p.cycles)))
+                })
+                .collect(),
+        };
+        let of = (CompareFamily::MeanPosition, format!("mean {letter}, {name}"), "mm");
+        trends.extend(estimates.map(|estimates| of_estimates(of, &estimates)));
+    }
+    trends
+}
+
+fn mean(value: f64, deviation: f64, visits: usize) -> Estimate {
+    let n = visits as f64;
+    Estimate { value, standard_uncertainty: deviation / n.sqrt(), degrees: n - 1.0 }
+}
+
+fn repeatability(name: &str, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
+    let known = |p: &&Iso9283Pose| Some((p.rp_mm?, p.rp_interval_analytic?, p.cycles as f64));
+    let values = all.iter().map(known).collect::<Option<Vec<_>>>()?;
+    let change = |(from, to): (usize, usize)| {
+        let scale = |(rp, i, n): (f64, Iso9283Interval, f64)| {
+            // radii about the sample's own mean are short by √(1 - 1/n)
+            Some((rp * (n / (n - 1.0)).sqrt(), degrees_of_scale(i.low_mm, i.high_mm)?))
+        };
+        let found = ratio_of_scales(scale(values[from])?, scale(values[to])?)?;
+        Some(changed((from, to), &found, Some(values[to].0 - values[from].0)))
+    };
+    let value = |v: &(f64, Iso9283Interval, f64)| CompareValue {
+        value: Some(v.0),
+        standard_uncertainty: None,
+        low: Some(v.1.low_mm),
+        high: Some(v.1.high_mm),
+    };
+    Some(CompareTrend {
+        family: CompareFamily::PoseRepeatability,
+        name: format!("RP, {name}"),
+        unit: "mm".to_owned(),
+        values: values.iter().map(value).collect(),
+        changes: pairs(all.len()).into_iter().filter_map(change).collect(),
+    })
+}

@@ -1,0 +1,38 @@
+//! Errors before and after calibration over campaigns.
+
+use super::significance::Estimate;
+use super::trend::of_estimates;
+use crate::document::*;
+
+/// Mean errors of position and orientation, before and after, of every set of poses that all campaigns have.
+pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<CompareTrend> {
+    let Some(first) = all.first() else { return Vec::new() };
+    let mut trends = Vec::new();
+    for set in &first.1.sets {
+        for error in set.errors.iter().filter(|e| ["position", "orientation"].contains(&e.quantity.as_str())) {
+            for (word, of) in [
+                ("before", (|e| e.before) as fn(&ErrorStatistics) -> Statistics),
+                ("after", |e: &ErrorStatistics| e.after),
+            ] {
+                let estimate = |c: &&(ParametersDocument, AccuracyDocument)| {
+                    let set = c.1.sets.iter().find(|s| s.name == set.name)?;
+                    mean(set.poses, &of(set.errors.iter().find(|e| e.quantity == error.quantity)?))
+                };
+                let estimates: Vec<Option<Estimate>> = all.iter().map(estimate).collect();
+                if estimates.iter().all(Option::is_some) {
+                    let name = format!("{} of {} poses, {word}", error.quantity, set.name);
+                    trends.push(of_estimates((CompareFamily::MeanError, name, &error.unit), &estimates));
+                }
+            }
+        }
+    }
+    trends
+}
+
+/// Mean size with the uncertainty that its scatter leaves. Errors of one pose have their cause in common: a pose counts once.
+fn mean(poses: usize, s: &Statistics) -> Option<Estimate> {
+    let n = poses as f64;
+    let variance = (s.rms.powi(2) - s.mean.powi(2)).max(0.0) * n / (n - 1.0);
+    let estimate = Estimate { value: s.mean, standard_uncertainty: (variance / n).sqrt(), degrees: n - 1.0 };
+    (poses > 1 && s.mean.is_finite() && s.rms.is_finite()).then_some(estimate)
+}

@@ -1,0 +1,196 @@
+//! Several campaigns of one robot side by side: what changed, and what is chance.
+//!
+//! Documents come in ([`Compared`]), one document goes out. [`significance`] is the mathematics.
+
+mod characteristics;
+mod errors;
+mod parameters;
+pub mod significance;
+mod trend;
+
+use crate::document::*;
+use crate::message::{Message, Problems, Result, one_line};
+use std::collections::{BTreeMap, BTreeSet};
+use trend::judge;
+
+/// What one campaign's output folder holds.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// The folder as the user named it.
+    pub folder: String,
+    /// What the campaign says about itself.
+    pub campaign: CampaignSummary,
+    /// Parameters with the errors before and after, where it identifies.
+    pub identified: Option<(ParametersDocument, AccuracyDocument)>,
+    /// Characteristics of poses, where it tests them.
+    pub iso9283: Option<Iso9283Document>,
+    /// SHA-256 of the documents, by name.
+    pub inputs: BTreeMap<String, String>,
+}
+
+/// Compares at least two campaigns, the eldest first.
+pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
+    refuse(all)?;
+    let mut messages = Vec::new();
+    let mut trends = Vec::new();
+    let mut together = Vec::new();
+    let identified: Vec<_> = all.iter().filter_map(|c| c.identified.as_ref()).collect();
+    let tested: Vec<_> = all.iter().filter_map(|c| c.iso9283.as_ref()).collect();
+    if identified.len() == all.len() {
+        trends.extend(parameters::trends(&identified, &mut messages));
+        together = parameters::together(&identified, &trends);
+        trends.extend(errors::trends(&identified));
+    }
+    if tested.len() == all.len() {
+        trends.extend(characteristics::trends(&tested, &mut messages));
+    }
+    messages.extend(left_out(all, "parameters.json", |c| c.identified.is_some()));
+    messages.extend(left_out(all, "iso9283.json", |c| c.iso9283.is_some()));
+    if trends.is_empty() {
+        let message = Message::error("the campaigns have nothing in common that could be compared");
+        let message = message.expected("parameters.json, or iso9283.json, in the folder of every campaign");
+        return Err(message.hint("run the campaigns with this version: `etalon run CAMPAIGN`").into());
+    }
+    judge(&mut trends);
+    Ok(CompareDocument {
+        schema: "etalon/compare/1".to_owned(),
+        robot: identified.first().map(|i| i.0.robot.clone()),
+        conventions: conventions(all, &trends),
+        campaigns: all.iter().map(campaign).collect(),
+        trends,
+        together,
+        messages,
+        provenance: Provenance {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            inputs: all.iter().flat_map(|c| c.inputs.clone()).collect(),
+            seed: None,
+        },
+    })
+}
+
+/// What cannot be compared; all of it is said at once.
+fn refuse(all: &[Compared]) -> Result<()> {
+    if all.len() < 2 {
+        return Err(Message::error("one campaign alone changes nothing").expected("two folders or more").into());
+    }
+    let mut problems = Problems::default();
+    let mut folders = BTreeSet::new();
+    for c in all.iter().filter(|c| !folders.insert(&c.folder)) {
+        problems.0.push(Message::error(format!("`{}` is named twice", c.folder)));
+    }
+    let first = &all[0];
+    for c in &all[1..] {
+        let named = |c: &Compared| c.campaign.robot.clone();
+        if let (Some(this), Some(that)) = (named(first), named(c))
+            && this != that
+        {
+            let what = format!("different robots: `{}` measured `{this}`, `{}` `{that}`", first.folder, c.folder);
+            let hint =
+                "compare campaigns of one robot; if it is the same, give it one `name` in robot.toml and run again";
+            problems.0.push(Message::error(what).hint(hint));
+        }
+        let (Some((this, _)), Some((that, _))) = (&first.identified, &c.identified) else { continue };
+        if this.robot != that.robot {
+            let what = format!(
+                "different models of robots: `{}` identified `{}`, `{}` `{}`",
+                first.folder, this.robot, c.folder, that.robot
+            );
+            problems.0.push(Message::error(what).hint("identify both with one model, and compare then"));
+            continue;
+        }
+        let names = |d: &ParametersDocument| d.parameters.iter().map(|p| p.name.clone()).collect::<BTreeSet<_>>();
+        let other: Vec<String> = names(this).symmetric_difference(&names(that)).cloned().collect();
+        if !other.is_empty() {
+            let what = format!("`{}` and `{}` have different parameters: {}", first.folder, c.folder, other.join(", "));
+            problems.0.push(Message::error(what).hint("the same robot file, targets and model make them comparable"));
+        }
+    }
+    problems.check().map(|_| ())
+}
+
+fn left_out(all: &[Compared], name: &str, there: fn(&Compared) -> bool) -> Option<Message> {
+    let (with, without): (Vec<&Compared>, Vec<&Compared>) = all.iter().partition(|c| there(c));
+    if with.is_empty() || without.is_empty() {
+        return None;
+    }
+    let folders: Vec<String> = without.iter().map(|c| format!("`{}`", c.folder)).collect();
+    let message = Message::warning(format!("{name} is left out: it is not in {}", folders.join(", ")));
+    Some(message.hint("compare campaigns that all have it"))
+}
+
+fn campaign(c: &Compared) -> ComparedCampaign {
+    let summary = &c.campaign;
+    ComparedCampaign {
+        folder: c.folder.clone(),
+        name: summary.name.clone(),
+        date: summary.date.clone(),
+        instrument: summary.instrument.clone(),
+        expanded_uncertainty_um: summary.expanded_uncertainty_um,
+        coverage_factor: summary.coverage_factor,
+        synthetic: summary.synthetic.clone(),
+        uncertainties_from: c.identified.as_ref().map(|i| i.0.residuals.uncertainties_from),
+        degrees_of_freedom: c.identified.as_ref().map(parameters::degrees).filter(|d| d.is_finite()),
+    }
+}
+
+fn conventions(all: &[Compared], trends: &[CompareTrend]) -> Vec<String> {
+    let there = |family| trends.iter().any(|t| t.family == family);
+    let mut said = vec![
+        "a change is significant where its probability by chance, corrected by Holm (1979) for the number of quantities of its \
+         family in one pair of campaigns, is below 5 %; intervals are 95 %, each for itself"
+            .to_owned(),
+        "every campaign is compared with the first and with the one before, in the order named".to_owned(),
+    ];
+    if there(CompareFamily::Robot) || there(CompareFamily::SetUp) {
+        said.push(
+            "parameters: change over the root of u1² + u2², by Student's t with Welch's degrees of freedom where \
+             uncertainties are estimated from residuals; both campaigns are taken as independent"
+                .to_owned(),
+        );
+        said.push(
+            "parameters of base and targets change with every set-up: a change there need not be the robot's"
+                .to_owned(),
+        );
+    }
+    if there(CompareFamily::MeanError) {
+        said.push(
+            "mean errors: Welch's t test, as many errors as poses; where both campaigns measured the same poses it calls too \
+             little changed rather than too much"
+                .to_owned(),
+        );
+    }
+    if there(CompareFamily::PoseRepeatability) {
+        said.push(
+            "RP: F test of the ratio, with the degrees of freedom of the interval in closed form (Gaussian scatter)"
+                .to_owned(),
+        );
+    }
+    if there(CompareFamily::PoseAccuracy) {
+        said.push("AP: interval of the difference recovered from both intervals (MOVER, Zou & Donner 2008)".to_owned());
+    }
+    if there(CompareFamily::MeanPosition) {
+        said.push(
+            "mean positions: Welch's t test of each coordinate, from the scatter of the visits alone: how well the frame was \
+             found again is not in it"
+                .to_owned(),
+        );
+    }
+    said.push(shared_instrument(all));
+    said
+}
+
+/// What a shared instrument, or different ones, do to a change.
+fn shared_instrument(all: &[Compared]) -> String {
+    let names: BTreeSet<Option<&str>> = all.iter().map(|c| c.campaign.instrument.as_deref()).collect();
+    match (names.len(), names.first()) {
+        (1, Some(Some(name))) => format!(
+            "all campaigns share the instrument {}: errors of it that stay the same are in every value and cancel in the \
+             changes, so that changes are known better than stated where they are part of u; what it drifted by between \
+             campaigns looks like a change of the robot",
+            one_line(name)
+        ),
+        _ => "the campaigns have different instruments: a systematic difference between them, which no scatter shows, looks \
+              like a change of the robot"
+            .to_owned(),
+    }
+}

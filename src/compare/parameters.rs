@@ -1,0 +1,124 @@
+//! Parameters over campaigns.
+
+use super::significance::{Estimate, LEVEL};
+use super::trend::{of_estimates, pairs};
+use crate::document::*;
+use crate::identify::UncertaintyFrom;
+use crate::message::Message;
+use nalgebra::{Cholesky, DMatrix, DVector};
+use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+use std::collections::BTreeSet;
+
+type Identified<'a> = &'a (ParametersDocument, AccuracyDocument);
+
+/// Degrees of freedom of standard uncertainties: infinite where the instrument's stated uncertainty makes them.
+pub(super) fn degrees((parameters, accuracy): Identified) -> f64 {
+    let residuals = parameters.residuals.degrees_of_freedom as f64;
+    match parameters.residuals.uncertainties_from {
+        UncertaintyFrom::Instrument | UncertaintyFrom::Nothing => f64::INFINITY,
+        UncertaintyFrom::Residuals => residuals,
+        UncertaintyFrom::ResidualsByPose => {
+            // a sum over poses has as many terms as poses
+            let poses = accuracy.sets.iter().find(|s| s.name == "calibration").map_or(0, |s| s.poses) as f64;
+            let identified = parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
+            (poses - identified as f64).clamp(1.0, residuals.max(1.0))
+        }
+    }
+}
+
+/// Every parameter; those that nobody identified are left out.
+pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
+    let Some(first) = all.first() else { return Vec::new() };
+    let mut trends = Vec::new();
+    let mut held = Vec::new();
+    let mut redrawn = BTreeSet::new();
+    for p in &first.0.parameters {
+        let entries: Vec<Option<&ParameterEntry>> =
+            all.iter().map(|c| c.0.parameters.iter().find(|e| e.name == p.name)).collect();
+        if entries.iter().flatten().any(|e| e.nominal != p.nominal) {
+            redrawn.insert(p.name.clone());
+        }
+        let estimate = |(entry, c): (&Option<&ParameterEntry>, &Identified)| {
+            let entry = entry.filter(|e| e.status == ParameterStatus::Identified)?;
+            let standard_uncertainty = entry.standard_uncertainty.unwrap_or(f64::NAN);
+            Some(Estimate { value: entry.value, standard_uncertainty, degrees: degrees(c) })
+        };
+        let estimates: Vec<Option<Estimate>> = entries.iter().zip(all).map(estimate).collect();
+        match estimates.iter().flatten().count() {
+            0 => continue,
+            count if count < all.len() => held.push(p.name.clone()),
+            _ => {}
+        }
+        // only base and targets are fitted before the calibration
+        let set_up = entries.iter().flatten().any(|e| e.before != e.nominal);
+        let family = if set_up { CompareFamily::SetUp } else { CompareFamily::Robot };
+        trends.push(of_estimates((family, p.name.clone(), &p.unit), &estimates));
+    }
+    if !held.is_empty() {
+        let what = format!("not every campaign identified {}", held.join(", "));
+        messages.push(Message::warning(what).hint("others that act alike may have taken up what these were held from"));
+    }
+    if !redrawn.is_empty() {
+        let names: Vec<String> = redrawn.into_iter().collect();
+        let what = format!("nominal values differ between the robot files: {}", names.join(", "));
+        messages.push(Message::warning(what).hint("what is held at its nominal value acts on the others"));
+    }
+    trends.sort_by_key(|t| t.family);
+    trends
+}
+
+/// Whether the robot's parameters changed, all together: Δᵀ (C₁ + C₂)⁻¹ Δ, which sees changes along directions that single
+/// uncertainties, blown up by correlation, hide.
+pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<CompareTogether> {
+    let robot = |t: &&CompareTrend| t.family == CompareFamily::Robot;
+    let names: Vec<&str> = trends.iter().filter(robot).map(|t| t.name.as_str()).collect();
+    pairs(all.len()).into_iter().filter_map(|pair| pair_together(all, &names, pair)).collect()
+}
+
+fn pair_together(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<CompareTogether> {
+    let identified = |c: Identified| {
+        let entries = c.0.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
+        entries.map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>()
+    };
+    let (a, b) = (identified(all[from]), identified(all[to]));
+    let place = |all: &[(String, f64)], name: &str| all.iter().position(|p| p.0 == name);
+    let both: Vec<(usize, usize)> = names.iter().filter_map(|n| Some((place(&a, n)?, place(&b, n)?))).collect();
+    let m = both.len();
+    let block = |c: Identified, of: &dyn Fn(&(usize, usize)) -> usize| -> Option<DMatrix<f64>> {
+        let rows: Option<Vec<f64>> = both
+            .iter()
+            .flat_map(|i| both.iter().map(move |j| (i, j)))
+            .map(|(i, j)| c.0.covariance.get(of(i))?.get(of(j)).copied())
+            .collect();
+        Some(DMatrix::from_row_slice(m, m, &rows?))
+    };
+    let (first, second) = (block(all[from], &|i| i.0)?, block(all[to], &|i| i.1)?);
+    let sum = &first + &second;
+    // mm and degrees apart by powers of ten: in units of their uncertainties
+    let u: Vec<f64> = (0..m).map(|i| sum[(i, i)].sqrt()).collect();
+    if m == 0 || !u.iter().all(|u| *u > 0.0 && u.is_finite()) {
+        return None;
+    }
+    let scaled = |c: &DMatrix<f64>| DMatrix::from_fn(m, m, |i, j| c[(i, j)] / (u[i] * u[j]));
+    let inverse = Cholesky::new(scaled(&sum))?.inverse();
+    let change = DVector::from_fn(m, |k, _| (b[both[k].1].1 - a[both[k].0].1) / u[k]);
+    let f = change.dot(&(&inverse * &change)) / m as f64;
+    // which share of the sum is of either campaign decides whose degrees of freedom count (Welch and Satterthwaite)
+    let share = (&inverse * scaled(&first)).trace() / m as f64;
+    let degrees = 1.0 / (share.powi(2) / degrees(all[from]) + (1.0 - share).powi(2) / degrees(all[to]));
+    let degrees = Some(degrees).filter(|d| d.is_finite());
+    let p = match degrees {
+        Some(degrees) => FisherSnedecor::new(m as f64, degrees).ok()?.sf(f),
+        None => ChiSquared::new(m as f64).ok()?.sf(f * m as f64),
+    };
+    let significant = p < LEVEL;
+    f.is_finite().then_some(CompareTogether {
+        from: from + 1,
+        to: to + 1,
+        parameters: m,
+        f,
+        degrees_of_freedom: degrees,
+        p,
+        significant,
+    })
+}

@@ -1,0 +1,72 @@
+//! Quantities over campaigns, whatever they are.
+
+use super::significance::{Difference, Estimate, LEVEL, holm};
+use crate::document::{CompareChange, CompareFamily, CompareTrend, CompareValue};
+use std::collections::BTreeMap;
+
+/// Pairs of campaigns that are compared, counted from 0: each with the first, and with the one before.
+pub(super) fn pairs(count: usize) -> Vec<(usize, usize)> {
+    let with_first = (1..count).map(|to| (0, to));
+    let mut all: Vec<(usize, usize)> = with_first.chain((2..count).map(|to| (to - 1, to))).collect();
+    all.sort_unstable_by_key(|&(from, to)| (to, from));
+    all
+}
+
+/// A quantity with standard uncertainties.
+pub(super) fn of_estimates(
+    (family, name, unit): (CompareFamily, String, &str),
+    estimates: &[Option<Estimate>],
+) -> CompareTrend {
+    let value = |e: &Option<Estimate>| e.as_ref().map(estimated).unwrap_or_default();
+    let change = |(from, to): (usize, usize)| {
+        let found = estimates[from]?.change_to(estimates[to].as_ref()?);
+        Some(changed((from, to), &found, None))
+    };
+    let values = estimates.iter().map(value).collect();
+    let changes = pairs(estimates.len()).into_iter().filter_map(change).collect();
+    CompareTrend { family, name, unit: unit.to_owned(), values, changes }
+}
+
+fn estimated(e: &Estimate) -> CompareValue {
+    let (low, high) = e.interval();
+    let known = |v: f64| Some(v).filter(|v| v.is_finite());
+    CompareValue {
+        value: Some(e.value),
+        standard_uncertainty: known(e.standard_uncertainty),
+        low: known(low),
+        high: known(high),
+    }
+}
+
+/// A change as the document has it, not yet judged; `difference` where what was found is a ratio.
+pub(super) fn changed((from, to): (usize, usize), found: &Difference, difference: Option<f64>) -> CompareChange {
+    let known = |v: f64| Some(v).filter(|v| v.is_finite());
+    CompareChange {
+        from: from + 1,
+        to: to + 1,
+        change: difference.unwrap_or(found.change),
+        ratio: difference.map(|_| found.change),
+        low: known(found.low),
+        high: known(found.high),
+        p: known(found.p),
+        p_holm: None,
+        significant: None,
+    }
+}
+
+/// Says which changes are significant: each family of each pair of campaigns by itself.
+pub(super) fn judge(trends: &mut [CompareTrend]) {
+    let mut families: BTreeMap<(CompareFamily, usize, usize), Vec<&mut CompareChange>> = BTreeMap::new();
+    for trend in trends {
+        for change in trend.changes.iter_mut().filter(|c| c.p.is_some()) {
+            families.entry((trend.family, change.from, change.to)).or_default().push(change);
+        }
+    }
+    for changes in families.values_mut() {
+        let p: Vec<f64> = changes.iter().filter_map(|c| c.p).collect();
+        for (change, corrected) in changes.iter_mut().zip(holm(&p)) {
+            change.p_holm = Some(corrected);
+            change.significant = Some(corrected < LEVEL);
+        }
+    }
+}

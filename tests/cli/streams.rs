@@ -1,0 +1,69 @@
+//! Recorded motions inside a campaign.
+
+use super::{etalon, text, text_of};
+use crate::scratch::{Scratch, copy_sample};
+use etalon::document::{ImportDocument, Iso9283StreamsDocument};
+
+fn read<T: serde::de::DeserializeOwned>(scratch: &Scratch, name: &str) -> T {
+    serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(name)).unwrap()).unwrap()
+}
+
+#[test]
+fn a_campaign_tells_what_its_recorded_motion_says_and_the_report_shows_it() {
+    let scratch = copy_sample("prexyt-repeatability");
+    let done = etalon(scratch.root(), &["run", "campaign"]);
+    assert!(done.status.success(), "{}", text_of(&done));
+    let shown = text(&done.stdout);
+    assert!(shown.contains("corner: ") && shown.contains("path of 300.000 mm, 10 passes: AT"), "{shown}");
+    let document: Iso9283StreamsDocument = read(&scratch, "iso9283-streams.json");
+    let stream = &document.streams[0].stream;
+    let path = stream.path.as_ref().unwrap();
+    // the path is off by the rounded corner and a wave of 30 µm; passes scatter by 6 µm
+    assert!(path.passes == 10 && (0.03..0.5).contains(&path.at_mm), "{}", path.at_mm);
+    let (rt, interval) = (path.rt_mm.unwrap(), path.rt_interval.unwrap());
+    assert!((0.01..0.06).contains(&rt) && interval.low_mm < rt && interval.high_mm > 0.01, "{rt} {interval:?}");
+    assert!(path.velocity.as_ref().unwrap().av_percent.abs() < 1.0);
+    assert_eq!(path.corners.len(), 1);
+    let poses: Vec<(i64, usize)> = stream.settling.iter().map(|s| (s.pose, s.arrivals)).collect();
+    assert_eq!(poses, [(1, 9), (2, 10)], "the recording begins at pose 1");
+    // 0.15 mm that die away within 80 ms are below 20 µm after 0.16 s, and 9 Hz swing about it
+    assert!(stream.settling.iter().all(|s| (0.1..0.25).contains(&s.stabilisation_s)), "{:?}", stream.settling);
+    let shown: Vec<i64> = stream.arrivals.iter().map(|a| a.pose).collect();
+    assert_eq!(shown.iter().filter(|p| **p == 2).count(), 3);
+    let import: ImportDocument = read(&scratch, "import.json");
+    let sources: Vec<&str> = import.sources.iter().filter(|s| s.kind == "stream").map(|s| s.file.as_str()).collect();
+    assert_eq!(sources, ["exports/motion.csv", "commanded.csv", "path.csv"]);
+
+    let report = scratch.path().join("out/report.html");
+    let html = std::fs::read_to_string(&report).unwrap();
+    for part in ["Deviation along the path", "Visits over time", "Arrivals", "id=\"streams\""] {
+        assert!(html.contains(part), "{part}");
+    }
+    assert!(etalon(scratch.root(), &["report", "campaign/out"]).status.success());
+    assert_eq!(std::fs::read_to_string(&report).unwrap(), html, "the report is made again from the documents alone");
+}
+
+#[test]
+fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
+    for (file, from, to, parts) in [
+        ("campaign.toml", "exports/motion.csv", "exports/no.csv", &["exports/no.csv", "campaign.toml:"][..]),
+        ("campaign.toml", "band_mm = 0.02", "band_mm = -1", &["`band_mm` must be positive", "campaign.toml:"]),
+        ("campaign.toml", "path = \"path.csv\"", "", &["`velocity_mm_s` is that of a `path`"]),
+        ("campaign.toml", "band_mm = 0.02", "band = 0.02", &["unknown key `band`"]),
+        ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["needs its `unit`"]),
+        ("path.csv", "250,50\n", "250,fifty\n", &["path.csv", "fifty"]),
+        ("exports/motion.csv", "0.03,", "0.01,", &["motion.csv:5", "time does not go on"]),
+    ] {
+        let scratch = copy_sample("prexyt-repeatability");
+        let path = scratch.path().join(file);
+        let whole = std::fs::read_to_string(&path).unwrap();
+        assert!(whole.contains(from), "{file} has no {from}");
+        std::fs::write(&path, whole.replacen(from, to, 1)).unwrap();
+        for command in ["check", "run"] {
+            let refused = etalon(scratch.root(), &[command, "campaign"]);
+            let said = text_of(&refused);
+            assert_eq!(refused.status.code(), Some(2), "{command} {to}: {said}");
+            parts.iter().for_each(|part| assert!(said.contains(part), "{command}: no {part:?} in {said}"));
+        }
+    }
+}
