@@ -7,6 +7,7 @@
 mod arrows;
 mod axis;
 mod by_pose;
+mod correlation;
 #[cfg(test)]
 mod demo;
 #[cfg(test)]
@@ -14,15 +15,18 @@ mod demo_iso9283;
 mod facts;
 mod geometric;
 mod histogram;
+mod intervals;
 mod iso9283;
 mod map;
 mod number;
 mod parameters;
+mod pictures;
 #[cfg(feature = "pdf")]
 mod pdf;
 mod plan;
 mod plane;
 mod points;
+mod residuals;
 mod svg;
 mod tables;
 pub mod templates;
@@ -39,6 +43,7 @@ use crate::document::{
     Iso9283Document, ParametersDocument, PointError, Provenance, WorldFrame,
 };
 use crate::message::{Message, Result};
+use pictures::pictures;
 use serde::Serialize;
 use words::Words;
 
@@ -93,7 +98,9 @@ struct Page<'a> {
     sets: Vec<tables::Set>,
     poses: tables::Poses,
     parameters: Vec<parameters::Row>,
+    parameter_pictures: Vec<points::Picture>,
     pictures: Vec<points::Picture>,
+    residual_pictures: Vec<points::Picture>,
     geometric: Option<geometric::Section<'a>>,
     iso9283: Option<iso9283::Section<'a>>,
     /// errors that are not finite
@@ -127,6 +134,7 @@ pub fn test_files(report: &TestReport) -> Result<Vec<File>> {
 pub fn html(report: &Report) -> Result<String> {
     let presentation = &report.campaign.report;
     let words = &Words::of(presentation.language)?;
+    let drawn = pictures(report, words);
     let page = Page {
         campaign: report.campaign,
         facts: facts::facts(report.campaign, report.iso9283, words),
@@ -140,7 +148,9 @@ pub fn html(report: &Report) -> Result<String> {
         sets: tables::sets(report.accuracy, words),
         poses: tables::poses(report.errors, words),
         parameters: parameters::rows(&report.parameters.parameters, words),
-        pictures: pictures(report, words),
+        parameter_pictures: drawn.parameters,
+        pictures: drawn.errors,
+        residual_pictures: drawn.residuals,
         geometric: report.geometric.map(|g| geometric::section(g, words)),
         iso9283: report.iso9283.map(|i| iso9283::section(i, words)),
         undrawn: report.errors.len() - points::drawable(report.errors).len(),
@@ -195,18 +205,4 @@ fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
 
 fn test_messages<'a>(report: &TestReport<'a>) -> Vec<&'a Message> {
     report.import.messages.iter().chain(&report.iso9283.messages).collect()
-}
-
-fn pictures(report: &Report, words: &Words) -> Vec<points::Picture> {
-    let errors = points::drawable(report.errors);
-    if errors.is_empty() {
-        return vec![];
-    }
-    let flat = |p: &&PointError| p.at_mm[2] == 0.0 && p.before_mm[2] == 0.0 && p.after_mm[2] == 0.0;
-    let planar = report.frames.world.planar || errors.iter().all(flat);
-    let mut pictures = map::maps(&errors, planar, words);
-    pictures.extend(arrows::arrows(&errors, planar, words));
-    pictures.extend(histogram::histogram(&errors, words));
-    pictures.extend(by_pose::pictures(&errors, words));
-    pictures
 }
