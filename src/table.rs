@@ -98,3 +98,29 @@ pub fn read_parquet(path: &Path) -> Result<DataFrame> {
     let unreadable = |e| Message::error(format!("`{}` is not a table: {e}", path.display())).into();
     ParquetReader::new(Cursor::new(bytes)).finish().map_err(unreadable)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use polars::prelude::{IntoColumn, NamedFrom, Series};
+
+    #[test]
+    fn hostile_texts_stay_in_their_cells() {
+        let texts = [
+            "<script>alert(1)</script>".to_owned(),
+            "=HYPERLINK(\"http://x.invalid\",\"y\")".to_owned(),
+            "a,b;c\td\"e".to_owned(),
+            "two\nlines\r\nand a\rthird".to_owned(),
+            "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8}".to_owned(),
+            "n".repeat(200),
+            String::new(),
+        ];
+        let numbers = Series::new("pose".into(), (0..7i64).collect::<Vec<_>>()).into_column();
+        let mut table =
+            DataFrame::new(7, vec![numbers, Series::new("target".into(), &texts[..]).into_column()]).unwrap();
+        let written = to_csv(&mut table).unwrap();
+        let mut reader = ::csv::Reader::from_reader(&written[..]);
+        let read: Vec<(i64, String)> = reader.deserialize().map(|row| row.unwrap()).collect();
+        assert_eq!(read, (0..).zip(texts).collect::<Vec<_>>());
+    }
+}

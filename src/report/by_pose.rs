@@ -8,11 +8,11 @@ use super::words::Words;
 use crate::document::PointError;
 use std::collections::BTreeSet;
 
-const WIDTH: f64 = 760.0;
-const HEIGHT: f64 = 340.0;
-const RIGHT: f64 = 12.0;
-const TOP: f64 = 36.0;
-const BOTTOM: f64 = 296.0;
+pub(super) const WIDTH: f64 = 760.0;
+pub(super) const HEIGHT: f64 = 340.0;
+pub(super) const RIGHT: f64 = 12.0;
+pub(super) const TOP: f64 = 36.0;
+pub(super) const BOTTOM: f64 = 296.0;
 const TICKS: usize = 5;
 /// More marks than this hide each other.
 const LIMIT: usize = 1500;
@@ -101,7 +101,14 @@ fn picture(
     Some(Picture { title, svg: svg.finish(), caption, wide: true, ..Picture::default() })
 }
 
-fn draw_axes(svg: &mut Svg, left: f64, (across, axis): (&Axis, &Axis), poses: &[i64], [up, along]: [&str; 2]) {
+/// An upright axis with its name, and the numbers of the poses along the other.
+pub(super) fn draw_axes(
+    svg: &mut Svg,
+    left: f64,
+    (across, axis): (&Axis, &Axis),
+    poses: &[i64],
+    [up, along]: [&str; 2],
+) {
     for (value, label) in axis.ticks(TICKS) {
         let y = axis.at(value);
         svg.line("grid", (left, y), (WIDTH - RIGHT, y));

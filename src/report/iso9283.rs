@@ -4,7 +4,7 @@ use super::facts;
 use super::number;
 use super::plane::{Plane, WIDTH};
 use super::points::Picture;
-use super::svg::{Shape, Svg};
+use super::svg::{COLOURS, Shape, Svg};
 use super::words::Words;
 use crate::document::{Iso9283Document, Iso9283Pose, Iso9283Visit};
 use crate::pose::{Vector, centroid, minus};
@@ -139,8 +139,7 @@ fn of_pose(document: &Iso9283Document, pose: i64) -> impl Iterator<Item = &Iso92
     document.visits.iter().filter(move |v| v.pose == pose)
 }
 
-/// Colours that every eye tells apart (Okabe & Ito 2008), and one for a visit from nobody knows where.
-const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
+/// Of a visit from nobody knows where.
 const UNKNOWN: &str = "#ffffff";
 /// Visits beyond this are blunders that no picture can show, in µm from the mean.
 const DRAWABLE_UM: f64 = 1e9;

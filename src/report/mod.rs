@@ -8,6 +8,7 @@ mod arrows;
 mod axis;
 mod by_pose;
 pub(crate) mod compare;
+mod correlation;
 #[cfg(test)]
 mod demo;
 #[cfg(test)]
@@ -15,15 +16,18 @@ mod demo_iso9283;
 mod facts;
 mod geometric;
 mod histogram;
+mod intervals;
 mod iso9283;
 mod map;
 pub(crate) mod number;
 mod parameters;
 #[cfg(feature = "pdf")]
 mod pdf;
+mod pictures;
 mod plan;
 mod plane;
 mod points;
+mod residuals;
 mod streams;
 mod svg;
 mod tables;
@@ -42,6 +46,7 @@ use crate::document::{
     Iso9283Document, Iso9283StreamsDocument, ParametersDocument, PointError, Provenance, WorldFrame,
 };
 use crate::message::{Message, Result};
+use pictures::pictures;
 use serde::Serialize;
 use words::Words;
 
@@ -100,7 +105,9 @@ struct Page<'a> {
     sets: Vec<tables::Set>,
     poses: tables::Poses,
     parameters: Vec<parameters::Row>,
+    parameter_pictures: Vec<points::Picture>,
     pictures: Vec<points::Picture>,
+    residual_pictures: Vec<points::Picture>,
     geometric: Option<geometric::Section<'a>>,
     iso9283: Option<iso9283::Section<'a>>,
     streams: Vec<streams::Section<'a>>,
@@ -135,6 +142,7 @@ pub fn test_files(report: &TestReport) -> Result<Vec<File>> {
 pub fn html(report: &Report) -> Result<String> {
     let presentation = &report.campaign.report;
     let words = &Words::of(presentation.language)?;
+    let drawn = pictures(report, words);
     let page = Page {
         campaign: report.campaign,
         facts: facts::facts(report.campaign, report.iso9283, words),
@@ -148,7 +156,9 @@ pub fn html(report: &Report) -> Result<String> {
         sets: tables::sets(report.accuracy, words),
         poses: tables::poses(report.errors, words),
         parameters: parameters::rows(&report.parameters.parameters, words),
-        pictures: pictures(report, words),
+        parameter_pictures: drawn.parameters,
+        pictures: drawn.errors,
+        residual_pictures: drawn.residuals,
         geometric: report.geometric.map(|g| geometric::section(g, words)),
         iso9283: report.iso9283.map(|i| iso9283::section(i, words)),
         streams: report.streams.map(streams::sections).unwrap_or_default(),
@@ -209,18 +219,4 @@ fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
 fn test_messages<'a>(report: &TestReport<'a>) -> Vec<&'a Message> {
     let tested = report.import.messages.iter().chain(&report.iso9283.messages);
     tested.chain(report.streams.iter().flat_map(|s| s.messages())).collect()
-}
-
-fn pictures(report: &Report, words: &Words) -> Vec<points::Picture> {
-    let errors = points::drawable(report.errors);
-    if errors.is_empty() {
-        return vec![];
-    }
-    let flat = |p: &&PointError| p.at_mm[2] == 0.0 && p.before_mm[2] == 0.0 && p.after_mm[2] == 0.0;
-    let planar = report.frames.world.planar || errors.iter().all(flat);
-    let mut pictures = map::maps(&errors, planar, words);
-    pictures.extend(arrows::arrows(&errors, planar, words));
-    pictures.extend(histogram::histogram(&errors, words));
-    pictures.extend(by_pose::pictures(&errors, words));
-    pictures
 }

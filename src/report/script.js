@@ -1,7 +1,7 @@
 // Marks answer to pointer, finger and keyboard. Without this script their titles do, and the tables hold the numbers.
 (function () {
   "use strict";
-  var tip = document.createElement("div"), chosen = null;
+  var tip = document.createElement("div"), chosen = null, byKey = false;
   tip.id = "tip";
   tip.setAttribute("role", "status");
   tip.hidden = true;
@@ -25,14 +25,18 @@
     chosen = null;
     tip.hidden = true;
   }
-  function show(mark) {
+  function show(mark, key) {
     hide();
     if (!mark) return;
     chosen = mark;
+    byKey = key;
     mark.classList.add("chosen");
     tip.textContent = text(mark);
     tip.hidden = false;
-    var at = mark.getBoundingClientRect(), room = document.documentElement.clientWidth - tip.offsetWidth - 8;
+    place();
+  }
+  function place() {
+    var at = chosen.getBoundingClientRect(), room = document.documentElement.clientWidth - tip.offsetWidth - 8;
     var above = at.top - tip.offsetHeight - 8;
     tip.style.left = Math.max(8, Math.min(room, at.left + at.width / 2 - tip.offsetWidth / 2)) + "px";
     tip.style.top = (above > 8 ? above : at.bottom + 8) + "px";
@@ -41,10 +45,11 @@
     return Array.from(picture.querySelectorAll("circle, polygon, rect")).filter(markOf);
   }
 
-  document.addEventListener("pointerover", function (event) { show(markOf(event.target)); });
-  document.addEventListener("scroll", hide, true);
+  document.addEventListener("pointerover", function (event) { show(markOf(event.target), false); });
+  document.addEventListener("scroll", function () { if (chosen && byKey) place(); else hide(); }, true);
   document.querySelectorAll("svg").forEach(function (picture) {
     if (!marks(picture).length) return;
+    var at = -1;
     picture.setAttribute("tabindex", "0");
     picture.addEventListener("blur", hide);
     picture.addEventListener("keydown", function (event) {
@@ -52,8 +57,10 @@
       if (event.key === "Escape") hide();
       if (!step) return;
       event.preventDefault();
-      var all = marks(picture), at = all.indexOf(chosen);
-      show(all[at < 0 ? (step > 0 ? 0 : all.length - 1) : (at + step + all.length) % all.length]);
+      var all = marks(picture);
+      at = at < 0 && step < 0 ? all.length - 1 : (at + step + all.length) % all.length;
+      all[at].scrollIntoView({ block: "nearest", inline: "nearest" });
+      show(all[at], true);
     });
   });
 })();

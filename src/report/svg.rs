@@ -2,6 +2,9 @@
 
 use std::fmt::Write;
 
+/// Colours that every eye tells apart (Okabe & Ito 2008).
+pub(super) const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
+
 /// A place in the picture, in its own units.
 pub(super) type Place = (f64, f64);
 
@@ -38,6 +41,13 @@ impl Svg {
     pub fn rect(&mut self, class: &str, corner: Place, size: Place, tooltip: &str) {
         let (x, y, w, h) = (px(corner.0), px(corner.1), px(size.0), px(size.1));
         let _ = write!(self.out, "<rect class=\"{class}\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"");
+        self.close("rect", tooltip);
+    }
+
+    /// A square of a colour of the program's own, with a tooltip.
+    pub fn cell(&mut self, corner: Place, side: f64, fill: &str, tooltip: &str) {
+        let (x, y, side) = (px(corner.0), px(corner.1), px(side));
+        let _ = write!(self.out, "<rect x=\"{x}\" y=\"{y}\" width=\"{side}\" height=\"{side}\" fill=\"{fill}\"");
         self.close("rect", tooltip);
     }
 
@@ -87,6 +97,13 @@ impl Svg {
         let (x, y) = (px(x), px(y));
         let turn = format!("transform=\"rotate(-90 {x} {y})\"");
         let _ = writeln!(self.out, "<text class=\"mid\" x=\"{x}\" y=\"{y}\" {turn}>{}</text>", escape(text));
+    }
+
+    /// A text that reads upwards and ends here.
+    pub fn text_below(&mut self, (x, y): Place, text: &str) {
+        let (x, y) = (px(x), px(y));
+        let turn = format!("transform=\"rotate(-90 {x} {y})\"");
+        let _ = writeln!(self.out, "<text class=\"end\" x=\"{x}\" y=\"{y}\" {turn}>{}</text>", escape(text));
     }
 
     /// The whole element.

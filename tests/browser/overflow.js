@@ -15,12 +15,13 @@
   }
   // letters of a picture stay inside it, and apart from each other
   for (const picture of document.querySelectorAll("svg")) {
-    const frame = picture.viewBox.baseVal, boxes = [];
+    const frame = picture.viewBox.baseVal, drawn = picture.getBoundingClientRect(), boxes = [];
+    const unit = frame.width / drawn.width;
+    if (!drawn.width) continue;
     for (const letters of picture.querySelectorAll("text")) {
-      const box = letters.getBBox(), turned = letters.hasAttribute("transform");
-      const middle = [box.x + box.width / 2, box.y + box.height / 2];
-      const [w, h] = turned ? [box.height, box.width] : [box.width, box.height];
-      const seen = { left: middle[0] - w / 2, right: middle[0] + w / 2, top: middle[1] - h / 2, bottom: middle[1] + h / 2, node: letters };
+      const box = letters.getBoundingClientRect();
+      const [x, y] = [(box.left - drawn.left) * unit, (box.top - drawn.top) * unit];
+      const seen = { left: x, right: x + box.width * unit, top: y, bottom: y + box.height * unit, node: letters };
       if (seen.left < -1 || seen.right > frame.width + 1 || seen.top < -2 || seen.bottom > frame.height + 2) say("outside its picture", letters);
       for (const other of boxes)
         if (seen.left < other.right - 1 && other.left < seen.right - 1 && seen.top < other.bottom - 4 && other.top < seen.bottom - 4)

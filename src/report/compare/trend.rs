@@ -75,10 +75,7 @@ pub(super) fn picture(trend: &CompareTrend, (index, labels): (usize, &[Label])) 
         title,
         svg: svg.finish(),
         caption: format!("Intervals of 95 %. {}", sentence(trend)),
-        wide: false,
-        table_title: String::new(),
-        header: vec![],
-        rows: vec![],
+        ..Picture::default()
     })
 }
 

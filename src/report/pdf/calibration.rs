@@ -13,16 +13,17 @@ pub(super) fn paper(report: &Report, words: &Words) -> Paper {
     let geometric = report.geometric.and_then(|d| {
         Section::of("geometric", words.say("Geometry alone, beside the identification"), geometric::blocks(d, words))
     });
+    let drawn = pictures(report, words);
     let sections = [
         stated::conditions(facts::facts(report.campaign, report.iso9283, words), words),
         stated::limits(report.accuracy.limits.iter().chain(tested), words),
         messages,
         Section::of("errors", words.say("Errors before and after"), errors(report, words)),
         report.iso9283.and_then(|d| iso9283::section(d, words)),
-        Section::of("parameters", words.say("Parameters"), parameters(report, words)),
+        Section::of("parameters", words.say("Parameters"), parameters(report, drawn.parameters, words)),
         geometric,
-        Section::of("fit", words.say("Fit and observability"), fit::blocks(report.parameters, words)),
-        Section::of("pictures", words.say("Pictures"), drawings(report, words)),
+        Section::of("fit", words.say("Fit and observability"), fit(report, drawn.residuals, words)),
+        Section::of("pictures", words.say("Pictures"), drawings(report, drawn.errors, words)),
         places::section(report.features, &report.frames.world, words),
         stated::inputs(report.import, &inputs.inputs, words),
     ];
@@ -70,7 +71,7 @@ fn errors(report: &Report, words: &Words) -> Vec<Block> {
     blocks
 }
 
-fn parameters(report: &Report, words: &Words) -> Vec<Block> {
+fn parameters(report: &Report, drawn: Vec<points::Picture>, words: &Words) -> Vec<Block> {
     let rows = parameters::rows(&report.parameters.parameters, words).into_iter().map(|p| {
         let confounded = p.confounded_with.join(", ");
         [p.name, p.unit, p.nominal, p.before, p.value, p.change, p.u, p.expanded, p.status, confounded]
@@ -78,11 +79,19 @@ fn parameters(report: &Report, words: &Words) -> Vec<Block> {
     let titles =
         ["name", "unit", "#nominal", "#before", "#identified", "#change", "#u", "#U = 2u", "status", "confounded with"];
     let note = words.say("u is the standard uncertainty (k = 1), U = 2u the expanded one; numbers are shown to the second digit of u. “Before” is with only base and targets fitted. The change is from nominal to identified.");
-    vec![Block::note(note), Block::table(words, &titles, rows)]
+    let mut blocks = vec![Block::note(note), Block::table(words, &titles, rows)];
+    blocks.extend(Block::pictures(drawn));
+    blocks
 }
 
-fn drawings(report: &Report, words: &Words) -> Vec<Block> {
-    let Some(pictures) = Block::pictures(pictures(report, words)) else {
+fn fit(report: &Report, drawn: Vec<points::Picture>, words: &Words) -> Vec<Block> {
+    let mut blocks = fit::blocks(report.parameters, words);
+    blocks.extend(Block::pictures(drawn));
+    blocks
+}
+
+fn drawings(report: &Report, drawn: Vec<points::Picture>, words: &Words) -> Vec<Block> {
+    let Some(pictures) = Block::pictures(drawn) else {
         return vec![Block::text(words.say("There is no error that could be drawn."))];
     };
     let undrawn = report.errors.len() - points::drawable(report.errors).len();

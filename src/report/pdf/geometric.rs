@@ -118,10 +118,7 @@ fn workspace(document: &GeometricDocument, drawing: Option<String>, words: &Word
         title: words.say("Workspace"),
         svg,
         caption: words.say("Outlines of these regions; the heavier one is reached with every orientation."),
-        wide: false,
-        table_title: String::new(),
-        header: vec![],
-        rows: vec![],
+        ..Picture::default()
     });
     blocks.extend(Block::pictures(drawing.into_iter().collect()));
     blocks

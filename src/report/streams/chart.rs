@@ -112,6 +112,7 @@ impl Chart {
             rows: rows.take(2000).collect(),
             title: self.title,
             caption: self.caption,
+            ..Picture::default()
         })
     }
 }

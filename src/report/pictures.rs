@@ -1,0 +1,32 @@
+//! Every picture of the report of a calibration, by the section that it stands in.
+
+use super::points::{self, Picture};
+use super::words::Words;
+use super::{Report, arrows, by_pose, correlation, histogram, intervals, map, residuals};
+use crate::document::PointError;
+
+/// Pictures by section.
+pub(super) struct Pictures {
+    /// of the errors before and after; empty where none can be drawn
+    pub errors: Vec<Picture>,
+    /// of the identified parameters
+    pub parameters: Vec<Picture>,
+    /// of what is left after calibration
+    pub residuals: Vec<Picture>,
+}
+
+pub(super) fn pictures(report: &Report, words: &Words) -> Pictures {
+    let drawable = points::drawable(report.errors);
+    let flat = |p: &&PointError| p.at_mm[2] == 0.0 && p.before_mm[2] == 0.0 && p.after_mm[2] == 0.0;
+    let planar = report.frames.world.planar || drawable.iter().all(flat);
+    let mut errors = Vec::new();
+    if !drawable.is_empty() {
+        errors.extend(map::maps(&drawable, planar, words));
+        errors.extend(arrows::arrows(&drawable, planar, words));
+        errors.extend(histogram::histogram(&drawable, words));
+        errors.extend(by_pose::pictures(&drawable, words));
+    }
+    let mut parameters = intervals::pictures(&report.parameters.parameters, words);
+    parameters.extend(correlation::picture(report.parameters, words));
+    Pictures { errors, parameters, residuals: residuals::pictures(&drawable, planar, words) }
+}
