@@ -13,7 +13,9 @@ MAKEFLAGS += --no-builtin-rules --warn-undefined-variables
 .DEFAULT_GOAL := all
 
 CARGO_TARGET_DIR ?= target
-ETALON := $(CARGO_TARGET_DIR)/release/etalon
+# make PROFILE=dev takes the program that the tests have built already
+PROFILE ?= release
+ETALON := $(CARGO_TARGET_DIR)/$(PROFILE:dev=debug)/etalon
 SOURCES := Cargo.toml Cargo.lock $(shell find src -type f)
 CAMPAIGNS := $(patsubst samples/%/campaign.toml,%,$(sort $(wildcard samples/*/campaign.toml)))
 SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth.toml)))
@@ -24,7 +26,7 @@ SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 all: $(CAMPAIGNS:%=samples/%/out/report.html)
 
 $(ETALON): $(SOURCES)
-	cargo build --release --locked
+	cargo build --profile $(PROFILE) --locked
 
 # a campaign is run again when one of its files or the program has changed
 .SECONDEXPANSION:

@@ -11,8 +11,9 @@ use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// Bytes whose lines are read together.
-const BLOCK: u64 = 8 << 20;
+/// Bytes whose lines are read together; fewer in tests, for more of them.
+const BLOCK: u64 = if cfg!(test) { 64 << 10 } else { 8 << 20 };
+
 /// Points of a plain table.
 #[derive(Clone, Debug)]
 pub struct Cloud {
@@ -251,7 +252,7 @@ mod tests {
         {
             let mut text = String::new();
             let mut i = 0;
-            while text.len() < (2 * BLOCK) as usize + 999 {
+            while text.len() < (9 * BLOCK) as usize + 999 {
                 let mut number = |n: i32| {
                     let value = noise.gaussian(1.0) * 10f64.powi((i + n) % 9 - 3);
                     if i % 5 == 0 { format!("{value:e}") } else { format!("{value:.*}", ((i + n) % 19) as usize) }
