@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 const POINTS: usize = 24;
 /// Tests of each kind: `ETALON_COVERAGE_TESTS=2000` draws as many.
-const TESTS: u64 = 300;
+const TESTS: u64 = 150;
 /// A standard deviation that would be no robot's; what matters is its ratio to the deviation.
 const SIGMA_MM: f64 = 0.02;
 
@@ -116,7 +116,7 @@ fn intervals_of_path_accuracy_and_repeatability_cover_the_truth_as_often_as_stat
             let passes = test(kind, 10, seed, &points);
             let (accuracy, repeatability) =
                 (path_accuracy(&passes, &points).unwrap(), path_repeatability(&passes, &points).unwrap());
-            let bootstrap = PathBootstrap { draws: 300, seed };
+            let bootstrap = PathBootstrap { draws: 200, seed };
             let i = bootstrap.accuracy(&passes, &points, &accuracy).unwrap();
             let j = bootstrap.repeatability(&passes, &points, &repeatability).unwrap();
             let inside = |low: f64, high: f64, truth: f64| f64::from(u8::from(low <= truth && truth <= high));

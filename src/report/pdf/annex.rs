@@ -6,7 +6,7 @@ use crate::message::one_line;
 use crate::report::tables;
 use crate::report::words::Words;
 
-/// Refused rows of one file that are printed.
+/// Rows of a table that are printed: nobody reads more on paper, and the workbook has all.
 const LIMIT: usize = 200;
 
 /// Errors of each pose.
@@ -20,9 +20,10 @@ pub(super) fn poses(errors: &[PointError], words: &Words) -> Option<Section> {
     let ([before, after], [before_deg, after_deg]) = (title(poses.unit), title("deg"));
     let titles = ["#pose", "set", "#errors", &before, &after, &before_deg, &after_deg];
     let columns = if poses.orientation { 7 } else { 5 };
-    let rows = poses.rows.into_iter().map(|row| row.into_iter().take(columns));
-    let left_out = words.fill("{0} more poses are left out of this table.", &[&poses.left_out]);
-    let note = (poses.left_out > 0).then(|| Block::note(left_out));
+    let left_out = poses.left_out + poses.rows.len().saturating_sub(LIMIT);
+    let rows = poses.rows.into_iter().take(LIMIT).map(|row| row.into_iter().take(columns));
+    let note = words.fill("{0} more poses are left out of this table.", &[&left_out]);
+    let note = (left_out > 0).then(|| Block::note(note));
     let table = Block::table(words, &titles[..columns], rows);
     Section::of("poses", words.say("Errors of each pose"), note.into_iter().chain([table]).collect())
 }

@@ -72,14 +72,18 @@ fn errors(report: &Report, words: &Words) -> Vec<Block> {
 }
 
 fn parameters(report: &Report, drawn: Vec<points::Picture>, words: &Words) -> Vec<Block> {
+    let confounded = report.parameters.parameters.iter().any(|p| !p.confounded_with.is_empty());
+    let columns = if confounded { 10 } else { 9 };
     let rows = parameters::rows(&report.parameters.parameters, words).into_iter().map(|p| {
         let confounded = p.confounded_with.join(", ");
         [p.name, p.unit, p.nominal, p.before, p.value, p.change, p.u, p.expanded, p.status, confounded]
+            .into_iter()
+            .take(columns)
     });
     let titles =
         ["name", "unit", "#nominal", "#before", "#identified", "#change", "#u", "#U = 2u", "status", "confounded with"];
     let note = words.say("u is the standard uncertainty (k = 1), U = 2u the expanded one; numbers are shown to the second digit of u. “Before” is with only base and targets fitted. The change is from nominal to identified.");
-    let mut blocks = vec![Block::note(note), Block::table(words, &titles, rows)];
+    let mut blocks = vec![Block::note(note), Block::table(words, &titles[..columns], rows)];
     blocks.extend(Block::pictures(drawn));
     blocks
 }

@@ -1,5 +1,6 @@
 //! The report as a typesetter gets it: sections of paragraphs, tables and pictures, every number already text.
 
+use super::printable::is_checksum;
 use crate::document::Presentation;
 use crate::report::points::Picture;
 use crate::report::words::Words;
@@ -111,7 +112,28 @@ pub(super) struct Table {
     pub groups: Vec<(String, usize)>,
     pub header: Vec<String>,
     pub numeric: Vec<bool>,
+    /// columns that share the width which others leave: texts that need more than a line, and all below a common title
+    pub fluid: Vec<bool>,
+    /// it fits on part of a page
+    pub short: bool,
     pub rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// Letters that a column of a table may be wide before it takes a share of what others leave.
+    const WIDE: usize = 22;
+    /// Rows and letters of a table that is not torn apart.
+    const SHORT: (usize, usize) = (15, 2000);
+
+    fn new(header: Vec<String>, numeric: Vec<bool>, rows: Vec<Vec<String>>) -> Self {
+        let letters = |cell: &String| cell.chars().count();
+        let widest = |i: usize| rows.iter().filter_map(|row| row.get(i)).map(letters).max().unwrap_or(0);
+        let stays = |i: usize| rows.iter().filter_map(|row| row.get(i)).any(|cell| is_checksum(cell));
+        let fluid = (0..header.len()).map(|i| !numeric[i] && widest(i) > Self::WIDE && !stays(i)).collect();
+        let all = rows.iter().flatten().map(letters).sum::<usize>();
+        let short = rows.len() <= Self::SHORT.0 && all <= Self::SHORT.1;
+        Self { groups: vec![], header, numeric, fluid, short, rows }
+    }
 }
 
 /// A picture.
@@ -163,12 +185,17 @@ impl Block {
         titles: &[&str],
         rows: impl IntoIterator<Item = R>,
     ) -> Self {
-        Self::Table(Table {
-            groups: groups.iter().map(|(title, columns)| (words.say(title), *columns)).collect(),
-            header: titles.iter().map(|t| words.say(t.trim_start_matches('#'))).collect(),
-            numeric: titles.iter().map(|t| t.starts_with('#')).collect(),
-            rows: rows.into_iter().map(|row| row.into_iter().collect()).collect(),
-        })
+        let table = Table::new(
+            titles.iter().map(|t| words.say(t.trim_start_matches('#'))).collect(),
+            titles.iter().map(|t| t.starts_with('#')).collect(),
+            rows.into_iter().map(|row| row.into_iter().collect()).collect(),
+        );
+        if groups.is_empty() {
+            return Self::Table(table);
+        }
+        let fluid = groups.iter().flat_map(|(title, columns)| vec![!title.is_empty(); *columns]).collect();
+        let groups = groups.iter().map(|(title, columns)| (words.say(title), *columns)).collect();
+        Self::Table(Table { groups, fluid, ..table })
     }
 
     /// The pictures of the HTML page, with the style that it has there.

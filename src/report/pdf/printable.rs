@@ -3,18 +3,41 @@
 use super::world::fonts;
 use serde_json::Value;
 
-/// Every text of a JSON value, keys left alone.
+/// Letters of a word that may be broken anywhere.
+const LONG: usize = 28;
+
+/// Every text of a JSON value but pictures, keys left alone.
 pub(super) fn printable(value: &mut Value) {
     match value {
         Value::String(text) => {
             if let Some(shown) = shown(text) {
                 *text = shown;
             }
+            if text.len() > LONG {
+                *text = breakable(text);
+            }
         }
         Value::Array(values) => values.iter_mut().for_each(printable),
-        Value::Object(values) => values.values_mut().for_each(printable),
+        Value::Object(values) => values.iter_mut().for_each(|(key, value)| match (key.as_str(), value) {
+            ("svg", Value::String(svg)) => *svg = shown(svg).unwrap_or_else(|| std::mem::take(svg)),
+            (_, value) => printable(value),
+        }),
         _ => {}
     }
+}
+
+/// Long words with places to break at, but for checksums, which are copied.
+fn breakable(text: &str) -> String {
+    let broken = |word: &str| match word.chars().count() > LONG && !is_checksum(word.trim_end()) {
+        true => word.chars().flat_map(|c| [c, '\u{200b}']).collect(),
+        false => word.to_owned(),
+    };
+    text.split_inclusive(char::is_whitespace).map(broken).collect()
+}
+
+/// SHA-256 in hexadecimal.
+pub(super) fn is_checksum(word: &str) -> bool {
+    word.len() == 64 && word.bytes().all(|b| b.is_ascii_hexdigit())
 }
 
 /// The text with what cannot be shown replaced, where there is any. Marks that turn the direction of what follows are
@@ -45,6 +68,16 @@ fn has_glyph(c: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn long_words_may_break_and_checksums_not() {
+        let (long, checksum) = ("n".repeat(29), "0".repeat(64));
+        let mut value = serde_json::json!([format!("a {long} b"), checksum, "n".repeat(28), { "svg": long }]);
+        printable(&mut value);
+        assert_eq!(value[0], format!("a {} b", "n\u{200b}".repeat(29)));
+        assert_eq!((value[1].as_str(), value[2].as_str()), (Some(&*checksum), Some(&*"n".repeat(28))));
+        assert_eq!(value[3]["svg"], long);
+    }
 
     #[test]
     fn what_no_font_has_is_replaced_and_nothing_turns_the_direction() {
