@@ -8,7 +8,8 @@ use super::words::Words;
 use crate::document::{ParameterEntry, ParameterStatus};
 
 const WIDTH: f64 = 380.0;
-const RIGHT: f64 = 24.0;
+/// room for the half width of an interval, in numbers
+const RIGHT: f64 = 84.0;
 const TOP: f64 = 12.0;
 const ROW: f64 = 20.0;
 /// Letters of a name that are drawn.
@@ -68,6 +69,7 @@ fn picture(parameters: &[ParameterEntry], unit: &str, index: usize, words: &Word
             (number::with_uncertainty(change(p) * shown.factor, u), number::significant(2.0 * u.unwrap_or(0.0), 2));
         let tip = words.fill("{0}: {1} ± {2} {3}", &[&p.name, &value, &half, &if unit == "1" { "" } else { unit }]);
         svg.mark(Shape::Circle, "cal", at(change(p)), 3.4, "", &tip);
+        svg.text("end", (WIDTH - 4.0, y + 4.0), &format!("± {half}"));
     }
     Some(Picture {
         title,
