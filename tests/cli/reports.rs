@@ -86,7 +86,7 @@ mod pdf {
         }
         // the documents go along with any layout
         if let Some(attached) = tool("qpdf", &["--list-attachments", "{}"], &file) {
-            assert!(attached.contains("iso9283.json") && attached.contains("campaign.json"), "{attached}");
+            assert!(attached.contains("iso9283-streams.json") && attached.contains("campaign.json"), "{attached}");
         }
         // the built-in layout in German, with the logo
         std::fs::remove_file(scratch.path().join("own/report.typ")).unwrap();
@@ -241,6 +241,11 @@ fn the_workbook_holds_every_characteristic_of_a_test() {
     same(&column(&mut book, "ISO 9283 variation", "vAP [mm]"), &all(&found["approaches"], "/vap_mm"));
     same(&column(&mut book, "ISO 9283 visits", "z [mm]"), &all(&found["visits"], "/attained_mm/2"));
     same(&column(&mut book, "ISO 9283 visits", "approached"), &all(&found["visits"], "/approach"));
+    let recorded = document(&scratch, "iso9283-streams.json");
+    same(&column(&mut book, "Streams", "duration [s]"), &all(&recorded["streams"], "/stream/duration_s"));
+    let stood = all(&recorded["streams"], "/stream/standstills");
+    let noise: Vec<Value> = stood.iter().flat_map(|s| all(s, "/noise_mm")).collect();
+    same(&column(&mut book, "Standstills", "noise [mm]"), &noise);
     let sheets = book.sheet_names();
     assert!(sheets.iter().any(|s| s == "Summary") && !sheets.iter().any(|s| s == "Parameters"), "{sheets:?}");
 }

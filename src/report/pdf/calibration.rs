@@ -1,7 +1,7 @@
 //! The report of a calibration, from its verdict to the line for signatures.
 
 use super::paper::{Block, Labels, Paper, Section, Verdict};
-use super::{annex, fit, geometric, iso9283, places, stated};
+use super::{annex, fit, geometric, iso9283, places, stated, streams};
 use crate::report::words::Words;
 use crate::report::{Report, facts, messages, parameters, pictures, points, tables, verdict};
 
@@ -20,6 +20,7 @@ pub(super) fn paper(report: &Report, words: &Words) -> Paper {
         messages,
         Section::of("errors", words.say("Errors before and after"), errors(report, words)),
         report.iso9283.and_then(|d| iso9283::section(d, words)),
+        report.streams.and_then(|d| streams::section(d, words)),
         Section::of("parameters", words.say("Parameters"), parameters(report, drawn.parameters, words)),
         geometric,
         Section::of("fit", words.say("Fit and observability"), fit(report, drawn.residuals, words)),

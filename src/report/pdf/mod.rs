@@ -11,6 +11,7 @@ mod paper;
 mod places;
 mod printable;
 mod stated;
+mod streams;
 mod test;
 #[cfg(test)]
 mod tests;
@@ -19,7 +20,7 @@ mod world;
 use super::templates::TYPESET;
 use super::words::Words;
 use super::{Report, TestReport};
-use crate::document::CampaignSummary;
+use crate::document::{CampaignSummary, Iso9283StreamsDocument};
 use crate::dress::logo_file;
 use crate::message::{Message, Result};
 use crate::output::to_json;
@@ -54,15 +55,17 @@ pub fn pdf(report: &Report) -> Result<Vec<u8>> {
     if let Some(document) = report.iso9283 {
         attachments.push(attachment("iso9283.json", "data", "Characteristics of ISO 9283", document)?);
     }
+    attachments.extend(recorded(report.streams)?);
     typeset(&calibration::paper(report, &Words::of(report.campaign.report.language)?), &attachments, report.campaign)
 }
 
 /// The report of a test of repeatability alone.
 pub fn test_pdf(report: &TestReport) -> Result<Vec<u8>> {
-    let attachments = [
+    let mut attachments = vec![
         attachment("iso9283.json", "data", "Characteristics of ISO 9283", report.iso9283)?,
         attachment("campaign.json", "source", "What the campaign states", report.campaign)?,
     ];
+    attachments.extend(recorded(report.streams)?);
     typeset(&test::paper(report, &Words::of(report.campaign.report.language)?), &attachments, report.campaign)
 }
 
@@ -70,6 +73,10 @@ pub fn test_pdf(report: &TestReport) -> Result<Vec<u8>> {
 pub(super) fn check(template: &str) -> Result<()> {
     let files = [(TYPESET.0.to_owned(), Bytes::from_string(template.to_owned()))];
     Desk::new(files.into(), UNDATED)?.check(TYPESET.0)
+}
+
+fn recorded(document: Option<&Iso9283StreamsDocument>) -> Result<Option<Attachment>> {
+    document.map(|d| attachment("iso9283-streams.json", "data", "Recorded motions", d)).transpose()
 }
 
 fn attachment<T: Serialize>(

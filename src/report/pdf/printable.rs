@@ -28,11 +28,11 @@ pub(super) fn printable(value: &mut Value) {
 
 /// Long words with places to break at, but for checksums, which are copied.
 fn breakable(text: &str) -> String {
-    let broken = |word: &str| match word.chars().count() > LONG && !is_checksum(word.trim_end()) {
+    let broken = |word: &str| match word.chars().count() > LONG && !is_checksum(word) {
         true => word.chars().flat_map(|c| [c, '\u{200b}']).collect(),
         false => word.to_owned(),
     };
-    text.split_inclusive(char::is_whitespace).map(broken).collect()
+    text.split(' ').map(broken).collect::<Vec<_>>().join(" ")
 }
 
 /// SHA-256 in hexadecimal.

@@ -1,7 +1,7 @@
 //! The report of a test of repeatability alone.
 
 use super::paper::{Labels, Paper, Verdict};
-use super::{annex, iso9283, places, stated};
+use super::{annex, iso9283, places, stated, streams};
 use crate::report::words::Words;
 use crate::report::{TestReport, facts, test_messages};
 
@@ -14,6 +14,7 @@ pub(super) fn paper(report: &TestReport, words: &Words) -> Paper {
         stated::limits(&report.iso9283.limits, words),
         messages,
         iso9283::section(report.iso9283, words),
+        report.streams.and_then(|d| streams::section(d, words)),
         places::section(report.features, &report.frames.world, words),
         stated::inputs(report.import, &report.import.inputs(), words),
     ];

@@ -12,14 +12,14 @@ use std::collections::BTreeMap;
 /// One recording, ready to print.
 #[derive(Debug, Serialize)]
 pub(super) struct Section<'a> {
-    name: &'a str,
-    facts: Vec<[String; 2]>,
+    pub name: &'a str,
+    pub facts: Vec<[String; 2]>,
     /// pose, arrivals, time, overshoot
-    settling: Vec<[String; 4]>,
+    pub settling: Vec<[String; 4]>,
     /// where, CR, CO
-    corners: Vec<[String; 3]>,
-    conventions: &'a [String],
-    pictures: Vec<Picture>,
+    pub corners: Vec<[String; 3]>,
+    pub conventions: &'a [String],
+    pub pictures: Vec<Picture>,
 }
 
 pub(super) fn sections(document: &Iso9283StreamsDocument) -> Vec<Section<'_>> {

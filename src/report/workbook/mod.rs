@@ -7,6 +7,7 @@ mod iso9283;
 mod parameters;
 mod places;
 mod sheet;
+mod streams;
 mod summary;
 #[cfg(test)]
 mod tests;
@@ -21,6 +22,7 @@ pub fn workbook(report: &Report) -> Result<Vec<u8>> {
     let mut sheets = vec![summary::calibration(report, words), summary::limits(&limits(report))];
     sheets.extend(accuracy::sheets(report.accuracy, report.errors));
     sheets.extend(report.iso9283.iter().flat_map(|d| iso9283::sheets(d)));
+    sheets.extend(report.streams.iter().flat_map(|d| streams::sheets(d)));
     sheets.extend(parameters::sheets(report.parameters));
     sheets.extend(report.geometric.iter().flat_map(|d| geometric::sheets(d)));
     sheets.extend(places::sheets(report.features, &report.frames.world));
@@ -35,6 +37,7 @@ pub fn test_workbook(report: &TestReport) -> Result<Vec<u8>> {
     let mut sheets =
         vec![summary::test(report, words), summary::limits(&report.iso9283.limits.iter().collect::<Vec<_>>())];
     sheets.extend(iso9283::sheets(report.iso9283));
+    sheets.extend(report.streams.iter().flat_map(|d| streams::sheets(d)));
     sheets.extend(places::sheets(report.features, &report.frames.world));
     sheets.extend(import::sheets(report.import, &report.import.inputs()));
     sheets.push(summary::messages(&test_messages(report)));
