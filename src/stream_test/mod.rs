@@ -124,7 +124,7 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
         if path.weave.is_none() {
             said.push(
                 "AT and RT: intervals by parametric bootstrap over the passes, of the AT and RT of infinitely many; in simulated \
-                 tests of ten passes they hold the truth in 92 to 99 % by the kind of scatter"
+                 tests of ten passes they hold the truth in 90 to 98 % by the kind of scatter"
                     .to_owned(),
             );
         }
