@@ -15,10 +15,27 @@ fn list(value: &Value) -> Vec<String> {
 }
 
 #[test]
-fn nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen() {
-    let Some(mut browser) = Browser::start() else { return };
-    let Pages { pages, folder: _folder } = all();
-    for page in &pages {
+fn reports_are_shown_and_printed_as_they_are_meant() {
+    if !Browser::is_there() {
+        println!("skipped: there is no `chromium` to show the report with");
+        return;
+    }
+    let reports = all();
+    let checks: [(&str, fn(&mut Browser, &Pages)); 5] = [
+        ("widths", nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen),
+        ("requests", a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing),
+        ("marks", marks_answer_to_the_pointer_and_to_the_keyboard),
+        ("switch", before_and_after_are_switched_without_a_script),
+        ("print", printing_cuts_no_figure_and_no_row),
+    ];
+    for (name, check) in checks {
+        println!("{name}");
+        check(&mut Browser::start(), &reports);
+    }
+}
+
+fn nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen(browser: &mut Browser, reports: &Pages) {
+    for page in &reports.pages {
         for (width, height) in [(390, 844), (1024, 768), (1920, 1080)] {
             browser.size(width, height);
             browser.open(page);
@@ -28,11 +45,8 @@ fn nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen() {
     }
 }
 
-#[test]
-fn a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing() {
-    let Some(mut browser) = Browser::start() else { return };
-    let Pages { pages, folder: _folder } = all();
-    for page in &pages {
+fn a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing(browser: &mut Browser, reports: &Pages) {
+    for page in &reports.pages {
         browser.open(page);
         // whatever a name might start is given the time to do so
         browser.evaluate("new Promise(done => setTimeout(done, 200))");
@@ -46,12 +60,9 @@ fn a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing() {
     }
 }
 
-#[test]
-fn marks_answer_to_the_pointer_and_to_the_keyboard() {
-    let Some(mut browser) = Browser::start() else { return };
-    let Pages { pages, folder: _folder } = all();
+fn marks_answer_to_the_pointer_and_to_the_keyboard(browser: &mut Browser, reports: &Pages) {
     browser.size(1024, 768);
-    for page in &pages {
+    for page in &reports.pages {
         browser.open(page);
         let at = browser.evaluate(
             "(() => { const mark = [...document.querySelectorAll('figure svg circle.map, figure svg circle.cal')].find(m => m.querySelector('title'));
@@ -80,16 +91,13 @@ fn marks_answer_to_the_pointer_and_to_the_keyboard() {
             );
             browser.evaluate(tip).as_str().unwrap().to_owned()
         };
-        let (first, second) = (press(&mut browser), press(&mut browser));
+        let (first, second) = (press(browser), press(browser));
         assert!(!first.is_empty() && first != second, "{}: {first:?}, {second:?}", page.display());
     }
 }
 
-#[test]
-fn before_and_after_are_switched_without_a_script() {
-    let Some(mut browser) = Browser::start() else { return };
-    let Pages { pages, folder: _folder } = all();
-    browser.open(&pages[0]);
+fn before_and_after_are_switched_without_a_script(browser: &mut Browser, reports: &Pages) {
+    browser.open(&reports.pages[0]);
     let shown = "[...document.querySelectorAll('.pair figure')].map(f => f.checkVisibility())";
     assert_eq!(browser.evaluate(shown), json!([true, true]));
     for (side, expected) in [("before", [true, false]), ("after", [false, true]), ("both", [true, true])] {
@@ -106,15 +114,12 @@ fn letters(text: &str) -> String {
     text.chars().filter(|c| !c.is_whitespace() && !('\u{2066}'..='\u{2069}').contains(c)).collect()
 }
 
-#[test]
-fn printing_cuts_no_figure_and_no_row() {
-    let Some(mut browser) = Browser::start() else { return };
+fn printing_cuts_no_figure_and_no_row(browser: &mut Browser, reports: &Pages) {
     if Command::new("pdftotext").arg("-v").stderr(Stdio::null()).status().is_err() {
         println!("skipped: there is no `pdftotext` to read the printed pages with");
         return;
     }
-    let Pages { pages, folder } = all();
-    for page in pages.iter().filter(|page| **page != hostile(&folder)) {
+    for page in reports.pages.iter().filter(|page| **page != hostile(&reports.folder)) {
         browser.open(page);
         browser.call("Emulation.setEmulatedMedia", json!({ "media": "print" }));
         let whole = list(&browser.evaluate(
@@ -125,7 +130,7 @@ fn printing_cuts_no_figure_and_no_row() {
             "Page.printToPDF",
             json!({ "paperWidth": 8.27, "paperHeight": 11.69, "printBackground": true, "preferCSSPageSize": true }),
         );
-        let path = folder.path().join("printed.pdf");
+        let path = reports.folder.path().join("printed.pdf");
         std::fs::write(path.with_extension("base64"), printed["data"].as_str().unwrap()).unwrap();
         let decoded = Command::new("base64").arg("-d").arg(path.with_extension("base64")).output().unwrap();
         std::fs::write(&path, decoded.stdout).unwrap();
