@@ -122,6 +122,8 @@ fn printing_cuts_no_figure_and_no_row(browser: &mut Browser, reports: &Pages) {
     for page in reports.pages.iter().filter(|page| **page != hostile(&reports.folder)) {
         browser.open(page);
         browser.call("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+        // letters with a rim are printed twice, as rim and as letters
+        browser.evaluate("document.querySelectorAll('.over').forEach(letters => letters.style.stroke = 'none')");
         let whole = list(&browser.evaluate(
             "[...document.querySelectorAll('tr, figure, .signatures')].filter(e => e.checkVisibility()).map(e =>
                e.tagName === 'FIGURE' ? e.querySelector('figcaption').textContent + [...e.querySelectorAll('svg text')].map(t => t.textContent).join('') : e.textContent)",
