@@ -14,6 +14,8 @@ fn list(value: &Value) -> Vec<String> {
     value.as_array().unwrap().iter().map(|v| v.as_str().unwrap().to_owned()).collect()
 }
 
+type Check = fn(&mut Browser, &Pages);
+
 #[test]
 fn reports_are_shown_and_printed_as_they_are_meant() {
     if !Browser::is_there() {
@@ -21,7 +23,7 @@ fn reports_are_shown_and_printed_as_they_are_meant() {
         return;
     }
     let reports = all();
-    let checks: [(&str, fn(&mut Browser, &Pages)); 5] = [
+    let checks: [(&str, Check); 5] = [
         ("widths", nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen),
         ("requests", a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing),
         ("marks", marks_answer_to_the_pointer_and_to_the_keyboard),
