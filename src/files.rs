@@ -13,7 +13,11 @@ pub fn read(path: &Path) -> Result<Vec<u8>> {
 
 /// The text of a file, which must be UTF-8; a byte-order mark is dropped.
 pub fn read_text(path: &Path) -> Result<String> {
-    let bytes = read(path)?;
+    text(path, read(path)?)
+}
+
+/// The text that the bytes of a file are: [`read_text`] without reading.
+pub fn text(path: &Path, bytes: Vec<u8>) -> Result<String> {
     let text = String::from_utf8(bytes).map_err(|e| {
         Message::error(format!("`{}` is not UTF-8 (byte {})", path.display(), e.utf8_error().valid_up_to()))
     })?;

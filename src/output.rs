@@ -47,6 +47,15 @@ impl Output {
         Ok(())
     }
 
+    /// Adds a document, or removes that of an earlier run.
+    pub fn optional<T: Serialize>(&mut self, name: &str, document: Option<&T>) -> Result<()> {
+        match document {
+            Some(document) => self.json(name, document)?,
+            None => self.remove(name),
+        }
+        Ok(())
+    }
+
     /// Adds a table as Parquet.
     pub fn table(&mut self, stem: &str, table: &mut DataFrame) -> Result<()> {
         let bytes = table::to_parquet(table)?;

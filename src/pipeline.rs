@@ -131,18 +131,9 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     out.json("parameters.json", &parameters)?;
     out.table("residuals", &mut evaluate::to_table(&errors)?)?;
     out.json("accuracy.json", &accuracy)?;
-    match &geometric {
-        Some(document) => out.json("geometric.json", document)?,
-        None => out.remove("geometric.json"),
-    }
-    match &iso9283 {
-        Some(document) => out.json("iso9283.json", document)?,
-        None => out.remove("iso9283.json"),
-    }
-    match &streams {
-        Some(document) => out.json("iso9283-streams.json", document)?,
-        None => out.remove("iso9283-streams.json"),
-    }
+    out.optional("geometric.json", geometric.as_ref())?;
+    out.optional("iso9283.json", iso9283.as_ref())?;
+    out.optional("iso9283-streams.json", streams.as_ref())?;
     for exporter in campaign.file.controllers.iter().filter_map(|name| export::by_name(name.get_ref())) {
         match parameters.is_plausible() {
             true => out.bytes(exporter.file_name(), exporter.write(&parameters)?),
@@ -199,10 +190,7 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     out.json("features.json", &features)?;
     out.json("frames.json", &frames)?;
     out.json("iso9283.json", &iso9283)?;
-    match &streams {
-        Some(document) => out.json("iso9283-streams.json", document)?,
-        None => out.remove("iso9283-streams.json"),
-    }
+    out.optional("iso9283-streams.json", streams.as_ref())?;
     add(&mut out, reports);
     let messages = imported.document.messages.iter().chain(&iso9283.messages);
     let messages = messages.chain(streams.iter().flat_map(Iso9283StreamsDocument::messages)).cloned().collect();

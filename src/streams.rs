@@ -5,7 +5,7 @@ use crate::document::{Iso9283NamedStream, Iso9283StreamsDocument, Source};
 use crate::iso9283::standstill::Stillness;
 use crate::message::{Message, Problems, Result};
 use crate::recording::{Recording, commanded_path, commanded_poses};
-use crate::stream_test::{PathSettings, Settings, evaluate};
+use crate::stream_test::{PathSettings, Settings, evaluate, times};
 use crate::table_file::TableFile;
 use crate::{files, import};
 use std::collections::BTreeSet;
@@ -71,17 +71,17 @@ fn ready(campaign: &Campaign, stream: &StreamDefinition) -> Result<Ready> {
         let here = campaign.place(file);
         let path = campaign.resolve(file)?;
         let bytes = files::read(&path).map_err(|more| more.at(&here))?;
-        let table = match (&stream.format, stream.unit) {
-            (Some(format), Some(unit)) if recorded => {
-                TableFile::read_with(&path, |file, text| import::recorded_points(file, text, format, unit))
-            }
-            _ => TableFile::read(&path),
-        };
+        let (sha256, size) = (files::sha256(&bytes), bytes.len());
+        let text = files::text(&path, bytes).map_err(|more| more.at(&here))?;
+        let table = TableFile::of(&path, text, |file, text| match (&stream.format, stream.unit) {
+            (Some(format), Some(unit)) if recorded => import::recorded_points(file, text, format, unit),
+            _ => import::observations(file, text),
+        });
         let table = table.map_err(|more| more.at(&here))?;
         sources.push(Source {
             file: file.get_ref().clone(),
-            sha256: files::sha256(&bytes),
-            bytes: bytes.len(),
+            sha256,
+            bytes: size,
             kind: "stream".to_owned(),
             dialect: what.to_owned(),
             rows_read: table.table.height(),
@@ -119,10 +119,7 @@ fn ready(campaign: &Campaign, stream: &StreamDefinition) -> Result<Ready> {
         band_mm: stream.band_mm,
         poses,
         path,
-        time: match stream.rate_hz {
-            Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
-            None => "times: as stamped in the recording".to_owned(),
-        },
+        time: times(stream.rate_hz),
         seed: SEED,
     };
     Ok(Ready { recording, settings, sources })

@@ -21,7 +21,12 @@ impl TableFile {
 
     /// A text of another form, which `table` makes a table of, given the file's name and the text.
     pub fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
-        let (name, text) = (path.display().to_string(), files::read_text(path)?);
+        Self::of(path, files::read_text(path)?, table)
+    }
+
+    /// The same of the text that the file holds.
+    pub fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
+        let name = path.display().to_string();
         Ok(Self { table: table(&name, &text)?, name, text })
     }
 

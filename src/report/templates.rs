@@ -3,8 +3,9 @@
 use super::words::Words;
 use super::{facts, number};
 use crate::document::Presentation;
-use crate::dress;
 use crate::message::{Message, Place, Problems, Result, one_line};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Rest, Serde};
 use minijinja::{Environment, UndefinedBehavior, Value};
@@ -72,7 +73,7 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     environment.add_global("lang", presentation.language.code());
     environment.add_global("logo", presentation.logo.as_deref());
     environment.add_global("script", SCRIPT);
-    environment.add_global("script_sha256", dress::base64(&Sha256::digest(SCRIPT)));
+    environment.add_global("script_sha256", STANDARD.encode(Sha256::digest(SCRIPT)));
     for (name, text) in BUILT_IN {
         environment.add_template(name, text).map_err(|e| told(&e, presentation))?;
     }

@@ -43,6 +43,14 @@ pub struct Settings {
     pub seed: u64,
 }
 
+/// Where times come from, in words, of a recording whose rate is stated or not.
+pub fn times(rate_hz: Option<f64>) -> String {
+    match rate_hz {
+        Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
+        None => "times: as stamped in the recording".to_owned(),
+    }
+}
+
 /// A commanded path and how it is compared.
 #[derive(Clone, Debug)]
 pub struct PathSettings {

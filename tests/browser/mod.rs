@@ -3,6 +3,8 @@
 mod driver;
 mod pages;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use driver::Browser;
 use pages::{Pages, all, hostile};
 use serde_json::{Value, json};
@@ -135,9 +137,7 @@ fn printing_cuts_no_figure_and_no_row(browser: &mut Browser, reports: &Pages) {
             json!({ "paperWidth": 8.27, "paperHeight": 11.69, "printBackground": true, "preferCSSPageSize": true }),
         );
         let path = reports.folder.path().join("printed.pdf");
-        std::fs::write(path.with_extension("base64"), printed["data"].as_str().unwrap()).unwrap();
-        let decoded = Command::new("base64").arg("-d").arg(path.with_extension("base64")).output().unwrap();
-        std::fs::write(&path, decoded.stdout).unwrap();
+        std::fs::write(&path, STANDARD.decode(printed["data"].as_str().unwrap()).unwrap()).unwrap();
         let text = Command::new("pdftotext").args(["-raw".as_ref(), path.as_os_str(), "-".as_ref()]).output().unwrap();
         let text = String::from_utf8_lossy(&text.stdout).into_owned();
         let sheets: Vec<String> = text.split('\u{c}').map(letters).filter(|sheet| !sheet.is_empty()).collect();

@@ -4,13 +4,14 @@ use super::super::table_file::TableFile;
 use super::super::text_format::{TextFormat, word};
 use super::super::{Verdict, print, say};
 use super::stream_text::as_text;
+use crate::campaign::no_test_with;
 use crate::coordinates::ANGLES;
 use crate::document::Iso9283StreamDocument;
 use crate::iso9283::standstill::Stillness;
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Result};
 use crate::pose::Vector;
 use crate::recording::{Recording, commanded_path, commanded_poses};
-use crate::stream_test::{PathSettings, Settings, evaluate};
+use crate::stream_test::{PathSettings, Settings, evaluate, times};
 use crate::table::XYZ;
 use crate::{files, import, output};
 use std::path::{Path, PathBuf};
@@ -78,10 +79,7 @@ impl StreamOptions {
             band_mm: self.band_mm,
             poses: commanded.map(poses).transpose()?,
             path: self.path.as_deref().map(|path| self.path(path, (file, &recording))).transpose()?,
-            time: match self.rate_hz {
-                Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
-                None => "times: as stamped in the recording".to_owned(),
-            },
+            time: times(self.rate_hz),
             seed,
         };
         let document = evaluate(&recording, &settings)?;
@@ -105,14 +103,8 @@ impl StreamOptions {
             ("--velocity-mm-s", self.velocity_mm_s),
             ("--central-percent", Some(self.central_percent)),
         ];
-        let wrong = positive.iter().filter(|(_, value)| value.is_some_and(|v| !(v > 0.0 && v.is_finite())));
-        let mut problems = Problems(wrong.map(|(n, _)| Message::error(format!("{n} must be positive"))).collect());
-        if self.central_percent > 100.0 {
-            problems.0.push(Message::error("--central-percent is more than the path"));
-        }
-        if !(2..=100_000).contains(&self.path_points) {
-            problems.0.push(Message::error("--path-points must be 2 to 100000"));
-        }
+        let central = ("--central-percent", self.central_percent);
+        let mut problems = no_test_with(&positive, central, ("--path-points", self.path_points));
         if self.weave_stroke_mm.is_some() && self.weave_across.len() != 3 {
             problems.0.push(Message::error("--weave-across has not three numbers").expected("x,y,z"));
         }

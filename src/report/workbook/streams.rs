@@ -38,13 +38,20 @@ const STREAM: &[Field<Iso9283NamedStream>] = &[
     ("FV", "mm/s", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.fv_mm_s).into()),
 ];
 
+/// What each stream holds, with the name of the stream.
+fn named<'a, T: 'a, I: IntoIterator<Item = &'a T>>(
+    document: &'a Iso9283StreamsDocument,
+    of: impl Fn(&'a Iso9283NamedStream) -> I,
+) -> Vec<(&'a str, &'a T)> {
+    document.streams.iter().flat_map(|s| of(s).into_iter().map(move |record| (s.name.as_str(), record))).collect()
+}
+
 fn axis(values: &[f64], i: usize) -> Cell {
     values.get(i).copied().into()
 }
 
 fn standstills(document: &Iso9283StreamsDocument) -> Sheet {
-    let rows: Vec<(&str, &Iso9283Standstill)> =
-        document.streams.iter().flat_map(|s| s.stream.standstills.iter().map(move |r| (s.name.as_str(), r))).collect();
+    let rows: Vec<(&str, &Iso9283Standstill)> = named(document, |s| &s.stream.standstills);
     Sheet::of(
         "Standstills",
         &rows,
@@ -70,8 +77,7 @@ fn standstills(document: &Iso9283StreamsDocument) -> Sheet {
 }
 
 fn settling(document: &Iso9283StreamsDocument) -> Sheet {
-    let rows: Vec<(&str, &Iso9283Settling)> =
-        document.streams.iter().flat_map(|s| s.stream.settling.iter().map(move |r| (s.name.as_str(), r))).collect();
+    let rows: Vec<(&str, &Iso9283Settling)> = named(document, |s| &s.stream.settling);
     Sheet::of(
         "Stabilisation",
         &rows,
@@ -86,11 +92,7 @@ fn settling(document: &Iso9283StreamsDocument) -> Sheet {
 }
 
 fn corners(document: &Iso9283StreamsDocument) -> Sheet {
-    let rows: Vec<(&str, &Iso9283Corner)> = document
-        .streams
-        .iter()
-        .flat_map(|s| s.stream.path.iter().flat_map(|p| &p.corners).map(move |r| (s.name.as_str(), r)))
-        .collect();
+    let rows: Vec<(&str, &Iso9283Corner)> = named(document, |s| s.stream.path.iter().flat_map(|p| &p.corners));
     Sheet::of(
         "Corners",
         &rows,
@@ -107,11 +109,7 @@ fn corners(document: &Iso9283StreamsDocument) -> Sheet {
 }
 
 fn points(document: &Iso9283StreamsDocument) -> Sheet {
-    let rows: Vec<(&str, &Iso9283PathPoint)> = document
-        .streams
-        .iter()
-        .flat_map(|s| s.stream.path.iter().flat_map(|p| &p.points).map(move |r| (s.name.as_str(), r)))
-        .collect();
+    let rows: Vec<(&str, &Iso9283PathPoint)> = named(document, |s| s.stream.path.iter().flat_map(|p| &p.points));
     Sheet::of(
         "Path",
         &rows,
