@@ -149,14 +149,12 @@ fn reading(guess: &Guess) -> Reading {
 
 /// Why the first reading is the first.
 fn reasons(best: &Guess) -> Vec<String> {
-    let delimiter = best.dialect.delimiter.map_or("", |d| d.name());
+    let columns = match best.dialect.delimiter {
+        Some(delimiter) => format!("have {} fields separated by `{}`", best.numeric.len(), delimiter.name()),
+        None => format!("have numbers in {} columns", best.numeric.len()),
+    };
     let mut reasons = vec![
-        format!(
-            "{} of {} have {} fields separated by `{delimiter}`",
-            best.read,
-            count(best.rows, "row"),
-            best.numeric.len()
-        ),
+        format!("{} of {} {columns}", best.read, count(best.rows, "row")),
         format!(
             "{} of {} have the decimal mark `{}`",
             best.fractions,
@@ -184,9 +182,9 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
         .iter()
         .map(|g| {
             let thousands = g.dialect.thousands.map(|t| format!(", thousands {:?}", t.name())).unwrap_or_default();
-            let delimiter = g.dialect.delimiter.map_or("", |d| d.name());
-            let decimal = g.dialect.decimal.name();
-            format!("delimiter {delimiter:?}, decimal {decimal:?}{thousands}, {} columns explains it as well: check a row by eye", g.numeric.len())
+            let delimiter = g.dialect.delimiter.map_or(String::new(), |d| format!("delimiter {:?}, ", d.name()));
+            let (decimal, columns) = (g.dialect.decimal.name(), count(g.numeric.len(), "column"));
+            format!("{delimiter}decimal {decimal:?}{thousands}, {columns} explains it as well: check a row by eye")
         })
         .collect();
     let mark = best.dialect.decimal.name();

@@ -10,6 +10,9 @@ const SAMPLE: usize = 2000;
 const COMMENTS: [&str; 4] = ["//", "#", "%", "$$"];
 /// Words that end files.
 const ENDS: [&str; 3] = ["END", "EOF", "End"];
+/// What is weighed between fields.
+const DELIMITERS: [Delimiter; 5] =
+    [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Bar, Delimiter::Comma, Delimiter::Blank];
 /// Marks that are weighed: numbers with groups of digits last.
 const MARKS: [(Decimal, Option<Thousands>); 7] = [
     (Decimal::Point, None),
@@ -60,12 +63,15 @@ pub(super) fn guesses(text: &str, sheet: Option<&str>) -> Vec<Guess> {
     let comment = COMMENTS.into_iter().find(starts);
     let last = text.lines().rev().find(|line| !line.trim().is_empty()).unwrap_or("").trim();
     let end = ENDS.into_iter().find(|end| last.trim_end_matches([',', ';', '\t', '|']) == *end);
-    let delimiters = [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Bar, Delimiter::Comma, Delimiter::Blank];
+    let delimiters: &[Option<Delimiter>] = match sheet {
+        Some(_) => &[None],
+        None => &DELIMITERS.map(Some),
+    };
     let all =
-        delimiters.into_iter().flat_map(|delimiter| MARKS.map(|(decimal, thousands)| (delimiter, decimal, thousands)));
+        delimiters.iter().flat_map(|delimiter| MARKS.map(|(decimal, thousands)| (*delimiter, decimal, thousands)));
     let mut guesses: Vec<Guess> = all
         .map(|(delimiter, decimal, thousands)| Dialect {
-            delimiter: Some(delimiter).filter(|_| sheet.is_none()),
+            delimiter,
             sheet: sheet.map(str::to_owned),
             decimal,
             thousands,
@@ -97,9 +103,12 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess> {
     let data = &all[header..end.unwrap_or(all.len()).max(header)];
     // fields behind the last one that holds something are none
     let width = |row: &Row| row.fields.iter().rposition(|f| !f.is_empty()).map_or(0, |i| i + 1);
-    let columns = most_common(data.iter().map(width))?;
+    let of_sheet = dialect.sheet.is_some();
+    // cells behind the last one of a row are empty, and not written
+    let columns = if of_sheet { data.iter().map(width).max() } else { most_common(data.iter().map(width)) }?;
     let fits = |row: &Row| {
-        width(row) == columns && (numbers(row) >= 2 || row.fields.iter().any(|f| !f.is_empty() && missing.says(f)))
+        (of_sheet || width(row) == columns)
+            && (numbers(row) >= 2 || row.fields.iter().any(|f| !f.is_empty() && missing.says(f)))
     };
     let good: Vec<&Row> = data.iter().filter(|row| fits(row)).collect();
     let first = (*good.first()?).clone();
@@ -121,7 +130,8 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess> {
     let score = plain * taken * (0.5 + 0.5 * fractions as f64 / used.len().max(1) as f64);
     let holds = |field: &String| is_number(field) || missing.says(field);
     let numeric = (0..columns)
-        .map(|c| good.iter().all(|row| holds(&row.fields[c])) && good.iter().any(|row| is_number(&row.fields[c])));
+        .map(|c| good.iter().filter_map(move |row| row.fields.get(c)))
+        .map(|fields| fields.clone().all(holds) && fields.clone().any(is_number));
     dialect.header = Header::Rows(header);
     Some(Guess {
         header,

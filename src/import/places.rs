@@ -21,7 +21,8 @@ fn name(point: &Point) -> &str {
 }
 
 /// Warnings about rows that bear the name of one point and lie where another is: in the same pose, or, of points that
-/// stand still, where no other row of their own name lies. One warning for each pair of names.
+/// stand still, where no other row of their own name lies. One warning for each pair of names; none where most rows of
+/// one lie at rows of the other: these are repeats of the same places.
 pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let near = near_mm(campaign);
     let mut same: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
@@ -57,6 +58,10 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         rows.sort_by_key(|p| (p.row, p.line));
         rows.dedup_by_key(|p| (p.row, p.line));
         let first = rows.first()?;
+        let own = same.get(wrong).map_or(0, Vec::len);
+        if first.pose.is_none() && rows.len() > 1 && 2 * rows.len() > own {
+            return None;
+        }
         let more =
             if rows.len() > 1 { format!(", and so in {} in all", count(rows.len(), "row")) } else { String::new() };
         let what = format!("row {}: `{wrong}` lies where `{other}` is{more}", first.row);
@@ -67,20 +72,23 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     found.into_iter().filter_map(warning).collect()
 }
 
-/// Pairs of points of different names that lie near each other.
+/// Pairs of points of different names that lie near each other. Cells are twice as wide as that, so that whoever is near lies in
+/// the same cell or in the next on the nearer side of each axis.
 fn neighbours(points: &[Point], near: f64) -> Vec<(&Point, &Point)> {
-    let cell = |p: &Point| p.xyz_mm.map(|v| (v / near).floor() as i64);
     let named = || points.iter().filter(|p| !name(p).is_empty() && p.xyz_mm[0].is_finite());
     let mut cells: BTreeMap<[i64; 3], Vec<&Point>> = BTreeMap::new();
     let mut pairs = Vec::new();
     for point in named() {
-        let [x, y, z] = cell(point);
-        for around in (0..27).map(|i| [x + i / 9 - 1, y + i / 3 % 3 - 1, z + i % 3 - 1]) {
+        let place = point.xyz_mm.map(|v| v / (2.0 * near));
+        let own = place.map(|v| v.floor() as i64);
+        let next = place.map(|v| if v - v.floor() < 0.5 { v.floor() as i64 - 1 } else { v.floor() as i64 + 1 });
+        for side in 0..8 {
+            let cell = [0, 1, 2].map(|k| if side >> k & 1 == 0 { own[k] } else { next[k] });
             // of a crowd in one place a few are enough
-            let others = cells.get(&around).into_iter().flatten().filter(|other| name(other) != name(point));
+            let others = cells.get(&cell).into_iter().flatten().filter(|other| name(other) != name(point));
             pairs.extend(others.filter(|o| distance(o, point) <= near).take(4).map(|other| (*other, point)));
         }
-        cells.entry([x, y, z]).or_default().push(point);
+        cells.entry(own).or_default().push(point);
     }
     pairs
 }
@@ -220,6 +228,21 @@ mod tests {
         let told = misplaced(&campaign(""), &points);
         let whats: Vec<&str> = told.iter().map(|m| m.what.as_str()).collect();
         assert_eq!(whats, ["row 3: `Slave` lies where `D` is"]);
+    }
+
+    #[test]
+    fn places_that_are_measured_again_under_another_label_are_no_mistake() {
+        let run = |first: i64, label, shift: f64| {
+            (0..8).map(move |i| point(first + i, label, None, [40.0 * i as f64 + shift, 1.0, 2.0]))
+        };
+        let mut points: Vec<Point> =
+            run(1, "shaft-1", 0.0).chain(run(9, "shaft-2", 0.01)).chain(run(17, "shaft-3", 0.02)).collect();
+        assert!(misplaced(&campaign(""), &points).is_empty());
+        points.push(point(25, "D", None, [700.0, 0.0, 0.0]));
+        points.push(point(26, "shaft-2", None, [700.0, 0.0, 0.05]));
+        let told = misplaced(&campaign(""), &points);
+        let whats: Vec<&str> = told.iter().map(|m| m.what.as_str()).collect();
+        assert_eq!(whats, ["row 26: `shaft-2` lies where `D` is"]);
     }
 
     #[test]

@@ -4,9 +4,12 @@
 
 use super::{logs, qif, readers};
 use etalon::campaign::{Campaign, Format, Reader, Unit};
-use etalon::import::{import, labelled_points, propose};
+use etalon::import::{import, labelled_points, propose, propose_file};
 use etalon::noise::Noise;
+use std::io::{Cursor, Write};
 use std::time::{Duration, Instant};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive};
 
 /// Pieces that formats give a meaning to, and numbers that break arithmetic.
 const PIECES: [&str; 40] = [
@@ -165,4 +168,42 @@ fn proposals() {
 fn measured_features() {
     let sound = qif::sound();
     run("QIF", &[&sound], |text| drop(etalon::import::qif::read("f.qif", text, None)));
+}
+
+/// A workbook of these files; they are kept as they are.
+fn packed(files: &[(String, String)]) -> Vec<u8> {
+    let mut zip = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+    for (name, content) in files {
+        zip.start_file(name, options).unwrap();
+        zip.write_all(content.as_bytes()).unwrap();
+    }
+    zip.finish().unwrap().into_inner()
+}
+
+#[test]
+fn workbooks() {
+    let scratch = tempfile::tempdir().unwrap();
+    let path = scratch.path().join("points.xlsx");
+    for program in ["openpyxl", "libreoffice"] {
+        let bytes = std::fs::read(crate::laws::workbooks::workbook(program)).unwrap();
+        let mut zip = ZipArchive::new(Cursor::new(bytes)).unwrap();
+        let names: Vec<String> = zip.file_names().map(|name| name.unwrap().into_owned()).collect();
+        let mut unpacked = |name: &str| std::io::read_to_string(zip.by_name(name).unwrap()).unwrap();
+        let files: Vec<(String, String)> = names.iter().map(|name| (name.clone(), unpacked(name))).collect();
+        let proposed = |files: &[(String, String)]| {
+            std::fs::write(&path, packed(files)).unwrap();
+            propose_file(&path)
+        };
+        proposed(&files).unwrap();
+        // one of its files at a time; how it looks is nowhere read
+        let read = |name: &str| name.starts_with("xl/") && !name.contains("theme");
+        for (damaged, (name, sound)) in files.iter().enumerate().filter(|(_, (name, _))| read(name)) {
+            run(&format!("workbook of {program}, {name}"), &[sound], |text| {
+                let mut files = files.clone();
+                files[damaged].1 = text.to_owned();
+                drop(proposed(&files));
+            });
+        }
+    }
 }

@@ -31,4 +31,5 @@ mod solving;
 mod standstills;
 mod texts;
 mod thresholds;
+pub mod workbooks;
 mod zones;

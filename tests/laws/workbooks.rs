@@ -1,0 +1,62 @@
+//! Workbooks that other programs wrote: `tests/workbooks` holds made-up points (synthetic) under a title and a head, as
+//! openpyxl 3.1 wrote them, and as LibreOffice Calc 7.4 saved that file again (strings shared, formulas with their value).
+
+use crate::scratch::copy_sample;
+use etalon::campaign::Campaign;
+use etalon::import::{import, propose_file};
+use etalon::table;
+use std::path::{Path, PathBuf};
+
+const SHEET: &str = "Points (mm)";
+
+pub fn workbook(program: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/workbooks").join(format!("synthetic-{program}.xlsx"))
+}
+
+/// Points of the sheet by label, and the lines of rows that are refused.
+fn read(program: &str) -> (Vec<(String, [f64; 3])>, Vec<usize>) {
+    let scratch = copy_sample("prexyt-cmm");
+    std::fs::copy(workbook(program), scratch.path().join("exports/points.xlsx")).unwrap();
+    let stated = format!(
+        "[[export]]\nfile = \"exports/points.xlsx\"\nunit = \"mm\"\nformat = {{ sheet = \"{SHEET}\", header = [\"Name\", \"X\"], \
+         columns = {{ label = \"Name\", x = \"X\", y = \"Y\", z = \"Z\" }} }}\n\n[feature.rails]"
+    );
+    scratch.replace("campaign.toml", "[feature.rails]", &stated);
+    let imported = import(&Campaign::read(&scratch.path()).unwrap()).unwrap();
+    let labels = table::texts(&imported.points, "label").unwrap();
+    let exports = table::texts(&imported.points, "export").unwrap();
+    let xyz = table::coordinates(&imported.points).unwrap();
+    let rows = labels.into_iter().zip(xyz).zip(exports);
+    let points = rows.filter(|(_, export)| export.ends_with(".xlsx")).map(|(point, _)| point).collect();
+    let source = imported.document.sources.iter().find(|s| s.file.ends_with(".xlsx")).unwrap();
+    (points, source.refused.iter().map(|r| r.line).collect())
+}
+
+#[test]
+fn workbooks_of_other_programs_read_with_all_their_digits() {
+    let point = |label: &str, xyz| (label.to_owned(), xyz);
+    let common = || {
+        vec![
+            point("K 1", [0.3, -1234.5678, 1e-7]),
+            point("K 2", [1.0, 2.0, 3.0]),
+            point("K 4", [12.5, 0.0, 0.333333333333333]),
+        ]
+    };
+    // a formula that no program has computed has no value
+    assert_eq!(read("openpyxl"), (common(), vec![7, 9]));
+    let mut computed = common();
+    computed.push(point("K 5", [1.3, 5.0, 6.0]));
+    assert_eq!(read("libreoffice"), (computed, vec![7]));
+}
+
+#[test]
+fn a_proposal_names_the_sheet_and_the_columns_that_hold_points() {
+    for program in ["openpyxl", "libreoffice"] {
+        let proposed = propose_file(&workbook(program)).unwrap();
+        let stated =
+            format!("{{ sheet = \"{SHEET}\", header = 3, columns = [\"-\", \"label\", \"x\", \"y\", \"z\", \"-\"] }}");
+        assert!(proposed.toml.contains(&stated), "{}", proposed.toml);
+        assert_eq!(proposed.readings.len(), 1, "{:?}", proposed.readings);
+        assert_eq!(proposed.doubts[0], "the workbook has 1 sheet more: Notes");
+    }
+}
