@@ -135,7 +135,7 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
         })?;
         verdicts.push(LimitVerdict { name: name.to_owned(), unit, limit, value, met: value <= limit });
     }
-    let point = if planar {
+    let point = if robot.planar().is_some() {
         "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints; \
          positions are those of C in the base frame"
     } else {

@@ -84,7 +84,8 @@ fn readings((file, frame): (&str, &DataFrame)) -> Result<Vec<Reading>> {
     table::require(frame, &columns).map_err(here)?;
     let (names, forces) = (table::texts(frame, "direction")?, table::texts(frame, "force_n")?);
     let cycles = table::integers(frame, "cycle").map_err(here)?;
-    let positions_mm = coordinates((file, frame))?.positions_mm;
+    let all = coordinates((file, frame))?;
+    let (positions_mm, spatial) = (all.positions_mm, all.spatial);
     let mut problems = Problems::default();
     let mut all = Vec::new();
     for (i, position_mm) in positions_mm.into_iter().enumerate() {
@@ -92,6 +93,11 @@ fn readings((file, frame): (&str, &DataFrame)) -> Result<Vec<Reading>> {
         if direction.is_none() {
             let message = Message::error(format!("`{}` is no direction", names[i]));
             problems.0.push(at_row(message, (file, frame), i).expected("+x, -x, +y, -y, +z or -z"));
+        }
+        if !spatial && names[i].ends_with('z') {
+            let message =
+                Message::error(format!("direction `{}` without z_mm: no displacement is measured there", names[i]));
+            problems.0.push(at_row(message, (file, frame), i).hint("add the column z_mm, or take the row out"));
         }
         let force_n = forces[i].parse().ok().filter(|f: &f64| f.is_finite() && *f >= 0.0);
         if force_n.is_none() {

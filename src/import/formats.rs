@@ -1,6 +1,7 @@
 //! What a text could be: a proposal with its reasons, doubts and questions, to paste into a campaign.
 
 use super::guess::{Guess, guesses};
+use super::header_unit::header_unit;
 use super::known::{Known, known};
 use super::point_rows::point_rows;
 use super::roles::{is_joint, looks_like_a_log, names, roles};
@@ -124,8 +125,12 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
             log_lines(file, best)
         }
         None => {
-            document.doubts.extend(tried(file, text, best));
-            document.questions.push("the unit of lengths".to_owned());
+            let unit = stated_unit(best);
+            document.doubts.extend(not_read(best));
+            document.doubts.extend(tried(file, text, best, unit));
+            if unit.is_none() {
+                document.questions.push("the unit of lengths".to_owned());
+            }
             document
                 .questions
                 .push("whether the columns are x, y, z in this order, or angles and distances".to_owned());
@@ -205,9 +210,27 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
     doubts
 }
 
+/// The unit that the header gives the first coordinate.
+fn stated_unit(best: &Guess) -> Option<Unit> {
+    let names = names(best)?;
+    let x = roles(best).iter().position(|role| *role == Role::X)?;
+    header_unit(names.get(x)?)
+}
+
+/// Columns of numbers that nothing names and that are not read.
+fn not_read(best: &Guess) -> Vec<String> {
+    let skipped = |(i, role): (usize, &Role)| (*role == Role::Skip && best.numeric[i]).then(|| (i + 1).to_string());
+    let columns: Vec<String> = match names(best) {
+        Some(_) => Vec::new(),
+        None => roles(best).iter().enumerate().filter_map(skipped).collect(),
+    };
+    let what = format!("numbers that are not read: column {}", columns.join(", "));
+    (!columns.is_empty()).then_some(what).into_iter().collect()
+}
+
 /// What reading the whole file this way runs into.
-fn tried(file: &str, text: &str, best: &Guess) -> Vec<String> {
-    let (points, problems) = point_rows(file, text, &dialect(best), Unit::Millimetre);
+fn tried(file: &str, text: &str, best: &Guess, unit: Option<Unit>) -> Vec<String> {
+    let (points, problems) = point_rows(file, text, &dialect(best), unit.unwrap_or(Unit::Millimetre));
     let mut doubts: Vec<String> = problems
         .0
         .iter()
@@ -243,7 +266,11 @@ fn unit_line(unit: Option<&str>) -> String {
 }
 
 fn export_lines(file: &str, best: &Guess) -> String {
-    let mut out = format!("[[export]]\nfile = {file:?}\nformat = {}\n{}", dialect(best), unit_line(None));
+    let mut out = format!(
+        "[[export]]\nfile = {file:?}\nformat = {}\n{}",
+        dialect(best),
+        unit_line(stated_unit(best).map(Unit::name))
+    );
     let kinds = CoordinateType::Cartesian.name();
     let _ = writeln!(out, "# are the columns x, y, z in this order, and {kinds}?");
     let roles = roles(best);

@@ -12,6 +12,7 @@ mod delimited;
 mod encoding;
 mod formats;
 mod guess;
+mod header_unit;
 mod known;
 mod label;
 mod log;

@@ -2,6 +2,7 @@
 
 use super::coordinates::cartesian;
 use super::delimited::{Row, cell_place, split};
+use super::header_unit::header_unit;
 use super::number::{WHOLE, marked};
 use super::points::Point;
 use crate::campaign::{ColumnAt, Columns, CoordinateType, Dialect, Header, Role, Unit, coordinate_type};
@@ -19,10 +20,15 @@ pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) 
     if !wrong.0.is_empty() {
         return (Vec::new(), wrong);
     }
-    let (rows, mut problems) = split(file, text, dialect);
+    let (mut rows, mut problems) = split(file, text, dialect);
+    if dialect.sheet.is_some() {
+        // cells behind the last one of a row are empty, and not written
+        let width = rows.iter().map(|row| row.fields.len()).max().unwrap_or(0);
+        rows.iter_mut().for_each(|row| row.fields.resize(width, String::new()));
+    }
     let lines: Vec<&str> = text.lines().collect();
     let shown = |row: &Row| lines.get(row.line - 1).copied().unwrap_or("");
-    let (rows, roles) = match data(file, rows, &shown, dialect) {
+    let (rows, roles) = match data(file, rows, &shown, (dialect, unit)) {
         Ok((rows, roles, more)) => {
             problems.0.extend(more);
             (rows, roles)
@@ -47,7 +53,7 @@ fn data<'t>(
     file: &str,
     mut rows: Vec<Row>,
     shown: &impl Fn(&Row) -> &'t str,
-    dialect: &Dialect,
+    (dialect, unit): (&Dialect, Unit),
 ) -> Result<Data, Vec<Message>> {
     let before = match &dialect.header {
         Header::Rows(count) => *count,
@@ -63,6 +69,18 @@ fn data<'t>(
     let mut rest = rows.split_off(before.min(rows.len()));
     let roles = roles(file, rows.last(), shown, dialect, rest.first())?;
     let mut remarks = Vec::new();
+    if let Some(header) = rows.last() {
+        let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
+        let other = |(_, name): &(&Role, &String)| header_unit(name).is_some_and(|said| said != unit);
+        if let Some((_, name)) = lengths.into_iter().find(other) {
+            let what = format!("the header says `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
+            remarks.push(
+                Message::error(what)
+                    .at(Place::line(file, header.line, shown(header)))
+                    .hint("state the unit of the file"),
+            );
+        }
+    }
     if let Some(end) = &dialect.end {
         let is_end = |row: &Row| row.fields.first() == Some(end) && row.fields[1..].iter().all(String::is_empty);
         if let Some(at) = rest.iter().position(is_end) {
@@ -161,7 +179,11 @@ impl Reader<'_> {
         let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_str()));
         let mut value = |i: usize, field: &str| {
             let read = marked(field, self.dialect.decimal, self.dialect.thousands);
-            read.map_err(|message| wrong(message, i)).unwrap_or(f64::NAN)
+            let hinted = |message: Message| match field.is_empty() && self.dialect.sheet.is_some() {
+                true => message.hint("a formula without a value? save the workbook in the program that computes it"),
+                false => message,
+            };
+            read.map_err(|message| wrong(hinted(message), i)).unwrap_or(f64::NAN)
         };
         point.refused = self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f)));
         let unmeasured = point.refused.is_some();

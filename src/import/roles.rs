@@ -2,10 +2,11 @@
 
 use super::guess::Guess;
 use super::number::marked;
-use crate::campaign::Role;
+use crate::campaign::{Decimal, Role};
 
 /// Roles by the names of the header, where it names every column and x and y; else by position: leading texts are the
-/// label, the first numbers x, y, z, and a direction behind them i, j, k.
+/// label, the first numbers x, y, z, and a direction behind them i, j, k. A whole number before numbers with a decimal mark is
+/// none of them.
 pub(super) fn roles(guess: &Guess) -> Vec<Role> {
     let named: Vec<Role> = names(guess).into_iter().flatten().map(role_of).collect();
     let once = |role| named.iter().filter(|r| **r == role).count() == 1;
@@ -61,13 +62,26 @@ fn by_position(guess: &Guess) -> Vec<Role> {
     let directed = count == 6 && direction(guess);
     let mut axes =
         [Role::X, Role::Y, Role::Z].iter().chain(if directed { &[Role::I, Role::J, Role::K][..] } else { &[] });
+    let mut before = usize::from(count % 3 == 1 && counted(guess));
     let leading = guess.numeric.iter().position(|n| *n).unwrap_or(0);
     let role = |(i, numeric): (usize, &bool)| match numeric {
+        true if before > 0 => {
+            before -= 1;
+            Role::Skip
+        }
         true => axes.next().copied().unwrap_or(Role::Skip),
         false if i < leading && !is_time(&guess.first.fields[i]) => Role::Label,
         false => Role::Skip,
     };
     guess.numeric.iter().enumerate().map(role).collect()
+}
+
+/// Whether the first number is whole, and the next three are not.
+fn counted(guess: &Guess) -> bool {
+    let mark = if guess.dialect.decimal == Decimal::Point { '.' } else { ',' };
+    let numbers = guess.first.fields.iter().zip(&guess.numeric).filter(|(_, numeric)| **numeric);
+    let marked: Vec<bool> = numbers.map(|(field, _)| field.contains(mark)).take(4).collect();
+    marked == [false, true, true, true]
 }
 
 /// A date or a time of day.

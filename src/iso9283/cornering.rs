@@ -42,7 +42,7 @@ pub fn cornering(
     for pass in passes {
         let relative = stream.positions_mm()[pass.samples(first, last)].iter().map(|p| minus(*p, corner.position_mm));
         let relative: Vec<Vector> = relative.collect();
-        let nearest = relative.iter().map(|d| norm(*d)).fold(f64::INFINITY, f64::min);
+        let nearest = relative.windows(2).map(|d| to_segment(d[0], d[1])).fold(f64::INFINITY, f64::min);
         let beyond = relative.iter().filter(|d| dot(**d, far) > 0.0).map(|d| off(*d, corner.outgoing));
         worst.round_off_mm = worst.round_off_mm.max(nearest);
         worst.overshoot_mm = worst.overshoot_mm.max(beyond.fold(0.0, f64::max));
@@ -50,6 +50,13 @@ pub fn cornering(
         worst.stabilisation_mm = worst.stabilisation_mm.zip(stable).map(|(a, b)| a.max(b));
     }
     Ok(worst)
+}
+
+/// Distance of the corner from the straight line between two samples, both relative to it.
+fn to_segment(from: Vector, to: Vector) -> f64 {
+    let way = minus(to, from);
+    let share = (-dot(from, way) / dot(way, way)).clamp(0.0, 1.0);
+    if share.is_nan() { norm(from) } else { norm([0, 1, 2].map(|k| from[k] + share * way[k])) }
 }
 
 /// Distance from the line through the corner along the second leg.

@@ -79,6 +79,15 @@ impl CommandedPath {
         (0..count).map(|i| self.at((i as f64 + 0.5) / count as f64 * self.length_mm())).collect()
     }
 
+    /// The same without those within `near_mm` of a corner that turns by more than `least_rad`: a robot that rounds it off goes
+    /// through their planes in another order, or not at all.
+    pub fn command_points_beside(&self, count: usize, (least_rad, near_mm): (f64, f64)) -> Vec<CommandPoint> {
+        let corners = self.corners(least_rad);
+        let mut points = self.command_points(count);
+        points.retain(|p| corners.iter().all(|c| (p.along_mm - c.along_mm[1]).abs() > near_mm));
+        points
+    }
+
     fn at(&self, along_mm: f64) -> CommandPoint {
         let after = self.along_mm.partition_point(|&s| s <= along_mm).clamp(1, self.points_mm.len() - 1);
         let (a, b) = (self.points_mm[after - 1], self.points_mm[after]);

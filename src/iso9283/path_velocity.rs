@@ -20,7 +20,8 @@ pub struct PathVelocity {
     pub fv_mm_s: f64,
 }
 
-/// Velocities between neighbouring command points in the central `share` of the path (0 to 1), which holds two at least.
+/// Velocities between neighbouring command points in the central `share` of the path (0 to 1), which holds two at least. Across a
+/// corner, where command points are left out, there is none.
 pub fn path_velocity(
     passes: &[Pass],
     points: &[CommandPoint],
@@ -31,13 +32,15 @@ pub fn path_velocity(
         return Err(Message::error("path velocity: the commanded velocity must be positive").into());
     }
     let (from, to) = central(points, share);
-    if to < from + 2 {
+    let part_mm = (1..points.len()).map(|i| points[i].along_mm - points[i - 1].along_mm).fold(f64::INFINITY, f64::min);
+    let neighbours = |i: usize| points[i + 1].along_mm - points[i].along_mm < 1.5 * part_mm;
+    if (from..to).filter(|&i| neighbours(i)).count() < 2 {
         let message = Message::error("path velocity: the central part holds fewer than three command points");
         return Err(message.hint("state more command points, or a larger central part").into());
     }
     let velocities = |pass: &Pass| -> Vec<f64> {
-        let between = pass.crossings[from..=to].windows(2);
-        between.map(|c| norm(minus(c[1].position_mm, c[0].position_mm)) / (c[1].time_s - c[0].time_s)).collect()
+        let pairs = (from..to).filter(|&i| neighbours(i)).map(|i| (&pass.crossings[i], &pass.crossings[i + 1]));
+        pairs.map(|(a, b)| norm(minus(b.position_mm, a.position_mm)) / (b.time_s - a.time_s)).collect()
     };
     let all: Vec<Vec<f64>> = passes.iter().map(velocities).collect();
     let means = spread(&all.iter().map(|v| spread(v).mean).collect::<Vec<_>>());
@@ -54,10 +57,9 @@ pub fn path_velocity(
 }
 
 /// First and last command point of the central share of the path.
-fn central(points: &[CommandPoint], share: f64) -> (usize, usize) {
-    // command points are the middles of equal parts
-    let part = 2.0 * points[0].along_mm;
-    let length = part * points.len() as f64;
+pub fn central(points: &[CommandPoint], share: f64) -> (usize, usize) {
+    // command points are the middles of equal parts: the first is as far from the start as the last from the end
+    let length = points[0].along_mm + points[points.len() - 1].along_mm;
     let edge = 0.5 * (1.0 - share) * length - 1e-9 * length;
     let inside = |p: &CommandPoint| p.along_mm >= edge && p.along_mm <= length - edge;
     let first = points.iter().position(inside).unwrap_or_default();

@@ -61,14 +61,17 @@ impl Stream {
     /// The same without samples that no robot reaches from the one before (faster than [`FASTEST_MM_S`]), and their
     /// numbers.
     pub fn without_jumps(self) -> (Self, Vec<usize>) {
-        let mut kept: Vec<usize> = Vec::with_capacity(self.len());
-        let mut jumps = Vec::new();
-        for i in 0..self.len() {
-            let reached = kept.last().is_none_or(|&before| {
-                let (from, to) = (self.positions_mm[before], self.positions_mm[i]);
-                norm(minus(to, from)) <= FASTEST_MM_S * (self.time_s[i] - self.time_s[before])
-            });
-            if reached { kept.push(i) } else { jumps.push(i) }
+        let reached = |before: usize, i: usize| {
+            let (from, to) = (self.positions_mm[before], self.positions_mm[i]);
+            norm(minus(to, from)) <= FASTEST_MM_S * (self.time_s[i] - self.time_s[before])
+        };
+        // the first that leads to one of the next two: it may be a jump itself
+        let leads = |i: &usize| (i + 1..(i + 3).min(self.len())).any(|next| reached(*i, next));
+        let first = (0..self.len()).find(leads).unwrap_or(0);
+        let mut kept = vec![first];
+        let mut jumps: Vec<usize> = (0..first).collect();
+        for i in first + 1..self.len() {
+            if kept.last().is_some_and(|&before| reached(before, i)) { kept.push(i) } else { jumps.push(i) }
         }
         let of = |values: &[f64]| kept.iter().map(|&i| values[i]).collect::<Vec<_>>();
         let stream = Self {

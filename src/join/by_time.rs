@@ -1,7 +1,7 @@
 //! Points meet the log by the clock: with the nearest row, with the standstill they fall into, or between two rows.
 
 use super::unmatched::Rows;
-use super::{Log, Said};
+use super::{Log, Said, contradictions};
 use crate::message::{Message, Problems, Result, count};
 use crate::table::{self, ASSEMBLY};
 use polars::prelude::*;
@@ -49,6 +49,9 @@ pub(super) fn by_time(points: &DataFrame, log: Log, clocks: Clocks, said: &mut S
         met.iter().flatten().flat_map(|m| [Some(m.row), m.other.map(|(row, _)| row)]).flatten().collect();
     report_idle(log, &used, clocks, said)?;
     refuse_twice(points, &times, &met, clocks, log)?;
+    if !clocks.interpolate {
+        contradictions(points, log, met.iter().enumerate().filter_map(|(i, met)| Some((i, met.as_ref()?.row))))?;
+    }
     joined(points, log, &times, &met, clocks.interpolate)
 }
 
@@ -214,9 +217,13 @@ fn joined(points: &DataFrame, log: Log, times: &[i64], met: &[Option<Met>], inte
             continue;
         }
         let all = table::numbers(log.rows, column_name)?;
+        let turns = column_name.ends_with("_deg");
         let value = |(_, met): &(usize, Met)| {
-            let other = met.other.map_or(0.0, |(other, share)| share * (all[other] - all[met.row]));
-            all[met.row] + other
+            let Some((other, share)) = met.other else { return all[met.row] };
+            let step = all[other] - all[met.row];
+            // from 179.9 to -179.9 degrees it is a fifth of a degree
+            let step = if turns { step - 360.0 * (step / 360.0).round() } else { step };
+            all[met.row] + share * step
         };
         joined.with_column(Column::new(column_name.into(), kept.iter().map(value).collect::<Vec<f64>>()))?;
     }

@@ -256,6 +256,8 @@ fn by_keys(points: &DataFrame, log: Log, keys: &[&str], said: &mut Said) -> Resu
         lone,
     );
     report("key of log", "keys of log", log_rows, &logged, &measured, "no measured point has this key".to_owned());
+    let pairs = measured.iter().filter_map(|(key, rows)| Some((rows, *logged.get(key)?.first()?)));
+    contradictions(points, log, pairs.flat_map(|(rows, logged)| rows.iter().map(move |&row| (row, logged))))?;
     let mut right = log.rows.clone();
     for column in ["row", "line", "pose", "cycle", "time_s"] {
         if !keys.contains(&column) && right.column(column).is_ok() {
@@ -263,6 +265,34 @@ fn by_keys(points: &DataFrame, log: Log, keys: &[&str], said: &mut Said) -> Resu
         }
     }
     Ok(points.join(&right, keys.iter().copied(), keys.iter().copied(), JoinArgs::new(JoinType::Inner), None)?)
+}
+
+/// An error where points and the rows of the log that they meet bear different poses or cycles.
+fn contradictions(points: &DataFrame, log: Log, pairs: impl Iterator<Item = (usize, usize)> + Clone) -> Result<()> {
+    let mut problems = Problems::default();
+    let (here, there) = (Rows::points(points)?, Rows::log(log.rows, log.file)?);
+    for column in ["pose", "cycle"] {
+        if log.rows.column(column).is_err() {
+            continue;
+        }
+        let (stated, logged) = (table::optional_integers(points, column)?, table::optional_integers(log.rows, column)?);
+        let differs = |&(i, j): &(usize, usize)| matches!((stated[i], logged[j]), (Some(a), Some(b)) if a != b);
+        let all: Vec<(usize, usize)> = pairs.clone().filter(differs).collect();
+        let Some(&(i, j)) = all.first() else { continue };
+        let number = |n: Option<i64>| n.map_or_else(String::new, |n| n.to_string());
+        let what = format!(
+            "{} with another {column} than the row of log `{}` that it meets: {} and {} (line {} of the log)",
+            count(all.len(), "measured point"),
+            log.name,
+            number(stated[i]),
+            number(logged[j]),
+            there.line(j)
+        );
+        let hint =
+            format!("join by pose; or leave `{column}` out of `columns` of the log, if it counts something else there");
+        problems.0.push(Message::error(what).at(here.place(i)).hint(hint));
+    }
+    problems.check().map(|_| ())
 }
 
 /// Rows by their key.

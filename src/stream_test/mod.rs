@@ -14,7 +14,7 @@ use crate::iso9283::stream::Stream;
 use crate::message::{Message, Result, count};
 use crate::pose::{Vector, minus, norm};
 use crate::recording::Recording;
-use path::Driven;
+use path::{CORNER_RAD, Driven};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -103,6 +103,7 @@ pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283Str
             Some(weave) => document.weaving = Some(driven.weaving(weave)?),
             None => document.path = Some(driven.path(settings.band_mm, settings.seed)?),
         }
+        document.messages.extend(driven.doubts());
     }
     Ok(document)
 }
@@ -127,6 +128,9 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
         );
         if path.velocity_mm_s.is_some() {
             let _ = write!(text, "; velocities between them in the central {} %", 100.0 * path.central);
+        }
+        if !path.path.corners(CORNER_RAD).is_empty() {
+            let _ = write!(text, "; none within {} mm of a corner, which is told by itself", settings.near_mm);
         }
         said.push(text);
         if path.weave.is_none() {

@@ -9,14 +9,14 @@ use crate::iso9283::path::{CommandPoint, Corner};
 use crate::iso9283::path_accuracy::{path_accuracy, path_accuracy_on_reorientation, path_angle_accuracy_rad};
 use crate::iso9283::path_bootstrap::PathBootstrap;
 use crate::iso9283::path_repeatability::{path_angle_repeatability_rad, path_repeatability};
-use crate::iso9283::path_velocity::path_velocity;
+use crate::iso9283::path_velocity::{central, path_velocity};
 use crate::iso9283::weaving::{Weave, Weaving, weaving};
-use crate::message::{Message, Result};
+use crate::message::{Message, Result, count};
 use crate::pose::{Vector, minus};
 use crate::recording::Recording;
 
 /// Turns of the commanded path from this angle on are corners.
-const CORNER_RAD: f64 = 30.0 * std::f64::consts::PI / 180.0;
+pub(super) const CORNER_RAD: f64 = 30.0 * std::f64::consts::PI / 180.0;
 /// Simulated tests behind an interval.
 const DRAWS: usize = 1000;
 
@@ -31,7 +31,7 @@ pub(super) struct Driven<'a> {
 impl<'a> Driven<'a> {
     /// Finds the passes, each point within `near_mm` of the path.
     pub fn new(recording: &'a Recording, settings: &'a PathSettings, near_mm: f64) -> Result<Self> {
-        let points = settings.path.command_points(settings.points);
+        let points = settings.path.command_points_beside(settings.points, (CORNER_RAD, near_mm));
         let found = passes(&recording.stream, &points, near_mm)?;
         if found.complete.is_empty() {
             let message = Message::error("no pass of the commanded path was found");
@@ -40,6 +40,27 @@ impl<'a> Driven<'a> {
             return Err(message.expected(through).hint(hint).into());
         }
         Ok(Self { recording, settings, points, found })
+    }
+
+    /// What speaks against what is found: passes that were not ended, and a corner where the velocity should be constant.
+    pub fn doubts(&self) -> Vec<Message> {
+        let mut said = Vec::new();
+        if self.found.incomplete > 0 {
+            let what = format!("{} begun and not ended: left out", count(self.found.incomplete, "pass"));
+            let hint = "was the motion cut off? where the robot rounds off a corner widely, --near-mm (near_mm) leaves out more of it";
+            said.push(Message::warning(what).hint(hint));
+        }
+        if self.settings.velocity_mm_s.is_some() && self.settings.weave.is_none() {
+            let (from, to) = central(&self.points, self.settings.central);
+            let (from, to) = (self.points[from].along_mm, self.points[to].along_mm);
+            let inside = |c: &&Corner| (from..=to).contains(&c.along_mm[1]);
+            if let Some(corner) = self.settings.path.corners(CORNER_RAD).iter().find(inside) {
+                let what = format!("the central part of the path holds a corner, at {:.3} mm", corner.along_mm[1]);
+                let hint = "where a robot slows down for it, that is in AV, RV and FV: state a path without it, or a smaller central part";
+                said.push(Message::warning(what).hint(hint));
+            }
+        }
+        said
     }
 
     /// AT, RT, velocities and corners.

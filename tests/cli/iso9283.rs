@@ -125,6 +125,8 @@ fn a_loaded_robot_gives_way_by_what_the_table_says() {
         assert!((d.compliance_mm_n - mm_n).abs() < 1e-12 && d.off_line_mm < 1e-9 && d.force_n == 100.0, "{d:?}");
         assert!((d.largest_mm - 100.0 * mm_n).abs() < 1e-9);
     }
+    let planar = "direction,cycle,force_n,x_mm,y_mm\n+z,1,0,500,5\n+z,1,10,500,5\n";
+    assert!(text_of(&answer(planar)).contains("direction `+z` without z_mm"));
     for (from, to, said) in [
         ("+x,1,10,", "up,1,10,", "`up` is no direction"),
         ("+x,1,10,", "+x,1,-10,", "`-10` is no force"),

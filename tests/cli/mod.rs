@@ -149,6 +149,32 @@ fn formats_proposes_and_asks() {
     let said = text(&proposed.stdout);
     assert!(said.contains("format = { delimiter = \";\", decimal = \",\", header = 1,"), "{said}");
     assert!(said.contains("unit = \"?\""), "{said}");
+
+    // a unit in the header is the file's, and another one is refused
+    std::fs::write(folder.path().join("p.txt"), "Name;X [in];Y [in];Z [in]\nK;1.25;2.5;-3.75\n").unwrap();
+    let said = text(&etalon(folder.path(), &["formats", "p.txt"]).stdout);
+    assert!(said.contains("unit = \"inch\"") && !said.contains("QUESTION: the unit"), "{said}");
+    let table = [
+        "fit",
+        "line",
+        "p.txt",
+        "--delimiter",
+        "semicolon",
+        "--header",
+        "1",
+        "--columns",
+        "label,x,y,z",
+        "--unit",
+        "mm",
+    ];
+    let refused = etalon(folder.path(), &table);
+    assert!(text(&refused.stderr).contains("the header says `X [in]`"), "{}", text(&refused.stderr));
+
+    // a number before the coordinates is none of them, and what is not read is told
+    std::fs::write(folder.path().join("p.txt"), "1 10.1 20.2 30.3\n2 10.5 20.5 30.5\n").unwrap();
+    let said = text(&etalon(folder.path(), &["formats", "p.txt"]).stdout);
+    assert!(said.contains("columns = [\"-\", \"x\", \"y\", \"z\"]"), "{said}");
+    assert!(said.contains("DOUBT: numbers that are not read: column 1"), "{said}");
 }
 
 #[test]

@@ -294,6 +294,48 @@ fn round_off_and_overshoot_of_a_corner_are_those_drawn() {
     assert_eq!(measure(drawn(&|_| [100.0, 0.0, 0.0]), 0.1).round_off_mm, 0.0);
 }
 
+/// Three cycles round a corner with a wide arc, the second leg farther out each time: planes near the corner are gone through
+/// in another order than they are commanded, and no pass may be made of two.
+#[test]
+fn a_widely_rounded_corner_parts_no_pass() {
+    let corner = CommandedPath::new(vec![[0.0; 3], [200.0, 0.0, 0.0], [200.0, 200.0, 0.0]], &[]).unwrap();
+    for (radius, near_mm) in [(5.0, 10.0), (15.0, 10.0), (25.0, 10.0), (60.0, 25.0)] {
+        let mut all: Vec<Vector> = Vec::new();
+        for cycle in 0..3 {
+            let out = f64::from(cycle);
+            let line = |from: Vector, to: Vector| {
+                let steps = (norm(minus(to, from)) / 0.5).ceil() as usize;
+                (0..steps).map(move |i| [0, 1, 2].map(|k| from[k] + i as f64 / steps as f64 * (to[k] - from[k])))
+            };
+            let from = [200.0 - radius, 0.0, 0.0];
+            all.extend(line([-20.0, 0.0, 0.0], from));
+            let steps = (std::f64::consts::PI * radius) as usize;
+            all.extend((0..steps).map(|i| {
+                let (sin, cos) = (i as f64 / steps as f64 * std::f64::consts::FRAC_PI_2).sin_cos();
+                [from[0] + (radius + out) * sin, radius * (1.0 - cos), 0.0]
+            }));
+            all.extend(line([200.0 + out, radius, 0.0], [200.0 + out, 220.0, 0.0]));
+            all.extend(line([200.0 + out, 220.0, 0.0], [-20.0, 220.0, 50.0]));
+            all.extend(line([-20.0, 220.0, 50.0], [-20.0, 0.0, 0.0]));
+        }
+        let time_s = (0..all.len()).map(|i| i as f64 / RATE_HZ).collect();
+        let stream = Stream::new(time_s, all, &[]).unwrap();
+        let points = corner.command_points_beside(50, (0.5, near_mm));
+        let found = passes(&stream, &points, near_mm).unwrap();
+        assert_eq!((found.complete.len(), found.incomplete), (3, 0), "{radius}");
+        for (cycle, pass) in found.complete.iter().enumerate() {
+            assert!(pass.crossings.windows(2).all(|c| c[0].time_s < c[1].time_s), "{radius}");
+            let end = pass.crossings[points.len() - 1].position_mm;
+            assert!((end[0] - 200.0 - cycle as f64).abs() < 1e-9, "{radius}: {end:?}");
+        }
+        // from sample to sample it is half a millimetre; no velocity is told across the corner
+        let velocity = path_velocity(&found.complete, &points, (0.5 * RATE_HZ, 0.5)).unwrap();
+        assert!(radius > near_mm || velocity.fv_mm_s < 0.02 * velocity.mean_mm_s, "{radius}: {velocity:?}");
+        let round = cornering(&stream, (&found.complete, &points), &corner.corners(0.5)[0], None).unwrap();
+        assert!((round.round_off_mm - radius * (2f64.sqrt() - 1.0)).abs() < 1.5, "{radius}: {round:?}");
+    }
+}
+
 #[test]
 fn rigid_motion_changes_no_path_and_scaling_scales_it() {
     let motion = Pose::from_xyz_rpy([40.0, -900.0, 120.0], [0.3, -1.1, 2.0]);

@@ -200,4 +200,9 @@ fn unusable_streams_are_refused_and_jumps_left_out() {
     let far: Vec<Vector> = [0.0, 20.0, 41.0, 0.0].map(|x| [x, 0.0, 0.0]).to_vec();
     let (kept, jumps) = of(&[0.0, 1e-3, 2e-3, 3e-3], &far, &[vec![0.0, 0.1, 0.2, 0.3]]).unwrap().without_jumps();
     assert_eq!((jumps, kept.len(), kept.angles_rad()[0].clone()), (vec![2], 3, vec![0.0, 0.1, 0.3]));
+    // a jump at the beginning is one, and not all that follows
+    let begun: Vec<Vector> = [0.0, 2000.0, 2000.1, 2000.2].map(|x| [x, 0.0, 0.0]).to_vec();
+    assert_eq!(of(&[0.0, 1e-3, 2e-3, 3e-3], &begun, &[]).unwrap().without_jumps().1, [0]);
+    let second: Vec<Vector> = [0.0, 2000.0, 0.1, 0.2].map(|x| [x, 0.0, 0.0]).to_vec();
+    assert_eq!(of(&[0.0, 1e-3, 2e-3, 3e-3], &second, &[]).unwrap().without_jumps().1, [1]);
 }

@@ -117,6 +117,37 @@ fn every_row_without_a_partner_in_time_is_listed_with_its_line() {
     assert_eq!(unmatched(&scratch), expected);
 }
 
+/// Labels and log number the poses, but for the fifth row of the log: what meets by time contradicts itself there.
+#[test]
+fn points_and_log_rows_that_meet_and_bear_different_poses_are_an_error() {
+    let scratch = timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 0.0, None, false);
+    scratch.replace("campaign.toml", "\"x\", \"y\", \"z\"]", "\"x\", \"y\", \"z\", \"pose\"]");
+    scratch.replace("campaign.toml", "columns = { time_s", "columns = { pose = \"P\", time_s");
+    let numbered = |file: &str, number: &dyn Fn(usize) -> String| {
+        let path = scratch.path().join(file);
+        let text = std::fs::read_to_string(&path).unwrap();
+        let lines: String = text.lines().enumerate().map(|(i, line)| line.to_owned() + &number(i) + "\n").collect();
+        std::fs::write(path, lines).unwrap();
+    };
+    numbered("exports/poses.txt", &|i| format!(";{}", i / 2 + 1));
+    let pose = |wrong: i64| {
+        move |i: usize| match i {
+            0 => ",P".to_owned(),
+            5 => format!(",{wrong}"),
+            _ => format!(",{i}"),
+        }
+    };
+    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    numbered("encoders.csv", &pose(99));
+    let said = run(&scratch).unwrap_err().to_string();
+    let expected =
+        "2 measured points with another pose than the row of log `log` that it meets: 5 and 99 (line 6 of the log)";
+    assert!(said.contains(expected) && said.contains("exports/poses.txt:9"), "{said}");
+    std::fs::write(scratch.path().join("encoders.csv"), log).unwrap();
+    numbered("encoders.csv", &pose(5));
+    run(&scratch).unwrap();
+}
+
 #[test]
 fn every_key_without_a_partner_is_listed_with_its_line() {
     let scratch = copy_sample("prexyt-cmm");

@@ -14,7 +14,9 @@ pub fn workbook(program: &str) -> PathBuf {
 }
 
 /// Points of the sheet by label, and the lines of rows that are refused.
-fn read(program: &str) -> (Vec<(String, [f64; 3])>, Vec<usize>) {
+type Read = (Vec<(String, [f64; 3])>, Vec<usize>);
+
+fn read(program: &str) -> Result<Read, String> {
     let scratch = copy_sample("prexyt-cmm");
     std::fs::copy(workbook(program), scratch.path().join("exports/points.xlsx")).unwrap();
     let stated = format!(
@@ -22,31 +24,28 @@ fn read(program: &str) -> (Vec<(String, [f64; 3])>, Vec<usize>) {
          columns = {{ label = \"Name\", x = \"X\", y = \"Y\", z = \"Z\" }} }}\n\n[feature.rails]"
     );
     scratch.replace("campaign.toml", "[feature.rails]", &stated);
-    let imported = import(&Campaign::read(&scratch.path()).unwrap()).unwrap();
+    let imported = import(&Campaign::read(&scratch.path()).unwrap()).map_err(|e| e.to_string())?;
     let labels = table::texts(&imported.points, "label").unwrap();
     let exports = table::texts(&imported.points, "export").unwrap();
     let xyz = table::coordinates(&imported.points).unwrap();
     let rows = labels.into_iter().zip(xyz).zip(exports);
     let points = rows.filter(|(_, export)| export.ends_with(".xlsx")).map(|(point, _)| point).collect();
     let source = imported.document.sources.iter().find(|s| s.file.ends_with(".xlsx")).unwrap();
-    (points, source.refused.iter().map(|r| r.line).collect())
+    Ok((points, source.refused.iter().map(|r| r.line).collect()))
 }
 
 #[test]
 fn workbooks_of_other_programs_read_with_all_their_digits() {
     let point = |label: &str, xyz| (label.to_owned(), xyz);
-    let common = || {
-        vec![
-            point("K 1", [0.3, -1234.5678, 1e-7]),
-            point("K 2", [1.0, 2.0, 3.0]),
-            point("K 4", [12.5, 0.0, 0.333333333333333]),
-        ]
-    };
-    // a formula that no program has computed has no value
-    assert_eq!(read("openpyxl"), (common(), vec![7, 9]));
-    let mut computed = common();
-    computed.push(point("K 5", [1.3, 5.0, 6.0]));
-    assert_eq!(read("libreoffice"), (computed, vec![7]));
+    let points = vec![
+        point("K 1", [0.3, -1234.5678, 1e-7]),
+        point("K 2", [1.0, 2.0, 3.0]),
+        point("K 4", [12.5, 0.0, 0.333333333333333]),
+        point("K 5", [1.3, 5.0, 6.0]),
+    ];
+    assert_eq!(read("libreoffice").unwrap(), (points, vec![7]));
+    let told = read("openpyxl").unwrap_err();
+    assert!(told.contains("points.xlsx:9") && told.contains("a formula without a value?"), "{told}");
 }
 
 #[test]
@@ -57,6 +56,6 @@ fn a_proposal_names_the_sheet_and_the_columns_that_hold_points() {
             format!("{{ sheet = \"{SHEET}\", header = 3, columns = [\"-\", \"label\", \"x\", \"y\", \"z\", \"-\"] }}");
         assert!(proposed.toml.contains(&stated), "{}", proposed.toml);
         assert_eq!(proposed.readings.len(), 1, "{:?}", proposed.readings);
-        assert_eq!(proposed.doubts[0], "the workbook has 1 sheet more: Notes");
+        assert!(proposed.doubts.iter().any(|d| d == "the workbook has 1 sheet more: Notes"), "{:?}", proposed.doubts);
     }
 }

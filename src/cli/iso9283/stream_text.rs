@@ -63,9 +63,10 @@ fn interval(i: &Option<Iso9283Interval>) -> String {
 
 fn path_lines(text: &mut String, path: &Iso9283Path) {
     let clause = if path.reorientation { " on reorientation" } else { "" };
+    let left = if path.incomplete > 0 { format!(" ({} more not ended)", path.incomplete) } else { String::new() };
     let _ = write!(
         text,
-        "path of {:.3} mm, {} passes: AT{clause} {:.4} mm{} at {:.3} mm",
+        "path of {:.3} mm, {} passes{left}: AT{clause} {:.4} mm{} at {:.3} mm",
         path.length_mm,
         path.passes,
         path.at_mm,
