@@ -49,12 +49,12 @@ impl TableFile {
     }
 
     /// A text of another form, which `table` makes a table of, given the file's name and the text.
-    fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
+    pub fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         Self::of(path, files::read_text(path)?, table)
     }
 
     /// The same of the text that the file holds.
-    pub fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
+    fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         let name = path.display().to_string();
         Ok(Self { table: table(&name, &text)?, name, text })
     }
