@@ -21,6 +21,12 @@ pub struct Coordinates {
     pub angles: Vec<usize>,
 }
 
+/// Whether a table has a z that is not empty.
+pub fn spatial(frame: &DataFrame) -> Result<bool> {
+    let z = table::XYZ[2];
+    Ok(frame.column(z).is_ok() && table::numbers(frame, z)?.iter().any(|z| !z.is_nan()))
+}
+
 /// Refuses a table whose coordinates (z, angles) are others than those of a second one.
 pub fn like(here: (bool, &[usize]), there: (bool, &[usize]), (file, other): (&str, &str)) -> Result<()> {
     if here == there {
@@ -40,7 +46,7 @@ pub fn coordinates((file, frame): (&str, &DataFrame)) -> Result<Coordinates> {
         Ok(Coordinates {
             positions_mm: table::coordinates(frame)?,
             angles_rad: angles.iter().map(radians).collect::<Result<_>>()?,
-            spatial: has(table::XYZ[2]) && table::numbers(frame, table::XYZ[2])?.iter().any(|z| !z.is_nan()),
+            spatial: spatial(frame)?,
             angles,
         })
     };

@@ -30,7 +30,8 @@
 //! In between: [`table`] (columns and their names), [`frames`] (world frames from features and targets), [`join`]
 //! (measurements meet joint values), [`evaluate`] (errors before and after),
 //! [`geometry`] (what [`geometric`] makes of a campaign), [`simulate`] (campaigns with a known truth), [`visits`],
-//! [`repeatability`] and [`pose_test`] (labelled visits, or tables of them, become characteristics),
+//! [`repeatability`] and [`pose_test`] (labelled visits, or tables of them, become characteristics), [`characteristics`] (all
+//! that a campaign tests by ISO 9283),
 //! [`recording`], [`stream_test`] and [`streams`] (so do recorded motions), [`load_test`] (and a loaded robot's),
 //! [`reference_targets`] (drift of the set-up taken out), [`coordinates`] (what
 //! their tables share), [`test_plan`] (what to command in such a test), [`compare`] (what changed between campaigns).
@@ -78,6 +79,7 @@
 #![allow(non_snake_case)] // world_T_base: frames in names
 
 pub mod campaign;
+pub mod characteristics;
 pub mod check;
 pub mod cli;
 pub mod compare;
@@ -104,6 +106,7 @@ pub mod pipeline;
 pub mod plan;
 pub mod plausible;
 pub mod pose;
+mod pose_tables;
 pub mod pose_test;
 pub mod recording;
 pub mod reference_targets;

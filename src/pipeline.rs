@@ -5,13 +5,12 @@ use crate::check::{check, selections};
 use crate::document::*;
 use crate::evaluate::{self, Sets};
 use crate::identify::{self, Identification, Observation};
-use crate::import::Imported;
-use crate::message::{Message, Problems, Result};
+use crate::message::{Message, Place, Problems, Result};
 use crate::output::Output;
 use crate::parameters::parameters_document;
 use crate::plausible::doubts;
 use crate::robots::Robot;
-use crate::{export, frames, geometry, join, repeatability, report, streams};
+use crate::{characteristics, export, frames, geometry, join, report};
 
 /// What a run found, for the one who called it.
 #[derive(Clone, Debug)]
@@ -20,10 +19,8 @@ pub struct Outcome {
     pub parameters: ParametersDocument,
     /// Errors before and after.
     pub accuracy: AccuracyDocument,
-    /// Repeatability, where the campaign has visits.
-    pub iso9283: Option<Iso9283Document>,
-    /// Recorded motions, where the campaign has any.
-    pub streams: Option<Iso9283StreamsDocument>,
+    /// Characteristics of ISO 9283, where the campaign tests any.
+    pub tested: Characteristics,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
     /// Files written, in order.
@@ -34,7 +31,7 @@ pub struct Outcome {
 /// Where a stage fails, the warnings of those before it come first: they may tell why.
 pub fn run(campaign: &Campaign) -> Result<Outcome> {
     if !campaign.identifies() {
-        let message = Message::error("the campaign identifies nothing").at(campaign.place_of(&["repeatability"]));
+        let message = Message::error("the campaign identifies nothing").at(Place::file(campaign.path.as_str()));
         return Err(message.expected("[log], [join], [frame] and [identify]").into());
     }
     let mut warnings = Vec::new();
@@ -58,11 +55,8 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     // frames: features and targets become the world
     let frames = frames::make_frames(campaign, &imported.points, &features, robot.dimension() == 2)?;
 
-    // repeatability: visits of poses become characteristics of ISO 9283
-    let iso9283 = repeatability::evaluate(campaign, &imported.points, &frames)?;
-
-    // streams: recorded motions likewise
-    let streams = recorded_motions(campaign, &mut imported)?;
+    // tests: visits of poses, recorded motions and loads become characteristics of ISO 9283
+    let tested = characteristics::evaluate(campaign, &mut imported, &frames)?;
 
     // join: measurements meet joint values
     let joined = join::join(campaign, &imported, &frames, robot.as_ref())?;
@@ -112,8 +106,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         accuracy: &accuracy,
         errors: &errors,
         geometric: geometric.as_ref(),
-        iso9283: iso9283.as_ref(),
-        streams: streams.as_ref(),
+        tested: &tested,
     })?;
     out.table("points", &mut imported.points)?;
     for (name, log) in &mut imported.logs {
@@ -132,8 +125,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     out.table("residuals", &mut evaluate::to_table(&errors)?)?;
     out.json("accuracy.json", &accuracy)?;
     out.optional("geometric.json", geometric.as_ref())?;
-    out.optional("iso9283.json", iso9283.as_ref())?;
-    out.optional("iso9283-streams.json", streams.as_ref())?;
+    characteristics::write(&tested, &mut out)?;
     for exporter in campaign.file.controllers.iter().filter_map(|name| export::by_name(name.get_ref())) {
         match parameters.is_plausible() {
             true => out.bytes(exporter.file_name(), exporter.write(&parameters)?),
@@ -143,26 +135,23 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     add(&mut out, reports);
     let messages = imported.document.messages.iter().chain(&parameters.messages);
     let messages = messages.chain(geometric.iter().flat_map(|g| &g.messages));
-    let messages = messages.chain(iso9283.iter().flat_map(|i| &i.messages));
-    let messages = messages.chain(streams.iter().flat_map(Iso9283StreamsDocument::messages)).cloned().collect();
-    Ok(Outcome { written: out.write()?, parameters, accuracy, iso9283, streams, messages })
+    let messages = messages.chain(tested.messages()).cloned().collect();
+    Ok(Outcome { written: out.write()?, parameters, accuracy, tested, messages })
 }
 
-/// What a test of repeatability found, for the one who called it.
+/// What a test by ISO 9283 found, for the one who called it.
 #[derive(Clone, Debug)]
 pub struct Tested {
     /// Its characteristics.
-    pub iso9283: Iso9283Document,
-    /// Recorded motions, where the campaign has any.
-    pub streams: Option<Iso9283StreamsDocument>,
+    pub found: Characteristics,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
     /// Files written, in order.
     pub written: Vec<String>,
 }
 
-/// Runs a campaign that identifies nothing ([`Campaign::identifies`]): import, features and frames as ever, then its test of
-/// repeatability. Nothing is written before all of it is computed.
+/// Runs a campaign that identifies nothing ([`Campaign::identifies`]): import, features and frames as ever, then its tests by
+/// ISO 9283. Nothing is written before all of it is computed.
 pub fn test(campaign: &Campaign) -> Result<Tested> {
     let mut out = Output::new(campaign.output()?);
     let mut imported = check(campaign)?;
@@ -170,17 +159,14 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     imported.document.messages.extend(features.messages.clone());
     let planar = campaign.build_robot()?.dimension() == 2;
     let frames = frames::make_frames(campaign, &imported.points, &features, planar)?;
-    let found = repeatability::evaluate(campaign, &imported.points, &frames)?;
-    let iso9283 = found.ok_or_else(|| Message::error("the campaign has neither [identify] nor [repeatability]"))?;
-    let streams = recorded_motions(campaign, &mut imported)?;
+    let found = characteristics::evaluate(campaign, &mut imported, &frames)?;
     let summary = campaign.summary()?;
     let reports = report::test_files(&report::TestReport {
         campaign: &summary,
         import: &imported.document,
         features: &features,
         frames: &frames,
-        iso9283: &iso9283,
-        streams: streams.as_ref(),
+        tested: &found,
     })?;
     // an earlier run may have identified
     ["parameters.json", "accuracy.json", "residuals.parquet", "geometric.json"].into_iter().for_each(|n| out.remove(n));
@@ -189,19 +175,10 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     out.json("import.json", &imported.document)?;
     out.json("features.json", &features)?;
     out.json("frames.json", &frames)?;
-    out.json("iso9283.json", &iso9283)?;
-    out.optional("iso9283-streams.json", streams.as_ref())?;
+    characteristics::write(&found, &mut out)?;
     add(&mut out, reports);
-    let messages = imported.document.messages.iter().chain(&iso9283.messages);
-    let messages = messages.chain(streams.iter().flat_map(Iso9283StreamsDocument::messages)).cloned().collect();
-    Ok(Tested { written: out.write()?, iso9283, streams, messages })
-}
-
-/// Characteristics of the campaign's recorded motions; their files are sources as well.
-fn recorded_motions(campaign: &Campaign, imported: &mut Imported) -> Result<Option<Iso9283StreamsDocument>> {
-    let Some((document, sources)) = streams::evaluate_all(campaign)? else { return Ok(None) };
-    imported.document.sources.extend(sources);
-    Ok(Some(document))
+    let messages = imported.document.messages.iter().chain(found.messages()).cloned().collect();
+    Ok(Tested { written: out.write()?, found, messages })
 }
 
 /// Adds the files of a report; a program without PDF leaves none of an earlier run.

@@ -67,7 +67,7 @@ pub fn evaluate(visits: &Visits, settings: &Settings) -> Result<Iso9283Document>
         conventions: conventions(visits, settings),
         distances: distances(visits)?,
         approaches: approaches(visits)?,
-        drifts: drifts(visits, settings)?,
+        drifts: drifts(visits, settings.drift_set)?,
         exchangeability_mm: exchanged(visits)?,
         coplanarity_mm: flatness(visits)?,
         coplanarity_of_four: Vec::new(),
@@ -91,11 +91,14 @@ fn conventions(visits: &Visits, settings: &Settings) -> Vec<String> {
                 .to_owned(),
         );
     }
+    if robots(visits).len() > 1 {
+        said.push("visits of all robots count together, but for exchangeability".to_owned());
+    }
     if visits.poses.iter().flat_map(|p| &p.visits).any(|v| v.readings_mm.len() > 1) {
         said.push("readings of one visit are averaged; their scatter is the instrument's noise".to_owned());
     }
     if !visits.angles.is_empty() {
-        let order = settings.rotation_order.as_deref().unwrap_or("not stated (--rotation-order)");
+        let order = settings.rotation_order.as_deref().unwrap_or("not stated");
         said.push(format!("angles a, b, c are unwrapped and treated each alone; order of rotations: {order}"));
     }
     said
@@ -252,8 +255,9 @@ fn approaches(visits: &Visits) -> Result<Vec<Iso9283Variation>> {
     Ok(all)
 }
 
-fn drifts(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Drift>> {
-    let Some(size) = settings.drift_set else { return Ok(Vec::new()) };
+/// Drift of every commanded pose, in sets of so many cycles; too few of them are an error.
+pub(crate) fn drifts(visits: &Visits, set: Option<usize>) -> Result<Vec<Iso9283Drift>> {
+    let Some(size) = set else { return Ok(Vec::new()) };
     let drifting = |(p, commanded): (&PoseVisits, Vector)| -> Result<Iso9283Drift> {
         // in the order of cycles; a set that was cut short does not count
         let mut ordered: Vec<&Visit> = p.visits.iter().collect();
@@ -273,8 +277,12 @@ fn drifts(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Drift>> {
     visits.poses.iter().filter_map(|p| Some((p, p.commanded_mm?))).map(drifting).collect()
 }
 
+fn robots(visits: &Visits) -> BTreeSet<&str> {
+    visits.poses.iter().flat_map(|p| &p.visits).map(|v| v.robot.as_str()).collect()
+}
+
 fn exchanged(visits: &Visits) -> Result<Option<f64>> {
-    let robots: BTreeSet<&str> = visits.poses.iter().flat_map(|p| &p.visits).map(|v| v.robot.as_str()).collect();
+    let robots = robots(visits);
     if robots.len() < 2 {
         return Ok(None);
     }

@@ -64,7 +64,9 @@ fn turning(visits: &mut Visits, rotation_order: Option<&str>) -> Option<Rotation
     if order.is_none() && !visits.angles.is_empty() {
         let message = Message::warning("angles are not turned back with the reference targets")
             .expected("all of a_deg, b_deg, c_deg (of a planar robot c_deg), and the order of their rotations");
-        visits.warnings.push(message.hint("state it: --rotation-order \"Rz(c) Ry(b) Rx(a)\""));
+        visits
+            .warnings
+            .push(message.hint("state it, e.g. --rotation-order \"Rz(c) Ry(b) Rx(a)\"; a campaign as rotation_order"));
     }
     order
 }

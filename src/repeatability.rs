@@ -1,52 +1,53 @@
 //! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of ISO 9283 out.
 
 use crate::campaign::{Campaign, RepeatabilityDefinition};
-use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit, LimitVerdict};
+use crate::characteristics::COVERAGE_FACTOR;
+use crate::coordinates::{ANGLES, in_file, spatial};
+use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit, Source};
+use crate::import;
 use crate::iso9283::coplanarity::from_the_others;
 use crate::message::{Message, Problems, Result};
-use crate::pose::Pose;
+use crate::pose::{Pose, Vector};
 use crate::pose_test::{self, Settings};
+use crate::recording::commanded_poses;
 use crate::steps::{Step, Steps};
+use crate::table_file::TableFile;
 use crate::visits::{PoseVisits, Visit, Visits, from_pose};
 use polars::prelude::DataFrame;
 use std::collections::{BTreeMap, BTreeSet};
+use toml::Spanned;
 
-/// Seed of the bootstrap: intervals are the same on every run.
-const SEED: u64 = 1;
-/// The 25 % rule takes the expanded uncertainty with this coverage factor.
-const COVERAGE_FACTOR: f64 = 2.0;
-
-/// The characteristics that the campaign's visits tell, in its world frame; `None` where it has no `[repeatability]`.
-pub fn evaluate(campaign: &Campaign, points: &DataFrame, frames: &FramesDocument) -> Result<Option<Iso9283Document>> {
-    let Some(definition) = &campaign.file.repeatability else { return Ok(None) };
+/// The characteristics that the campaign's visits tell, in its world frame, and the files beside the exports that they are of.
+pub fn evaluate(
+    campaign: &Campaign,
+    definition: &RepeatabilityDefinition,
+    points: &DataFrame,
+    frames: &FramesDocument,
+    settings: &Settings,
+) -> Result<(Iso9283Document, Vec<Source>)> {
     let [frame] = &frames.world.poses[..] else {
         let message = Message::error("[repeatability] needs a world frame that is measured once");
         return Err(message.at(campaign.place(&campaign.file.frame.world)).into());
     };
     let gathered = gather(campaign, definition, points, &frame.export_T_world)?;
-    let settings = Settings {
-        expanded_uncertainty_mm: Some(COVERAGE_FACTOR * campaign.file.instrument.standard_uncertainty_mm()),
-        drift_set: None,
-        rotation_order: None,
-        seed: SEED,
-        ap_limit_mm: None,
-        rp_limit_mm: campaign.file.limits.repeatability_max_mm,
-    };
-    let mut document = pose_test::evaluate(&gathered.visits, &settings)?;
+    let mut document = pose_test::evaluate(&gathered.visits, settings)?;
     document.conventions.push(format!(
         "approach: the pose before in the trajectory; the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the world \
          frame ({})",
         frames.world.definition
     ));
+    if !gathered.visits.spatial {
+        document.conventions.push("commanded positions have no z: all characteristics are in the plane xy".to_owned());
+    }
     if let Some(homings) = &gathered.homings {
+        let settings = Settings { drift_set: None, ap_limit_mm: None, ..settings.clone() };
         let homing = pose_test::evaluate(homings, &settings)?.poses.pop();
         document.messages.extend(homing.as_ref().and_then(too_coarse));
         document.homing = homing;
     }
-    document.coplanarity_of_four = out_of_plane(campaign, definition, &gathered.visits)?;
-    document.limits = limits(campaign, &document.poses);
+    document.coplanarity_of_four = out_of_plane(campaign, definition, &gathered.in_order)?;
     document.visits = gathered.in_order;
-    Ok(Some(document))
+    Ok((document, gathered.sources))
 }
 
 /// What the labels of a campaign bring.
@@ -58,6 +59,8 @@ pub struct Gathered {
     pub homings: Option<Visits>,
     /// The visits of the trajectory in the order of recording.
     pub in_order: Vec<Iso9283Visit>,
+    /// Files beside the exports.
+    pub sources: Vec<Source>,
 }
 
 /// Finds the visits by their labels; everything that is missing is said at once.
@@ -76,6 +79,8 @@ pub fn gather(
     let in_order = visits.map_or_else(Vec::new, |step| {
         in_order(campaign, definition, step, &world_T_export, &mut warnings, &mut problems)
     });
+    let commanded = definition.commanded.as_ref().map(|file| Commanded::read(campaign, file));
+    let commanded = commanded.and_then(|read| read.map_err(|more| problems.0.extend(more.0)).ok());
     problems.check()?;
     let homings = homings.flatten().map(|step| {
         let homed = |((cycle, _, _), points): ((i64, i64, String), Vec<_>)| {
@@ -84,7 +89,80 @@ pub fn gather(
         };
         by_pose(&step.into_iter().flat_map(homed).collect::<Vec<_>>(), Vec::new())
     });
-    Ok(Gathered { visits: by_pose(&in_order, warnings), homings, in_order })
+    let (mut visits, mut homings) = (by_pose(&in_order, warnings), homings);
+    let mut sources = Vec::new();
+    if let Some(commanded) = commanded {
+        commanded.give_to(&mut visits)?;
+        if let Some(set) = definition.drift_set.as_ref().filter(|set| *set.get_ref() > 1) {
+            pose_test::drifts(&visits, Some(*set.get_ref())).map_err(|more| more.at(&campaign.place(set)))?;
+        }
+        homings.iter_mut().filter(|_| !commanded.spatial).for_each(flatten);
+        sources.push(commanded.source);
+    }
+    Ok(Gathered { visits, homings, in_order, sources })
+}
+
+/// What is wrong with the commanded positions alone, whatever the labels bring.
+pub fn commanded_problems(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Problems {
+    let read = definition.commanded.as_ref().map(|file| Commanded::read(campaign, file));
+    read.and_then(Result::err).unwrap_or_default()
+}
+
+/// Commanded positions of the campaign's poses, in its world frame.
+struct Commanded {
+    table: TableFile,
+    source: Source,
+    poses: Vec<(i64, Vector)>,
+    spatial: bool,
+}
+
+impl Commanded {
+    fn read(campaign: &Campaign, file: &Spanned<String>) -> Result<Self> {
+        let kind = ("table", "commanded poses");
+        let (table, source) = TableFile::of_campaign(campaign, file, kind, import::observations)?;
+        if let Some(name) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
+            let message = Message::error(format!("`{name}` is commanded, but labels bring positions alone"));
+            let hint = "leave the column out, or give attained poses with angles as a table: [poses]";
+            return Err(table.place(in_file(message.hint(hint).into(), &table.name)));
+        }
+        let poses = commanded_poses(table.named()).map_err(|p| table.place(p))?;
+        let spatial = spatial(&table.table)?;
+        Ok(Self { table, source, poses, spatial })
+    }
+
+    /// Every visited pose must be commanded. Where no z is, the visits lose theirs.
+    fn give_to(&self, visits: &mut Visits) -> Result<()> {
+        let known = |pose: i64| self.poses.iter().find(|(known, _)| *known == pose).map(|(_, p)| *p);
+        let mut missing = Vec::new();
+        for p in &mut visits.poses {
+            p.commanded_mm = known(p.pose);
+            if p.commanded_mm.is_none() {
+                missing.push(p.pose.to_string());
+            }
+        }
+        if !missing.is_empty() {
+            let message = Message::error(format!("no position is commanded for pose {}", missing.join(", ")));
+            let message = message.hint("add a row for every pose of the trajectory that was measured");
+            return Err(in_file(message.into(), &self.table.name));
+        }
+        for (pose, _) in self.poses.iter().filter(|(pose, _)| visits.poses.iter().all(|p| p.pose != *pose)) {
+            let what = format!("pose {pose} is commanded, but nothing was measured there");
+            visits.warnings.push(Message::warning(what));
+        }
+        if !self.spatial {
+            flatten(visits);
+        }
+        Ok(())
+    }
+}
+
+/// Leaves out z.
+fn flatten(visits: &mut Visits) {
+    visits.spatial = false;
+    for visit in visits.poses.iter_mut().flat_map(|p| &mut p.visits) {
+        visit.position_mm[2] = 0.0;
+        visit.readings_mm.iter_mut().for_each(|p| p[2] = 0.0);
+    }
 }
 
 fn visit(pose: i64, cycle: i64, approach: Option<String>, attained_mm: crate::pose::Vector) -> Iso9283Visit {
@@ -194,14 +272,11 @@ fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> Visits {
 fn out_of_plane(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
-    visits: &Visits,
+    visits: &[Iso9283Visit],
 ) -> Result<Vec<Iso9283OutOfPlane>> {
     let Some(four) = &definition.coplanar else { return Ok(Vec::new()) };
     let poses = *four.get_ref();
-    let of_pose = |pose: i64| {
-        let found = visits.poses.iter().find(|p| p.pose == pose);
-        found.map_or_else(Vec::new, |p| p.positions_mm(|_| true))
-    };
+    let of_pose = |pose: i64| visits.iter().filter(|v| v.pose == pose).map(|v| v.attained_mm).collect::<Vec<_>>();
     let distances_mm = from_the_others(&poses.map(of_pose)).map_err(|more| more.at(&campaign.place(four)))?;
     Ok(poses.into_iter().zip(distances_mm).map(|(pose, distance_mm)| Iso9283OutOfPlane { pose, distance_mm }).collect())
 }
@@ -210,11 +285,4 @@ fn too_coarse(homing: &Iso9283Pose) -> Option<Message> {
     let rp = homing.rp_mm.filter(|_| homing.quarter_rule_met == Some(false))?;
     let what = format!("the instrument's uncertainty exceeds a quarter of the repeatability of homing, {rp:.4} mm");
     Some(Message::warning(what).hint("the value is an upper bound of the robot's"))
-}
-
-fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Vec<LimitVerdict> {
-    let name = "repeatability_max_mm".to_owned();
-    let value = poses.iter().filter_map(|p| p.rp_mm).fold(0.0, f64::max);
-    let judged = |limit| LimitVerdict { name, unit: "mm".to_owned(), limit, value, met: value <= limit };
-    campaign.file.limits.repeatability_max_mm.map(judged).into_iter().collect()
 }

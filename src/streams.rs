@@ -2,12 +2,12 @@
 
 use crate::campaign::{Campaign, StreamDefinition};
 use crate::document::{Iso9283NamedStream, Iso9283StreamsDocument, Source};
+use crate::import;
 use crate::iso9283::standstill::Stillness;
 use crate::message::{Message, Problems, Result};
 use crate::recording::{Recording, commanded_path, commanded_poses};
 use crate::stream_test::{PathSettings, Settings, evaluate, times};
 use crate::table_file::TableFile;
-use crate::{files, import};
 use std::collections::BTreeSet;
 use toml::Spanned;
 
@@ -68,26 +68,12 @@ pub fn evaluate_all(campaign: &Campaign) -> Result<Option<(Iso9283StreamsDocumen
 fn ready(campaign: &Campaign, stream: &StreamDefinition) -> Result<Ready> {
     let mut sources = Vec::new();
     let mut file = |file: &Spanned<String>, what: &str, recorded: bool| -> Result<TableFile> {
-        let here = campaign.place(file);
-        let path = campaign.resolve(file)?;
-        let bytes = files::read(&path).map_err(|more| more.at(&here))?;
-        let (sha256, size) = (files::sha256(&bytes), bytes.len());
-        let text = files::text(&path, bytes).map_err(|more| more.at(&here))?;
-        let table = TableFile::of(&path, text, |file, text| match (&stream.format, stream.unit) {
+        let read = |file: &str, text: &str| match (&stream.format, stream.unit) {
             (Some(format), Some(unit)) if recorded => import::recorded_points(file, text, format, unit),
             _ => import::observations(file, text),
-        });
-        let table = table.map_err(|more| more.at(&here))?;
-        sources.push(Source {
-            file: file.get_ref().clone(),
-            sha256,
-            bytes: size,
-            kind: "stream".to_owned(),
-            dialect: what.to_owned(),
-            rows_read: table.table.height(),
-            refused: Vec::new(),
-            standstills: Vec::new(),
-        });
+        };
+        let (table, source) = TableFile::of_campaign(campaign, file, ("stream", what), read)?;
+        sources.push(source);
         Ok(table)
     };
     let recorded = file(&stream.file, "recorded motion", true)?;

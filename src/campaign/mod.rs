@@ -10,6 +10,7 @@ mod join;
 mod log;
 mod lost;
 mod paths;
+mod poses;
 mod presets;
 mod reader;
 mod repeatability;
@@ -31,6 +32,7 @@ pub use geometric::*;
 pub use join::{ClockOffset, Join, JoinBy};
 pub use log::{ChannelValues, Log, LogFormat, Standstill};
 pub use lost::Lost;
+pub use poses::{ComplianceDefinition, PosesDefinition};
 pub use presets::PRESETS;
 pub use reader::Reader;
 pub use repeatability::RepeatabilityDefinition;
@@ -120,15 +122,14 @@ impl Campaign {
         self.resolve(&self.file.output)
     }
 
-    /// Whether parameters are identified; a campaign may be a test of repeatability alone.
+    /// Whether parameters are identified; a campaign may be a test by ISO 9283 alone.
     pub fn identifies(&self) -> bool {
         types::identifies(&self.text)
     }
 
     /// The environment variable that the campaign's data hang on, if it is not set: such a campaign is skipped.
     pub fn missing_variable(&self) -> Option<String> {
-        let logs = self.file.logs.iter().map(|l| l.file.get_ref());
-        self.file.exports.iter().map(|e| e.file.get_ref()).chain(logs).find_map(|f| paths::missing_variable(f))
+        self.file.inputs().find_map(|f| paths::missing_variable(f.get_ref()))
     }
 
     /// Where a value stands in `campaign.toml`.
@@ -172,8 +173,8 @@ impl Campaign {
 
     /// The robot that the campaign measured.
     pub fn build_robot(&self) -> Result<Box<dyn Robot>> {
-        // an arm whose targets did not read has some
-        let unread = self.lost.touches(&["join", "targets"]);
+        // an arm whose targets did not read has some, and a test needs none
+        let unread = self.lost.touches(&["join", "targets"]) || !self.identifies();
         let targets = if unread { vec!["target".to_owned()] } else { self.targets() };
         self.robot.build(&targets).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
     }

@@ -15,6 +15,11 @@ pub struct RepeatabilityDefinition {
     pub coplanar: Option<Spanned<[i64; 4]>>,
     /// Labels of the measurements at the home position, each after homing, e.g. `home-{cycle}`.
     pub homing: Option<Spanned<String>>,
+    /// Commanded poses in the world frame: `pose,x_mm,y_mm[,z_mm]`; without z all is in the plane. Without the file there is
+    /// no accuracy, distance or drift.
+    pub commanded: Option<Spanned<String>>,
+    /// Visits of one set of a drift test.
+    pub drift_set: Option<Spanned<usize>>,
 }
 
 impl RepeatabilityDefinition {

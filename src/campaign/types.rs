@@ -10,23 +10,36 @@ use std::collections::BTreeMap;
 use std::fmt;
 use toml::Spanned;
 
-/// What a campaign that identifies nothing need not state.
-const NOT_IDENTIFIED: &str = r#"
+macro_rules! not_identified {
+    () => {
+        r#"
     log = []
     join = { by = ["pose", "cycle"] }
     frame = { world = { as_exported = true } }
     identify = { calibration = "" }
-"#;
+"#
+    };
+}
+/// What a campaign that identifies nothing need not state.
+const NOT_IDENTIFIED: &str = not_identified!();
+/// What one that has no labels either need not state.
+const NOT_LABELLED: &str = concat!("export = []", not_identified!());
+/// Sections of tests by ISO 9283.
+const TESTS: [&str; 4] = ["repeatability", "poses", "stream", "compliance"];
 
 /// What this `campaign.toml` need not state, and its values.
 pub(super) fn defaults(text: &str) -> &'static str {
-    if identifies(text) { "" } else { NOT_IDENTIFIED }
+    match (identifies(text), find(text, &["repeatability"]).is_some()) {
+        (true, _) => "",
+        (false, true) => NOT_IDENTIFIED,
+        (false, false) => NOT_LABELLED,
+    }
 }
 
-/// Whether parameters are identified: always, but where [repeatability] is stated and nothing that only identifying needs.
+/// Whether parameters are identified: always, but where a test by ISO 9283 is stated and nothing that only identifying needs.
 pub(super) fn identifies(text: &str) -> bool {
     let stated = |key: &str| find(text, &[key]).is_some();
-    !stated("repeatability") || ["log", "join", "identify", "geometric"].into_iter().any(stated)
+    !TESTS.into_iter().any(stated) || ["log", "join", "identify", "geometric"].into_iter().any(stated)
 }
 
 /// `campaign.toml`.
@@ -83,6 +96,10 @@ pub struct CampaignFile {
     pub geometric: Option<super::GeometricDefinition>,
     /// Poses that are visited again and again (thesis 2.4).
     pub repeatability: Option<super::RepeatabilityDefinition>,
+    /// Poses that were visited, as tables.
+    pub poses: Option<super::PosesDefinition>,
+    /// How the robot gives way under load.
+    pub compliance: Option<super::ComplianceDefinition>,
     /// Recorded motions.
     #[serde(default, rename = "stream")]
     pub streams: Vec<super::StreamDefinition>,
@@ -95,6 +112,18 @@ pub struct CampaignFile {
     /// Controller files to write.
     #[serde(default = "default_controllers")]
     pub controllers: Vec<Spanned<String>>,
+}
+
+impl CampaignFile {
+    /// Every file of measurements, and of what they are compared with, that the campaign names.
+    pub fn inputs(&self) -> impl Iterator<Item = &Spanned<String>> {
+        let measured = self.exports.iter().map(|e| &e.file).chain(self.logs.iter().map(|l| &l.file));
+        let streams = self.streams.iter().flat_map(|s| [Some(&s.file), s.commanded.as_ref(), s.path.as_ref()]);
+        let poses = self.poses.iter().flat_map(|p| [Some(&p.attained), Some(&p.commanded), p.reference.as_ref()]);
+        let others =
+            [self.repeatability.as_ref().and_then(|r| r.commanded.as_ref()), self.compliance.as_ref().map(|c| &c.file)];
+        measured.chain(streams.chain(poses).chain(others).flatten())
+    }
 }
 
 fn default_output() -> Spanned<String> {
@@ -286,17 +315,20 @@ pub struct Limits {
     pub orientation_max_deg: Option<f64>,
     /// Largest repeatability RP of all poses.
     pub repeatability_max_mm: Option<f64>,
+    /// Largest accuracy AP of all poses.
+    pub accuracy_max_mm: Option<f64>,
 }
 
 impl Limits {
     /// Keys and values.
-    pub fn stated(&self) -> [(&'static str, Option<f64>); 5] {
+    pub fn stated(&self) -> [(&'static str, Option<f64>); 6] {
         [
             ("position_max_mm", self.position_max_mm),
             ("position_mean_mm", self.position_mean_mm),
             ("position_rms_mm", self.position_rms_mm),
             ("orientation_max_deg", self.orientation_max_deg),
             ("repeatability_max_mm", self.repeatability_max_mm),
+            ("accuracy_max_mm", self.accuracy_max_mm),
         ]
     }
 }

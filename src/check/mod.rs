@@ -13,7 +13,7 @@ use crate::import::{self, Imported};
 use crate::message::{Problems, Result};
 use crate::pose::Pose;
 use crate::robots::Robot;
-use crate::{frames, geometry, join, repeatability, streams, table};
+use crate::{characteristics, frames, geometry, join, repeatability, table};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 
@@ -120,12 +120,19 @@ fn find(campaign: &Campaign) -> Found {
         let missing = geometry::gather(campaign, definition, &imported.points).err();
         problems.0.extend(missing.into_iter().flat_map(|p| p.0));
     }
-    if let (Some(definition), true, true) = (&campaign.file.repeatability, named && whole(&["repeatability"]), read) {
-        let missing = repeatability::gather(campaign, definition, &imported.points, &Pose::identity()).err();
-        problems.0.extend(missing.into_iter().flat_map(|p| p.0));
+    if let Some(definition) = &campaign.file.repeatability {
+        problems.0.extend(match named && whole(&["repeatability"]) && read {
+            true => {
+                repeatability::gather(campaign, definition, &imported.points, &Pose::identity())
+                    .err()
+                    .unwrap_or_default()
+                    .0
+            }
+            false => repeatability::commanded_problems(campaign, definition).0,
+        });
     }
     problems.0.extend(more.0);
-    problems.0.extend(streams::read(campaign).err().into_iter().flat_map(|p| p.0));
+    problems.0.extend(characteristics::problems(campaign).0);
     let robot = campaign.build_robot().map_err(|more| problems.0.extend(more.0)).ok();
     if let Some(robot) = &robot {
         names::robot(campaign, robot.as_ref(), &mut problems);

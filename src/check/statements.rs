@@ -51,10 +51,17 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             let message = Message::error(format!("the limit `{key}` must be positive"));
             problems.0.push(message.at(campaign.place_of(&["limits", key])));
         }
-        let needs = if key == "repeatability_max_mm" { "repeatability" } else { "identify" };
-        let told = if needs == "identify" { campaign.identifies() } else { file.repeatability.is_some() };
+        let labelled = file.repeatability.as_ref();
+        let (needs, told) = match key {
+            "repeatability_max_mm" => ("[repeatability] or [poses]", labelled.is_some() || file.poses.is_some()),
+            "accuracy_max_mm" => {
+                let commanded = labelled.is_some_and(|r| r.commanded.is_some()) || file.poses.is_some();
+                ("[repeatability] with `commanded`, or [poses]", commanded)
+            }
+            _ => ("[identify]", campaign.identifies()),
+        };
         if limit.is_some() && !told {
-            let message = Message::error(format!("the limit `{key}` needs [{needs}]"));
+            let message = Message::error(format!("the limit `{key}` needs {needs}"));
             problems.0.push(message.at(campaign.place_of(&["limits", key])).hint("remove it, or state what it judges"));
         }
     }
@@ -146,9 +153,8 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
         Ok(output) => output,
         Err(more) => return problems.0.extend(more.0),
     };
-    let inputs = file.exports.iter().map(|e| &e.file).chain(file.logs.iter().map(|l| &l.file));
     let stated = |file: &&Spanned<String>| !file.get_ref().is_empty();
-    let inputs = inputs.chain([&file.robot]).filter(stated).filter_map(|f| campaign.resolve(f).ok());
+    let inputs = file.inputs().chain([&file.robot]).filter(stated).filter_map(|f| campaign.resolve(f).ok());
     let parts = |path: &Path| -> Vec<OsString> {
         path.components().filter(|c| *c != Component::CurDir).map(|c| c.as_os_str().to_owned()).collect()
     };

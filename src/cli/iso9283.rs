@@ -5,14 +5,13 @@ mod plan;
 mod stream;
 mod stream_text;
 
-use super::table_file::TableFile;
 use super::{Verdict, print, say};
 use crate::document::{Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose};
 use crate::message::{Message, Problems};
 use crate::output;
-use crate::pose_test::{Settings, evaluate};
-use crate::reference_targets::{CarriedBack, carry_back};
-use crate::visits::Visits;
+use crate::pose_tables::PoseTables;
+use crate::pose_test::Settings;
+pub(super) use compliance::as_text as compliance_as_text;
 use plan::PlanOptions;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -100,34 +99,15 @@ impl Iso9283 {
         if self.drift_set.is_some_and(|size| size < 2) {
             return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
         }
-        let (attained, commanded) = (TableFile::read(poses)?, TableFile::read(commanded)?);
-        let mut visits =
-            Visits::from_tables(attained.named(), commanded.named()).map_err(|p| commanded.place(attained.place(p)))?;
-        let carried = match self.reference.as_deref().map(TableFile::read).transpose()? {
-            None => CarriedBack::default(),
-            Some(targets) => carry_back(&mut visits, targets.named(), self.rotation_order.as_deref())
-                .map_err(|p| targets.place(p))?,
-        };
-        let mut document = evaluate(
-            &visits,
-            &Settings {
-                expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
-                drift_set: self.drift_set,
-                rotation_order: self.rotation_order.clone(),
-                seed: self.seed,
-                ap_limit_mm: self.ap_limit_mm,
-                rp_limit_mm: self.rp_limit_mm,
-            },
-        )?;
-        if !carried.epochs.is_empty() {
-            let said = match (carried.turned, visits.angles.is_empty()) {
-                (true, _) => "positions and orientations are carried back by reference targets",
-                (false, true) => "positions are carried back by reference targets",
-                (false, false) => "positions are carried back by reference targets; angles are not",
-            };
-            document.conventions.push(said.to_owned());
-        }
-        document.reference = carried.epochs;
+        let tables = PoseTables::read(poses, commanded, self.reference.as_deref())?;
+        let document = tables.visits(self.rotation_order.as_deref())?.evaluate(&Settings {
+            expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
+            drift_set: self.drift_set,
+            rotation_order: self.rotation_order.clone(),
+            seed: self.seed,
+            ap_limit_mm: self.ap_limit_mm,
+            rp_limit_mm: self.rp_limit_mm,
+        })?;
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }

@@ -1,9 +1,7 @@
 //! `etalon report`
 
 use super::{Verdict, print_written};
-use crate::document::{
-    CampaignSummary, GeometricDocument, Iso9283Document, Iso9283StreamsDocument, Language, Presentation,
-};
+use crate::document::{CampaignSummary, Characteristics, GeometricDocument, Language, Presentation};
 use crate::message::{Message, Problems, Result};
 use crate::{dress, evaluate, files, report, table};
 use serde::de::DeserializeOwned;
@@ -68,24 +66,26 @@ impl Report {
 
 fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
     let optional = |name: &str| folder.join(name).is_file();
-    let iso9283: Option<Iso9283Document> =
-        optional("iso9283.json").then(|| document(folder, "iso9283.json")).transpose()?;
-    let streams: Option<Iso9283StreamsDocument> =
-        optional("iso9283-streams.json").then(|| document(folder, "iso9283-streams.json")).transpose()?;
+    let tested = Characteristics {
+        poses: optional("iso9283.json").then(|| document(folder, "iso9283.json")).transpose()?,
+        streams: optional("iso9283-streams.json").then(|| document(folder, "iso9283-streams.json")).transpose()?,
+        compliance: optional("iso9283-compliance.json")
+            .then(|| document(folder, "iso9283-compliance.json"))
+            .transpose()?,
+    };
     let mut campaign: CampaignSummary = document(folder, "campaign.json")?;
     campaign.report = dressed.over(campaign.report)?;
     let import = document(folder, "import.json")?;
     let (features, frames) = (document(folder, "features.json")?, document(folder, "frames.json")?);
-    let made = match iso9283.as_ref().filter(|_| !optional("parameters.json")) {
-        Some(iso9283) => report::test_files(&report::TestReport {
+    let made = match optional("parameters.json") || tested.is_empty() {
+        false => report::test_files(&report::TestReport {
             campaign: &campaign,
             import: &import,
             features: &features,
             frames: &frames,
-            iso9283,
-            streams: streams.as_ref(),
+            tested: &tested,
         })?,
-        None => {
+        true => {
             let errors = evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?;
             let geometric: Option<GeometricDocument> =
                 optional("geometric.json").then(|| document(folder, "geometric.json")).transpose()?;
@@ -98,8 +98,7 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
                 accuracy: &document(folder, "accuracy.json")?,
                 errors: &errors,
                 geometric: geometric.as_ref(),
-                iso9283: iso9283.as_ref(),
-                streams: streams.as_ref(),
+                tested: &tested,
             })?
         }
     };

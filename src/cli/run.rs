@@ -2,7 +2,7 @@
 
 use super::{Verdict, print, say};
 use crate::campaign::Campaign;
-use crate::document::{AccuracySet, Iso9283StreamsDocument, LimitVerdict};
+use crate::document::{AccuracySet, Characteristics, LimitVerdict};
 use crate::message::Message;
 use crate::pipeline;
 use std::fmt::Write;
@@ -13,7 +13,7 @@ use std::path::PathBuf;
 pub struct Run {
     /// Folder of the campaign, or its campaign.toml
     campaign: PathBuf,
-    /// Print accuracy.json (of a test of repeatability iso9283.json) instead of a summary
+    /// Print accuracy.json (of a test by ISO 9283 alone iso9283.json, or what stands in its place) instead of a summary
     #[arg(long)]
     json: bool,
     /// Skip a campaign whose data hang on an environment variable that is not set
@@ -64,11 +64,7 @@ impl Run {
             for limit in &outcome.accuracy.limits {
                 text.push_str(&verdict(limit));
             }
-            if let Some(document) = &outcome.iso9283 {
-                text.push_str(&super::iso9283::as_text(document, true));
-                document.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
-            }
-            text.push_str(&streams(outcome.streams.as_ref()));
+            text.push_str(&characteristics(&outcome.tested));
             let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
             print(text)?;
         }
@@ -76,35 +72,45 @@ impl Run {
         if !plausible {
             say("no controller file is written: this result cannot be the robot");
         }
-        let limits = outcome.accuracy.limits.iter().chain(outcome.iso9283.iter().flat_map(|i| &i.limits));
-        let met = plausible && limits.into_iter().all(|l| l.met);
+        let met = plausible && outcome.accuracy.limits.iter().chain(outcome.tested.limits()).all(|l| l.met);
         Ok(if met { Verdict::Met } else { Verdict::LimitNotMet })
     }
 
-    /// A campaign that is a test of repeatability.
+    /// A campaign that is a test by ISO 9283.
     fn test(&self, campaign: &Campaign) -> anyhow::Result<Verdict> {
         let tested = pipeline::test(campaign)?;
         for message in &tested.messages {
             say(format_args!("{message}\n"));
         }
-        let document = &tested.iso9283;
+        let found = &tested.found;
         if self.json {
-            print(crate::output::to_json(document)?)?;
+            print(match (&found.poses, &found.streams, &found.compliance) {
+                (Some(poses), ..) => crate::output::to_json(poses)?,
+                (None, Some(streams), _) => crate::output::to_json(streams)?,
+                (None, None, compliance) => crate::output::to_json(compliance)?,
+            })?;
         } else {
-            let mut text = format!("{}\n{}", campaign.file.name, super::iso9283::as_text(document, true));
-            document.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
-            text.push_str(&streams(tested.streams.as_ref()));
+            let mut text = format!("{}\n{}", campaign.file.name, characteristics(found));
             let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
             print(text)?;
         }
-        Ok(if document.limits.iter().all(|l| l.met) { Verdict::Met } else { Verdict::LimitNotMet })
+        Ok(if found.limits().all(|l| l.met) { Verdict::Met } else { Verdict::LimitNotMet })
     }
 }
 
-/// Recorded motions, each below its name.
-fn streams(document: Option<&Iso9283StreamsDocument>) -> String {
-    let all = document.iter().flat_map(|d| &d.streams);
-    all.map(|s| format!("{}: {}", s.name, super::iso9283::stream_as_text(&s.stream, false))).collect()
+/// What tests by ISO 9283 found; recorded motions each below its name.
+fn characteristics(found: &Characteristics) -> String {
+    let mut text = String::new();
+    if let Some(document) = &found.poses {
+        text.push_str(&super::iso9283::as_text(document, true));
+        document.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
+    }
+    for s in found.streams.iter().flat_map(|d| &d.streams) {
+        let _ = write!(text, "{}: {}", s.name, super::iso9283::stream_as_text(&s.stream, false));
+    }
+    let loads = found.compliance.iter().map(super::iso9283::compliance_as_text);
+    loads.for_each(|told| told.lines().for_each(|line| text.push_str(&format!("compliance {line}\n"))));
+    text
 }
 
 fn summary(set: &AccuracySet) -> String {

@@ -30,7 +30,7 @@ pub struct Iso9283Document {
     /// Homings as visits of one pose, number 0, where a campaign has them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub homing: Option<Iso9283Pose>,
-    /// Every visit of a campaign, in the order of recording.
+    /// Every visit of a campaign, those of one pose in the order of recording.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub visits: Vec<Iso9283Visit>,
     /// Limits that the campaign states.

@@ -3,6 +3,7 @@
 //! Angles are in degrees, lengths in millimetres; every name carries its unit, every parameter its own.
 
 mod answer;
+mod characteristics;
 mod compare;
 mod conditions;
 mod fit;
@@ -18,6 +19,7 @@ mod stated;
 mod study;
 
 pub use answer::{CheckDocument, Finding, FormatsDocument, Reading, WrittenDocument};
+pub use characteristics::Characteristics;
 pub use compare::*;
 pub use conditions::Conditions;
 pub use fit::{FitContacts, FitDocument, FitSolver, FitUncertainty};

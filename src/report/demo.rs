@@ -23,6 +23,7 @@ pub(super) struct Documents {
     pub parameters: ParametersDocument,
     pub accuracy: AccuracyDocument,
     pub errors: Vec<PointError>,
+    pub tested: Characteristics,
 }
 
 impl Documents {
@@ -36,8 +37,7 @@ impl Documents {
             accuracy: &self.accuracy,
             errors: &self.errors,
             geometric: None,
-            iso9283: None,
-            streams: None,
+            tested: &self.tested,
         }
     }
 
@@ -71,6 +71,7 @@ impl Documents {
             met: value <= limit,
         };
         Self {
+            tested: Characteristics::default(),
             campaign: CampaignSummary {
                 name: "PreXYT, CMM, spring check".to_owned(),
                 robot: None,

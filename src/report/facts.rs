@@ -2,7 +2,7 @@
 
 use super::number;
 use super::words::Words;
-use crate::document::{CampaignSummary, Iso9283Document};
+use crate::document::{CampaignSummary, Characteristics, Iso9283Document};
 use crate::pose::centroid;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -15,7 +15,7 @@ pub(super) struct Fact {
 }
 
 /// What a campaign states; a test report also says what it does not state.
-pub(super) fn facts(campaign: &CampaignSummary, test: Option<&Iso9283Document>, words: &Words) -> Vec<Fact> {
+pub(super) fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) -> Vec<Fact> {
     let (c, given) = (campaign, &campaign.conditions);
     let text = |text: &Option<String>| text.clone();
     let centre = given.load_centre_mm.map(|[x, y, z]| format!("x {x}, y {y}, z {z} mm"));
@@ -43,7 +43,7 @@ pub(super) fn facts(campaign: &CampaignSummary, test: Option<&Iso9283Document>, 
         (words.say("instrument's uncertainty"), uncertainty(c, words)),
         (words.say("instrument's calibration"), text(&given.instrument_calibration)),
     ];
-    if let Some(test) = test {
+    if let Some(test) = &tested.poses {
         all.push((words.say("poses and cycles"), Some(cycles(test, words))));
     }
     all.push((words.say("deviations from ISO 9283"), given.deviations.as_ref().map(|d| deviations(d, words))));
@@ -51,7 +51,7 @@ pub(super) fn facts(campaign: &CampaignSummary, test: Option<&Iso9283Document>, 
     if given.load_kg == Some(0.0) && given.load_centre_mm.is_none() {
         all.retain(|(what, _)| *what != words.say("centre of the load from the mechanical interface"));
     }
-    let not_stated = || test.map(|_| words.say("not stated"));
+    let not_stated = || (!tested.is_empty()).then(|| words.say("not stated"));
     let mut facts: Vec<Fact> =
         all.into_iter().filter_map(|(what, text)| Some(Fact { what, text: text.or_else(not_stated)? })).collect();
     let beside = [(words.say("contact"), contact(c, words)), (words.say("notes"), text(&c.notes))];
@@ -117,13 +117,13 @@ mod tests {
     #[test]
     fn a_test_report_says_what_is_not_stated_and_a_calibration_does_not() {
         let campaign = Documents::demo().campaign;
-        let test = facts(&campaign, Some(&super::super::demo_iso9283::iso9283()), &Words::default());
+        let test = facts(&campaign, &super::super::demo_iso9283::tested(), &Words::default());
         for what in ["robot", "controller", "mounting", "load", "warm-up before the test", "deviations from ISO 9283"] {
             assert_eq!(of(&test, what), Some("not stated"), "{what}");
         }
         assert_eq!(of(&test, "poses and cycles"), Some("2 poses, 30 visits of each"));
-        assert_eq!(of(&facts(&campaign, None, &Words::default()), "robot"), None);
-        assert_eq!(of(&facts(&campaign, None, &Words::default()), "operator"), Some("N. N."));
+        assert_eq!(of(&facts(&campaign, &Characteristics::default(), &Words::default()), "robot"), None);
+        assert_eq!(of(&facts(&campaign, &Characteristics::default(), &Words::default()), "operator"), Some("N. N."));
     }
 
     #[test]
@@ -133,7 +133,7 @@ mod tests {
         (c.load_kg, c.load_centre_mm) = (Some(0.5), Some([0.0, 1.5, 30.0]));
         (c.velocities_percent, c.velocities_mm_s) = (Some(vec![100.0, 50.0]), Some(vec![400.0]));
         c.deviations = Some(vec![]);
-        let all = facts(&campaign, None, &Words::default());
+        let all = facts(&campaign, &Characteristics::default(), &Words::default());
         assert_eq!(of(&all, "load"), Some("0.5 kg"));
         assert_eq!(of(&all, "centre of the load from the mechanical interface"), Some("x 0, y 1.5, z 30 mm"));
         assert_eq!(of(&all, "velocities"), Some("100, 50 % of the rated one; 400 mm/s"));

@@ -21,6 +21,7 @@ mod iso9283;
 mod map;
 pub(crate) mod number;
 mod parameters;
+mod part;
 #[cfg(feature = "pdf")]
 mod pdf;
 mod pictures;
@@ -42,8 +43,8 @@ pub use compare::html as compare_html;
 pub use plan::html as plan_html;
 
 use crate::document::{
-    AccuracyDocument, CampaignSummary, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument,
-    Iso9283Document, Iso9283StreamsDocument, ParametersDocument, PointError, Provenance, WorldFrame,
+    AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
+    ImportDocument, ParametersDocument, PointError, Provenance, WorldFrame,
 };
 use crate::message::{Message, Result};
 use pictures::pictures;
@@ -68,13 +69,11 @@ pub struct Report<'a> {
     pub errors: &'a [PointError],
     /// What geometry alone found, where the campaign asks for it.
     pub geometric: Option<&'a GeometricDocument>,
-    /// Repeatability, where the campaign tests it.
-    pub iso9283: Option<&'a Iso9283Document>,
-    /// Recorded motions, where the campaign has any.
-    pub streams: Option<&'a Iso9283StreamsDocument>,
+    /// Characteristics of ISO 9283, where the campaign tests any.
+    pub tested: &'a Characteristics,
 }
 
-/// What the report of a test of repeatability alone tells.
+/// What the report of a test by ISO 9283 alone tells.
 pub struct TestReport<'a> {
     /// What the campaign says about itself.
     pub campaign: &'a CampaignSummary,
@@ -84,10 +83,8 @@ pub struct TestReport<'a> {
     pub features: &'a FeaturesDocument,
     /// Frames made from them.
     pub frames: &'a FramesDocument,
-    /// Repeatability.
-    pub iso9283: &'a Iso9283Document,
-    /// Recorded motions, where the campaign has any.
-    pub streams: Option<&'a Iso9283StreamsDocument>,
+    /// Its characteristics.
+    pub tested: &'a Characteristics,
 }
 
 /// What the template sees: documents as they are, and what was computed from them.
@@ -110,6 +107,7 @@ struct Page<'a> {
     residual_pictures: Vec<points::Picture>,
     geometric: Option<geometric::Section<'a>>,
     iso9283: Option<iso9283::Section<'a>>,
+    compliance: Vec<part::Part>,
     streams: Vec<streams::Section<'a>>,
     /// errors that are not finite
     undrawn: usize,
@@ -128,7 +126,7 @@ pub fn files(report: &Report) -> Result<Vec<File>> {
     ])
 }
 
-/// All files of the report of a test of repeatability.
+/// All files of the report of a test by ISO 9283.
 pub fn test_files(report: &TestReport) -> Result<Vec<File>> {
     Ok(vec![
         ("report.html", test_html(report)?.into_bytes()),
@@ -145,7 +143,7 @@ pub fn html(report: &Report) -> Result<String> {
     let drawn = pictures(report, words);
     let page = Page {
         campaign: report.campaign,
-        facts: facts::facts(report.campaign, report.iso9283, words),
+        facts: facts::facts(report.campaign, report.tested, words),
         import: report.import,
         features: report.features,
         world: &report.frames.world,
@@ -160,14 +158,15 @@ pub fn html(report: &Report) -> Result<String> {
         pictures: drawn.errors,
         residual_pictures: drawn.residuals,
         geometric: report.geometric.map(|g| geometric::section(g, words)),
-        iso9283: report.iso9283.map(|i| iso9283::section(i, words)),
-        streams: report.streams.map(streams::sections).unwrap_or_default(),
+        iso9283: report.tested.poses.as_ref().map(|i| iso9283::section(i, words)),
+        compliance: iso9283::compliance(report.tested.compliance.as_ref(), words),
+        streams: report.tested.streams.as_ref().map(streams::sections).unwrap_or_default(),
         undrawn: report.errors.len() - points::drawable(report.errors).len(),
     };
     templates::render("report.html", presentation, words, page)
 }
 
-/// What the template of a test of repeatability sees.
+/// What the template of a test by ISO 9283 sees.
 #[derive(Serialize)]
 struct TestPage<'a> {
     campaign: &'a CampaignSummary,
@@ -178,19 +177,21 @@ struct TestPage<'a> {
     provenance: Provenance,
     messages: Vec<&'a Message>,
     class: &'static str,
-    sentence: String,
-    iso9283: iso9283::Section<'a>,
+    sentences: Vec<String>,
+    title: String,
+    iso9283: Option<iso9283::Section<'a>>,
+    compliance: Vec<part::Part>,
     streams: Vec<streams::Section<'a>>,
 }
 
-/// The report of a test of repeatability alone as one HTML page.
+/// The report of a test by ISO 9283 alone as one HTML page.
 pub fn test_html(report: &TestReport) -> Result<String> {
     let presentation = &report.campaign.report;
     let words = &Words::of(presentation.language)?;
-    let (class, sentence) = iso9283::verdict(report.iso9283, words);
+    let iso9283::Verdict { class, sentences } = iso9283::verdict(report.tested, words);
     let page = TestPage {
         campaign: report.campaign,
-        facts: facts::facts(report.campaign, Some(report.iso9283), words),
+        facts: facts::facts(report.campaign, report.tested, words),
         import: report.import,
         features: report.features,
         world: &report.frames.world,
@@ -201,22 +202,21 @@ pub fn test_html(report: &TestReport) -> Result<String> {
         },
         messages: test_messages(report),
         class,
-        sentence,
-        iso9283: iso9283::section(report.iso9283, words),
-        streams: report.streams.map(streams::sections).unwrap_or_default(),
+        sentences,
+        title: iso9283::title(report.tested, words),
+        iso9283: report.tested.poses.as_ref().map(|i| iso9283::section(i, words)),
+        compliance: iso9283::compliance(report.tested.compliance.as_ref(), words),
+        streams: report.tested.streams.as_ref().map(streams::sections).unwrap_or_default(),
     };
     templates::render("repeatability.html", presentation, words, page)
 }
 
 fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
     let geometric = report.geometric.iter().flat_map(|g| &g.messages);
-    let iso9283 = report.iso9283.iter().flat_map(|i| &i.messages);
-    let streams = report.streams.iter().flat_map(|s| s.messages());
     let all = report.parameters.messages.iter().chain(&report.import.messages);
-    all.chain(geometric).chain(iso9283).chain(streams).collect()
+    all.chain(geometric).chain(report.tested.messages()).collect()
 }
 
 fn test_messages<'a>(report: &TestReport<'a>) -> Vec<&'a Message> {
-    let tested = report.import.messages.iter().chain(&report.iso9283.messages);
-    tested.chain(report.streams.iter().flat_map(|s| s.messages())).collect()
+    report.import.messages.iter().chain(report.tested.messages()).collect()
 }

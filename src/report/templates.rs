@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use std::error::Error;
 
 /// Every template by its name; the ending turns escaping on.
-pub const BUILT_IN: [(&str, &str); 16] = [
+pub const BUILT_IN: [(&str, &str); 19] = [
     ("report.html", include_str!("report.html")),
     ("repeatability.html", include_str!("repeatability.html")),
     ("plan.html", include_str!("plan/plan.html")),
@@ -25,8 +25,11 @@ pub const BUILT_IN: [(&str, &str); 16] = [
     ("macros.html", include_str!("parts/macros.html")),
     ("campaign.html", include_str!("parts/campaign.html")),
     ("messages.html", include_str!("parts/messages.html")),
+    ("contents.html", include_str!("parts/contents.html")),
+    ("tested.html", include_str!("parts/tested.html")),
     ("iso9283.html", include_str!("parts/iso9283.html")),
     ("streams.html", include_str!("parts/streams.html")),
+    ("compliance.html", include_str!("parts/compliance.html")),
     ("frames.html", include_str!("parts/frames.html")),
     ("import.html", include_str!("parts/import.html")),
     ("provenance.html", include_str!("parts/provenance.html")),

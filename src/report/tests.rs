@@ -160,14 +160,13 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
 
 #[test]
 fn a_test_report_has_what_the_standard_asks_for() {
-    let (documents, iso9283) = (Documents::demo(), super::demo_iso9283::iso9283());
+    let (documents, tested) = (Documents::demo(), super::demo_iso9283::tested());
     let report = TestReport {
         campaign: &documents.campaign,
         import: &documents.import,
         features: &documents.features,
         frames: &documents.frames,
-        iso9283: &iso9283,
-        streams: None,
+        tested: &tested,
     };
     let page = test_html(&report).unwrap();
     for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from ISO 9283", "SHA-256"] {
@@ -182,14 +181,13 @@ fn a_test_report_has_what_the_standard_asks_for() {
 fn in_language(language: Language) -> [String; 2] {
     let mut documents = Documents::demo();
     documents.campaign.report.language = language;
-    let iso9283 = super::demo_iso9283::iso9283();
+    let tested = super::demo_iso9283::whole();
     let test = TestReport {
         campaign: &documents.campaign,
         import: &documents.import,
         features: &documents.features,
         frames: &documents.frames,
-        iso9283: &iso9283,
-        streams: None,
+        tested: &tested,
     };
     [page(&documents), test_html(&test).unwrap()]
 }

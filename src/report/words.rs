@@ -9,7 +9,7 @@ use std::fmt::Display;
 
 /// Words that come from documents, not from the text of this program's reports.
 #[cfg(test)]
-const OF_DOCUMENTS: [&str; 18] = [
+const OF_DOCUMENTS: [&str; 19] = [
     "calibration",
     "validation",
     "position",
@@ -27,6 +27,7 @@ const OF_DOCUMENTS: [&str; 18] = [
     "export",
     "log",
     "campaign",
+    "table",
     "both",
 ];
 

@@ -29,6 +29,7 @@ pub fn all() -> Pages {
         ("prexyt-cmm", &["en", "fr", "de"][..]),
         ("prexyt-repeatability", &["en", "fr", "de"]),
         ("prexyt-geometric", &["de"]),
+        ("pose-test", &["en", "fr", "de"]),
     ] {
         let scratch = copy_sample(sample);
         etalon(&["run".as_ref(), scratch.path().as_os_str()]);

@@ -4,6 +4,7 @@ mod compare;
 mod fit;
 mod five_bar;
 mod iso9283;
+mod iso9283_campaign;
 mod plan;
 mod report;
 mod reports;

@@ -152,14 +152,19 @@ mod pdf {
     }
 }
 
+/// What `pdftotext` reads of a file; `None` where it is not installed, or there is no PDF.
+pub(super) fn text_of_pdf(file: &Path) -> Option<String> {
+    if cfg!(feature = "pdf") { tool("pdftotext", &["-layout", "{}", "-"], file) } else { None }
+}
+
 /// A workbook of the output folder.
-fn workbook(scratch: &Scratch) -> Xlsx<Cursor<Vec<u8>>> {
+pub(super) fn workbook(scratch: &Scratch) -> Xlsx<Cursor<Vec<u8>>> {
     calamine::open_workbook_from_rs(Cursor::new(std::fs::read(scratch.path().join("out/report.xlsx")).unwrap()))
         .unwrap()
 }
 
 /// The cells below the header whose title is `column`.
-fn column(book: &mut Xlsx<Cursor<Vec<u8>>>, sheet: &str, column: &str) -> Vec<Data> {
+pub(super) fn column(book: &mut Xlsx<Cursor<Vec<u8>>>, sheet: &str, column: &str) -> Vec<Data> {
     let range = book.worksheet_range(sheet).unwrap();
     let titles: Vec<String> = range.rows().next().unwrap().iter().map(ToString::to_string).collect();
     let at = titles.iter().position(|t| t == column).unwrap_or_else(|| panic!("{sheet} has no {column}: {titles:?}"));

@@ -1,6 +1,7 @@
 //! Documents as they are committed. `ETALON_UPDATE=1 make test` writes them again.
 
 mod motion;
+mod pose_test;
 
 use crate::scratch::copy_sample;
 use std::path::Path;

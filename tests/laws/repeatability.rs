@@ -12,7 +12,7 @@ use etalon::simulate::Truth;
 const SAMPLE: &str = "prexyt-repeatability";
 
 fn test(scratch: &Scratch) -> Iso9283Document {
-    pipeline::test(&Campaign::read(&scratch.path()).unwrap()).unwrap().iso9283
+    pipeline::test(&Campaign::read(&scratch.path()).unwrap()).unwrap().found.poses.unwrap()
 }
 
 /// The sample measured again, its truth changed.

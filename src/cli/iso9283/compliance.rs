@@ -18,7 +18,8 @@ pub(super) fn run(path: &Path, json: bool) -> anyhow::Result<Verdict> {
     Ok(Verdict::Met)
 }
 
-fn as_text(document: &Iso9283ComplianceDocument) -> String {
+/// A line for each direction.
+pub(in super::super) fn as_text(document: &Iso9283ComplianceDocument) -> String {
     let mut text = String::new();
     for d in &document.directions {
         let u = d.standard_uncertainty_mm_n.map(|u| format!(" (u = {u:.1e})")).unwrap_or_default();

@@ -1,26 +1,25 @@
 //! The report of a calibration, from its verdict to the line for signatures.
 
 use super::paper::{Block, Labels, Paper, Section, Verdict};
-use super::{annex, fit, geometric, iso9283, places, stated, streams};
+use super::{annex, fit, geometric, iso9283, places, stated};
 use crate::report::words::Words;
 use crate::report::{Report, facts, messages, parameters, pictures, points, tables, verdict};
 
 /// What stands in it, in the order of reading.
 pub(super) fn paper(report: &Report, words: &Words) -> Paper {
-    let tested = report.iso9283.iter().flat_map(|d| &d.limits);
     let inputs = &report.parameters.provenance;
     let (messages, more) = stated::messages(&messages(report), words);
     let geometric = report.geometric.and_then(|d| {
         Section::of("geometric", words.say("Geometry alone, beside the identification"), geometric::blocks(d, words))
     });
     let drawn = pictures(report, words);
-    let sections = [
-        stated::conditions(facts::facts(report.campaign, report.iso9283, words), words),
-        stated::limits(report.accuracy.limits.iter().chain(tested), words),
+    let before = [
+        stated::conditions(facts::facts(report.campaign, report.tested, words), words),
+        stated::limits(report.accuracy.limits.iter().chain(report.tested.limits()), words),
         messages,
         Section::of("errors", words.say("Errors before and after"), errors(report, words)),
-        report.iso9283.and_then(|d| iso9283::section(d, words)),
-        report.streams.and_then(|d| streams::section(d, words)),
+    ];
+    let after = [
         Section::of("parameters", words.say("Parameters"), parameters(report, drawn.parameters, words)),
         geometric,
         Section::of("fit", words.say("Fit and observability"), fit(report, drawn.residuals, words)),
@@ -36,7 +35,12 @@ pub(super) fn paper(report: &Report, words: &Words) -> Paper {
         version: inputs.version.clone(),
         labels: Labels::of(&report.campaign.report, words),
         verdict: judged(verdict::verdict(report, words), words),
-        sections: sections.into_iter().flatten().collect(),
+        sections: before
+            .into_iter()
+            .flatten()
+            .chain(iso9283::sections(report.tested, words))
+            .chain(after.into_iter().flatten())
+            .collect(),
         annexes: [annex::poses(report.errors, words), annex::refused(report.import, words), more]
             .into_iter()
             .flatten()

@@ -20,7 +20,7 @@ mod world;
 use super::templates::TYPESET;
 use super::words::Words;
 use super::{Report, TestReport};
-use crate::document::{CampaignSummary, Iso9283StreamsDocument};
+use crate::document::{CampaignSummary, Characteristics};
 use crate::dress::logo_file;
 use crate::message::{Message, Result};
 use crate::output::to_json;
@@ -52,20 +52,14 @@ pub fn pdf(report: &Report) -> Result<Vec<u8>> {
     if let Some(document) = report.geometric {
         attachments.push(attachment("geometric.json", "data", "Geometric calibration", document)?);
     }
-    if let Some(document) = report.iso9283 {
-        attachments.push(attachment("iso9283.json", "data", "Characteristics of ISO 9283", document)?);
-    }
-    attachments.extend(recorded(report.streams)?);
+    attachments.extend(tested(report.tested)?);
     typeset(&calibration::paper(report, &Words::of(report.campaign.report.language)?), &attachments, report.campaign)
 }
 
-/// The report of a test of repeatability alone.
+/// The report of a test by ISO 9283 alone.
 pub fn test_pdf(report: &TestReport) -> Result<Vec<u8>> {
-    let mut attachments = vec![
-        attachment("iso9283.json", "data", "Characteristics of ISO 9283", report.iso9283)?,
-        attachment("campaign.json", "source", "What the campaign states", report.campaign)?,
-    ];
-    attachments.extend(recorded(report.streams)?);
+    let mut attachments = tested(report.tested)?;
+    attachments.push(attachment("campaign.json", "source", "What the campaign states", report.campaign)?);
     typeset(&test::paper(report, &Words::of(report.campaign.report.language)?), &attachments, report.campaign)
 }
 
@@ -75,8 +69,12 @@ pub(super) fn check(template: &str) -> Result<()> {
     Desk::new(files.into(), UNDATED)?.check(TYPESET.0)
 }
 
-fn recorded(document: Option<&Iso9283StreamsDocument>) -> Result<Option<Attachment>> {
-    document.map(|d| attachment("iso9283-streams.json", "data", "Recorded motions", d)).transpose()
+fn tested(found: &Characteristics) -> Result<Vec<Attachment>> {
+    let poses = found.poses.as_ref().map(|d| attachment("iso9283.json", "data", "Characteristics of ISO 9283", d));
+    let streams = found.streams.as_ref().map(|d| attachment("iso9283-streams.json", "data", "Recorded motions", d));
+    let loads =
+        found.compliance.as_ref().map(|d| attachment("iso9283-compliance.json", "data", "Static compliance", d));
+    [poses, streams, loads].into_iter().flatten().collect()
 }
 
 fn attachment<T: Serialize>(

@@ -2,6 +2,7 @@
 
 use super::printable::is_checksum;
 use crate::document::Presentation;
+use crate::report::part::Part;
 use crate::report::points::Picture;
 use crate::report::words::Words;
 use serde::Serialize;
@@ -196,6 +197,23 @@ impl Block {
         let fluid = groups.iter().flat_map(|(title, columns)| vec![!title.is_empty(); *columns]).collect();
         let groups = groups.iter().map(|(title, columns)| (words.say(title), *columns)).collect();
         Self::Table(Table { groups, fluid, ..table })
+    }
+
+    /// What the HTML page shows of a piece of a section.
+    pub fn part(part: Part) -> Vec<Self> {
+        let mut blocks = Vec::new();
+        blocks.extend((!part.heading.is_empty()).then(|| Self::heading(part.heading)));
+        blocks.extend((!part.strong.is_empty()).then(|| Self::strong(part.strong)));
+        blocks.extend(part.sentences.into_iter().map(Self::text));
+        blocks.extend((!part.note.is_empty()).then(|| Self::note(part.note)));
+        if !part.rows.is_empty() {
+            let (header, numeric) = part.columns.into_iter().map(|c| (c.title, c.number)).unzip();
+            blocks.push(Self::Table(Table::new(header, numeric, part.rows)));
+        }
+        let said = part.conventions.join("; ");
+        blocks.extend((!said.is_empty()).then(|| Self::note(format!("{said}."))));
+        blocks.extend(Self::pictures(part.pictures));
+        blocks
     }
 
     /// The pictures of the HTML page, with the style that it has there.

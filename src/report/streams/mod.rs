@@ -1,9 +1,10 @@
 //! Recorded motions: characteristics of ISO 9283 in a table, the path, drift and arrivals in pictures.
 
-mod chart;
+pub(super) mod chart;
 
 use super::number;
 use super::points::Picture;
+use super::words::Words;
 use crate::document::{Iso9283Interval, Iso9283NamedStream, Iso9283Path, Iso9283Standstill, Iso9283StreamsDocument};
 use chart::{Chart, Curve, Mark};
 use serde::Serialize;
@@ -118,7 +119,7 @@ fn path_picture(index: usize, path: Option<&Iso9283Path>) -> Option<Picture> {
         curves: vec![deviation, scatter],
         marks,
     }
-    .picture()
+    .picture(&Words::default())
 }
 
 /// How far the mean of each visit lies from that of the first visit of its pose, over time.
@@ -148,7 +149,7 @@ fn drift(index: usize, standstills: &[Iso9283Standstill]) -> Option<Picture> {
         curves,
         marks: vec![],
     }
-    .picture()
+    .picture(&Words::default())
 }
 
 /// Distance from where the robot comes to stand, from the first entry into the limit band on.
@@ -167,5 +168,5 @@ fn arrivals(index: usize, named: &Iso9283NamedStream) -> Option<Picture> {
         curves: named.stream.arrivals.iter().map(curve).collect(),
         marks: vec![],
     }
-    .picture()
+    .picture(&Words::default())
 }

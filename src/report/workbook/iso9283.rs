@@ -2,17 +2,18 @@
 
 use super::sheet::{Cell, Field, Sheet};
 use crate::document::{
-    Iso9283Approach, Iso9283Conformity, Iso9283Distance, Iso9283Document, Iso9283Drift, Iso9283Pose, Iso9283Variation,
-    Iso9283Visit,
+    Iso9283Approach, Iso9283ComplianceDocument, Iso9283Conformity, Iso9283Distance, Iso9283Document, Iso9283Drift,
+    Iso9283Epoch, Iso9283Pose, Iso9283Variation, Iso9283Visit,
 };
 
 pub(super) fn sheets(document: &Iso9283Document) -> Vec<Sheet> {
     let mut sheets = vec![poses(document)];
     let others = [
-        Sheet::of("ISO 9283 distances", &document.distances, DISTANCE),
-        Sheet::of("ISO 9283 variation", &document.approaches, VARIATION),
+        without_empty_columns(Sheet::of("ISO 9283 distances", &document.distances, DISTANCE)),
+        without_empty_columns(Sheet::of("ISO 9283 variation", &document.approaches, VARIATION)),
         approaches(&document.approaches),
         drifts(&document.drifts),
+        Sheet::of("ISO 9283 reference targets", &document.reference, REFERENCE),
         whole(document),
         Sheet::of("ISO 9283 visits", &document.visits, VISIT),
     ];
@@ -20,9 +21,34 @@ pub(super) fn sheets(document: &Iso9283Document) -> Vec<Sheet> {
     sheets
 }
 
-/// Columns that no pose has a value in are left out: angles of a robot without, limits that nobody states.
+/// Static compliance.
+pub(super) fn compliance(document: &Iso9283ComplianceDocument) -> Sheet {
+    Sheet::of(
+        "ISO 9283 compliance",
+        &document.directions,
+        &[
+            ("direction", "", |d| d.direction.as_str().into()),
+            ("compliance", "mm/N", |d| d.compliance_mm_n.into()),
+            ("its u (k = 1)", "mm/N", |d| d.standard_uncertainty_mm_n.into()),
+            ("largest force", "N", |d| d.force_n.into()),
+            ("largest displacement", "mm", |d| d.largest_mm.into()),
+            ("off the line", "mm", |d| d.off_line_mm.into()),
+            ("readings", "", |d| d.readings.into()),
+            ("cycles", "", |d| d.cycles.into()),
+        ],
+    )
+}
+
 fn poses(document: &Iso9283Document) -> Sheet {
     let mut sheet = Sheet::of("ISO 9283 poses", document.poses.iter().chain(&document.homing), POSE);
+    for row in sheet.rows.iter_mut().skip(document.poses.len()) {
+        row[0] = "homing".into();
+    }
+    without_empty_columns(sheet)
+}
+
+/// Columns without any value are left out: angles of a robot that has none, limits that nobody states.
+fn without_empty_columns(mut sheet: Sheet) -> Sheet {
     let used = |i: usize| sheet.rows.iter().any(|row| row[i] != Cell::Empty);
     let keep: Vec<usize> = (0..sheet.columns.len()).filter(|&i| used(i)).collect();
     sheet.columns = keep.iter().map(|&i| sheet.columns[i].clone()).collect();
@@ -31,7 +57,7 @@ fn poses(document: &Iso9283Document) -> Sheet {
 }
 
 const POSE: &[Field<Iso9283Pose>] = &[
-    ("pose", "", |p| if p.pose == 0 { "homing".into() } else { p.pose.into() }),
+    ("pose", "", |p| p.pose.into()),
     ("visits", "", |p| p.cycles.into()),
     ("AP", "mm", |p| p.ap_mm.into()),
     ("AP x", "mm", |p| p.ap_x_mm.into()),
@@ -60,6 +86,12 @@ const POSE: &[Field<Iso9283Pose>] = &[
     ("RP a", "deg", |p| p.rp_a_deg.into()),
     ("RP b", "deg", |p| p.rp_b_deg.into()),
     ("RP c", "deg", |p| p.rp_c_deg.into()),
+    ("noise of a reading, x", "mm", |p| p.noise_mm.map(|n| n[0]).into()),
+    ("noise of a reading, y", "mm", |p| p.noise_mm.map(|n| n[1]).into()),
+    ("noise of a reading, z", "mm", |p| p.noise_mm.map(|n| n[2]).into()),
+    ("ellipsoid, semi-axis 1", "mm", |p| p.ellipsoid.map(|e| e.semi_axes_mm[0]).into()),
+    ("ellipsoid, semi-axis 2", "mm", |p| p.ellipsoid.map(|e| e.semi_axes_mm[1]).into()),
+    ("ellipsoid, semi-axis 3", "mm", |p| p.ellipsoid.map(|e| e.semi_axes_mm[2]).into()),
     ("AP within its limit", "", |p| p.ap_conformity.map(conformity).into()),
     ("RP within its limit", "", |p| p.rp_conformity.map(conformity).into()),
     ("U over AP", "", |p| p.uncertainty_over_ap.into()),
@@ -87,6 +119,18 @@ const DISTANCE: &[Field<Iso9283Distance>] = &[
     ("RD x", "mm", |d| d.rd_axes_mm.first().copied().into()),
     ("RD y", "mm", |d| d.rd_axes_mm.get(1).copied().into()),
     ("RD z", "mm", |d| d.rd_axes_mm.get(2).copied().into()),
+    ("AD of the first angle", "deg", |d| d.ad_angles_deg.first().copied().into()),
+    ("AD of the second angle", "deg", |d| d.ad_angles_deg.get(1).copied().into()),
+    ("AD of the third angle", "deg", |d| d.ad_angles_deg.get(2).copied().into()),
+    ("RD of the first angle", "deg", |d| d.rd_angles_deg.first().copied().into()),
+    ("RD of the second angle", "deg", |d| d.rd_angles_deg.get(1).copied().into()),
+    ("RD of the third angle", "deg", |d| d.rd_angles_deg.get(2).copied().into()),
+];
+
+const REFERENCE: &[Field<Iso9283Epoch>] = &[
+    ("from cycle on", "", |e| e.cycle.into()),
+    ("moved", "mm", |e| e.moved_mm.into()),
+    ("left, RMS", "mm", |e| e.rms_mm.into()),
 ];
 
 const VARIATION: &[Field<Iso9283Variation>] = &[
@@ -94,6 +138,9 @@ const VARIATION: &[Field<Iso9283Variation>] = &[
     ("vAP", "mm", |v| v.vap_mm.into()),
     ("between", "", |v| v.between[0].as_str().into()),
     ("and", "", |v| v.between[1].as_str().into()),
+    ("vAP of the first angle", "deg", |v| v.vap_angles_deg.first().copied().into()),
+    ("vAP of the second angle", "deg", |v| v.vap_angles_deg.get(1).copied().into()),
+    ("vAP of the third angle", "deg", |v| v.vap_angles_deg.get(2).copied().into()),
 ];
 
 const VISIT: &[Field<Iso9283Visit>] = &[

@@ -14,6 +14,7 @@ mod tests;
 
 use super::words::Words;
 use super::{Report, TestReport, messages, test_messages, verdict};
+use crate::document::Characteristics;
 use crate::message::Result;
 
 /// All tables of a calibration as a workbook (.xlsx).
@@ -21,8 +22,7 @@ pub fn workbook(report: &Report) -> Result<Vec<u8>> {
     let words = &Words::of(report.campaign.report.language)?;
     let mut sheets = vec![summary::calibration(report, words), summary::limits(&limits(report))];
     sheets.extend(accuracy::sheets(report.accuracy, report.errors));
-    sheets.extend(report.iso9283.iter().flat_map(|d| iso9283::sheets(d)));
-    sheets.extend(report.streams.iter().flat_map(|d| streams::sheets(d)));
+    sheets.extend(tested(report.tested));
     sheets.extend(parameters::sheets(report.parameters));
     sheets.extend(report.geometric.iter().flat_map(|d| geometric::sheets(d)));
     sheets.extend(places::sheets(report.features, &report.frames.world));
@@ -31,13 +31,11 @@ pub fn workbook(report: &Report) -> Result<Vec<u8>> {
     sheet::write(&report.campaign.name, &sheets)
 }
 
-/// All tables of a test of repeatability as a workbook (.xlsx).
+/// All tables of a test by ISO 9283 as a workbook (.xlsx).
 pub fn test_workbook(report: &TestReport) -> Result<Vec<u8>> {
     let words = &Words::of(report.campaign.report.language)?;
-    let mut sheets =
-        vec![summary::test(report, words), summary::limits(&report.iso9283.limits.iter().collect::<Vec<_>>())];
-    sheets.extend(iso9283::sheets(report.iso9283));
-    sheets.extend(report.streams.iter().flat_map(|d| streams::sheets(d)));
+    let mut sheets = vec![summary::test(report, words), summary::limits(&report.tested.limits().collect::<Vec<_>>())];
+    sheets.extend(tested(report.tested));
     sheets.extend(places::sheets(report.features, &report.frames.world));
     sheets.extend(import::sheets(report.import, &report.import.inputs()));
     sheets.push(summary::messages(&test_messages(report)));
@@ -45,5 +43,11 @@ pub fn test_workbook(report: &TestReport) -> Result<Vec<u8>> {
 }
 
 fn limits<'a>(report: &Report<'a>) -> Vec<&'a crate::document::LimitVerdict> {
-    report.accuracy.limits.iter().chain(report.iso9283.iter().flat_map(|d| &d.limits)).collect()
+    report.accuracy.limits.iter().chain(report.tested.limits()).collect()
+}
+
+fn tested(found: &Characteristics) -> Vec<sheet::Sheet> {
+    let poses = found.poses.iter().flat_map(iso9283::sheets);
+    let streams = found.streams.iter().flat_map(streams::sheets);
+    poses.chain(streams).chain(found.compliance.iter().map(iso9283::compliance)).collect()
 }

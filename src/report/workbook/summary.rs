@@ -2,7 +2,7 @@
 
 use super::sheet::{Cell, Sheet};
 use super::{Report, TestReport, verdict};
-use crate::document::{CampaignSummary, Iso9283Document, LimitVerdict};
+use crate::document::{CampaignSummary, Characteristics, LimitVerdict};
 use crate::message::{Message, Severity};
 use crate::report::facts::facts;
 use crate::report::iso9283;
@@ -18,7 +18,7 @@ pub(super) fn calibration(report: &Report, words: &Words) -> Sheet {
     let condition = report.parameters.observability.as_ref().map(|o| o.condition);
     let mut lines = vec![line(words.say("verdict"), verdict.sentence), line(words.say("alarm"), verdict.alarm)];
     lines.push(line(words.say("model of the robot"), report.parameters.robot.as_str()));
-    lines.extend(stated(report.campaign, report.iso9283, words));
+    lines.extend(stated(report.campaign, report.tested, words));
     lines.extend([
         line(words.say("definition of errors"), report.accuracy.definition.as_str()),
         line(words.say("residuals"), residuals.count),
@@ -35,23 +35,23 @@ pub(super) fn calibration(report: &Report, words: &Words) -> Sheet {
 }
 
 pub(super) fn test(report: &TestReport, words: &Words) -> Sheet {
-    let document = report.iso9283;
-    let mut lines = vec![line(words.say("verdict"), iso9283::verdict(document, words).1)];
-    lines.extend(stated(report.campaign, Some(document), words));
+    let tested = report.tested;
+    let mut lines = vec![line(words.say("verdict"), iso9283::verdict(tested, words).sentences.join(" "))];
+    lines.extend(stated(report.campaign, tested, words));
     lines.extend([
-        line(words.say("conventions"), document.conventions.join("; ")),
+        line(words.say("conventions"), tested.poses.as_ref().map(|d| d.conventions.join("; "))),
         line(words.say("written by"), concat!("etalon ", env!("CARGO_PKG_VERSION"))),
     ]);
     sheet(lines)
 }
 
 /// What the campaign says, its numbers as numbers.
-fn stated(campaign: &CampaignSummary, test: Option<&Iso9283Document>, words: &Words) -> Vec<Line> {
+fn stated(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) -> Vec<Line> {
     let mut lines = vec![
         line(words.say("campaign"), campaign.name.as_str()),
         line(words.say("synthetic data"), campaign.synthetic.as_deref()),
     ];
-    lines.extend(facts(campaign, test, words).into_iter().map(|f| line(f.what, f.text)));
+    lines.extend(facts(campaign, tested, words).into_iter().map(|f| line(f.what, f.text)));
     lines.extend([
         (words.say("instrument's expanded uncertainty"), campaign.expanded_uncertainty_um.into(), "µm"),
         (words.say("coverage factor"), campaign.coverage_factor.into(), ""),
