@@ -20,7 +20,7 @@ const SEED: u64 = 1;
 pub fn evaluate(campaign: &Campaign, imported: &mut Imported, frames: &FramesDocument) -> Result<Characteristics> {
     let (mut found, mut sources) = (Characteristics::default(), Vec::new());
     if let Some((document, more)) = poses(campaign, imported, frames)? {
-        found.poses = Some(Iso9283Document { limits: limits(campaign, &document.poses), ..document });
+        found.poses = Some(Iso9283Document { limits: limits(campaign, &document.poses)?, ..document });
         sources.extend(more);
     }
     if let Some((document, more)) = streams::evaluate_all(campaign)? {
@@ -141,16 +141,26 @@ fn compliance(campaign: &Campaign) -> Result<Option<(Iso9283ComplianceDocument, 
 }
 
 /// Limits of the largest values; what the intervals prove of each pose stands with the pose.
-fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Vec<LimitVerdict> {
+fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
     let limits = &campaign.file.limits;
-    let largest = |value: fn(&Iso9283Pose) -> Option<f64>| poses.iter().filter_map(value).fold(0.0, f64::max);
+    // or the pose that has none
+    let largest = |value: fn(&Iso9283Pose) -> Option<f64>| {
+        let mut all = poses.iter().map(|p| value(p).ok_or(p.pose));
+        all.try_fold(0.0, |largest, value| value.map(|value| f64::max(largest, value)))
+    };
     let stated = [
         ("accuracy_max_mm", limits.accuracy_max_mm, largest(|p| p.ap_mm)),
         ("repeatability_max_mm", limits.repeatability_max_mm, largest(|p| p.rp_mm)),
     ];
-    let judged = |(name, limit, value): (&str, Option<f64>, f64)| {
-        let limit = limit?;
-        Some(LimitVerdict { name: name.to_owned(), unit: "mm".to_owned(), limit, value, met: value <= limit })
-    };
-    stated.into_iter().filter_map(judged).collect()
+    let mut judged = Vec::new();
+    for (name, limit, value) in stated {
+        let Some(limit) = limit else { continue };
+        let value = value.map_err(|pose| {
+            let message =
+                Message::error(format!("the limit `{name}` cannot be judged: pose {pose} tells no such value"));
+            message.at(campaign.place_of(&["limits", name])).hint("visit every pose twice or more, and command it")
+        })?;
+        judged.push(LimitVerdict { name: name.to_owned(), unit: "mm".to_owned(), limit, value, met: value <= limit });
+    }
+    Ok(judged)
 }

@@ -1,6 +1,6 @@
 //! Positions and angles of a table `x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, checked.
 
-use crate::message::{Message, Place, Problems, Result};
+use crate::message::{Message, Place, Problems, Result, count};
 use crate::pose::Vector;
 use crate::table;
 use polars::prelude::DataFrame;
@@ -59,6 +59,17 @@ pub fn coordinates((file, frame): (&str, &DataFrame)) -> Result<Coordinates> {
         .map(|i| at_row(Message::error("a coordinate is missing or is not a finite number"), (file, frame), i));
     Problems(bad.take(20).collect()).check()?;
     Ok(all)
+}
+
+/// A warning about columns that nothing reads: a typing error would else be told nowhere.
+pub fn unread((file, frame): (&str, &DataFrame), read: &[&str]) -> Option<Message> {
+    let known: Vec<&str> = read.iter().chain(&table::XYZ).chain(&ANGLES).copied().collect();
+    let names = frame.get_column_names().into_iter().map(|name| name.as_str());
+    let others: Vec<&str> = names.filter(|name| *name != "line" && !known.contains(name)).collect();
+    let quoted: Vec<String> = others.iter().map(|name| format!("`{name}`")).collect();
+    let message = Message::warning(format!("not read: {} {}", count(others.len(), "column"), quoted.join(", ")));
+    let first = *others.first()?;
+    Some(message.at(Place::file(file)).hint_names(first, known.iter().copied()))
 }
 
 /// The same messages about this file, where they name no place.

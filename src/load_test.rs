@@ -1,6 +1,6 @@
 //! From a table of a loaded robot to its static compliance by ISO 9283.
 
-use crate::coordinates::{at_row, coordinates, in_file};
+use crate::coordinates::{at_row, coordinates, in_file, unread};
 use crate::document::{Iso9283Compliance, Iso9283ComplianceDocument};
 use crate::iso9283::compliance::{Loaded, compliance};
 use crate::message::{Message, Problems, Result};
@@ -32,6 +32,7 @@ struct Reading {
 /// position that the others are compared with, and rows under load.
 pub fn evaluate((file, frame): (&str, &DataFrame)) -> Result<Iso9283ComplianceDocument> {
     let readings = readings((file, frame))?;
+    let strange = unread((file, frame), &["direction", "cycle", "force_n"]);
     let mut directions = Vec::new();
     for (k, (name, direction)) in DIRECTIONS.iter().enumerate() {
         let of: Vec<&Reading> = readings.iter().filter(|r| r.direction == k).collect();
@@ -73,7 +74,7 @@ pub fn evaluate((file, frame): (&str, &DataFrame)) -> Result<Iso9283ComplianceDo
             "compliance: displacement along the force by force, least squares through the unloaded position".to_owned(),
             "clause 10 was not compared with a bought copy of the standard".to_owned(),
         ],
-        messages: if short.is_empty() { Vec::new() } else { vec![warning()] },
+        messages: (!short.is_empty()).then(warning).into_iter().chain(strange).collect(),
         directions,
     })
 }

@@ -15,7 +15,7 @@ use crate::iso9283::exchangeability::exchangeability;
 use crate::iso9283::interval::{self, accuracy_interval, repeatability_interval};
 use crate::iso9283::quarter::quarter;
 use crate::iso9283::repeatability::{angle_repeatability_rad, pose_repeatability};
-use crate::message::{Message, Result};
+use crate::message::{Message, Result, one_line};
 use crate::pose::{Vector, minus};
 use crate::visits::{PoseVisits, Visit, Visits};
 use beyond::beyond;
@@ -44,10 +44,12 @@ const CYCLES: usize = 30;
 /// Simulated tests behind an interval.
 const DRAWS: usize = 2000;
 
-/// All characteristics that the visits tell.
-pub fn evaluate(visits: &Visits, settings: &Settings) -> Result<Iso9283Document> {
+/// All characteristics that the visits tell. Of several robots it is the first by name, and what exchanging them does.
+pub fn evaluate(all: &Visits, settings: &Settings) -> Result<Iso9283Document> {
+    let visits = &of_first_robot(all);
     let poses = poses(visits, settings)?;
     let mut messages = visits.warnings.clone();
+    messages.extend(several_ways(visits));
     let short: Vec<String> = poses.iter().filter(|p| p.cycles < CYCLES).map(|p| p.pose.to_string()).collect();
     if !short.is_empty() {
         let message = Message::warning(format!("fewer than {CYCLES} cycles at pose {}", short.join(", ")));
@@ -64,11 +66,11 @@ pub fn evaluate(visits: &Visits, settings: &Settings) -> Result<Iso9283Document>
     }
     Ok(Iso9283Document {
         schema: "etalon/iso9283/1".to_owned(),
-        conventions: conventions(visits, settings),
+        conventions: conventions(all, settings),
         distances: distances(visits)?,
         approaches: approaches(visits)?,
         drifts: drifts(visits, settings.drift_set)?,
-        exchangeability_mm: exchanged(visits)?,
+        exchangeability_mm: exchanged(all)?,
         coplanarity_mm: flatness(visits)?,
         coplanarity_of_four: Vec::new(),
         homing: None,
@@ -91,8 +93,10 @@ fn conventions(visits: &Visits, settings: &Settings) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if robots(visits).len() > 1 {
-        said.push("visits of all robots count together, but for exchangeability".to_owned());
+    let robots = robots(visits);
+    if let (Some(first), true) = (robots.first(), robots.len() > 1) {
+        let one = one_line(first);
+        said.push(format!("of {} robots: all is of `{one}`, but for exchangeability", robots.len()));
     }
     if visits.poses.iter().flat_map(|p| &p.visits).any(|v| v.readings_mm.len() > 1) {
         said.push("readings of one visit are averaged; their scatter is the instrument's noise".to_owned());
@@ -102,6 +106,27 @@ fn conventions(visits: &Visits, settings: &Settings) -> Vec<String> {
         said.push(format!("angles a, b, c are unwrapped and treated each alone; order of rotations: {order}"));
     }
     said
+}
+
+/// Visits of the robot that comes first by name.
+fn of_first_robot(visits: &Visits) -> Visits {
+    let mut first = visits.clone();
+    let Some(robot) = robots(visits).first().map(|r| (*r).to_owned()) else { return first };
+    first.poses.iter_mut().for_each(|p| p.visits.retain(|v| v.robot == robot));
+    first.poses.retain(|p| !p.visits.is_empty());
+    first
+}
+
+/// A warning where visits of a pose come from several directions: the standard's AP and RP are of one (7.2.1, 7.2.2).
+fn several_ways(visits: &Visits) -> Option<Message> {
+    let several = visits.poses.iter().filter(|p| p.approaches().values().filter(|count| **count > 1).count() > 1);
+    let poses: Vec<String> = several.map(|p| p.pose.to_string()).collect();
+    let what = format!(
+        "approached in several ways: pose {}; AP, RP and their intervals are of all visits together",
+        poses.join(", ")
+    );
+    let hint = "what the standard calls RP is that of each approach, told beside it; together they hold vAP as well, and their scatter is not Gaussian";
+    (!poses.is_empty()).then(|| Message::warning(what).hint(hint))
 }
 
 fn poses(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
@@ -260,10 +285,10 @@ pub(crate) fn drifts(visits: &Visits, set: Option<usize>) -> Result<Vec<Iso9283D
     let Some(size) = set else { return Ok(Vec::new()) };
     let drifting = |(p, commanded): (&PoseVisits, Vector)| -> Result<Iso9283Drift> {
         // in the order of cycles; a set that was cut short does not count
-        let mut ordered: Vec<&Visit> = p.visits.iter().collect();
-        ordered.sort_by_key(|v| v.cycle);
+        let cycles: BTreeSet<i64> = p.visits.iter().map(|v| v.cycle).collect();
+        let cycles: Vec<i64> = cycles.into_iter().collect();
         let sets: Vec<Vec<Vector>> =
-            ordered.chunks_exact(size.max(1)).map(|set| set.iter().map(|v| v.position_mm).collect()).collect();
+            cycles.chunks_exact(size.max(1)).map(|set| p.positions_mm(|v| set.contains(&v.cycle))).collect();
         let found = drift(&sets, commanded)?;
         Ok(Iso9283Drift {
             pose: p.pose,

@@ -1,6 +1,6 @@
 //! Visits of a repeatability test: tables of attained and commanded poses, checked and grouped by pose.
 
-use crate::coordinates::{Coordinates, at_row, coordinates, in_file, like};
+use crate::coordinates::{Coordinates, at_row, coordinates, in_file, like, unread};
 use crate::iso9283::wrapped;
 use crate::message::{Message, Place, Problems, Result};
 use crate::pose::{Vector, centroid};
@@ -104,6 +104,8 @@ impl Visits {
         // one message a kind of mistake is enough of the same
         problems.0.truncate(20);
         let mut warnings = problems.check()?;
+        warnings.extend(unread(attained, &["pose", "cycle", "approach", "robot", "reading"]));
+        warnings.extend(unread(commanded, &["pose", "cycle"]));
         for p in poses.iter().filter(|p| p.visits.is_empty()) {
             warnings.push(Message::warning(format!("pose {} is commanded, but nothing was measured there", p.pose)));
         }

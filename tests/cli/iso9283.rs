@@ -1,7 +1,7 @@
 //! `etalon iso9283`: recorded motions, paths, loads and plans of tests.
 
 use super::{etalon, text_of};
-use etalon::document::{Iso9283ComplianceDocument, Iso9283PlanDocument, Iso9283StreamDocument};
+use etalon::document::{Iso9283ComplianceDocument, Iso9283Document, Iso9283PlanDocument, Iso9283StreamDocument};
 use etalon::pose::Pose;
 use std::path::Path;
 use std::process::Output;
@@ -378,4 +378,46 @@ fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
     assert!(text_of(&table).contains("its travel is 0 to"), "{}", text_of(&table));
     let arm = answer(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/abb-irb120/robot.toml"), "300,-250,900,350");
     assert!(arm.status.code() == Some(2) && text_of(&arm).contains("model `serial`"), "{}", text_of(&arm));
+}
+
+/// Two robots, each well repeatable, half a millimetre apart: what one does is not what both do together.
+#[test]
+fn robots_approaches_and_cycles_are_told_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("commanded.csv"), "pose,x_mm,y_mm\n1,0,0\n2,100,0\n").unwrap();
+    let table = |robots: &[(&str, f64)], ways: &[(&str, f64)]| {
+        let mut noise = etalon::noise::Noise::new(11, 0);
+        let mut text = "pose,cycle,x_mm,y_mm,robot,approach\n".to_owned();
+        for (cycle, pose) in (1..=8).flat_map(|cycle| [1, 2].map(|pose| (cycle, pose))) {
+            for ((robot, off), (way, aside)) in robots.iter().flat_map(|r| ways.iter().map(move |w| (r, w))) {
+                let [x, y] = [off + 100.0 * f64::from(pose - 1), *aside].map(|v| v + noise.gaussian(0.001));
+                text += &format!("{pose},{cycle},{x},{y},{robot},{way}\n");
+            }
+        }
+        text
+    };
+    let answer = |text: &str| {
+        std::fs::write(folder.path().join("poses.csv"), text).unwrap();
+        let done = run(folder.path(), "iso9283 poses.csv --commanded commanded.csv --drift-set 4 --json");
+        let document: Iso9283Document = serde_json::from_slice(&done.stdout).unwrap_or_else(|e| panic!("{e}"));
+        (document, text_of(&done))
+    };
+    let both = table(&[("A", 0.0), ("B", 0.5)], &[("east", 0.0)]);
+    let (all, _) = answer(&both);
+    let of_a: String = both.lines().filter(|line| !line.contains(",B,")).map(|line| line.to_owned() + "\n").collect();
+    let (one, _) = answer(&of_a);
+    assert!(all.poses == one.poses && all.distances == one.distances && all.drifts == one.drifts);
+    assert!((all.exchangeability_mm.unwrap() - 0.5).abs() < 0.01 && one.exchangeability_mm.is_none());
+    assert!(all.conventions.iter().any(|c| c == "of 2 robots: all is of `A`, but for exchangeability"));
+
+    // two ways a cycle: sets of drift are of cycles, and what is no RP of the standard is said
+    let (ways, said) = answer(&table(&[("A", 0.0)], &[("east", 0.0), ("west", 0.1)]));
+    assert!(said.contains("approached in several ways: pose 1, 2"), "{said}");
+    assert!(ways.drifts.iter().all(|d| d.ap_mm.len() == 2), "{:?}", ways.drifts);
+    assert!(ways.approaches[0].approaches.iter().all(|a| a.rp_mm.unwrap() < 0.01), "{:?}", ways.approaches);
+
+    // a typing error in a title is told
+    let typed = table(&[("A", 0.0)], &[("east", 0.0)]).replacen("approach", "aproach", 1);
+    let (_, said) = answer(&typed);
+    assert!(said.contains("not read: 1 column `aproach`") && said.contains("did you mean `approach`?"), "{said}");
 }

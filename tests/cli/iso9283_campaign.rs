@@ -258,6 +258,18 @@ fn a_campaign_may_have_recorded_motions_or_loads_and_nothing_else() {
     }
 }
 
+/// A pose that was visited once has no repeatability, which is not a repeatability of zero.
+#[test]
+fn a_limit_that_a_pose_cannot_be_judged_by_is_an_error() {
+    let tables = "[poses]\nattained = \"p.csv\"\ncommanded = \"c.csv\"\n";
+    let scratch = alone(&format!("{tables}[limits]\nrepeatability_max_mm = 0.0001\n"));
+    std::fs::write(scratch.path().join("p.csv"), "pose,cycle,x_mm,y_mm\n1,1,0.1,0\n").unwrap();
+    std::fs::write(scratch.path().join("c.csv"), "pose,x_mm,y_mm\n1,0,0\n").unwrap();
+    let done = etalon(scratch.root(), &["run", "campaign"]);
+    assert_eq!(done.status.code(), Some(2), "{}", text_of(&done));
+    assert!(text_of(&done).contains("the limit `repeatability_max_mm` cannot be judged: pose 1"), "{}", text_of(&done));
+}
+
 #[test]
 fn tests_of_poses_are_compared_over_campaigns() {
     let (first, second) = (copy_sample("pose-test"), copy_sample("pose-test"));

@@ -1,7 +1,7 @@
 //! What the first box of a test report says.
 
-use super::um;
 use crate::document::{Characteristics, Iso9283Conformity, Iso9283Document, Iso9283Pose};
+use crate::report::number;
 use crate::report::words::Words;
 
 /// Style of the box (`good`, `bad` or `open`) and its sentences.
@@ -23,42 +23,52 @@ pub(in crate::report) fn title(tested: &Characteristics, words: &Words) -> Strin
 pub(in crate::report) fn verdict(tested: &Characteristics, words: &Words) -> Verdict {
     let mut sentences = Vec::new();
     if let Some(document) = &tested.poses {
-        let found = worst(document, |p| p.ap_mm)
-            .map(|(ap, pose)| words.fill("The accuracy is {0} µm, at pose {1}.", &[&ap, &pose]));
-        sentences.extend(judged(found, document, "accuracy_max_mm", |p| p.ap_conformity, words));
-        let found = worst(document, |p| p.rp_mm)
-            .map(|(rp, pose)| words.fill("The repeatability is {0} µm, at pose {1}.", &[&rp, &pose]));
-        sentences.extend(judged(found, document, "repeatability_max_mm", |p| p.rp_conformity, words));
+        let said = "The accuracy is {0} µm, at pose {1}.";
+        let accuracy: Judged = ("accuracy_max_mm", |p: &Iso9283Pose| p.ap_conformity);
+        sentences.extend(worst(document, |p| p.ap_mm).map(|found| judged(said, found, document, accuracy, words)));
+        let said = "The repeatability is {0} µm, at pose {1}.";
+        let repeatability: Judged = ("repeatability_max_mm", |p: &Iso9283Pose| p.rp_conformity);
+        sentences.extend(worst(document, |p| p.rp_mm).map(|found| judged(said, found, document, repeatability, words)));
     }
     let met: Vec<bool> = tested.limits().map(|l| l.met).collect();
     if met.is_empty() {
         sentences.push(words.say("The campaign states no limit."));
     }
+    let open = |p: &Iso9283Pose| [p.ap_conformity, p.rp_conformity].contains(&Some(Iso9283Conformity::Neither));
+    let proved = !tested.poses.iter().flat_map(|d| &d.poses).any(open);
     let class = match (met.is_empty(), met.iter().all(|met| *met)) {
-        (true, _) => "open",
-        (false, true) => "good",
         (false, false) => "bad",
+        (false, true) if proved => "good",
+        _ => "open",
     };
     Verdict { class, sentences }
 }
 
-/// The largest value of all poses in µm, and where.
-fn worst(document: &Iso9283Document, value: fn(&Iso9283Pose) -> Option<f64>) -> Option<(String, i64)> {
+/// The largest value of all poses in mm, and where.
+fn worst(document: &Iso9283Document, value: fn(&Iso9283Pose) -> Option<f64>) -> Option<(f64, i64)> {
     let all = document.poses.iter().filter_map(|p| Some((value(p)?, p.pose)));
-    all.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(value, pose)| (um(Some(value)), pose))
+    all.max_by(|a, b| a.0.total_cmp(&b.0))
 }
+
+/// What a limit is called, and what the interval of a pose proves of it.
+type Judged = (&'static str, fn(&Iso9283Pose) -> Option<Iso9283Conformity>);
 
 /// What was found, whether it is within the limit, and what the intervals prove of that.
 fn judged(
-    found: Option<String>,
+    said: &str,
+    (worst_mm, pose): (f64, i64),
     document: &Iso9283Document,
-    limit: &str,
-    proved: fn(&Iso9283Pose) -> Option<Iso9283Conformity>,
+    (limit, proved): Judged,
     words: &Words,
-) -> Option<String> {
-    let found = found?;
-    let Some(limit) = document.limits.iter().find(|l| l.name == limit) else { return Some(found) };
-    let allowed = um(Some(limit.limit));
+) -> String {
+    let limit = document.limits.iter().find(|l| l.name == limit);
+    // with the digits that decide, also where it is close to the limit
+    let apart_um = limit.map(|l| 1e3 * (l.limit - worst_mm).abs());
+    let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
+    let um = |mm: f64| number::fixed(1e3 * mm, digits);
+    let found = words.fill(said, &[&um(worst_mm), &pose]);
+    let Some(limit) = limit else { return found };
+    let allowed = um(limit.limit);
     let within = match limit.met {
         true => words.fill("This is within the limit of {0} µm.", &[&allowed]),
         false => words.fill("This is not within the limit of {0} µm.", &[&allowed]),
@@ -71,5 +81,5 @@ fn judged(
         &[&conforming, &not, &neither],
     );
     let told = if conforming + not + neither > 0 { format!(" {told}") } else { String::new() };
-    Some(format!("{found} {within}{told}"))
+    format!("{found} {within}{told}")
 }
