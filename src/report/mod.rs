@@ -13,6 +13,8 @@ mod correlation;
 mod demo;
 #[cfg(test)]
 mod demo_iso9283;
+#[cfg(test)]
+mod demo_streams;
 mod facts;
 mod geometric;
 mod histogram;
@@ -28,6 +30,7 @@ mod plan;
 mod plane;
 mod points;
 mod residuals;
+mod singular;
 mod streams;
 mod svg;
 mod tables;
@@ -35,10 +38,9 @@ pub mod templates;
 #[cfg(test)]
 mod tests;
 mod verdict;
-mod words;
+pub(crate) mod words;
 mod workbook;
 
-pub use compare::html as compare_html;
 pub use plan::html as plan_html;
 
 use crate::document::{
@@ -108,6 +110,7 @@ struct Page<'a> {
     parameter_pictures: Vec<points::Picture>,
     pictures: Vec<points::Picture>,
     residual_pictures: Vec<points::Picture>,
+    observability_pictures: Vec<points::Picture>,
     geometric: Option<geometric::Section<'a>>,
     iso9283: Option<iso9283::Section<'a>>,
     streams: Vec<streams::Section<'a>>,
@@ -159,9 +162,10 @@ pub fn html(report: &Report) -> Result<String> {
         parameter_pictures: drawn.parameters,
         pictures: drawn.errors,
         residual_pictures: drawn.residuals,
+        observability_pictures: drawn.observability,
         geometric: report.geometric.map(|g| geometric::section(g, words)),
         iso9283: report.iso9283.map(|i| iso9283::section(i, words)),
-        streams: report.streams.map(streams::sections).unwrap_or_default(),
+        streams: report.streams.map(|s| streams::sections(s, words)).unwrap_or_default(),
         undrawn: report.errors.len() - points::drawable(report.errors).len(),
     };
     templates::render("report.html", presentation, words, page)
@@ -203,7 +207,7 @@ pub fn test_html(report: &TestReport) -> Result<String> {
         class,
         sentence,
         iso9283: iso9283::section(report.iso9283, words),
-        streams: report.streams.map(streams::sections).unwrap_or_default(),
+        streams: report.streams.map(|s| streams::sections(s, words)).unwrap_or_default(),
     };
     templates::render("repeatability.html", presentation, words, page)
 }

@@ -3,7 +3,8 @@
 use super::super::axis::{Axis, left_margin, range};
 use super::super::number;
 use super::super::points::Picture;
-use super::super::svg::{Shape, Svg};
+use super::super::svg::{COLOURS, Shape, Svg};
+use super::super::words::Words;
 
 const WIDTH: f64 = 760.0;
 const RIGHT: f64 = 744.0;
@@ -15,8 +16,6 @@ const DRAWABLE: f64 = 1e12;
 const LIMIT: usize = 300;
 /// Curves that a legend names.
 const NAMED: usize = 12;
-/// Colours that every eye tells apart (Okabe & Ito 2008).
-const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
 
 pub(super) struct Curve {
     pub name: String,
@@ -42,7 +41,7 @@ pub(super) struct Chart {
 
 impl Chart {
     /// The picture with its numbers; `None` where no curve has a point that can be drawn.
-    pub fn picture(self) -> Option<Picture> {
+    pub fn picture(self, words: &Words) -> Option<Picture> {
         let drawable = |p: &&(f64, f64)| p.0.abs() < DRAWABLE && p.1.abs() < DRAWABLE;
         let curves: Vec<(&Curve, Vec<(f64, f64)>)> = self
             .curves
@@ -81,7 +80,8 @@ impl Chart {
                 svg.line("grid", at(pair[0]), at(pair[1]));
             }
             for p in drawn {
-                let tip = format!("{}: {} at {}", curve.name, number::significant(p.1, 4), number::significant(p.0, 4));
+                let values = [number::significant(p.1, 4), number::significant(p.0, 4)];
+                let tip = words.fill("{0}: {1} at {2}", &[&curve.name, &values[0], &values[1]]);
                 svg.mark(Shape::Circle, "map", at(p), 2.6, COLOURS[i % COLOURS.len()], &tip);
             }
         }
@@ -103,11 +103,11 @@ impl Chart {
         let rows = curves.iter().flat_map(|(c, points)| {
             points.iter().map(|p| vec![c.name.clone(), number::significant(p.0, 5), number::significant(p.1, 4)])
         });
-        let header = ["curve".to_owned(), self.across.clone(), self.up.clone()];
+        let header = [words.say("curve"), self.across.clone(), self.up.clone()];
         Some(Picture {
             svg: svg.finish(),
             wide: true,
-            table_title: "Numbers of the picture".to_owned(),
+            table_title: words.say("Numbers of this picture"),
             header: header.to_vec(),
             rows: rows.take(2000).collect(),
             title: self.title,
