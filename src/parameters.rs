@@ -1,7 +1,7 @@
 //! The document of an identification: parameters with all that is needed to trust them.
 
 use crate::document::*;
-use crate::identify::{Group, Identification, Observability, Settings, Status};
+use crate::identify::{Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status};
 use crate::message::{Message, Severity};
 use crate::robots::Robot;
 use std::collections::BTreeMap;
@@ -67,7 +67,7 @@ pub fn parameters_document(
             uncertainties_from: found.uncertainty_from,
             uncertainties_enlarged_by: found.enlarged_by,
         },
-        observability: found.observability.as_ref().map(observability_summary),
+        observability: found.observability.as_ref().map(|o| observability_summary(robot, o)),
         solver: SolverSummary {
             method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),
             iterations: found.iterations,
@@ -79,11 +79,27 @@ pub fn parameters_document(
     }
 }
 
-/// The indices with their scaling.
-pub fn observability_summary(o: &Observability) -> ObservabilitySummary {
+/// The indices with their scaling, and the singular values with the names of their parameters.
+pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> ObservabilitySummary {
     let [o1, o2, o3, o4, o5] = o.indices;
+    let named = |s: &SingularValue| SingularValueEntry {
+        value: s.value,
+        parameters: s.parameters.iter().map(|&i| robot.parameters()[i].name.clone()).collect(),
+    };
     let scaling = "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms";
-    ObservabilitySummary { o1, o2, o3, o4, o5, condition: o.condition, rank: o.rank, scaling: scaling.to_owned() }
+    ObservabilitySummary {
+        o1,
+        o2,
+        o3,
+        o4,
+        o5,
+        condition: o.condition,
+        rank: o.rank,
+        scaling: scaling.to_owned(),
+        singular_values: o.singular_values.iter().map(named).collect(),
+        held_singular_values: o.held_singular_values.iter().map(named).collect(),
+        rank_cut: RANK_TOLERANCE,
+    }
 }
 
 impl ParametersDocument {

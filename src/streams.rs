@@ -3,10 +3,9 @@
 use crate::campaign::{Campaign, StreamDefinition};
 use crate::document::{Iso9283NamedStream, Iso9283StreamsDocument, Source};
 use crate::import;
-use crate::iso9283::standstill::Stillness;
 use crate::message::{Message, Problems, Result};
 use crate::recording::{Recording, commanded_path, commanded_poses};
-use crate::stream_test::{PathSettings, Settings, evaluate, times};
+use crate::stream_test::{Settings, Stated, evaluate};
 use crate::table_file::TableFile;
 use std::collections::BTreeSet;
 use toml::Spanned;
@@ -32,7 +31,10 @@ pub fn read(campaign: &Campaign) -> Result<Vec<Ready>> {
             let message = Message::error(format!("stream `{}` is there twice", stream.name.get_ref()));
             problems.0.push(message.at(campaign.place(&stream.name)));
         }
-        let wrong = stream.problems(campaign);
+        let mut wrong = stream.problems(campaign);
+        if let Err(more) = stated(stream).check(|key| format!("`{key}`")) {
+            wrong.0.extend(more.at(&campaign.place(&stream.name)).0);
+        }
         match wrong.0.is_empty() {
             false => problems.0.extend(wrong.0),
             true => match ready(campaign, stream) {
@@ -89,24 +91,27 @@ fn ready(campaign: &Campaign, stream: &StreamDefinition) -> Result<Ready> {
         None => None,
         Some(path) => {
             let table = file(path, "commanded path", false)?;
-            let path = commanded_path(table.named(), (&recorded.name, &recording)).map_err(|p| table.place(p))?;
-            Some(PathSettings {
-                path,
-                points: stream.path_points,
-                velocity_mm_s: stream.velocity_mm_s,
-                central: stream.central_percent / 100.0,
-                weave: None,
-            })
+            Some(commanded_path(table.named(), (&recorded.name, &recording)).map_err(|p| table.place(p))?)
         }
     };
-    let settings = Settings {
-        still: Stillness { radius_mm: stream.still_mm, duration_s: stream.still_s },
+    let settings = stated(stream).settings(poses, path, SEED);
+    Ok(Ready { recording, settings, sources })
+}
+
+/// What holds for a motion that no campaign knows, too.
+fn stated(stream: &StreamDefinition) -> Stated<'_> {
+    Stated {
+        rate_hz: stream.rate_hz,
+        still_mm: stream.still_mm,
+        still_s: stream.still_s,
         near_mm: stream.near_mm,
         band_mm: stream.band_mm,
-        poses,
-        path,
-        time: times(stream.rate_hz),
-        seed: SEED,
-    };
-    Ok(Ready { recording, settings, sources })
+        path: stream.path.is_some(),
+        path_points: stream.path_points,
+        velocity_mm_s: stream.velocity_mm_s,
+        central_percent: stream.central_percent,
+        weave_stroke_mm: stream.weave_stroke_mm,
+        weave_hz: stream.weave_hz,
+        weave_across: &stream.weave_across,
+    }
 }

@@ -39,7 +39,7 @@ pub use repeatability::RepeatabilityDefinition;
 pub use report::ReportDefinition;
 pub use robot_file::RobotFile;
 pub use selection::Selection;
-pub use stream::{StreamDefinition, no_test_with};
+pub use stream::StreamDefinition;
 pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};
 pub use types::*;
 

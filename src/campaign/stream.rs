@@ -42,6 +42,13 @@ pub struct StreamDefinition {
     /// Central part of the path over which velocities are compared.
     #[serde(default = "central_percent")]
     pub central_percent: f64,
+    /// The path is the centre line of a weave with this stroke from side to side.
+    pub weave_stroke_mm: Option<f64>,
+    /// Swings there and back by second.
+    pub weave_hz: Option<f64>,
+    /// The way it swings: x, y and z.
+    #[serde(default)]
+    pub weave_across: Vec<f64>,
 }
 
 fn still_mm() -> f64 {
@@ -65,43 +72,13 @@ fn central_percent() -> f64 {
 }
 
 impl StreamDefinition {
-    /// Statements that mean nothing.
+    /// A file whose units are not told, or told twice.
     pub fn problems(&self, campaign: &Campaign) -> Problems {
-        let place = || campaign.place(&self.name);
-        let numbers = [
-            ("`rate_hz`", self.rate_hz),
-            ("`still_mm`", Some(self.still_mm)),
-            ("`still_s`", Some(self.still_s)),
-            ("`near_mm`", Some(self.near_mm)),
-            ("`band_mm`", self.band_mm),
-            ("`velocity_mm_s`", self.velocity_mm_s),
-            ("`central_percent`", Some(self.central_percent)),
-        ];
-        let central = ("`central_percent`", self.central_percent);
-        let told = no_test_with(&numbers, central, ("`path_points`", self.path_points)).0;
-        let mut problems = Problems(told.into_iter().map(|message| message.at(place())).collect());
-        let mut say = |message: Message| problems.0.push(message.at(place()));
-        if self.format.is_some() != self.unit.is_some() {
-            let message = Message::error("a recording with a `format` needs its `unit`, and only then one");
-            say(message.hint("without both it is a table time_s,x_mm,y_mm,z_mm, which tells its units"));
+        if self.format.is_some() == self.unit.is_some() {
+            return Problems::default();
         }
-        if self.velocity_mm_s.is_some() && self.path.is_none() {
-            say(Message::error("`velocity_mm_s` is that of a `path`").hint("state the file of the commanded path"));
-        }
-        problems
+        let message = Message::error("a recording with a `format` needs its `unit`, and only then one");
+        let message = message.hint("without both it is a table time_s,x_mm,y_mm,z_mm, which tells its units");
+        message.at(campaign.place(&self.name)).into()
     }
-}
-
-/// What no recorded motion can be tested with: numbers that must be positive, the part of the path in percent, the points
-/// along it. Names are as the user writes them.
-pub fn no_test_with(numbers: &[(&str, Option<f64>)], central: (&str, f64), points: (&str, usize)) -> Problems {
-    let wrong = numbers.iter().filter(|(_, value)| value.is_some_and(|v| !(v > 0.0 && v.is_finite())));
-    let mut problems = Problems(wrong.map(|(n, _)| Message::error(format!("{n} must be positive"))).collect());
-    if central.1 > 100.0 {
-        problems.0.push(Message::error(format!("{} is more than the path", central.0)));
-    }
-    if !(2..=100_000).contains(&points.1) {
-        problems.0.push(Message::error(format!("{} must be 2 to 100000", points.0)));
-    }
-    problems
 }

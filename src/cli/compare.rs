@@ -1,12 +1,14 @@
 //! `etalon compare`
 
+use super::report::Dressed;
 use super::{Verdict, print, say};
 use crate::campaign::Campaign;
 use crate::compare::{Compared, compare};
 use crate::document::{CompareDocument, CompareFamily, CompareTogether};
 use crate::message::{Message, Problems, Result, one_line};
-use crate::report::compare::words;
-use crate::report::{self, number};
+use crate::report::compare::{WRITERS, Writer, family, words};
+use crate::report::number;
+use crate::report::words::Words;
 use crate::{files, output};
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
@@ -22,9 +24,11 @@ pub struct Compare {
     /// Folders of campaigns, or their output folders, in the order of time
     #[arg(required = true, num_args = 2..)]
     folders: Vec<PathBuf>,
-    /// Write a report with pictures
-    #[arg(long, value_name = "FILE.html")]
-    report: Option<PathBuf>,
+    /// Write a report: its ending (.html, .pdf, .xlsx) says which; may be repeated
+    #[arg(long, value_name = "FILE")]
+    report: Vec<PathBuf>,
+    #[command(flatten)]
+    dressed: Dressed,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -33,6 +37,13 @@ pub struct Compare {
 impl Compare {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let mut problems = Problems::default();
+        let mut writers = Vec::new();
+        for path in &self.report {
+            match writer(path) {
+                Ok(writer) => writers.push((path, writer)),
+                Err(more) => problems.0.extend(more.0),
+            }
+        }
         let mut all = Vec::new();
         for folder in &self.folders {
             match read(folder) {
@@ -45,12 +56,26 @@ impl Compare {
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }
-        if let Some(path) = &self.report {
-            files::write(path, report::compare_html(&document)?.as_bytes())?;
+        if let Some(first) = all.first().filter(|_| !writers.is_empty()) {
+            let presentation = self.dressed.over(first.campaign.report.clone())?;
+            for (path, write) in writers {
+                files::write(path, &write(&document, &presentation)?)?;
+            }
         }
         print(if self.json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
         Ok(Verdict::Met)
     }
+}
+
+/// What writes the kind of report that the ending of its file names.
+fn writer(path: &Path) -> Result<Writer> {
+    let ending = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).unwrap_or_default();
+    if let Some((_, write)) = WRITERS.iter().find(|(kind, _)| *kind == ending) {
+        return Ok(*write);
+    }
+    let kinds: Vec<String> = WRITERS.iter().map(|(kind, _)| format!(".{kind}")).collect();
+    let message = Message::error(format!("`{}` names no kind of report", path.display()));
+    Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
 }
 
 /// What stands in a campaign's output folder.
@@ -73,7 +98,8 @@ fn read(named: &Path) -> Result<Compared> {
         (None, Some(_)) => return Err(folder.missing("parameters.json")),
     };
     let iso9283 = folder.document("iso9283.json", Some("etalon/iso9283/1"))?;
-    Ok(Compared { folder: folder.named, campaign, identified, iso9283, inputs: folder.inputs })
+    let streams = folder.document("iso9283-streams.json", Some("etalon/iso9283-streams/1"))?;
+    Ok(Compared { folder: folder.named, campaign, identified, iso9283, streams, inputs: folder.inputs })
 }
 
 struct Folder {
@@ -113,24 +139,25 @@ impl Folder {
 
 /// What a terminal shows.
 fn as_text(document: &CompareDocument) -> String {
+    let english = &Words::default();
     let mut text = String::new();
     for (i, c) in document.campaigns.iter().enumerate() {
         let date = one_line(c.date.as_deref().unwrap_or("no date"));
         let _ = writeln!(text, "{} {date}, {} ({})", i + 1, one_line(&c.name), one_line(&c.folder));
     }
-    let mut family = None;
+    let mut told = None;
     for t in &document.trends {
-        if family != Some(t.family) {
-            family = Some(t.family);
-            let _ = writeln!(text, "\n{}", report::compare::name(t.family));
+        if told != Some(t.family) {
+            told = Some(t.family);
+            let _ = writeln!(text, "\n{}", family(t.family, english));
             if t.family == CompareFamily::Robot {
                 document.together.iter().for_each(|t| together(&mut text, t));
             }
         }
-        let values: Vec<String> = t.values.iter().map(words::value).collect();
+        let values: Vec<String> = t.values.iter().map(|v| words::value(v, english)).collect();
         let _ = writeln!(text, "  {} {}  {}", one_line(&t.name), words::unit(&t.unit), values.join("  "));
         for c in &t.changes {
-            let w = words::change(t, c);
+            let w = words::change(t, c, english);
             let _ = writeln!(
                 text,
                 "    {}: {} [{}], p {} (Holm {}): {}",

@@ -68,6 +68,10 @@ pub enum CompareFamily {
     MeanPosition,
     /// RP of each pose.
     PoseRepeatability,
+    /// AT of each recorded path.
+    PathAccuracy,
+    /// RT of each recorded path.
+    PathRepeatability,
 }
 
 /// One quantity over the campaigns.
@@ -110,7 +114,8 @@ pub struct CompareChange {
     pub to: usize,
     /// Later minus earlier.
     pub change: f64,
-    /// Later over earlier, for quantities whose intervals are those of the ratio (RP); null for others.
+    /// Later over earlier, for quantities whose intervals are those of the ratio (RP, and RT, of which it is that of the
+    /// middles of both intervals); null for others.
     pub ratio: Option<f64>,
     /// Lower end of the 95 % interval of the change, or of the ratio where there is one; null where nothing tells it.
     pub low: Option<f64>,

@@ -187,13 +187,17 @@ pub struct Iso9283Weaving {
     pub passes: usize,
     /// Turns that were counted in all of them.
     pub turns: usize,
+    /// Commanded stroke, from side to side.
+    pub commanded_stroke_mm: f64,
     /// Attained stroke.
     pub stroke_mm: f64,
+    /// Commanded frequency: swings there and back by second.
+    pub commanded_frequency_hz: f64,
     /// Attained frequency.
     pub frequency_hz: f64,
-    /// WS.
+    /// WS: attained minus commanded stroke, in per cent of the commanded one.
     pub ws_percent: f64,
-    /// WF.
+    /// WF, of the frequency likewise.
     pub wf_percent: f64,
 }
 

@@ -11,6 +11,7 @@ mod geometric;
 mod iso9283;
 mod iso9283_plan;
 mod iso9283_stream;
+mod observability;
 mod plan;
 mod presentation;
 mod refit;
@@ -27,6 +28,7 @@ pub use geometric::*;
 pub use iso9283::*;
 pub use iso9283_plan::*;
 pub use iso9283_stream::*;
+pub use observability::{ObservabilitySummary, SingularValueEntry};
 pub use plan::{
     ComparedPoses, CurvePoint, GreedySummary, PlanDocument, PlannedParameter, PlannedPose, WorkspaceUncertainty,
 };
@@ -242,28 +244,6 @@ pub enum ParameterStatus {
     Fixed,
     /// Held because the data cannot tell it apart.
     NotIdentifiable,
-}
-
-/// Observability of the parameters from the poses.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ObservabilitySummary {
-    /// O1 = (σ1…σm)^(1/m) / √n, m parameters and n poses (Sun & Hollerbach 2008).
-    pub o1: f64,
-    /// O2 = σmin / σmax (eq. 1.20).
-    pub o2: f64,
-    /// O3 = σmin (eq. 1.22).
-    pub o3: f64,
-    /// O4 = σmin² / σmax (eq. 1.23).
-    pub o4: f64,
-    /// O5 = 1 / Σ 1/σ (eq. 1.25).
-    pub o5: f64,
-    /// Condition number with columns divided by their norms.
-    pub condition: f64,
-    /// Number of parameters told apart.
-    pub rank: usize,
-    /// Which scaling the indices have.
-    pub scaling: String,
 }
 
 /// How the solver ended.

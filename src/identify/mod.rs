@@ -17,7 +17,7 @@ mod uncertainty;
 pub use assembly::stated_modes;
 pub use identifiability::{Group, RANK_TOLERANCE};
 pub use logs::{LogComparison, compare_logs};
-pub use observability::{Observability, WeakGroup};
+pub use observability::{Observability, SingularValue, WeakGroup};
 pub use observation::Observation;
 pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use residuals::ResidualKind;

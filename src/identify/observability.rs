@@ -17,6 +17,21 @@ pub struct Observability {
     pub condition: f64,
     /// Number of parameters told apart.
     pub rank: usize,
+    /// Singular values of the Jacobian with its columns divided by their norms, descending: the first over the last is the
+    /// condition number.
+    pub singular_values: Vec<SingularValue>,
+    /// Of the same Jacobian with all parameters that were to be identified, the smallest, as many as are held: directions
+    /// that the data do not tell, or uselessly badly. Empty where none is held, and where nothing was measured yet.
+    pub held_singular_values: Vec<SingularValue>,
+}
+
+/// How strongly the residuals answer to a direction of the parameters, and which parameters make that up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SingularValue {
+    /// The singular value.
+    pub value: f64,
+    /// Indices of parameters with a share of more than 0.3 in its right singular vector, the largest first.
+    pub parameters: Vec<usize>,
 }
 
 /// Parameters that the data can hardly tell apart: their uncertainties are large and cancel each other.
@@ -33,8 +48,8 @@ pub struct WeakGroup {
 /// Parameters are hardly told apart where their uncertainty alone would move the targets by more than this many times
 /// what the instrument resolves (root mean square over the residuals, each pose measured once).
 const WEAK_EFFECT: f64 = 10.0;
-/// Share of a weak singular vector above which a parameter takes part.
-const WEAK_MEMBER: f64 = 0.3;
+/// Share of a singular vector above which a parameter takes part.
+const MEMBER: f64 = 0.3;
 /// Correlation, by size, that binds two of them.
 const BOUND: f64 = 0.9;
 
@@ -45,7 +60,7 @@ pub(super) fn observe(
     covariance: Option<&[f64]>,
 ) -> Option<(Observability, Vec<WeakGroup>)> {
     let n = problem.free.len();
-    let plain = problem.is_whitened().then(|| plain(problem, solution));
+    let plain = problem.is_whitened().then(|| plain(problem, &solution.x));
     let (factor, scale) = match &plain {
         Some((factor, scale)) => (factor, scale),
         None => (solution.factor.as_ref()?, &solution.scale),
@@ -56,6 +71,8 @@ pub(super) fn observe(
         indices: indices(&unscaled, problem.observation_count())?,
         condition: Some(scaled.condition()).filter(|c| c.is_finite())?,
         rank: n,
+        singular_values: singular_values(&scaled, &problem.free),
+        held_singular_values: Vec::new(),
     };
     let Some(covariance) = covariance else { return Some((observability, Vec::new())) };
     let u = |k: usize| covariance[k * n + k].sqrt();
@@ -70,7 +87,7 @@ pub(super) fn observe(
     let rows = rows * poses.len() as f64 / repeated;
     let mut weak: Vec<WeakGroup> = Vec::new();
     for k in (0..n).filter(|&k| 1.0 / (scaled.values[k] * rows.sqrt()) > WEAK_EFFECT) {
-        let members: Vec<usize> = (0..n).filter(|&j| scaled.vectors[k][j].abs() > WEAK_MEMBER).collect();
+        let members: Vec<usize> = (0..n).filter(|&j| scaled.vectors[k][j].abs() > MEMBER).collect();
         for bound in bind(&members, &correlation) {
             let parameters: Vec<usize> = bound.iter().map(|&j| problem.free[j]).collect();
             if weak.iter().any(|w| w.parameters == parameters) {
@@ -88,11 +105,29 @@ pub(super) fn observe(
     Some((observability, weak))
 }
 
+/// The smallest singular values with all parameters of `problem`, as many as are not among the `rank` identified ones.
+pub(super) fn held_singular_values(problem: &Residuals, values: &[f64], rank: usize) -> Vec<SingularValue> {
+    if problem.free.len() == rank {
+        return Vec::new();
+    }
+    let x: Vec<f64> = problem.free.iter().map(|&i| values[i]).collect();
+    singular_values(&svd(&plain(problem, &x).0), &problem.free).split_off(rank)
+}
+
+fn singular_values(svd: &Svd, free: &[usize]) -> Vec<SingularValue> {
+    let of = |(&value, vector): (&f64, &Vec<f64>)| {
+        let mut members: Vec<usize> = (0..free.len()).filter(|&j| vector[j].abs() > MEMBER).collect();
+        members.sort_by(|&i, &j| vector[j].abs().total_cmp(&vector[i].abs()));
+        SingularValue { value, parameters: members.into_iter().map(|j| free[j]).collect() }
+    };
+    svd.values.iter().zip(&svd.vectors).map(of).collect()
+}
+
 /// Factor and column norms of the Jacobian that is not whitened.
-fn plain(problem: &Residuals, solution: &Solution) -> (Factor, Vec<f64>) {
+fn plain(problem: &Residuals, x: &[f64]) -> (Factor, Vec<f64>) {
     let (m, n) = (problem.residual_count(), problem.free.len());
     let mut jacobian = vec![0.0; m * n];
-    problem.plain_jacobian(&solution.x, &mut jacobian);
+    problem.plain_jacobian(x, &mut jacobian);
     let scale = column_norms(&jacobian, n);
     (Factor::new(&jacobian, &vec![0.0; m], &scale), scale)
 }

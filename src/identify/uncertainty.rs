@@ -1,6 +1,6 @@
 //! How well parameters are known: covariance and chi-square.
 
-use super::observability::{observe, weak_message};
+use super::observability::{held_singular_values, observe, weak_message};
 use super::residuals::Residuals;
 use super::settle::Settled;
 use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
@@ -95,7 +95,11 @@ pub(super) fn conclude(
     let mut plain = vec![0.0; m];
     problem.plain_residuals(&solution.x, &mut plain);
     let observed = observe(problem, solution, covariance.as_deref());
-    let (observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
+    let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
+    if let Some(o) = &mut observability {
+        let all = Residuals::new(robot, observations, settings, wanted, &values)?;
+        o.held_singular_values = held_singular_values(&all, &values, n);
+    }
     warnings.extend(groups.iter().map(|g| held_message(robot, g)));
     warnings.extend(weak.iter().map(|w| weak_message(robot, w)));
     let status = |i| match () {

@@ -248,6 +248,9 @@ fn parameters() -> ParametersDocument {
             condition: 46.9,
             rank: 11,
             scaling: "columns in mm and degrees, as the parameters are".to_owned(),
+            singular_values: singular_values(),
+            held_singular_values: vec![SingularValueEntry { value: 3e-13, parameters: vec!["x_c".to_owned()] }],
+            rank_cut: 1e-9,
         }),
         solver: SolverSummary {
             method: "Levenberg-Marquardt".to_owned(),
@@ -267,4 +270,11 @@ fn parameters() -> ParametersDocument {
             seed: Some(7),
         },
     }
+}
+
+/// Eleven values over a condition number of 46.9.
+fn singular_values() -> Vec<SingularValueEntry> {
+    let value = |i: i32| 2.345 * 46.9f64.powf(-f64::from(i) / 10.0);
+    let parameters = |i: i32| if i == 10 { vec!["beta".to_owned(), "x_o".to_owned()] } else { vec![] };
+    (0..11).map(|i| SingularValueEntry { value: value(i), parameters: parameters(i) }).collect()
 }

@@ -13,6 +13,8 @@ mod correlation;
 mod demo;
 #[cfg(test)]
 mod demo_iso9283;
+#[cfg(test)]
+mod demo_streams;
 mod facts;
 mod geometric;
 mod histogram;
@@ -29,6 +31,7 @@ mod plan;
 mod plane;
 mod points;
 mod residuals;
+mod singular;
 mod streams;
 mod svg;
 mod tables;
@@ -36,10 +39,9 @@ pub mod templates;
 #[cfg(test)]
 mod tests;
 mod verdict;
-mod words;
+pub(crate) mod words;
 mod workbook;
 
-pub use compare::html as compare_html;
 pub use plan::html as plan_html;
 
 use crate::document::{
@@ -105,6 +107,7 @@ struct Page<'a> {
     parameter_pictures: Vec<points::Picture>,
     pictures: Vec<points::Picture>,
     residual_pictures: Vec<points::Picture>,
+    observability_pictures: Vec<points::Picture>,
     geometric: Option<geometric::Section<'a>>,
     iso9283: Option<iso9283::Section<'a>>,
     compliance: Vec<part::Part>,
@@ -157,10 +160,11 @@ pub fn html(report: &Report) -> Result<String> {
         parameter_pictures: drawn.parameters,
         pictures: drawn.errors,
         residual_pictures: drawn.residuals,
+        observability_pictures: drawn.observability,
         geometric: report.geometric.map(|g| geometric::section(g, words)),
         iso9283: report.tested.poses.as_ref().map(|i| iso9283::section(i, words)),
         compliance: iso9283::compliance(report.tested.compliance.as_ref(), words),
-        streams: report.tested.streams.as_ref().map(streams::sections).unwrap_or_default(),
+        streams: report.tested.streams.as_ref().map(|s| streams::sections(s, words)).unwrap_or_default(),
         undrawn: report.errors.len() - points::drawable(report.errors).len(),
     };
     templates::render("report.html", presentation, words, page)
@@ -206,7 +210,7 @@ pub fn test_html(report: &TestReport) -> Result<String> {
         title: iso9283::title(report.tested, words),
         iso9283: report.tested.poses.as_ref().map(|i| iso9283::section(i, words)),
         compliance: iso9283::compliance(report.tested.compliance.as_ref(), words),
-        streams: report.tested.streams.as_ref().map(streams::sections).unwrap_or_default(),
+        streams: report.tested.streams.as_ref().map(|s| streams::sections(s, words)).unwrap_or_default(),
     };
     templates::render("repeatability.html", presentation, words, page)
 }

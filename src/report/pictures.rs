@@ -2,7 +2,7 @@
 
 use super::points::{self, Picture};
 use super::words::Words;
-use super::{Report, arrows, by_pose, correlation, histogram, intervals, map, residuals};
+use super::{Report, arrows, by_pose, correlation, histogram, intervals, map, residuals, singular};
 use crate::document::PointError;
 
 /// Pictures by section.
@@ -13,6 +13,8 @@ pub(super) struct Pictures {
     pub parameters: Vec<Picture>,
     /// of what is left after calibration
     pub residuals: Vec<Picture>,
+    /// of what the data tell
+    pub observability: Vec<Picture>,
 }
 
 pub(super) fn pictures(report: &Report, words: &Words) -> Pictures {
@@ -28,5 +30,10 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Pictures {
     }
     let mut parameters = intervals::pictures(&report.parameters.parameters, words);
     parameters.extend(correlation::picture(report.parameters, words));
-    Pictures { errors, parameters, residuals: residuals::pictures(&drawable, planar, words) }
+    Pictures {
+        errors,
+        parameters,
+        residuals: residuals::pictures(&drawable, planar, words),
+        observability: report.parameters.observability.iter().filter_map(|o| singular::picture(o, words)).collect(),
+    }
 }

@@ -31,8 +31,8 @@ fn the_demo_page_tells_what_a_reader_needs() {
     for id in ["verdict", "messages", "errors", "pictures", "parameters", "fit", "frames", "import", "provenance"] {
         assert!(page.contains(&format!("<section id=\"{id}\">")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
     }
-    // six of the errors, three of the parameters, two of the residuals
-    assert_eq!(page.matches("<svg").count(), 11);
+    // six of the errors, three of the parameters, two of the residuals, one of the singular values
+    assert_eq!(page.matches("<svg").count(), 12);
 }
 
 #[test]
@@ -76,7 +76,10 @@ pub(super) fn with_text(text: &str) -> Documents {
     (p.robot, p.messages) = (t(), vec![message()]);
     p.parameters.iter_mut().for_each(|p| (p.name, p.unit, p.confounded_with) = (t(), t(), vec![t()]));
     (p.solver.method, p.solver.meaning) = (t(), t());
-    p.observability.iter_mut().for_each(|o| o.scaling = t());
+    if let Some(o) = &mut p.observability {
+        o.scaling = t();
+        o.singular_values.iter_mut().chain(&mut o.held_singular_values).for_each(|s| s.parameters = vec![t(), t()]);
+    }
     (p.provenance.version, p.provenance.inputs) = (t(), [(t(), t())].into());
     d.accuracy.definition = t();
     d.accuracy.sets.iter_mut().for_each(|s| s.name = t());
@@ -115,6 +118,7 @@ fn nothing_to_draw_is_said() {
     documents.import.messages.clear();
     documents.parameters.messages.clear();
     documents.parameters.parameters.clear();
+    documents.parameters.observability = None;
     documents.features.features.clear();
     documents.frames.world.poses.clear();
     let page = page(&documents);
@@ -133,7 +137,9 @@ fn numbers_that_are_none_and_lone_points_do_no_harm() {
             d.frames.world.planar = false;
             d.parameters.residuals.rms = size;
             d.parameters.residuals.uncertainties_enlarged_by = size;
-            d.parameters.observability.iter_mut().for_each(|o| o.condition = size);
+            if let Some(o) = &mut d.parameters.observability {
+                (o.condition, o.singular_values[0].value) = (size, size);
+            }
             d.parameters.parameters[0].value = size;
             d.parameters.parameters[1].standard_uncertainty = Some(size);
             d.campaign.expanded_uncertainty_um = Some(size);
@@ -155,7 +161,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
     documents.errors[0].at_mm[2] = 100.0;
     let page = page(&documents);
     assert!(page.contains("Position error before calibration, xz plane") && page.contains("z in mm"));
-    assert_eq!(page.matches("<svg").count(), 14);
+    assert_eq!(page.matches("<svg").count(), 15);
 }
 
 #[test]
@@ -177,11 +183,11 @@ fn a_test_report_has_what_the_standard_asks_for() {
     assert!(page.matches("not stated").count() > 8 && page.contains("2 poses, 30 visits of each"));
 }
 
-/// The calibration report and the test report in a language.
+/// The calibration report and the test report in a language, both with recorded motions.
 fn in_language(language: Language) -> [String; 2] {
     let mut documents = Documents::demo();
     documents.campaign.report.language = language;
-    let tested = super::demo_iso9283::whole();
+    let tested = Characteristics { streams: Some(super::demo_streams::streams()), ..super::demo_iso9283::whole() };
     let test = TestReport {
         campaign: &documents.campaign,
         import: &documents.import,
@@ -189,7 +195,36 @@ fn in_language(language: Language) -> [String; 2] {
         frames: &documents.frames,
         tested: &tested,
     };
-    [page(&documents), test_html(&test).unwrap()]
+    [html(&Report { tested: &tested, ..documents.report() }).unwrap(), test_html(&test).unwrap()]
+}
+
+/// Texts of a section of a page, those left out that are marked as English.
+fn texts<'a>(page: &'a str, id: &str) -> impl Iterator<Item = &'a str> {
+    let section = page.split_once(&format!("<section id=\"{id}\">")).unwrap().1;
+    let section = section.split_once("</section>").unwrap().0;
+    let marked = |piece: &&str| !piece.starts_with("bdi lang=\"en\"");
+    section.split('<').filter(marked).filter_map(|piece| Some(piece.split_once('>')?.1.trim()))
+}
+
+#[test]
+fn recorded_motions_are_told_in_the_language_of_the_report() {
+    let english = in_language(Language::En);
+    let is_word = |text: &str| text.split(|c: char| !c.is_alphabetic()).any(|word| word.len() > 3);
+    for language in [Language::Fr, Language::De] {
+        let (words, pages) = (Words::of(language).unwrap(), in_language(language));
+        let mut told = 0;
+        for (english, other) in texts(&english[1], "streams").zip(texts(&pages[1], "streams")) {
+            if ["square", "seam", "motion.csv"].contains(&english) || !is_word(english) {
+                continue;
+            }
+            told += 1;
+            // what reads alike in both languages
+            let numbers: String = english.chars().map(|c| if c.is_ascii_digit() { '0' } else { c }).collect();
+            let is_alike = words.knows(english) || numbers == words.fill("pose {0}", &[&0]);
+            assert!(other != english || is_alike, "{language:?}: {english}");
+        }
+        assert!(told > 40, "{told}");
+    }
 }
 
 #[test]

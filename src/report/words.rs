@@ -33,7 +33,7 @@ const OF_DOCUMENTS: [&str; 19] = [
 
 /// One language.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Words(BTreeMap<String, String>);
+pub(crate) struct Words(BTreeMap<String, String>);
 
 impl Words {
     /// The table of a language; of English, which is its own key, none.
@@ -57,6 +57,12 @@ impl Words {
     #[cfg(test)]
     pub fn differing(&self) -> impl Iterator<Item = &String> {
         self.0.iter().filter(|(text, translation)| text != translation).map(|(text, _)| text)
+    }
+
+    /// Whether there is a translation, be it the text itself.
+    #[cfg(test)]
+    pub fn knows(&self, text: &str) -> bool {
+        self.0.contains_key(text)
     }
 
     /// A text with values in the places `{0}`, `{1}` ...

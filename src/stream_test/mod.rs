@@ -1,6 +1,7 @@
 //! From a recorded motion to its characteristics by ISO 9283.
 
 mod path;
+mod stated;
 
 use crate::coordinates::ANGLES;
 use crate::document::{Iso9283Arrival, Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamDocument};
@@ -15,6 +16,7 @@ use crate::message::{Message, Result, count};
 use crate::pose::{Vector, minus, norm};
 use crate::recording::Recording;
 use path::{CORNER_RAD, Driven};
+pub use stated::Stated;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -43,14 +45,6 @@ pub struct Settings {
     pub seed: u64,
 }
 
-/// Where times come from, in words, of a recording whose rate is stated or not.
-pub fn times(rate_hz: Option<f64>) -> String {
-    match rate_hz {
-        Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
-        None => "times: as stamped in the recording".to_owned(),
-    }
-}
-
 /// A commanded path and how it is compared.
 #[derive(Clone, Debug)]
 pub struct PathSettings {
@@ -74,6 +68,11 @@ pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283Str
         let lines: Vec<String> = recording.left_out.iter().take(10).map(usize::to_string).collect();
         let what = format!("{} left out: no robot moves as fast", count(recording.left_out.len(), "sample"));
         messages.push(Message::warning(what).hint(format!("look at line {}", lines.join(", "))));
+    }
+    if settings.path.as_ref().is_some_and(|p| p.weave.is_some() && p.velocity_mm_s.is_some()) {
+        let message =
+            Message::warning("the commanded velocity is not compared: the path is the centre line of a weave");
+        messages.push(message.hint("velocities are those of a path that is driven without weaving"));
     }
     let stood = standstills(stream, &settings.still)?;
     let places: Vec<(i64, Vector)> = match &settings.poses {
@@ -126,7 +125,7 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
             "path: normal planes at {} command points, the middles of equal parts; the last crossing of each within {} mm",
             path.points, settings.near_mm
         );
-        if path.velocity_mm_s.is_some() {
+        if path.velocity_mm_s.is_some() && path.weave.is_none() {
             let _ = write!(text, "; velocities between them in the central {} %", 100.0 * path.central);
         }
         if !path.path.corners(CORNER_RAD).is_empty() {

@@ -148,7 +148,9 @@ impl<'a> Driven<'a> {
         Ok(Iso9283Weaving {
             passes: all.len(),
             turns: all.iter().map(|w| w.turns).sum(),
+            commanded_stroke_mm: stroke_mm,
             stroke_mm: mean(|w| w.stroke_mm),
+            commanded_frequency_hz: frequency_hz,
             frequency_hz: mean(|w| w.frequency_hz),
             ws_percent: mean(|w| w.ws_percent),
             wf_percent: mean(|w| w.wf_percent),

@@ -1,7 +1,9 @@
 //! `etalon compare`
 
+use super::reports::tool;
 use super::{etalon, text};
 use crate::scratch::copy_sample;
+use calamine::{Reader, Xlsx};
 use etalon::document::{CompareDocument, CompareFamily};
 use std::path::Path;
 use std::process::Output;
@@ -53,6 +55,19 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
     let html = std::fs::read_to_string(at.join("compare.html")).unwrap();
     assert!(html.contains("Parameter s") && html.contains("2026-10-01") && html.contains("<svg"));
     assert!(!html.contains("http://") && !html.contains("https://") && !html.contains("<script"));
+    let other = ["compare.pdf", "compare.xlsx", "vergleich.html"].map(|file| ["--report", file]).concat();
+    let german = [&["compare", "spring", "autumn", "--language", "de"][..], &other].concat();
+    assert!(etalon(at, &german).status.success());
+    let page = std::fs::read_to_string(at.join("vergleich.html")).unwrap();
+    assert!(page.contains("<html lang=\"de\">") && page.contains("Parameter des Roboters"));
+    assert!(std::fs::read(at.join("compare.pdf")).unwrap().starts_with(b"%PDF-1.7"));
+    if let Some(attached) = tool("qpdf", &["--show-attachment=compare.json", "{}"], &at.join("compare.pdf")) {
+        assert_eq!(serde_json::from_str::<CompareDocument>(&attached).unwrap().trends, document.trends);
+    }
+    let mut book: Xlsx<_> = calamine::open_workbook(at.join("compare.xlsx")).unwrap();
+    let changes = book.worksheet_range("Changes").unwrap();
+    assert_eq!(changes.rows().count(), 1 + document.trends.iter().map(|t| t.changes.len()).sum::<usize>());
+    refused(&etalon(at, &["compare", "spring", "autumn", "--report", "a.txt"]), &["`a.txt`", "ends in .html"]);
     let shown = text(&etalon(at, &["compare", "spring/campaign.toml", "autumn"]).stdout);
     assert!(shown.contains("Parameters of the robot") && shown.contains(": changed"), "{shown}");
     // as order, so sign
@@ -103,7 +118,8 @@ fn hostile_names_stay_text() {
         }
         std::fs::write(&path, value.to_string()).unwrap();
     }
-    let output = etalon(at, &["compare", "spring", "autumn", "--report", "compare.html"]);
+    let kinds = ["--report", "compare.html", "--report", "compare.pdf", "--report", "compare.xlsx"];
+    let output = etalon(at, &[&["compare", "spring", "autumn"][..], &kinds].concat());
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(!text(&output.stdout).contains('\u{1b}'));
     let html = std::fs::read_to_string(at.join("compare.html")).unwrap();
@@ -123,6 +139,8 @@ fn tests_of_repeatability_are_compared_by_pose() {
     assert!(done.status.success(), "{}", text(&done.stderr));
     let document: CompareDocument = serde_json::from_slice(&done.stdout).unwrap();
     let count = |family| document.trends.iter().filter(|t| t.family == family).count();
+    // AT and RT of the recorded path
+    assert_eq!((count(CompareFamily::PathAccuracy), count(CompareFamily::PathRepeatability)), (1, 1));
     // five poses and homings; three coordinates of five poses
     assert_eq!((count(CompareFamily::PoseRepeatability), count(CompareFamily::MeanPosition)), (6, 15));
     assert!(document.trends.iter().flat_map(|t| &t.changes).all(|c| c.change == 0.0 && c.significant == Some(false)));

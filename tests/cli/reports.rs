@@ -16,7 +16,7 @@ fn ran(sample: &str) -> Scratch {
 }
 
 /// What a program of the machine prints when asked about `{}`, a file, or `None` after saying that it is not there.
-fn tool(program: &str, arguments: &[&str], file: &Path) -> Option<String> {
+pub(super) fn tool(program: &str, arguments: &[&str], file: &Path) -> Option<String> {
     let file = file.to_str().unwrap();
     let arguments: Vec<&str> = arguments.iter().map(|a| if *a == "{}" { file } else { a }).collect();
     match Command::new(program).args(&arguments).output() {
@@ -209,6 +209,9 @@ fn the_workbook_holds_every_number_of_a_calibration() {
         same(&column(&mut book, "Covariance", name), &all(&parameters["covariance"], &format!("/{i}")));
         assert_eq!(column(&mut book, "Correlation", name)[i], Data::Float(1.0));
     }
+    let singular = all(&parameters["observability"]["singular_values"], "/value");
+    let title = "singular value (columns divided by their norms)";
+    same(&column(&mut book, "Singular values", title)[..singular.len()], &singular);
     let errors: Vec<Value> = all(&accuracy["sets"], "/errors").iter().flat_map(|e| all(e, "/after/rms")).collect();
     same(&column(&mut book, "Errors", "after, RMS"), &errors);
     same(&column(&mut book, "Limits", "reached"), &all(&accuracy["limits"], "/value"));

@@ -43,6 +43,39 @@ fn a_campaign_tells_what_its_recorded_motion_says_and_the_report_shows_it() {
     assert_eq!(std::fs::read_to_string(&report).unwrap(), html, "the report is made again from the documents alone");
 }
 
+/// Ten seconds at 2 mm/s with 2.5 mm to either side at 3 Hz: two stated mm less, a stated Hz more.
+#[test]
+fn a_weave_in_a_campaign_tells_what_the_command_tells() {
+    let scratch = copy_sample("prexyt-repeatability");
+    let mut seam = "time_s,x_mm,y_mm\n".to_owned();
+    for i in 0..5000 {
+        let t = f64::from(i) / 500.0;
+        seam += &format!("{t:.3},{:.5},{:.5}\n", 2.0 * t, 2.5 * (std::f64::consts::TAU * 3.0 * t).sin());
+    }
+    std::fs::write(scratch.path().join("seam.csv"), seam).unwrap();
+    std::fs::write(scratch.path().join("seam-path.csv"), "x_mm,y_mm\n1,0\n19,0\n").unwrap();
+    let stated = "name = \"seam\"\nfile = \"seam.csv\"\npath = \"seam-path.csv\"\nweave_stroke_mm = 4\nweave_hz = 2.5";
+    scratch.replace(
+        "campaign.toml",
+        "[[stream]]",
+        &format!("[[stream]]\n{stated}\nweave_across = [0, 1, 0]\n\n[[stream]]"),
+    );
+    let done = etalon(scratch.root(), &["run", "campaign"]);
+    assert!(done.status.success(), "{}", text_of(&done));
+    let document: Iso9283StreamsDocument = read(&scratch, "iso9283-streams.json");
+    let weave = document.streams[0].stream.weaving.as_ref().unwrap();
+    assert!((weave.stroke_mm - 5.0).abs() < 2e-3 && (weave.frequency_hz - 3.0).abs() < 5e-3, "{weave:?}");
+    assert!((weave.ws_percent - 25.0).abs() < 0.1 && (weave.wf_percent - 20.0).abs() < 0.2, "{weave:?}");
+    assert_eq!((weave.commanded_stroke_mm, weave.commanded_frequency_hz), (4.0, 2.5));
+    let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+    assert!(html.contains("weaving stroke") && html.contains("mm, commanded 4.000 mm: WS "), "{html}");
+    let alone =
+        "iso9283 --stream seam.csv --path seam-path.csv --weave-stroke-mm 4 --weave-hz 2.5 --weave-across 0,1,0 --json";
+    let alone = etalon(&scratch.path(), &alone.split(' ').collect::<Vec<_>>());
+    let alone: etalon::document::Iso9283StreamDocument = serde_json::from_slice(&alone.stdout).unwrap();
+    assert_eq!(alone.weaving.as_ref(), Some(weave));
+}
+
 #[test]
 fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
     for (file, from, to, parts) in [
@@ -50,6 +83,13 @@ fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
         ("campaign.toml", "band_mm = 0.02", "band_mm = -1", &["`band_mm` must be positive", "campaign.toml:"]),
         ("campaign.toml", "path = \"path.csv\"", "", &["`velocity_mm_s` is that of a `path`"]),
         ("campaign.toml", "band_mm = 0.02", "band = 0.02", &["unknown key `band`"]),
+        ("campaign.toml", "band_mm = 0.02", "weave_hz = 2", &["a weave has no `weave_stroke_mm`", "no `weave_across`"]),
+        (
+            "campaign.toml",
+            "path = \"path.csv\"",
+            "weave_stroke_mm = 2\nweave_hz = 3\nweave_across = [0, 1]",
+            &["`weave_hz` is that of a `path`", "`weave_across` has not three numbers"],
+        ),
         ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["needs its `unit`"]),
         ("path.csv", "250,50\n", "250,fifty\n", &["path.csv", "fifty"]),
         ("exports/motion.csv", "0.03,", "0.01,", &["motion.csv:5", "time does not go on"]),

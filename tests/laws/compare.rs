@@ -79,6 +79,7 @@ fn identified(folder: &str, values: &[f64], u: &[f64], of: &mut dyn FnMut(&mut P
         campaign,
         identified: Some((parameters, accuracy)),
         iso9283: None,
+        streams: None,
         inputs: BTreeMap::new(),
     }
 }
@@ -236,4 +237,58 @@ fn the_ratio_of_rp_is_that_of_the_scatter() {
     assert!(rp.low.unwrap() > 1.0 && rp.low.unwrap() < 2.0 && rp.high.unwrap() > 2.0);
     let ap = |c: &Compared| c.iso9283.as_ref().unwrap().poses[0].ap_mm.unwrap();
     assert!((trend(&document, "AP, pose 1").changes[0].change - (ap(&b) - ap(&a))).abs() < 1e-12);
+}
+
+/// A campaign of one recorded path with AT, RT and their intervals.
+pub(super) fn recorded(folder: &str, [at, at_low, at_high, rt, rt_low, rt_high]: [f64; 6]) -> Compared {
+    let path = serde_json::json!({"passes": 10, "incomplete": 0, "length_mm": 1000.0, "reorientation": false,
+        "at_mm": at, "at_interval": {"low_mm": at_low, "high_mm": at_high}, "at_along_mm": 0.0, "at_angles_deg": [],
+        "rt_mm": rt, "rt_interval": {"low_mm": rt_low, "high_mm": rt_high}, "rt_along_mm": 0.0, "rt_angles_deg": [],
+        "velocity": null, "corners": [], "points": []});
+    let stream = serde_json::json!({"schema": "etalon/iso9283-stream/1", "conventions": [], "samples": 2, "left_out": [],
+        "duration_s": 1.0, "standstills": [], "settling": [], "posing": [], "path": path, "weaving": null, "messages": []});
+    let streams = serde_json::json!({"schema": "etalon/iso9283-streams/1",
+        "streams": [{"name": "square", "file": "motion.csv", "band_mm": null, "stream": stream}]});
+    let one = identified(folder, &[], &[], &mut |_| {});
+    Compared { identified: None, streams: Some(serde_json::from_value(streams).unwrap()), ..one }
+}
+
+/// MOVER by hand: AT 0.10 [0.09, 0.12] and 0.15 [0.12, 0.17] differ by 0.05, down by √(0.03² + 0.02²), up by √(0.02² + 0.01²).
+/// RT: the middles 0.02 and 0.04 on a logarithmic scale, each with a factor of 1.5 to either side: √2 ln 1.5 about a ratio of 2.
+#[test]
+fn at_and_rt_are_compared_as_by_hand() {
+    let a = recorded("a", [0.10, 0.09, 0.12, 0.031, 0.02 / 1.5, 0.02 * 1.5]);
+    let b = recorded("b", [0.15, 0.12, 0.17, 0.050, 0.04 / 1.5, 0.04 * 1.5]);
+    let document = compare(&[a.clone(), b.clone()]).unwrap();
+    let close =
+        |found: Option<f64>, expected: f64| assert!((found.unwrap() - expected).abs() < 1e-9, "{found:?} {expected}");
+    let at = trend(&document, "AT, square").changes[0];
+    close(at.low, 0.05 - (0.03f64.powi(2) + 0.02f64.powi(2)).sqrt());
+    close(at.high, 0.05 + (0.02f64.powi(2) + 0.01f64.powi(2)).sqrt());
+    assert!(at.significant == Some(true) && at.ratio.is_none());
+    let rt = trend(&document, "RT, square").changes[0];
+    let factor = (2f64.sqrt() * 1.5f64.ln()).exp();
+    close(rt.ratio, 2.0);
+    close(rt.low, 2.0 / factor);
+    close(rt.high, 2.0 * factor);
+    close(Some(rt.change), 0.019);
+    let said = &document.messages[0].what;
+    assert!(
+        said.starts_with("called changed: AT, square; RT, square. ") && said.contains("a hint, not a proof"),
+        "{said}"
+    );
+    let same = compare(&[a.clone(), Compared { folder: "b".to_owned(), ..a.clone() }]).unwrap();
+    assert!(same.messages.is_empty() && same.trends.iter().all(|t| t.changes[0].significant == Some(false)));
+
+    let of = |edit: &dyn Fn(&mut Iso9283Path)| {
+        let mut b = b.clone();
+        edit(b.streams.as_mut().unwrap().streams[0].stream.path.as_mut().unwrap());
+        compare(&[a.clone(), b])
+    };
+    let few = of(&|p| p.passes = 4).unwrap();
+    assert!(few.messages[0].what.contains("rest on 4 passes"), "{:?}", few.messages);
+    let open = of(&|p| p.at_interval = None).unwrap();
+    assert!(trend(&open, "AT, square").changes[0].significant.is_none());
+    let other = of(&|p| p.length_mm = 900.0).unwrap_err().to_string();
+    assert!(other.contains("nothing in common"), "{other}");
 }

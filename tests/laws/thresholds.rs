@@ -1,6 +1,8 @@
 //! Limits that README.md promises, met from both sides with numbers worked out by hand.
 
-use etalon::identify::{Identification, Observation, ResidualKind, Settings, Status, UncertaintyFrom, identify};
+use etalon::identify::{
+    Identification, Observation, ResidualKind, Settings, SingularValue, Status, UncertaintyFrom, identify,
+};
 use etalon::robots::{Prexyt, Robot};
 
 /// Poses at theta = 0 of the nominal PreXYT, and of K and L what `error_mm` makes of them.
@@ -42,6 +44,28 @@ fn a_length_of_the_robot_is_identified_up_to_10_mm_and_held_beyond() {
     let unknown = two_lengths(&observations, 20.1);
     assert_eq!(unknown.status[d], Status::NotIdentifiable);
     assert!(unknown.warnings.iter().any(|w| w.what.contains("`d` from `l_kl` only")), "{:?}", unknown.warnings);
+}
+
+/// The normal matrix [2 1; 1 1] with a unit diagonal is [1 c; c 1], c = 1/√2: singular values √(1 ± c), both parameters in each.
+#[test]
+fn singular_values_are_those_worked_out_by_hand_and_stay_told_where_a_parameter_is_held() {
+    let robot = Prexyt::default();
+    let both = [robot.index("d").unwrap(), robot.index("l_kl").unwrap()];
+    let [large, small] = [1.0, -1.0].map(|sign| (1.0 + sign * 0.5f64.sqrt()).sqrt());
+    let close = |s: &SingularValue, value: f64, parameters: &[usize]| {
+        let mut members = s.parameters.clone();
+        members.sort_unstable();
+        assert!((s.value - value).abs() < 1e-9 && members == parameters, "{s:?} instead of {value} {parameters:?}");
+    };
+    let observations = level_poses(4, |_| 0.0);
+    let known = two_lengths(&observations, 19.9).observability.unwrap();
+    close(&known.singular_values[0], large, &both);
+    close(&known.singular_values[1], small, &both);
+    assert!((known.condition - large / small).abs() < 1e-9 && known.held_singular_values.is_empty());
+    let held = two_lengths(&observations, 20.1).observability.unwrap();
+    close(&held.singular_values[0], 1.0, &both[1..]);
+    close(&held.held_singular_values[0], small, &both);
+    assert_eq!((held.rank, held.singular_values.len(), held.held_singular_values.len()), (1, 1, 1));
 }
 
 #[test]

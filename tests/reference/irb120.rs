@@ -76,4 +76,10 @@ fn with_bending_and_coupling() {
         .map(|p| p.name.as_str())
         .collect();
     assert_eq!(held, ["alpha_1", "a_1", "theta_1", "d_1", "theta_6", "d_6"]);
+    // the rank is plain: six singular values are rounding, and of columns of length 1 the squares add up to their number
+    let o = outcome.parameters.observability.as_ref().unwrap();
+    let [told, untold] = [&o.singular_values, &o.held_singular_values];
+    assert!(untold.len() == 6 && untold.iter().all(|s| s.value < o.rank_cut * told[0].value), "{untold:?}");
+    assert!((told.iter().map(|s| s.value.powi(2)).sum::<f64>() - 45.0).abs() < 1e-9);
+    assert!((told[0].value / told[44].value / o.condition - 1.0).abs() < 1e-12);
 }

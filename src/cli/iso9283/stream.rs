@@ -4,14 +4,13 @@ use super::super::table_file::TableFile;
 use super::super::text_format::{TextFormat, word};
 use super::super::{Verdict, print, say};
 use super::stream_text::as_text;
-use crate::campaign::no_test_with;
 use crate::coordinates::ANGLES;
 use crate::document::Iso9283StreamDocument;
-use crate::iso9283::standstill::Stillness;
-use crate::message::{Message, Result};
+use crate::iso9283::path::CommandedPath;
+use crate::message::Result;
 use crate::pose::Vector;
 use crate::recording::{Recording, commanded_path, commanded_poses};
-use crate::stream_test::{PathSettings, Settings, evaluate, times};
+use crate::stream_test::{Stated, evaluate};
 use crate::table::XYZ;
 use crate::{files, import, output};
 use std::path::{Path, PathBuf};
@@ -71,17 +70,12 @@ pub(super) struct StreamOptions {
 
 impl StreamOptions {
     pub fn run(&self, file: &Path, commanded: Option<&Path>, (seed, json): (u64, bool)) -> anyhow::Result<Verdict> {
-        self.check()?;
+        let stated = self.stated();
+        stated.check(|key| format!("--{}", key.replace('_', "-")))?;
         let recording = self.recording(file)?;
-        let settings = Settings {
-            still: Stillness { radius_mm: self.still_mm, duration_s: self.still_s },
-            near_mm: self.near_mm,
-            band_mm: self.band_mm,
-            poses: commanded.map(poses).transpose()?,
-            path: self.path.as_deref().map(|path| self.path(path, (file, &recording))).transpose()?,
-            time: times(self.rate_hz),
-            seed,
-        };
+        let poses = commanded.map(poses).transpose()?;
+        let path = self.path.as_deref().map(|path| read_path(path, (file, &recording))).transpose()?;
+        let settings = stated.settings(poses, path, seed);
         let document = evaluate(&recording, &settings)?;
         if let Some(path) = &self.write_poses {
             files::write(path, csv(&document, &recording).as_bytes())?;
@@ -93,22 +87,21 @@ impl StreamOptions {
         Ok(Verdict::Met)
     }
 
-    fn check(&self) -> Result<()> {
-        let positive = [
-            ("--rate-hz", self.rate_hz),
-            ("--still-mm", Some(self.still_mm)),
-            ("--still-s", Some(self.still_s)),
-            ("--near-mm", Some(self.near_mm)),
-            ("--band-mm", self.band_mm),
-            ("--velocity-mm-s", self.velocity_mm_s),
-            ("--central-percent", Some(self.central_percent)),
-        ];
-        let central = ("--central-percent", self.central_percent);
-        let mut problems = no_test_with(&positive, central, ("--path-points", self.path_points));
-        if self.weave_stroke_mm.is_some() && self.weave_across.len() != 3 {
-            problems.0.push(Message::error("--weave-across has not three numbers").expected("x,y,z"));
+    fn stated(&self) -> Stated<'_> {
+        Stated {
+            rate_hz: self.rate_hz,
+            still_mm: self.still_mm,
+            still_s: self.still_s,
+            near_mm: self.near_mm,
+            band_mm: self.band_mm,
+            path: self.path.is_some(),
+            path_points: self.path_points,
+            velocity_mm_s: self.velocity_mm_s,
+            central_percent: self.central_percent,
+            weave_stroke_mm: self.weave_stroke_mm,
+            weave_hz: self.weave_hz,
+            weave_across: &self.weave_across,
         }
-        problems.check().map(|_| ())
     }
 
     fn recording(&self, path: &Path) -> Result<Recording> {
@@ -126,22 +119,11 @@ impl StreamOptions {
         };
         Recording::from_table(recorded.named(), self.rate_hz).map_err(|p| recorded.place(p))
     }
+}
 
-    fn path(&self, path: &Path, (of, recording): (&Path, &Recording)) -> Result<PathSettings> {
-        let table = TableFile::read(path)?;
-        let path = commanded_path(table.named(), (&of.display().to_string(), recording));
-        let weave = match (self.weave_stroke_mm, self.weave_hz, &self.weave_across[..]) {
-            (Some(stroke_mm), Some(hz), &[x, y, z]) => Some(([x, y, z], stroke_mm, hz)),
-            _ => None,
-        };
-        Ok(PathSettings {
-            path: path.map_err(|p| table.place(p))?,
-            points: self.path_points,
-            velocity_mm_s: self.velocity_mm_s,
-            central: self.central_percent / 100.0,
-            weave,
-        })
-    }
+fn read_path(path: &Path, (of, recording): (&Path, &Recording)) -> Result<CommandedPath> {
+    let table = TableFile::read(path)?;
+    commanded_path(table.named(), (&of.display().to_string(), recording)).map_err(|p| table.place(p))
 }
 
 fn poses(path: &Path) -> Result<Vec<(i64, Vector)>> {

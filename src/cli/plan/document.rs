@@ -64,7 +64,7 @@ impl Plan {
                 knee_configurations: planned.knee().map(|k| k.configurations),
             },
             compared,
-            observability: planned.prediction.observability.as_ref().map(observability_summary),
+            observability: planned.prediction.observability.as_ref().map(|o| observability_summary(robot, o)),
             parameters: parameters(robot, planned, self.standard_uncertainty_um.is_some()),
             workspace: self
                 .standard_uncertainty_um

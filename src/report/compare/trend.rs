@@ -4,8 +4,9 @@ use super::super::axis::{Axis, left_margin, range};
 use super::super::number;
 use super::super::points::Picture;
 use super::super::svg::{Shape, Svg};
-use super::words;
-use crate::document::{CompareFamily, CompareTrend, CompareValue};
+use super::super::words::Words;
+use super::{names, words};
+use crate::document::{CompareTrend, CompareValue};
 
 const WIDTH: f64 = 380.0;
 const HEIGHT: f64 = 250.0;
@@ -19,7 +20,7 @@ const DRAWABLE: f64 = 1e12;
 pub(super) type Label = String;
 
 /// `None` where fewer than two campaigns tell it.
-pub(super) fn picture(trend: &CompareTrend, (index, labels): (usize, &[Label])) -> Option<Picture> {
+pub(super) fn picture(trend: &CompareTrend, (index, labels): (usize, &[Label]), words: &Words) -> Option<Picture> {
     let known = |v: &CompareValue| v.value.filter(|v| v.abs() < DRAWABLE);
     let points: Vec<(usize, f64, &CompareValue)> =
         trend.values.iter().enumerate().filter_map(|(i, v)| Some((i, known(v)?, v))).collect();
@@ -34,9 +35,10 @@ pub(super) fn picture(trend: &CompareTrend, (index, labels): (usize, &[Label])) 
     let ticks = axis.ticks(5);
     let left = left_margin(&ticks);
     let across = Axis::linear(-0.5, labels.len() as f64 - 0.5, left, RIGHT);
-    let title = heading(trend);
-    let description = "One mark for each campaign with its interval of 95 %; diamonds changed significantly.";
-    let mut svg = Svg::new(&format!("trend-{index}"), WIDTH, HEIGHT, &title, description);
+    let title = names::quantity(trend, words);
+    let description =
+        words.say("One mark for each campaign with its interval of 95 %; diamonds changed significantly.");
+    let mut svg = Svg::new(&format!("trend-{index}"), WIDTH, HEIGHT, &title, &description);
     for (value, label) in &ticks {
         svg.line("grid", (left, axis.at(*value)), (RIGHT, axis.at(*value)));
         svg.text("end", (left - 5.0, axis.at(*value) + 4.0), label);
@@ -53,7 +55,8 @@ pub(super) fn picture(trend: &CompareTrend, (index, labels): (usize, &[Label])) 
     }
     svg.line("axis", (left, BOTTOM), (RIGHT, BOTTOM));
     svg.line("axis", (left, TOP), (left, BOTTOM));
-    svg.text_upwards((12.0, (TOP + BOTTOM) / 2.0), if shown.unit.is_empty() { "ratio" } else { shown.unit });
+    let up = if shown.unit.is_empty() { words.say("ratio") } else { shown.unit.to_owned() };
+    svg.text_upwards((12.0, (TOP + BOTTOM) / 2.0), &up);
     let at = |i: usize, value: f64| (across.at(i as f64), axis.at(value * shown.factor));
     for pair in points.windows(2) {
         svg.line("grid", at(pair[0].0, pair[0].1), at(pair[1].0, pair[1].1));
@@ -65,7 +68,7 @@ pub(super) fn picture(trend: &CompareTrend, (index, labels): (usize, &[Label])) 
             svg.line("arrow-cal", (x - 4.0, y), (x + 4.0, y));
         }
         let told = number::with_uncertainty(*value, words::half(v));
-        let tip = format!("campaign {}: {told} {}", i + 1, trend.unit);
+        let tip = words.fill("campaign {0}: {1} {2}", &[&(i + 1), &told, &words::unit(&trend.unit)]);
         match changed(trend, *i) {
             true => svg.mark(Shape::Diamond, "val", at(*i, *value), 5.0, "", &tip),
             false => svg.mark(Shape::Circle, "cal", at(*i, *value), 4.0, "", &tip),
@@ -74,19 +77,9 @@ pub(super) fn picture(trend: &CompareTrend, (index, labels): (usize, &[Label])) 
     Some(Picture {
         title,
         svg: svg.finish(),
-        caption: format!("Intervals of 95 %. {}", sentence(trend)),
+        caption: format!("{} {}", words.say("Intervals of 95 %."), sentence(trend, words)),
         ..Picture::default()
     })
-}
-
-/// What a picture or a row is of.
-pub(super) fn heading(trend: &CompareTrend) -> String {
-    match trend.family {
-        CompareFamily::Robot => format!("Parameter {}", trend.name),
-        CompareFamily::SetUp => format!("Parameter {} (base or target)", trend.name),
-        CompareFamily::MeanError => format!("Mean error: {}", trend.name),
-        _ => trend.name.clone(),
-    }
 }
 
 /// Whether a campaign changed significantly, from the first or from the one before.
@@ -94,15 +87,11 @@ fn changed(trend: &CompareTrend, campaign: usize) -> bool {
     trend.changes.iter().any(|c| c.to == campaign + 1 && c.significant == Some(true))
 }
 
-fn sentence(trend: &CompareTrend) -> String {
-    let told: Vec<String> = trend
-        .changes
-        .iter()
-        .filter(|c| c.significant == Some(true))
-        .map(|c| format!("{} from {}", c.to, c.from))
-        .collect();
+fn sentence(trend: &CompareTrend, words: &Words) -> String {
+    let told: Vec<String> =
+        trend.changes.iter().filter(|c| c.significant == Some(true)).map(|c| words::pair(c, words)).collect();
     match told.is_empty() {
-        true => "No significant change.".to_owned(),
-        false => format!("Significant: {}.", told.join(", ")),
+        true => words.say("No significant change."),
+        false => words.fill("Significant: {0}.", &[&told.join(", ")]),
     }
 }

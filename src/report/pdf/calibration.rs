@@ -22,7 +22,11 @@ pub(super) fn paper(report: &Report, words: &Words) -> Paper {
     let after = [
         Section::of("parameters", words.say("Parameters"), parameters(report, drawn.parameters, words)),
         geometric,
-        Section::of("fit", words.say("Fit and observability"), fit(report, drawn.residuals, words)),
+        Section::of(
+            "fit",
+            words.say("Fit and observability"),
+            fit(report, (drawn.residuals, drawn.observability), words),
+        ),
         Section::of("pictures", words.say("Pictures"), drawings(report, drawn.errors, words)),
         places::section(report.features, &report.frames.world, words),
         stated::inputs(report.import, &inputs.inputs, words),
@@ -93,9 +97,9 @@ fn parameters(report: &Report, drawn: Vec<points::Picture>, words: &Words) -> Ve
     blocks
 }
 
-fn fit(report: &Report, drawn: Vec<points::Picture>, words: &Words) -> Vec<Block> {
-    let mut blocks = fit::blocks(report.parameters, words);
-    blocks.extend(Block::pictures(drawn));
+fn fit(report: &Report, (left, told): (Vec<points::Picture>, Vec<points::Picture>), words: &Words) -> Vec<Block> {
+    let mut blocks = fit::blocks(report.parameters, told, words);
+    blocks.extend(Block::pictures(left));
     blocks
 }
 

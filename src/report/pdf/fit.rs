@@ -5,9 +5,10 @@ use crate::document::{ParametersDocument, ResidualSummary};
 use crate::identify::{ResidualKind, UncertaintyFrom};
 use crate::report::facts::stated;
 use crate::report::number::significant;
+use crate::report::points::Picture;
 use crate::report::words::Words;
 
-pub(super) fn blocks(document: &ParametersDocument, words: &Words) -> Vec<Block> {
+pub(super) fn blocks(document: &ParametersDocument, told: Vec<Picture>, words: &Words) -> Vec<Block> {
     let facts = Block::Facts { rows: residuals(&document.residuals, words) };
     let mut blocks = vec![Block::heading(words.say("Residuals")), facts];
     if let Some(o) = &document.observability {
@@ -16,6 +17,7 @@ pub(super) fn blocks(document: &ParametersDocument, words: &Words) -> Vec<Block>
         blocks.push(Block::heading(words.say("Observability")));
         blocks.push(Block::table(words, &["#O1", "#O2", "#O3", "#O4", "#O5", "#condition", "#rank"], [row]));
         blocks.push(Block::note(format!("{} {}", words.say("Scaling:"), o.scaling)));
+        blocks.extend(Block::pictures(told));
     }
     let solver = &document.solver;
     let steps = words.fill("{0}, {1} iterations;", &[&solver.method, &solver.iterations]);

@@ -4,6 +4,7 @@
 
 mod annex;
 mod calibration;
+mod compare;
 mod fit;
 mod geometric;
 mod iso9283;
@@ -20,7 +21,7 @@ mod world;
 use super::templates::TYPESET;
 use super::words::Words;
 use super::{Report, TestReport};
-use crate::document::{CampaignSummary, Characteristics};
+use crate::document::{Characteristics, CompareDocument, Presentation};
 use crate::dress::logo_file;
 use crate::message::{Message, Result};
 use crate::output::to_json;
@@ -53,14 +54,22 @@ pub fn pdf(report: &Report) -> Result<Vec<u8>> {
         attachments.push(attachment("geometric.json", "data", "Geometric calibration", document)?);
     }
     attachments.extend(tested(report.tested)?);
-    typeset(&calibration::paper(report, &Words::of(report.campaign.report.language)?), &attachments, report.campaign)
+    let presentation = &report.campaign.report;
+    typeset(&calibration::paper(report, &Words::of(presentation.language)?), &attachments, presentation)
 }
 
 /// The report of a test by ISO 9283 alone.
 pub fn test_pdf(report: &TestReport) -> Result<Vec<u8>> {
     let mut attachments = tested(report.tested)?;
     attachments.push(attachment("campaign.json", "source", "What the campaign states", report.campaign)?);
-    typeset(&test::paper(report, &Words::of(report.campaign.report.language)?), &attachments, report.campaign)
+    let presentation = &report.campaign.report;
+    typeset(&test::paper(report, &Words::of(presentation.language)?), &attachments, presentation)
+}
+
+/// The report of a comparison of campaigns.
+pub(super) fn compare_pdf(document: &CompareDocument, presentation: &Presentation) -> Result<Vec<u8>> {
+    let attachments = [attachment("compare.json", "data", "What changed between campaigns", document)?];
+    typeset(&compare::paper(document, presentation, &Words::of(presentation.language)?), &attachments, presentation)
 }
 
 /// Whether a laboratory's template reads, without a report to lay out.
@@ -88,11 +97,10 @@ fn attachment<T: Serialize>(
 }
 
 /// Names reach the template as data, never as markup.
-fn typeset(paper: &Paper, attachments: &[Attachment], campaign: &CampaignSummary) -> Result<Vec<u8>> {
+fn typeset(paper: &Paper, attachments: &[Attachment], dressed: &Presentation) -> Result<Vec<u8>> {
     let fail = |e: serde_json::Error| Message::error(format!("cannot typeset report.pdf: {e}"));
     let mut data = serde_json::to_value(paper).map_err(fail)?;
     printable::printable(&mut data);
-    let dressed = &campaign.report;
     let own = dressed.templates.get(TYPESET.0).cloned();
     let mut files = vec![
         (TYPESET.0, Bytes::from_string(own.unwrap_or_else(|| TYPESET.1.to_owned()))),
@@ -103,8 +111,8 @@ fn typeset(paper: &Paper, attachments: &[Attachment], campaign: &CampaignSummary
         files.push(("logo", Bytes::new(logo)));
     }
     let files = files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect();
-    let date = campaign.date.as_deref().and_then(day).unwrap_or(UNDATED);
-    Desk::new(files, date)?.pdf(&campaign.name)
+    let date = paper.date.as_deref().and_then(day).unwrap_or(UNDATED);
+    Desk::new(files, date)?.pdf(&paper.title)
 }
 
 /// Year, month and day of a text that starts with a date of ISO 8601.

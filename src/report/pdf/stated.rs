@@ -65,10 +65,15 @@ pub(super) fn inputs(import: &ImportDocument, inputs: &BTreeMap<String, String>,
         let (bytes, rows, refused) = (s.bytes.to_string(), s.rows_read.to_string(), s.refused.len().to_string());
         [one_line(&s.file), words.say(&one_line(&s.kind)), bytes, s.dialect.clone(), rows, refused]
     });
-    let checksums = inputs.iter().map(|(file, sha256)| [one_line(file), sha256.clone()]);
     let blocks = vec![
         Block::table(words, &["file", "kind", "#bytes", "read as", "#rows", "#refused"], read),
-        Block::table(words, &["input", "SHA-256"], checksums),
+        checksums(inputs, words),
     ];
     Section::of("inputs", words.say("Inputs"), blocks)
+}
+
+/// Checksums of all that the numbers come from.
+pub(super) fn checksums(inputs: &BTreeMap<String, String>, words: &Words) -> Block {
+    let rows = inputs.iter().map(|(file, sha256)| [one_line(file), sha256.clone()]);
+    Block::table(words, &["input", "SHA-256"], rows)
 }

@@ -7,7 +7,7 @@ use crate::report::words::Words;
 
 pub(super) fn section(document: &Iso9283StreamsDocument, words: &Words) -> Option<Section> {
     let mut blocks = Vec::new();
-    for stream in streams::sections(document) {
+    for stream in streams::sections(document, words) {
         blocks.push(Block::heading(stream.name));
         blocks.push(Block::Facts { rows: stream.facts });
         if !stream.settling.is_empty() {

@@ -3,7 +3,7 @@
 use super::super::axis::{Axis, left_margin, range};
 use super::super::number;
 use super::super::points::Picture;
-use super::super::svg::{Shape, Svg};
+use super::super::svg::{COLOURS, Shape, Svg};
 use super::super::words::Words;
 
 const WIDTH: f64 = 760.0;
@@ -16,8 +16,6 @@ const DRAWABLE: f64 = 1e12;
 const LIMIT: usize = 300;
 /// Curves that a legend names.
 const NAMED: usize = 12;
-/// Colours that every eye tells apart (Okabe & Ito 2008).
-const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
 
 pub(in crate::report) struct Curve {
     pub name: String,

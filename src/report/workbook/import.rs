@@ -35,6 +35,12 @@ pub(super) fn sheets(document: &ImportDocument, inputs: &BTreeMap<String, String
     sheets
 }
 
+/// Checksums alone.
+pub(super) fn checksums(inputs: &BTreeMap<String, String>) -> Sheet {
+    let rows: Vec<(&String, &String)> = inputs.iter().collect();
+    Sheet::of("Inputs", &rows, &[("file", "", |r| r.0.as_str().into()), ("SHA-256", "", |r| r.1.as_str().into())])
+}
+
 fn files(document: &ImportDocument, inputs: &BTreeMap<String, String>) -> Sheet {
     let source = |name: &str| document.sources.iter().find(|s| s.file == name);
     let rows: Vec<(&str, &str, Option<&Source>)> =

@@ -1,6 +1,7 @@
 //! The report as an Excel workbook: one sheet for each table, every number with all its digits.
 
 mod accuracy;
+mod compare;
 mod geometric;
 mod import;
 mod iso9283;
@@ -11,10 +12,12 @@ mod streams;
 mod summary;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+pub(super) use tests::only_texts_and_numbers;
 
 use super::words::Words;
 use super::{Report, TestReport, messages, test_messages, verdict};
-use crate::document::Characteristics;
+use crate::document::{Characteristics, CompareDocument, Presentation};
 use crate::message::Result;
 
 /// All tables of a calibration as a workbook (.xlsx).
@@ -40,6 +43,12 @@ pub fn test_workbook(report: &TestReport) -> Result<Vec<u8>> {
     sheets.extend(import::sheets(report.import, &report.import.inputs()));
     sheets.push(summary::messages(&test_messages(report)));
     sheet::write(&report.campaign.name, &sheets)
+}
+
+/// All tables of a comparison of campaigns as a workbook (.xlsx).
+pub(super) fn compare_workbook(document: &CompareDocument, presentation: &Presentation) -> Result<Vec<u8>> {
+    let words = &Words::of(presentation.language)?;
+    sheet::write(&words.say("What changed"), &compare::sheets(document, words))
 }
 
 fn limits<'a>(report: &Report<'a>) -> Vec<&'a crate::document::LimitVerdict> {

@@ -1,15 +1,16 @@
 //! Parameters with their uncertainties, covariances and correlations.
 
 use super::sheet::{Cell, Sheet};
-use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
+use crate::document::{ObservabilitySummary, ParameterEntry, ParameterStatus, ParametersDocument, SingularValueEntry};
 use crate::report::parameters::status;
 use crate::report::words::Words;
 
-pub(super) fn sheets(document: &ParametersDocument) -> [Sheet; 3] {
+pub(super) fn sheets(document: &ParametersDocument) -> [Sheet; 4] {
     [
         parameters(document),
         matrix("Covariance", document, |c, i, j| c[i][j]),
         matrix("Correlation", document, correlation),
+        singular_values(document.observability.as_ref()),
     ]
 }
 
@@ -28,6 +29,26 @@ fn parameters(document: &ParametersDocument) -> Sheet {
             ("U = 2u", "", |p| p.standard_uncertainty.map(|u| 2.0 * u).into()),
             ("status", "", |p| status(p.status, &Words::default()).into()),
             ("confounded with", "", |p| p.confounded_with.join(", ").into()),
+        ],
+    )
+}
+
+/// Singular values in their order, those of what is held behind; no columns where the document has none.
+fn singular_values(observability: Option<&ObservabilitySummary>) -> Sheet {
+    let Some(o) = observability.filter(|o| !o.singular_values.is_empty()) else {
+        return Sheet { name: "Singular values", columns: vec![], rows: vec![] };
+    };
+    let told = o.singular_values.iter().map(|s| (s, "identified"));
+    let rows: Vec<(usize, (&SingularValueEntry, &str))> =
+        (1..).zip(told.chain(o.held_singular_values.iter().map(|s| (s, "held")))).collect();
+    Sheet::of(
+        "Singular values",
+        &rows,
+        &[
+            ("number", "", |(i, _)| (*i).into()),
+            ("singular value (columns divided by their norms)", "", |(_, (s, _))| s.value.into()),
+            ("direction", "", |(_, (_, what))| (*what).into()),
+            ("parameters", "", |(_, (s, _))| s.parameters.join(", ").into()),
         ],
     )
 }

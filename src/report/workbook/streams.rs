@@ -36,6 +36,14 @@ const STREAM: &[Field<Iso9283NamedStream>] = &[
     ("AV", "%", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.av_percent).into()),
     ("RV", "%", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).and_then(|v| v.rv_percent).into()),
     ("FV", "mm/s", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.fv_mm_s).into()),
+    ("weaving, passes", "", |s| s.stream.weaving.as_ref().map(|w| w.passes).into()),
+    ("weaving, turns", "", |s| s.stream.weaving.as_ref().map(|w| w.turns).into()),
+    ("commanded stroke", "mm", |s| s.stream.weaving.as_ref().map(|w| w.commanded_stroke_mm).into()),
+    ("stroke", "mm", |s| s.stream.weaving.as_ref().map(|w| w.stroke_mm).into()),
+    ("WS", "%", |s| s.stream.weaving.as_ref().map(|w| w.ws_percent).into()),
+    ("commanded frequency", "Hz", |s| s.stream.weaving.as_ref().map(|w| w.commanded_frequency_hz).into()),
+    ("frequency", "Hz", |s| s.stream.weaving.as_ref().map(|w| w.frequency_hz).into()),
+    ("WF", "%", |s| s.stream.weaving.as_ref().map(|w| w.wf_percent).into()),
 ];
 
 /// What each stream holds, with the name of the stream.

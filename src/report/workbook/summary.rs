@@ -60,12 +60,12 @@ fn stated(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) -
     lines
 }
 
-fn line(what: String, cell: impl Into<Cell>) -> Line {
+pub(super) fn line(what: String, cell: impl Into<Cell>) -> Line {
     (what, cell.into(), "")
 }
 
 /// What is not stated is left out.
-fn sheet(lines: Vec<Line>) -> Sheet {
+pub(super) fn sheet(lines: Vec<Line>) -> Sheet {
     let stated = lines.into_iter().filter(|(_, cell, _)| *cell != Cell::Empty);
     Sheet {
         name: "Summary",
