@@ -11,7 +11,7 @@ use crate::report::number;
 use crate::report::words::Words;
 use crate::{files, output};
 use serde::de::DeserializeOwned;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -44,10 +44,14 @@ impl Compare {
                 Err(more) => problems.0.extend(more.0),
             }
         }
-        let mut all = Vec::new();
+        let (mut all, mut places) = (Vec::new(), BTreeSet::new());
         for folder in &self.folders {
             match read(folder) {
-                Ok(read) => all.push(read),
+                // under another name it is the same folder
+                Ok((place, read)) => match places.insert(place) {
+                    true => all.push(read),
+                    false => problems.0.push(Message::error(format!("`{}` is named twice", read.folder))),
+                },
                 Err(more) => problems.0.extend(more.0),
             }
         }
@@ -78,8 +82,8 @@ fn writer(path: &Path) -> Result<Writer> {
     Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
 }
 
-/// What stands in a campaign's output folder.
-fn read(named: &Path) -> Result<Compared> {
+/// A campaign's output folder, and what stands in it.
+fn read(named: &Path) -> Result<(PathBuf, Compared)> {
     let folder = match named.join("campaign.toml").is_file() || named.is_file() {
         true => {
             let (campaign, problems) = Campaign::recover(named)?;
@@ -87,6 +91,7 @@ fn read(named: &Path) -> Result<Compared> {
         }
         false => named.to_owned(),
     };
+    let place = folder.canonicalize().unwrap_or_else(|_| folder.clone());
     let mut folder = Folder { named: named.display().to_string(), folder, inputs: BTreeMap::new() };
     let campaign = folder.document("campaign.json", None)?.ok_or_else(|| folder.missing("campaign.json"))?;
     let parameters = folder.document("parameters.json", Some("etalon/parameters/1"))?;
@@ -99,7 +104,7 @@ fn read(named: &Path) -> Result<Compared> {
     };
     let iso9283 = folder.document("iso9283.json", Some("etalon/iso9283/1"))?;
     let streams = folder.document("iso9283-streams.json", Some("etalon/iso9283-streams/1"))?;
-    Ok(Compared { folder: folder.named, campaign, identified, iso9283, streams, inputs: folder.inputs })
+    Ok((place, Compared { folder: folder.named, campaign, identified, iso9283, streams, inputs: folder.inputs }))
 }
 
 struct Folder {

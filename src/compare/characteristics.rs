@@ -5,12 +5,15 @@ use super::trend::{changed, of_estimates, pairs};
 use crate::document::*;
 use crate::iso9283::spread;
 use crate::message::Message;
+use std::collections::BTreeSet;
 
 /// AP, mean position and RP of every pose that all campaigns have; homings too.
 pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
     let mut missing = Vec::new();
+    let later: BTreeSet<i64> = all.iter().flat_map(|d| &d.poses).map(|p| p.pose).collect();
+    missing.extend(later.into_iter().filter(|pose| first.poses.iter().all(|p| p.pose != *pose)).map(|p| p.to_string()));
     for pose in &first.poses {
         let same: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.poses.iter().find(|p| p.pose == pose.pose)).collect();
         if same.len() < all.len() {
@@ -25,6 +28,8 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
     let homings: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.homing.as_ref()).collect();
     if homings.len() == all.len() {
         trends.extend(repeatability("homing", &homings));
+    } else if !homings.is_empty() {
+        missing.push("homing".to_owned());
     }
     if !missing.is_empty() {
         let message = Message::warning(format!("not in every campaign: pose {}", missing.join(", ")));

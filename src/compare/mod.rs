@@ -61,6 +61,7 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
         return Err(message.hint("run the campaigns with this version: `etalon run CAMPAIGN`").into());
     }
     judge(&mut trends);
+    messages.extend(disorder(all));
     messages.extend(paths::doubt(&trends));
     Ok(CompareDocument {
         schema: "etalon/compare/1".to_owned(),
@@ -118,6 +119,18 @@ fn refuse(all: &[Compared]) -> Result<()> {
     problems.check().map(|_| ())
 }
 
+/// A warning where dates that are written year-month-day fall.
+fn disorder(all: &[Compared]) -> Option<Message> {
+    let date = |c: &Compared| c.campaign.date.clone().filter(|d| d.len() == 10 && d.split('-').count() == 3);
+    let falls = |pair: &&[Compared]| matches!((date(&pair[0]), date(&pair[1])), (Some(a), Some(b)) if a > b);
+    let pair = all.windows(2).find(falls)?;
+    let what = format!("`{}` comes before `{}`, and is the younger by its date", pair[0].folder, pair[1].folder);
+    Some(
+        Message::warning(what)
+            .hint("name the eldest first: changes are from the one named before to the one named after"),
+    )
+}
+
 fn left_out(all: &[Compared], name: &str, there: fn(&Compared) -> bool) -> Option<Message> {
     let (with, without): (Vec<&Compared>, Vec<&Compared>) = all.iter().partition(|c| there(c));
     if with.is_empty() || without.is_empty() {
@@ -159,6 +172,13 @@ fn conventions(all: &[Compared], trends: &[CompareTrend]) -> Vec<String> {
         );
         said.push(
             "parameters of base and targets change with every set-up: a change there need not be the robot's"
+                .to_owned(),
+        );
+    }
+    if all.iter().filter_map(|c| c.identified.as_ref()).any(|i| parameters::degrees(i).is_finite()) {
+        said.push(
+            "parameters all together: F test; where uncertainties are those that the errors of poses leave it is approximate, and \
+             with one or two coordinates measured a pose it calls too much changed"
                 .to_owned(),
         );
     }

@@ -59,6 +59,7 @@ pub(super) fn picture(document: &ParametersDocument, words: &Words) -> Option<Pi
         1..=6 => words.fill("Correlated by 0.9 or more: {0}.", &[&listed]),
         n => words.fill("{0} pairs are correlated by 0.9 or more, the strongest: {1}.", &[&n, &listed]),
     };
+    let caption = format!("{description} {caption}");
     let row = |i: usize| {
         std::iter::once(names[i].to_owned())
             .chain((0..n).map(|j| number::fixed(if i == j { 1.0 } else { r(i, j) }, 3)))
@@ -95,7 +96,7 @@ mod tests {
         let picture = picture(&document, &Words::default()).unwrap();
         // 3 / (2 * 3), -2.91 / (3 * 1)
         assert!(picture.svg.contains("gamma and beta: 0.500") && picture.svg.contains("s and gamma: -0.970"));
-        assert_eq!(picture.caption, "Correlated by 0.9 or more: gamma – s -0.970.");
+        assert!(picture.caption.ends_with("Correlated by 0.9 or more: gamma – s -0.970."), "{}", picture.caption);
         assert_eq!(picture.rows[2], ["s", "0.000", "-0.970", "1.000"]);
         assert_eq!(colour(1.0), "#005aa0");
     }

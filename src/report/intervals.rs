@@ -36,9 +36,9 @@ fn picture(parameters: &[ParameterEntry], unit: &str, index: usize, words: &Word
     let bottom = TOP + ROW * all.len() as f64 + 6.0;
     // a ratio has no unit to name
     let (title, along) = match unit {
-        "1" => (words.say("Change of the ratios, with intervals of 95 %"), words.say("identified minus nominal")),
+        "1" => (words.say("Change of the ratios, with ± 2u"), words.say("identified minus nominal")),
         _ => (
-            words.fill("Change of the parameters in {0}, with intervals of 95 %", &[&unit]),
+            words.fill("Change of the parameters in {0}, with ± 2u", &[&unit]),
             words.fill("identified minus nominal in {0}", &[&unit]),
         ),
     };

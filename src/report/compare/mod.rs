@@ -142,7 +142,8 @@ fn isolated(name: &str) -> String {
 /// What the first box says: its style, and a sentence.
 pub(super) fn verdict(compare: &CompareDocument, words: &Words) -> (&'static str, String) {
     const NAMED: usize = 6;
-    let robot = |t: &&CompareTrend| t.family != CompareFamily::SetUp;
+    // a frame that was found again elsewhere moves mean positions: they are no quantity of the robot alone
+    let robot = |t: &&CompareTrend| !matches!(t.family, CompareFamily::SetUp | CompareFamily::MeanPosition);
     let of = |t: &CompareTrend| t.changes.iter().any(|c| c.significant == Some(true));
     let name = |t: &CompareTrend| isolated(&names::quantity(t, words));
     let changed: Vec<String> = compare.trends.iter().filter(robot).filter(|t| of(t)).map(name).collect();

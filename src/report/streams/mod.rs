@@ -149,7 +149,9 @@ fn path_picture((index, path): (usize, Option<&Iso9283Path>), words: &Words) -> 
 fn drift((index, standstills): (usize, &[Iso9283Standstill]), words: &Words) -> Option<Picture> {
     let mut by_pose: BTreeMap<i64, Vec<&Iso9283Standstill>> = BTreeMap::new();
     for s in standstills {
-        by_pose.entry(s.pose?).or_default().push(s);
+        if let Some(pose) = s.pose {
+            by_pose.entry(pose).or_default().push(s);
+        }
     }
     let curve = |(pose, visits): (i64, Vec<&Iso9283Standstill>)| {
         let first = visits.first()?.mean_mm.clone();
