@@ -23,10 +23,10 @@ pub(in crate::report) fn title(tested: &Characteristics, words: &Words) -> Strin
 pub(in crate::report) fn verdict(tested: &Characteristics, words: &Words) -> Verdict {
     let mut sentences = Vec::new();
     if let Some(document) = &tested.poses {
-        let said = "The accuracy is {0} µm, at pose {1}.";
+        let said = |um: &str, pose: i64| words.fill("The accuracy is {0} µm, at pose {1}.", &[&um, &pose]);
         let accuracy: Judged = ("accuracy_max_mm", |p: &Iso9283Pose| p.ap_conformity);
         sentences.extend(worst(document, |p| p.ap_mm).map(|found| judged(said, found, document, accuracy, words)));
-        let said = "The repeatability is {0} µm, at pose {1}.";
+        let said = |um: &str, pose: i64| words.fill("The repeatability is {0} µm, at pose {1}.", &[&um, &pose]);
         let repeatability: Judged = ("repeatability_max_mm", |p: &Iso9283Pose| p.rp_conformity);
         sentences.extend(worst(document, |p| p.rp_mm).map(|found| judged(said, found, document, repeatability, words)));
     }
@@ -55,7 +55,7 @@ type Judged = (&'static str, fn(&Iso9283Pose) -> Option<Iso9283Conformity>);
 
 /// What was found, whether it is within the limit, and what the intervals prove of that.
 fn judged(
-    said: &str,
+    said: impl Fn(&str, i64) -> String,
     (worst_mm, pose): (f64, i64),
     document: &Iso9283Document,
     (limit, proved): Judged,
@@ -66,7 +66,7 @@ fn judged(
     let apart_um = limit.map(|l| 1e3 * (l.limit - worst_mm).abs());
     let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
     let um = |mm: f64| number::fixed(1e3 * mm, digits);
-    let found = words.fill(said, &[&um(worst_mm), &pose]);
+    let found = said(&um(worst_mm), pose);
     let Some(limit) = limit else { return found };
     let allowed = um(limit.limit);
     let within = match limit.met {
