@@ -5,6 +5,7 @@ mod fit;
 mod five_bar;
 mod iso9283;
 mod iso9283_campaign;
+mod iso9283_poses;
 mod plan;
 mod report;
 mod reports;
