@@ -23,12 +23,13 @@ pub(in crate::report) fn title(tested: &Characteristics, words: &Words) -> Strin
 pub(in crate::report) fn verdict(tested: &Characteristics, words: &Words) -> Verdict {
     let mut sentences = Vec::new();
     if let Some(document) = &tested.poses {
-        let said = "The accuracy is {0} µm, at pose {1}.";
+        let said = words.say("The accuracy is {0} µm, at pose {1}.");
         let accuracy: Judged = ("accuracy_max_mm", |p: &Iso9283Pose| p.ap_conformity);
-        sentences.extend(worst(document, |p| p.ap_mm).map(|found| judged(said, found, document, accuracy, words)));
-        let said = "The repeatability is {0} µm, at pose {1}.";
+        sentences.extend(worst(document, |p| p.ap_mm).map(|found| judged(&said, found, document, accuracy, words)));
+        let said = words.say("The repeatability is {0} µm, at pose {1}.");
         let repeatability: Judged = ("repeatability_max_mm", |p: &Iso9283Pose| p.rp_conformity);
-        sentences.extend(worst(document, |p| p.rp_mm).map(|found| judged(said, found, document, repeatability, words)));
+        sentences
+            .extend(worst(document, |p| p.rp_mm).map(|found| judged(&said, found, document, repeatability, words)));
     }
     let met: Vec<bool> = tested.limits().map(|l| l.met).collect();
     if met.is_empty() {
