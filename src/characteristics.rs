@@ -80,11 +80,12 @@ fn table_problems(campaign: &Campaign, definition: &PosesDefinition) -> Problems
     }
     let order = definition.rotation_order.as_deref();
     let visits = PoseTables::of_campaign(campaign, definition).and_then(|(tables, _)| tables.visits(order));
-    let tested = visits.and_then(|visits| match &definition.drift_set {
+    let drifting = visits.and_then(|visits| match &definition.drift_set {
         Some(set) if *set.get_ref() > 1 => visits.drifts(*set.get_ref()).map_err(|more| more.at(&campaign.place(set))),
         _ => Ok(()),
     });
-    tested.err().unwrap_or_default()
+    let tested = || of_tables(campaign, definition).and_then(|(found, _)| limits(campaign, &found.poses));
+    drifting.and_then(|()| tested().map(|_| ())).err().unwrap_or_default()
 }
 
 /// Visited poses: of labels, or of tables.

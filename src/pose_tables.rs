@@ -96,7 +96,7 @@ impl Ready {
         pose_test::drifts(&self.visits, Some(set)).map(|_| ())
     }
 
-    /// Every visit, pose by pose.
+    /// Every visit that is told of, pose by pose.
     pub fn told(&self) -> Vec<Iso9283Visit> {
         let of_pose = |p: &crate::visits::PoseVisits| {
             let pose = p.pose;
@@ -108,6 +108,6 @@ impl Ready {
             };
             p.visits.iter().map(told).collect::<Vec<_>>()
         };
-        self.visits.poses.iter().flat_map(of_pose).collect()
+        pose_test::of_first_robot(&self.visits).poses.iter().flat_map(of_pose).collect()
     }
 }

@@ -46,6 +46,11 @@ const DRAWS: usize = 2000;
 
 /// All characteristics that the visits tell. Of several robots it is the first by name, and what exchanging them does.
 pub fn evaluate(all: &Visits, settings: &Settings) -> Result<Iso9283Document> {
+    let count = robots(all).len();
+    if count > 1 && settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
+        let message = Message::error(format!("limits are of one robot, and the table holds {count}"));
+        return Err(message.hint("test each robot by itself; together they tell the exchangeability").into());
+    }
     let visits = &of_first_robot(all);
     let poses = poses(visits, settings)?;
     let mut messages = visits.warnings.clone();
@@ -109,7 +114,7 @@ fn conventions(visits: &Visits, settings: &Settings) -> Vec<String> {
 }
 
 /// Visits of the robot that comes first by name.
-fn of_first_robot(visits: &Visits) -> Visits {
+pub(crate) fn of_first_robot(visits: &Visits) -> Visits {
     let mut first = visits.clone();
     let Some(robot) = robots(visits).first().map(|r| (*r).to_owned()) else { return first };
     first.poses.iter_mut().for_each(|p| p.visits.retain(|v| v.robot == robot));
@@ -310,6 +315,11 @@ fn exchanged(visits: &Visits) -> Result<Option<f64>> {
     let robots = robots(visits);
     if robots.len() < 2 {
         return Ok(None);
+    }
+    let lacks = |robot: &&str| visits.poses.iter().find(|p| p.visits.iter().all(|v| v.robot != *robot)).map(|p| p.pose);
+    if let Some((robot, pose)) = robots.iter().find_map(|robot| Some((robot, lacks(robot)?))) {
+        let message = Message::error(format!("exchangeability: robot `{}` did not visit pose {pose}", one_line(robot)));
+        return Err(message.expected("every robot at every pose").into());
     }
     let of = |robot: &&str| visits.poses.iter().map(|p| p.positions_mm(|v| v.robot == *robot)).collect::<Vec<_>>();
     let attained: Vec<Vec<Vec<Vector>>> = robots.iter().map(of).collect();

@@ -37,7 +37,9 @@ pub fn evaluate(
         frames.world.definition
     ));
     if !gathered.visits.spatial {
-        document.conventions.push("commanded positions have no z: all characteristics are in the plane xy".to_owned());
+        document.conventions.push(
+            "commanded positions have no z: all characteristics but the coplanarity are in the plane xy".to_owned(),
+        );
     }
     if let Some(homings) = &gathered.homings {
         let settings = Settings { drift_set: None, ap_limit_mm: None, ..settings.clone() };

@@ -164,15 +164,19 @@ fn visits(attained: (&str, &DataFrame), rows: &Rows) -> Result<Vec<Visit>> {
     let cycles = table::integers(frame, "cycle").map_err(|p| in_file(p, file))?;
     let approaches = explicit(frame).then(|| table::texts(frame, "approach")).transpose()?;
     let robots = frame.column("robot").is_ok().then(|| table::texts(frame, "robot")).transpose()?;
+    // the row before of the same robot
+    let mut last: BTreeMap<&str, usize> = BTreeMap::new();
+    let robot = |i: usize| robots.as_ref().map_or("", |names| names[i].as_str());
+    let before: Vec<Option<usize>> = (0..rows.poses.len()).map(|i| last.insert(robot(i), i)).collect();
     let visit = |i: usize| Visit {
         cycle: cycles[i],
         position_mm: rows.positions_mm[i],
         angles_rad: rows.angles_rad[i].clone(),
         approach: match &approaches {
             Some(names) => Some(names[i].clone()),
-            None => i.checked_sub(1).map(|before| from_pose(rows.poses[before])),
+            None => before[i].map(|before| from_pose(rows.poses[before])),
         },
-        robot: robots.as_ref().map_or_else(String::new, |names| names[i].clone()),
+        robot: robot(i).to_owned(),
         readings_mm: vec![rows.positions_mm[i]],
     };
     Ok((0..rows.poses.len()).map(visit).collect())

@@ -18,7 +18,7 @@ pub struct RepeatabilityDefinition {
     /// Commanded poses in the world frame: `pose,x_mm,y_mm[,z_mm]`; without z all is in the plane. Without the file there is
     /// no accuracy, distance or drift.
     pub commanded: Option<Spanned<String>>,
-    /// Visits of one set of a drift test.
+    /// Cycles of one set of a drift test.
     pub drift_set: Option<Spanned<usize>>,
 }
 

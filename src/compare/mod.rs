@@ -121,7 +121,12 @@ fn refuse(all: &[Compared]) -> Result<()> {
 
 /// A warning where dates that are written year-month-day fall.
 fn disorder(all: &[Compared]) -> Option<Message> {
-    let date = |c: &Compared| c.campaign.date.clone().filter(|d| d.len() == 10 && d.split('-').count() == 3);
+    let figures = |part: &str, count: usize| part.len() == count && part.bytes().all(|b| b.is_ascii_digit());
+    let stated = |d: &String| {
+        let parts: Vec<&str> = d.split('-').collect();
+        matches!(parts[..], [y, m, d] if figures(y, 4) && figures(m, 2) && figures(d, 2))
+    };
+    let date = |c: &Compared| c.campaign.date.clone().filter(stated);
     let falls = |pair: &&[Compared]| matches!((date(&pair[0]), date(&pair[1])), (Some(a), Some(b)) if a > b);
     let pair = all.windows(2).find(falls)?;
     let what = format!("`{}` comes before `{}`, and is the younger by its date", pair[0].folder, pair[1].folder);

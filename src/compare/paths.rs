@@ -3,7 +3,7 @@
 use super::significance::{Difference, Recovered, recovered};
 use super::trend::{changed, pairs};
 use crate::document::*;
-use crate::message::{Message, one_line};
+use crate::message::{Message, count, one_line};
 
 /// Paths are one where length, begin and end agree to this share of the length.
 const SAME: f64 = 1e-3;
@@ -27,15 +27,20 @@ pub(super) fn trends(all: &[&Iso9283StreamsDocument], messages: &mut Vec<Message
         }
         if !paths.iter().all(|p| is_same(&paths[0], p)) {
             let message =
-                Message::warning(format!("the commanded paths of stream `{name}` differ: AT and RT are left out"));
-            messages.push(message.hint("streams of one name must drive one path, in one frame"));
+                Message::warning(format!("the commanded points of stream `{name}` differ: AT and RT are left out"));
+            messages.push(
+                message.hint(
+                    "streams of one name must drive one path in one frame, with the same path_points and near_mm",
+                ),
+            );
             continue;
         }
         let fewest = paths.iter().map(|p| p.passes).min().unwrap_or(0);
         if fewest < TESTED_PASSES {
             let what = format!(
-                "AT and RT of stream `{name}` rest on {fewest} passes: their intervals were tested with {TESTED_PASSES}, and \
-                 what is said of a change is less sure"
+                "AT and RT of stream `{name}` rest on {}: what is said of a change was tested with {TESTED_PASSES}, and is less \
+                 sure",
+                count(fewest, "pass")
             );
             messages.push(Message::warning(what).hint("drive the path ten times, as ISO 9283 asks"));
         }
@@ -64,10 +69,9 @@ fn is_same(a: &Iso9283Path, b: &Iso9283Path) -> bool {
     let near = |x: f64, y: f64| (x - y).abs() <= SAME * a.length_mm.max(b.length_mm);
     let at = |p: Option<&Iso9283PathPoint>| p.map(|p| p.commanded_mm.clone()).unwrap_or_default();
     let meet = |a: Vec<f64>, b: Vec<f64>| a.len() == b.len() && a.iter().zip(&b).all(|(x, y)| near(*x, *y));
-    // command points are the middles of equal parts: their ends meet where there are as many
-    let as_many = a.points.len() == b.points.len();
+    // AT and RT are the largest values over the command points: these must be the same as well
     let ends = meet(at(a.points.first()), at(b.points.first())) && meet(at(a.points.last()), at(b.points.last()));
-    near(a.length_mm, b.length_mm) && (ends || !as_many)
+    near(a.length_mm, b.length_mm) && ends && a.points.len() == b.points.len()
 }
 
 /// AT by the difference of values whose intervals are known, as AP.

@@ -156,7 +156,7 @@ fn reading(guess: &Guess) -> Reading {
 fn reasons(best: &Guess) -> Vec<String> {
     let columns = match best.dialect.delimiter {
         Some(delimiter) => format!("have {} fields separated by `{}`", best.numeric.len(), delimiter.name()),
-        None => format!("have numbers in {} columns", best.numeric.len()),
+        None => format!("have numbers, in {}", count(best.numeric.iter().filter(|n| **n).count(), "column")),
     };
     let mut reasons = vec![
         format!("{} of {} {columns}", best.read, count(best.rows, "row")),
@@ -329,6 +329,12 @@ fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_sheet_whose_first_row_is_shorter_than_the_others_is_proposed() {
+        let text = "4711\t2.0\nP\ta\tb\t1.5\t2.5\t3.5\nQ\ta\tb\t4.5\t5.5\t6.5\n";
+        assert_eq!(propose_in("f.xlsx", text, Some("S")).readings[0].columns.len(), 6);
+    }
 
     #[test]
     fn delimiter_and_decimal_are_proposed_and_the_unit_is_asked() {

@@ -10,7 +10,10 @@ pub(super) fn header_unit(name: &str) -> Option<Unit> {
 }
 
 fn unit(word: &str) -> Option<Unit> {
-    match word.trim().to_lowercase().as_str() {
+    let word = word.trim();
+    match word.to_lowercase().as_str() {
+        // M may be "measured"
+        "m" if word == "M" => None,
         "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => Some(Unit::Millimetre),
         "m" | "metre" | "metres" | "meter" | "meters" => Some(Unit::Metre),
         // micro sign, Greek mu
@@ -31,6 +34,6 @@ mod tests {
             ["X [mm]", "y (in)", "z_um", "X Inch", "x [m]", "\u{b5} [\u{b5}m]"].map(of),
             ["mm", "inch", "um", "inch", "m", "um"].map(Some)
         );
-        assert_eq!(["X", "x_m", "x [rad]", "", "[", "x measured"].map(of), [None; 6]);
+        assert_eq!(["X", "x_m", "x [rad]", "", "[", "X (M)"].map(of), [None; 6]);
     }
 }

@@ -81,7 +81,8 @@ fn neighbours(points: &[Point], near: f64) -> Vec<(&Point, &Point)> {
     for point in named() {
         let place = point.xyz_mm.map(|v| v / (2.0 * near));
         let own = place.map(|v| v.floor() as i64);
-        let next = place.map(|v| if v - v.floor() < 0.5 { v.floor() as i64 - 1 } else { v.floor() as i64 + 1 });
+        let nearer = |v: f64| if v - v.floor() < 0.5 { v.floor() - 1.0 } else { v.floor() + 1.0 };
+        let next = place.map(|v| nearer(v) as i64);
         for side in 0..8 {
             let cell = [0, 1, 2].map(|k| if side >> k & 1 == 0 { own[k] } else { next[k] });
             // of a crowd in one place a few are enough

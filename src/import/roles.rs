@@ -70,7 +70,7 @@ fn by_position(guess: &Guess) -> Vec<Role> {
             Role::Skip
         }
         true => axes.next().copied().unwrap_or(Role::Skip),
-        false if i < leading && !is_time(&guess.first.fields[i]) => Role::Label,
+        false if i < leading && !guess.first.fields.get(i).is_some_and(|field| is_time(field)) => Role::Label,
         false => Role::Skip,
     };
     guess.numeric.iter().enumerate().map(role).collect()

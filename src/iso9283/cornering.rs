@@ -40,8 +40,10 @@ pub fn cornering(
     let far = unit([0, 1, 2].map(|k| corner.incoming[k] - along * corner.outgoing[k])).unwrap_or_default();
     let mut worst = Cornering { round_off_mm: 0.0, overshoot_mm: 0.0, stabilisation_mm: limit_mm.map(|_| 0.0) };
     for pass in passes {
-        let relative = stream.positions_mm()[pass.samples(first, last)].iter().map(|p| minus(*p, corner.position_mm));
-        let relative: Vec<Vector> = relative.collect();
+        // however few samples there are, both planes were gone through
+        let ends = [first, last].map(|i| [pass.crossings[i].position_mm]);
+        let driven = ends[0].iter().chain(&stream.positions_mm()[pass.samples(first, last)]).chain(&ends[1]);
+        let relative: Vec<Vector> = driven.map(|p| minus(*p, corner.position_mm)).collect();
         let nearest = relative.windows(2).map(|d| to_segment(d[0], d[1])).fold(f64::INFINITY, f64::min);
         let beyond = relative.iter().filter(|d| dot(**d, far) > 0.0).map(|d| off(*d, corner.outgoing));
         worst.round_off_mm = worst.round_off_mm.max(nearest);

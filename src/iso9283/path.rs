@@ -79,12 +79,17 @@ impl CommandedPath {
         (0..count).map(|i| self.at((i as f64 + 0.5) / count as f64 * self.length_mm())).collect()
     }
 
-    /// The same without those within `near_mm` of a corner that turns by more than `least_rad`: a robot that rounds it off goes
-    /// through their planes in another order, or not at all.
+    /// The same without those within `near_mm` of a corner that turns by more than `least_rad`, and at most a quarter of its leg:
+    /// a robot that rounds it off goes through their planes in another order, or not at all.
     pub fn command_points_beside(&self, count: usize, (least_rad, near_mm): (f64, f64)) -> Vec<CommandPoint> {
         let corners = self.corners(least_rad);
         let mut points = self.command_points(count);
-        points.retain(|p| corners.iter().all(|c| (p.along_mm - c.along_mm[1]).abs() > near_mm));
+        let beside = |p: &CommandPoint, c: &Corner| {
+            let [before, at, after] = c.along_mm;
+            let half_leg_mm = if p.along_mm < at { at - before } else { after - at };
+            (p.along_mm - at).abs() > near_mm.min(0.5 * half_leg_mm)
+        };
+        points.retain(|p| corners.iter().all(|c| beside(p, c)));
         points
     }
 

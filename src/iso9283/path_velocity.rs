@@ -58,7 +58,8 @@ pub fn path_velocity(
 
 /// First and last command point of the central share of the path.
 pub fn central(points: &[CommandPoint], share: f64) -> (usize, usize) {
-    // command points are the middles of equal parts: the first is as far from the start as the last from the end
+    // command points are the middles of equal parts: the first is as far from the start as the last from the end, unless a
+    // leg is shorter than a part
     let length = points[0].along_mm + points[points.len() - 1].along_mm;
     let edge = 0.5 * (1.0 - share) * length - 1e-9 * length;
     let inside = |p: &CommandPoint| p.along_mm >= edge && p.along_mm <= length - edge;

@@ -221,8 +221,8 @@ fn joined(points: &DataFrame, log: Log, times: &[i64], met: &[Option<Met>], inte
         let value = |(_, met): &(usize, Met)| {
             let Some((other, share)) = met.other else { return all[met.row] };
             let step = all[other] - all[met.row];
-            // from 179.9 to -179.9 degrees it is a fifth of a degree
-            let step = if turns { step - 360.0 * (step / 360.0).round() } else { step };
+            // from 179.9 to -179.9 degrees it is a fifth of a degree; no joint turns so far from one row to the next
+            let step = if turns && step.abs() > 270.0 { step - 360.0 * step.signum() } else { step };
             all[met.row] + share * step
         };
         joined.with_column(Column::new(column_name.into(), kept.iter().map(value).collect::<Vec<f64>>()))?;

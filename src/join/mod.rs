@@ -256,7 +256,8 @@ fn by_keys(points: &DataFrame, log: Log, keys: &[&str], said: &mut Said) -> Resu
         lone,
     );
     report("key of log", "keys of log", log_rows, &logged, &measured, "no measured point has this key".to_owned());
-    let pairs = measured.iter().filter_map(|(key, rows)| Some((rows, *logged.get(key)?.first()?)));
+    let by_row = keys == ["row"];
+    let pairs = measured.iter().filter(|_| by_row).filter_map(|(key, rows)| Some((rows, *logged.get(key)?.first()?)));
     contradictions(points, log, pairs.flat_map(|(rows, logged)| rows.iter().map(move |&row| (row, logged))))?;
     let mut right = log.rows.clone();
     for column in ["row", "line", "pose", "cycle", "time_s"] {

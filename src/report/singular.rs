@@ -81,9 +81,9 @@ fn caption(o: &ObservabilitySummary, words: &Words) -> String {
         &[&o.rank, &significant(o.condition, 3)],
     );
     let cut = match o.held_singular_values.len() {
-        0 => words.fill("None lies below the rank cut of {0} times the largest.", &[&significant(o.rank_cut, 2)]),
+        0 => words.fill("None is held: no column lies within the rank cut of {0} of what the others span.", &[&significant(o.rank_cut, 2)]),
         held => words.fill(
-            "Diamonds: the {0} smallest with all parameters; as many are held. Below the line at {1} times the largest the data tell nothing, above it uselessly little.",
+            "Diamonds: the {0} smallest with all parameters; as many are held. About the line at {1} times the largest and below it the data tell nothing, above it uselessly little.",
             &[&held, &significant(o.rank_cut, 2)],
         ),
     };
@@ -104,7 +104,7 @@ mod tests {
         assert!(drawn.caption.contains("rank 11, condition number 46.9"), "{}", drawn.caption);
         o.held_singular_values.clear();
         let drawn = picture(&o, &Words::default()).unwrap();
-        assert!(!drawn.svg.contains("rank cut") && drawn.caption.contains("None lies below the rank cut of 1.0e-9"));
+        assert!(!drawn.svg.contains("rank cut") && drawn.caption.contains("within the rank cut of 1.0e-9"));
     }
 
     #[test]

@@ -42,11 +42,12 @@ pub(super) const SCRIPT: &str = include_str!("script.js");
 /// The template of report.pdf, in the language of typst.
 pub const TYPESET: (&str, &str) = ("report.typ", include_str!("pdf/report.typ"));
 
-/// A page from the template of this name.
+/// A page from the template of this name; of control characters, which no name is known to need, line feeds and tabs stay.
 pub(super) fn render<T: Serialize>(name: &str, presentation: &Presentation, words: &Words, page: T) -> Result<String> {
     let environment = environment(presentation, words)?;
     let fail = |e: minijinja::Error| Problems::from(told(&e, presentation));
-    environment.get_template(name).map_err(fail)?.render(Serde(page)).map_err(fail)
+    let page = environment.get_template(name).map_err(fail)?.render(Serde(page)).map_err(fail)?;
+    Ok(page.chars().map(|c| if c.is_control() && !matches!(c, '\n' | '\t') { '\u{fffd}' } else { c }).collect())
 }
 
 /// Whether the laboratory's templates read, without a page to fill.

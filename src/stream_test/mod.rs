@@ -129,7 +129,11 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
             let _ = write!(text, "; velocities between them in the central {} %", 100.0 * path.central);
         }
         if !path.path.corners(CORNER_RAD).is_empty() {
-            let _ = write!(text, "; none within {} mm of a corner, which is told by itself", settings.near_mm);
+            let _ = write!(
+                text,
+                "; none within {} mm of a corner (at most a quarter of its leg), which is told by itself",
+                settings.near_mm
+            );
         }
         said.push(text);
         if path.weave.is_none() {

@@ -1,4 +1,4 @@
-//! Reports to look at: of samples, in every language, and of a campaign whose names are hostile.
+//! Reports to look at: of samples, in every language, of a campaign whose names are hostile, and one that compares it.
 
 use crate::scratch::copy_sample;
 use std::path::{Path, PathBuf};
@@ -7,6 +7,8 @@ use std::process::Command;
 /// Pages, in a folder that goes away with them.
 pub struct Pages {
     pub pages: Vec<PathBuf>,
+    /// A comparison, which has no marks to point at, and no script.
+    pub comparison: PathBuf,
     pub folder: tempfile::TempDir,
 }
 
@@ -39,7 +41,13 @@ pub fn all() -> Pages {
     make_hostile(&scratch);
     etalon(&["run".as_ref(), scratch.path().as_os_str()]);
     report(&scratch.path(), "hostile", "fr");
-    Pages { pages, folder }
+    let sound = copy_sample("prexyt-cmm");
+    etalon(&["run".as_ref(), sound.path().as_os_str()]);
+    let page = folder.path().join("compare.html");
+    let campaigns = [sound.path(), scratch.path()];
+    let [a, b] = campaigns.each_ref().map(|path| path.as_os_str());
+    etalon(&["compare".as_ref(), a, b, "--language".as_ref(), "de".as_ref(), "--report".as_ref(), page.as_os_str()]);
+    Pages { pages, comparison: page, folder }
 }
 
 fn etalon(arguments: &[&std::ffi::OsStr]) {

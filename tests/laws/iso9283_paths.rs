@@ -292,6 +292,19 @@ fn round_off_and_overshoot_of_a_corner_are_those_drawn() {
     );
     assert!((over.overshoot_mm - 2.0).abs() < 1e-3 && over.round_off_mm < 1e-3, "{over:?}");
     assert_eq!(measure(drawn(&|_| [100.0, 0.0, 0.0]), 0.1).round_off_mm, 0.0);
+    // one sample at the corner, and the next far off: the way between counts
+    let coarse = vec![[-5.0, 0.0, 0.0], [99.5, 0.0, 0.0], [100.0, 105.0, 0.0]];
+    let rough = measure(coarse, 0.1);
+    assert!((rough.round_off_mm - 0.5).abs() < 0.01, "{rough:?}");
+}
+
+#[test]
+fn command_points_are_left_on_both_sides_of_a_corner_however_short_a_leg_is() {
+    let short = CommandedPath::new(vec![[0.0; 3], [8.0, 0.0, 0.0], [8.0, 200.0, 0.0]], &[]).unwrap();
+    let points = short.command_points_beside(208, (0.5, 10.0));
+    let before = points.iter().filter(|p| p.along_mm < 8.0).count();
+    // up to two of eight millimetres are left out before it, and ten behind it
+    assert_eq!((before, points.iter().filter(|p| p.along_mm < 18.0).count()), (6, 6));
 }
 
 /// Three cycles round a corner with a wide arc, the second leg farther out each time: planes near the corner are gone through

@@ -147,8 +147,9 @@ pub(super) fn verdict(compare: &CompareDocument, words: &Words) -> (&'static str
     let of = |t: &CompareTrend| t.changes.iter().any(|c| c.significant == Some(true));
     let name = |t: &CompareTrend| isolated(&names::quantity(t, words));
     let changed: Vec<String> = compare.trends.iter().filter(robot).filter(|t| of(t)).map(name).collect();
-    let all = compare.trends.iter().filter(robot).count();
-    match (changed.is_empty(), compare.together.iter().any(|t| t.significant)) {
+    let judged = |t: &&CompareTrend| t.changes.iter().any(|c| c.significant.is_some());
+    let all = compare.trends.iter().filter(robot).filter(judged).count();
+    let (class, found) = match (changed.is_empty(), compare.together.iter().any(|t| t.significant)) {
         (true, false) => ("good", words.fill("None of {0} quantities of the robot changed significantly.", &[&all])),
         (true, true) => {
             ("open", words.say("The robot's parameters changed significantly, all together; no single quantity did."))
@@ -160,7 +161,15 @@ pub(super) fn verdict(compare: &CompareDocument, words: &Words) -> (&'static str
             let values: [&dyn Display; 3] = [&changed.len(), &all, &told];
             ("open", words.fill("{0} of {1} quantities of the robot changed significantly: {2}.", &values))
         }
-    }
+    };
+    let unjudged = compare.trends.iter().filter(robot).filter(|t| !judged(t)).count();
+    let told = words.fill("{0} could not be judged: no uncertainty is known.", &[&unjudged]);
+    let moved = compare.trends.iter().any(|t| t.family == CompareFamily::MeanPosition && of(t));
+    let elsewhere = words.say("Mean positions changed: the robot, or how its frame was found.");
+    let more: Vec<String> =
+        [(unjudged > 0, told), (moved, elsewhere)].into_iter().filter(|m| m.0).map(|m| m.1).collect();
+    let class = if more.is_empty() { class } else { "open" };
+    (class, std::iter::once(found).chain(more).collect::<Vec<_>>().join(" "))
 }
 
 fn together(t: &CompareTogether, words: &Words) -> String {

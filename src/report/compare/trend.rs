@@ -91,6 +91,7 @@ fn sentence(trend: &CompareTrend, words: &Words) -> String {
     let told: Vec<String> =
         trend.changes.iter().filter(|c| c.significant == Some(true)).map(|c| words::pair(c, words)).collect();
     match told.is_empty() {
+        true if trend.changes.iter().all(|c| c.significant.is_none()) => words.say("no uncertainty is known"),
         true => words.say("No significant change."),
         false => words.fill("Significant: {0}.", &[&told.join(", ")]),
     }

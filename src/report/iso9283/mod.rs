@@ -183,9 +183,11 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Vec<Vec<String>> {
     for v in &document.approaches {
         let all: Vec<Vector> = of_pose(document, v.pose).map(|v| v.attained_mm).collect();
         let middle = centroid(&all).unwrap_or_default();
+        let spatial = document.poses.iter().any(|p| p.pose == v.pose && p.rp_z_mm.is_some());
         for a in &v.approaches {
             let mut cells = vec![v.pose.to_string(), approach(&a.name, words), a.cycles.to_string()];
-            cells.extend(minus(a.mean_mm, middle).map(|d| um(Some(d))));
+            let [x, y, z] = minus(a.mean_mm, middle).map(Some);
+            cells.extend([x, y, z.filter(|_| spatial)].map(um));
             cells.extend([a.rp_mm, a.enclosing_radius_mm].map(um));
             rows.push(cells);
         }
