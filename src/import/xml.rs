@@ -83,6 +83,8 @@ impl<'a> Tree<'a> {
                     let message = tree.error(start, "the file declares a document type, which may hide anything");
                     return Err(message.hint("remove the <!DOCTYPE ...>: no measurement needs one").into());
                 }
+                // also within an element that is left out
+                Event::Eof => break,
                 _ if left_out > 0 => {}
                 Event::Text(piece) => tree.append(&open, piece.into_inner()),
                 Event::CData(piece) => tree.append(&open, piece.into_inner()),
@@ -99,7 +101,6 @@ impl<'a> Tree<'a> {
                     let character = character.ok_or_else(unknown)?;
                     tree.append(&open, Cow::Owned(character.to_string()));
                 }
-                Event::Eof => break,
                 _ => {}
             }
         }

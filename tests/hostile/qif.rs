@@ -73,6 +73,11 @@ fn every_truncation_is_an_error_and_none_panics() {
         }
     }
     error(&whole[..whole.len() - "</QIFDocument>".len()], &["never closed", "hint:"]);
+    // within an element that is not read
+    let product = whole.replacen("<Results>", "<Product><Part>1 2 3</Part></Product><Results>", 1);
+    let end = product.find("</Part>").unwrap();
+    (product.find("<Product>").unwrap() + 9..end + 20).for_each(|end| drop(qif::read("f.qif", &product[..end], None)));
+    error(&product[..end], &["`QIFDocument` is never closed"]);
 }
 
 #[test]
