@@ -135,7 +135,8 @@ impl Message {
 
 /// `1 row`, `2 rows`.
 pub fn count(n: usize, noun: &str) -> String {
-    format!("{n} {noun}{}", if n == 1 { "" } else { "s" })
+    let plural = if noun.ends_with("ss") { "es" } else { "s" };
+    format!("{n} {noun}{}", if n == 1 { "" } else { plural })
 }
 
 /// The name that `wrong` may be meant as, if one is like it.
