@@ -77,6 +77,11 @@ fn picture(pose: i64, visits: &[&Iso9283Visit], words: &Words) -> Option<Picture
             ),
         );
     }
+    let row = |(visit, place): (&&Iso9283Visit, &Vector)| {
+        let from = visit.approach.as_deref().map_or_else(|| words.say("the first"), |name| approach(name, words));
+        let [x, y, z] = place.map(|v| number::fixed(v, 1));
+        vec![visit.cycle.to_string(), from, x, y, z]
+    };
     Some(Picture {
         title,
         svg: svg.finish(),
@@ -89,6 +94,15 @@ fn picture(pose: i64, visits: &[&Iso9283Visit], words: &Words) -> Option<Picture
                 words.fill("{0} visits about their mean, all from one pose; diamonds are the means.", &[&visits.len()])
             }
         },
+        table_title: words.say("Numbers of this picture"),
+        header: vec![
+            words.say("cycle"),
+            words.say("approached"),
+            "x, µm".to_owned(),
+            "y, µm".to_owned(),
+            "z, µm".to_owned(),
+        ],
+        rows: visits.iter().zip(&places).map(row).collect(),
         ..Picture::default()
     })
 }
