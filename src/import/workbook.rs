@@ -6,8 +6,9 @@ use std::io::{Cursor, Read};
 
 /// A workbook that unpacks to more is none of measurements.
 const LARGEST: u64 = 64 << 20;
-/// So is a sheet with columns further to the right.
+/// So is a sheet with columns further to the right, or with more rows than Excel has.
 const MOST_COLUMNS: u32 = 1024;
+const MOST_ROWS: u32 = 1 << 20;
 
 /// Whether the bytes may be those of a workbook.
 pub(super) fn is_workbook(bytes: &[u8]) -> bool {
@@ -33,11 +34,15 @@ pub(super) fn text(bytes: &[u8], sheet: &str) -> Result<String, Message> {
     while let Some(cell) = cells.next_cell().map_err(|e| unreadable(&e))? {
         let (r, c) = cell.get_position();
         if r < row || (r == row && c < column) {
-            return Err(Message::error(format!("the cells of sheet `{sheet}` are in no order (row {})", r + 1)));
+            return Err(Message::error(format!(
+                "the cells of sheet `{sheet}` are in no order (row {})",
+                u64::from(r) + 1
+            )));
         }
-        if c > MOST_COLUMNS {
-            let what = format!("sheet `{sheet}` has a cell in column {}, row {}", c + 1, r + 1);
-            return Err(Message::error(what).expected(format!("at most {MOST_COLUMNS} columns")));
+        if c > MOST_COLUMNS || r >= MOST_ROWS {
+            let (column, row) = (u64::from(c) + 1, u64::from(r) + 1);
+            let what = format!("sheet `{sheet}` has a cell in column {column}, row {row}");
+            return Err(Message::error(what).expected(format!("at most {MOST_COLUMNS} columns and {MOST_ROWS} rows")));
         }
         if r > row {
             text.extend(std::iter::repeat_n('\n', (r - row) as usize));
@@ -184,6 +189,12 @@ mod tests {
             "<row r=\"1\"><c r=\"A1\"><v>1</v></c></row><row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row>",
         );
         assert!(text(&corner, "S").unwrap_err().to_string().contains("column 16384, row 1048576"));
+        // more than numbers hold: wherever it wraps to, no row is as far down
+        let far = workbook(
+            "S",
+            "<row r=\"1\"><c r=\"A1\"><v>1</v></c></row><row r=\"9\"><c r=\"A4000000000\"><v>1</v></c></row>",
+        );
+        assert!(text(&far, "S").unwrap_err().to_string().contains("1048576 rows"));
         assert!(begun.elapsed().as_secs_f64() < 1.0);
         let bomb = workbook("S", &" ".repeat(LARGEST as usize + 1));
         assert!(bomb.len() < 1 << 20);
