@@ -2,7 +2,7 @@
 
 use super::number::{self, Shown};
 use super::svg::Shape;
-use super::words::Words;
+use super::words::{Words, isolated};
 use crate::document::PointError;
 use crate::pose::norm;
 use std::fmt::Display;
@@ -94,7 +94,7 @@ pub(super) fn sets(points: &[&PointError]) -> Vec<(Shape, &'static str, &'static
 /// Which point, and its error before and after; the target's name is isolated from its surroundings (right-to-left).
 pub(super) fn tooltip(p: &PointError, before: f64, after: f64, shown: Shown, words: &Words) -> String {
     let value = |v: f64| format!("{} {}", number::significant(v * shown.factor, 3), shown.unit);
-    let target = format!("\u{2068}{}\u{2069}", p.target);
+    let target = isolated(&p.target);
     let set = words.say(if is_validation(p) { "validation" } else { "calibration" });
     let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &set, &value(before), &value(after)];
     words.fill("pose {0}, cycle {1}, {2} ({3}): {4} before, {5} after", &values)

@@ -5,7 +5,7 @@ use super::by_pose::{self, BOTTOM, HEIGHT, RIGHT, TOP, WIDTH};
 use super::number::{self, Shown};
 use super::points::{self, Picture};
 use super::svg::{COLOURS, Shape, Svg};
-use super::words::Words;
+use super::words::{Words, isolated};
 use crate::document::PointError;
 use statrs::distribution::{ContinuousCDF, Normal};
 use std::collections::BTreeSet;
@@ -35,7 +35,7 @@ pub(super) fn pictures(errors: &[&PointError], planar: bool, words: &Words) -> V
 
 fn tip(p: &PointError, axis: usize, shown: Shown, words: &Words) -> String {
     let value = number::significant(p.after_mm[axis] * shown.factor, 3);
-    let target = format!("\u{2068}{}\u{2069}", p.target);
+    let target = isolated(&p.target);
     let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &AXES[axis], &value, &shown.unit];
     words.fill("pose {0}, cycle {1}, {2}: {3} {4} {5}", &values)
 }

@@ -1,6 +1,6 @@
 //! The templates of the reports: those that are built in, and those that a laboratory puts in their place.
 
-use super::words::Words;
+use super::words::{Words, isolated};
 use super::{facts, number};
 use crate::document::Presentation;
 use crate::message::{Message, Place, Problems, Result, one_line};
@@ -67,8 +67,7 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     environment.add_filter("fixed", |value: f64, decimals: usize| number::fixed(value, decimals));
     environment.add_filter("stated", facts::stated);
     environment.add_filter("one_line", |text: String| one_line(&text));
-    // a name in a sentence, whatever way it reads
-    environment.add_filter("isolated", |text: String| format!("\u{2068}{text}\u{2069}"));
+    environment.add_filter("isolated", |text: String| isolated(&text));
     let words = words.clone();
     environment.add_filter("t", move |text: String, values: Rest<Value>| {
         let values: Vec<&dyn std::fmt::Display> = values.iter().map(|v| v as &dyn std::fmt::Display).collect();

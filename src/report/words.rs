@@ -7,6 +7,11 @@ use crate::message::{Message, Result};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
+/// A name in a sentence, whatever way it reads.
+pub(crate) fn isolated(name: &str) -> String {
+    format!("\u{2068}{name}\u{2069}")
+}
+
 /// Words that come from documents, not from the text of this program's reports.
 #[cfg(test)]
 const OF_DOCUMENTS: [&str; 19] = [

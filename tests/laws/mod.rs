@@ -15,6 +15,7 @@ mod geometric;
 mod geometric_campaign;
 mod iso9283;
 mod iso9283_beyond;
+mod iso9283_corners;
 mod iso9283_layout;
 mod iso9283_path_intervals;
 mod iso9283_paths;

@@ -7,7 +7,7 @@ mod trend;
 pub(crate) mod words;
 
 use super::points::Picture;
-use super::words::Words;
+use super::words::{Words, isolated};
 use super::{facts, number, templates, workbook};
 use crate::document::{CompareChange, CompareDocument, CompareFamily, CompareTogether, CompareTrend, Presentation};
 use crate::message::{Result, one_line};
@@ -132,11 +132,6 @@ fn campaigns(compare: &CompareDocument, words: &Words) -> Vec<[String; 5]> {
         [(i + 1).to_string(), one_line(&c.name), date, instrument.join(", "), one_line(&c.folder)]
     };
     compare.campaigns.iter().enumerate().map(row).collect()
-}
-
-/// A name in a sentence, whatever way it reads.
-fn isolated(name: &str) -> String {
-    format!("\u{2068}{name}\u{2069}")
 }
 
 /// What the first box says: its style, and a sentence.

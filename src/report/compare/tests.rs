@@ -70,9 +70,6 @@ fn the_same_document_makes_the_same_bytes_of_every_kind() {
     for (kind, write) in WRITERS {
         let bytes = write(&document, &presentation).unwrap();
         assert!(bytes == write(&document, &presentation).unwrap(), "{kind}");
-        if let Some(folder) = std::env::var_os("ETALON_COMPARE_DEMO") {
-            std::fs::write(std::path::Path::new(&folder).join(format!("compare.{kind}")), bytes).unwrap();
-        }
     }
 }
 

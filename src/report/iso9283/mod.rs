@@ -13,7 +13,7 @@ use super::facts;
 use super::number;
 use super::part::{Part, number as numbers, text};
 use super::points::Picture;
-use super::words::Words;
+use super::words::{Words, isolated};
 use crate::document::{Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose, Iso9283Visit};
 use crate::pose::{Vector, centroid, minus};
 use serde::Serialize;
@@ -205,10 +205,10 @@ fn approach(name: &str, words: &Words) -> String {
 
 fn between(v: &crate::document::Iso9283Variation, words: &Words) -> String {
     let [a, b] = &v.between;
-    let isolated = |name: &str| format!("\u{2068}{}\u{2069}", approach(name, words));
+    let named = |name: &str| isolated(&approach(name, words));
     words.fill(
         "Pose {0}: the means {1} and {2} lie {3} µm apart, the farthest of all approaches.",
-        &[&v.pose, &isolated(a), &isolated(b), &um(Some(v.vap_mm))],
+        &[&v.pose, &named(a), &named(b), &um(Some(v.vap_mm))],
     )
 }
 
