@@ -5,10 +5,13 @@
 
 #![allow(clippy::print_stdout)] // a benchmark prints
 
+use etalon::base::table;
 use etalon::campaign::Campaign;
-use etalon::check::check;
-use etalon::identify::{Observation, Settings, identify};
-use etalon::{evaluate, frames, join, table};
+use etalon::math::identify::{Observation, Settings, identify};
+use etalon::run::check::check;
+use etalon::stages::evaluate;
+use etalon::stages::frames;
+use etalon::stages::join;
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;

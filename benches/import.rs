@@ -5,8 +5,9 @@
 
 #![allow(clippy::print_stdout)] // a benchmark prints
 
-use etalon::campaign::{Format, Unit};
 use etalon::import::cloud;
+use etalon::import::format::Format;
+use etalon::import::format::Unit;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
@@ -61,7 +62,7 @@ fn read(path: &Path) {
     let before = Instant::now();
     let cloud = cloud(path, &Format::Polyworks, Unit::Millimetre).expect("readable").expect("plain");
     let seconds = before.elapsed().as_secs_f64();
-    let sum = |name: &str| etalon::table::numbers(&cloud.table, name).expect("numbers").iter().sum::<f64>();
+    let sum = |name: &str| etalon::base::table::numbers(&cloud.table, name).expect("numbers").iter().sum::<f64>();
     let peak = peak_mb();
     let rows = cloud.table.height();
     println!(

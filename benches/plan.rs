@@ -6,10 +6,10 @@
 #![allow(clippy::print_stdout)] // a benchmark prints
 
 use etalon::campaign::read_robot;
-use etalon::identify::{ResidualKind, Settings, sensitivity};
 use etalon::import;
-use etalon::plan::search::greedy;
-use etalon::plan::{Criterion, candidates, pool_of};
+use etalon::math::identify::{ResidualKind, Settings, sensitivity};
+use etalon::math::plan::search::greedy;
+use etalon::math::plan::{Criterion, candidates, pool_of};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;

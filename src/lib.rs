@@ -51,8 +51,8 @@
 //! A campaign on disk: [`campaign::Campaign::read`], then [`pipeline::run`]. Or data in memory:
 //!
 //! ```
-//! use etalon::identify::{Observation, ResidualKind, Settings, identify};
-//! use etalon::robots::{Prexyt, Robot};
+//! use etalon::math::identify::{Observation, ResidualKind, Settings, identify};
+//! use etalon::math::robots::{Prexyt, Robot};
 //!
 //! let robot = Prexyt::default();
 //! let mut truth = robot.nominal();
@@ -73,55 +73,21 @@
 //!     Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.002), common_uncertainty_mm: None, hold: Vec::new() };
 //! let found = identify(&robot, &observations, &settings)?;
 //! assert!((found.values[3] - 393.93).abs() < 1e-9);
-//! # Ok::<(), etalon::message::Problems>(())
+//! # Ok::<(), etalon::base::message::Problems>(())
 //! ```
 #![forbid(unsafe_code)]
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+pub mod base;
 pub mod campaign;
-pub mod characteristics;
-pub mod check;
 pub mod cli;
 pub mod compare;
-pub mod coordinates;
 pub mod document;
-pub mod dress;
-pub mod evaluate;
 pub mod export;
-pub mod files;
-pub mod fit;
-pub mod frames;
-pub mod geometric;
-pub mod geometry;
-pub mod identify;
 pub mod import;
 pub mod iso9283;
-pub mod join;
-pub mod load_test;
-pub mod message;
-pub mod noise;
-pub mod output;
-pub mod parameters;
-pub mod pipeline;
-pub mod plan;
-pub mod plausible;
-pub mod pose;
-mod pose_tables;
-pub mod pose_test;
-pub mod recording;
-pub mod reference_targets;
-pub mod refit;
-pub mod repeatability;
+pub mod math;
 pub mod report;
-pub mod robots;
-pub mod scalar;
-pub mod schema;
+pub mod run;
 pub mod simulate;
-pub mod solve;
-mod steps;
-pub mod stream_test;
-pub mod streams;
-pub mod table;
-mod table_file;
-pub mod test_plan;
-pub mod visits;
+pub mod stages;

@@ -1,53 +1,36 @@
 //! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
 
-mod column;
-mod columns;
-mod dialect;
-mod dialect_check;
-mod dialect_text;
 mod geometric;
 mod join;
-mod log;
 mod lost;
 mod paths;
 mod poses;
-mod presets;
-mod reader;
 mod repeatability;
 mod report;
 mod robot_file;
 mod selection;
 mod stream;
-mod text;
 mod toml_problems;
 mod types;
 mod unknown;
 
-pub use column::{Column, ColumnAt};
-pub use columns::{Columns, Role};
-pub use dialect::{Decimal, Delimiter, Dialect, Format, Unit};
-pub use dialect_check::coordinate_type;
-pub(crate) use dialect_check::two_commas;
 pub use geometric::*;
 pub use join::{ClockOffset, Join, JoinBy};
-pub use log::{ChannelValues, Log, LogFormat, Standstill};
 pub use lost::Lost;
 pub use poses::{ComplianceDefinition, PosesDefinition};
-pub use presets::PRESETS;
-pub use reader::Reader;
 pub use repeatability::RepeatabilityDefinition;
 pub use report::ReportDefinition;
 pub use robot_file::RobotFile;
 pub use selection::Selection;
 pub use stream::StreamDefinition;
-pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};
 pub use types::*;
 
+use crate::base::files;
+use crate::base::message::{Message, Place, Problems, Result};
 use crate::document::{CampaignSummary, ContactSummary, Presentation};
-use crate::identify::Settings;
-use crate::message::{Message, Place, Problems, Result};
-use crate::robots::Robot;
-use crate::{dress, files};
+use crate::math::identify::Settings;
+use crate::math::robots::Robot;
+use crate::report::branding;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -207,8 +190,9 @@ impl Campaign {
         let read = |file: &Spanned<String>| Ok::<_, Problems>((self.resolve(file)?, self.place(file)));
         let logo = stated.logo.as_ref().map(read).transpose()?;
         let templates = stated.templates.as_ref().map(read).transpose()?;
-        let logo = logo.map(|(path, place)| dress::logo(&path).map_err(|p| p.at(&place))).transpose()?;
-        let templates = templates.map(|(path, place)| dress::templates(&path).map_err(|p| p.at(&place))).transpose()?;
+        let logo = logo.map(|(path, place)| branding::logo(&path).map_err(|p| p.at(&place))).transpose()?;
+        let templates =
+            templates.map(|(path, place)| branding::templates(&path).map_err(|p| p.at(&place))).transpose()?;
         Ok(Presentation { language: stated.language, logo, templates: templates.unwrap_or_default() })
     }
 

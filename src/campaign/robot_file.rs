@@ -2,8 +2,8 @@
 
 use super::lost::Lost;
 use super::toml_problems::{self, Recovered};
-use crate::message::{Message, Place, Problems, Result};
-use crate::robots::{FiveBar, Parameter, Prexyt, Quantity, Reach, Robot, Role, Serial, SerialJoint};
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::math::robots::{FiveBar, Parameter, Prexyt, Quantity, Reach, Robot, Role, Serial, SerialJoint};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -260,7 +260,7 @@ impl RobotFile {
                 }
             })
             .collect();
-        let gravity = crate::pose::unit(self.gravity).ok_or_else(|| {
+        let gravity = crate::base::pose::unit(self.gravity).ok_or_else(|| {
             Message::error("`gravity` has no direction")
                 .at(self.place(&["gravity"]))
                 .expected("a direction in the base, e.g. [0, 0, -1]")

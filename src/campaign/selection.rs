@@ -1,6 +1,6 @@
 //! Which poses: `"1-8, 12"`, `"all"`, `"rest"`, or `"index mod 10 < 7"`.
 
-use crate::message::Message;
+use crate::base::message::Message;
 
 /// A set of poses.
 #[derive(Clone, Debug, PartialEq, Eq)]

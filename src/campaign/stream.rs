@@ -1,7 +1,8 @@
 //! `[[stream]]`: a recorded motion that ISO 9283 is told of.
 
-use super::{Campaign, Format, Unit};
-use crate::message::{Message, Problems};
+use super::Campaign;
+use crate::base::message::{Message, Problems};
+use crate::import::format::{Format, Unit};
 use serde::Deserialize;
 use toml::Spanned;
 

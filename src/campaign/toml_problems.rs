@@ -3,7 +3,7 @@
 
 use super::lost::Lost;
 use super::unknown::{self, Unknown};
-use crate::message::{Message, Place, Problems, Result};
+use crate::base::message::{Message, Place, Problems, Result};
 use serde::de::DeserializeOwned;
 use std::ops::Range;
 use toml::Spanned;

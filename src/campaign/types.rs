@@ -1,9 +1,9 @@
 //! The keys of `campaign.toml`.
 
-use super::dialect::{Format, Unit};
+use super::Join;
 use super::toml_problems::find;
-use super::{Join, Log};
-use crate::identify::ResidualKind;
+use crate::import::format::{Export, Log};
+use crate::math::identify::ResidualKind;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -168,34 +168,6 @@ impl Contact {
     pub fn standard_uncertainty_mm(&self) -> f64 {
         self.repeatability_um / self.coverage_factor / 1000.0
     }
-}
-
-/// A file of a measuring system.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Export {
-    /// The file.
-    pub file: Spanned<String>,
-    /// Its format.
-    pub format: Format,
-    /// How its bytes become characters; UTF-8, or what its byte-order mark says, if it is absent.
-    pub encoding: Option<super::Encoding>,
-    /// Its length unit: never guessed.
-    pub unit: Unit,
-    /// How a label names target, pose and cycle, e.g. `{target}_{pose}_{cycle}`.
-    pub label: Option<Spanned<String>>,
-    /// The target that all rows are of, where the file does not name it.
-    pub target: Option<String>,
-    /// `"row"`: the number of the data row is the number of the pose.
-    pub pose: Option<FromRow>,
-}
-
-/// A number that is the number of its row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum FromRow {
-    /// Counted from 1 over the data rows of the file, refused ones included.
-    Row,
 }
 
 /// Targets on a rigid part.

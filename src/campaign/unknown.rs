@@ -1,7 +1,7 @@
 //! Keys that nobody knows: what they may be meant as, and where they may belong.
 
 use super::toml_problems::quoted;
-use crate::message::{Message, Place, nearest};
+use crate::base::message::{Message, Place, nearest};
 use serde::de::DeserializeOwned;
 use std::ops::Range;
 use toml::Spanned;

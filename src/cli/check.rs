@@ -1,10 +1,10 @@
 //! `etalon check`
 
 use super::{Verdict, print, say};
+use crate::base::message::{Message, Problems};
 use crate::campaign::Campaign;
-use crate::check::everything;
 use crate::document::{CheckDocument, ImportDocument};
-use crate::message::{Message, Problems};
+use crate::run::check::everything;
 use std::path::{Path, PathBuf};
 
 /// Find everything that is wrong with a campaign, without computing
@@ -24,7 +24,7 @@ impl Check {
             let (messages, sources) = imported.map(|i| (i.messages, i.sources)).unwrap_or_default();
             let messages: Vec<Message> = problems.0.into_iter().chain(messages).collect();
             let document = CheckDocument::new(self.campaign.display().to_string(), &messages, sources);
-            print(crate::output::to_json(&document)?)?;
+            print(crate::run::output::to_json(&document)?)?;
             return Ok(if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun });
         }
         let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };

@@ -2,14 +2,15 @@
 
 use super::report::Dressed;
 use super::{Verdict, print, say};
+use crate::base::files;
+use crate::base::message::{Message, Problems, Result, one_line};
 use crate::campaign::Campaign;
 use crate::compare::{Compared, compare};
 use crate::document::{CompareDocument, CompareFamily, CompareTogether};
-use crate::message::{Message, Problems, Result, one_line};
 use crate::report::compare::{WRITERS, Writer, family, words};
 use crate::report::number;
 use crate::report::words::Words;
-use crate::{files, output};
+use crate::run::output;
 use serde::de::DeserializeOwned;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;

@@ -2,9 +2,10 @@
 
 use super::report::document;
 use super::{Verdict, print_written};
+use crate::base::files;
+use crate::base::message::{Message, Problems};
 use crate::document::ParametersDocument;
-use crate::message::{Message, Problems};
-use crate::{export, files};
+use crate::export;
 use std::path::{Path, PathBuf};
 
 /// Write identified parameters as a file that a controller or another program loads

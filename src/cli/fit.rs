@@ -3,13 +3,16 @@
 use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
 use super::{Verdict, print, say};
-use crate::campaign::{Format, Unit};
+use crate::base::message::{Message, Place, Problems};
+use crate::base::pose::Vector;
+use crate::base::table;
 use crate::document::FitDocument;
-use crate::fit::{self, CircleMethod, Element, Probe, Settings, Side};
-use crate::message::{Message, Place, Problems};
-use crate::pose::Vector;
-use crate::refit::{ProbeStated, refit};
-use crate::{import, output, table};
+use crate::import;
+use crate::import::format::Format;
+use crate::import::format::Unit;
+use crate::math::fit::{self, CircleMethod, Element, Probe, Settings, Side};
+use crate::run::output;
+use crate::stages::qif_fit::{ProbeStated, refit};
 use std::path::PathBuf;
 
 /// Fit a geometric element to the points of files

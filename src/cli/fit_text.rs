@@ -1,7 +1,7 @@
 //! A fit as text.
 
+use crate::base::pose::Vector;
 use crate::document::{FitDocument, FitStated};
-use crate::pose::Vector;
 use std::fmt::Write;
 
 /// A fit as some lines.

@@ -2,14 +2,15 @@
 
 use super::table_file::TableFile;
 use super::{Verdict, print, say};
+use crate::base::files;
+use crate::base::message::{Message, Problems};
 use crate::campaign::read_robot;
 use crate::document::{ParameterStatus, ParametersDocument};
-use crate::evaluate::{self, Sets};
-use crate::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
-use crate::message::{Message, Problems};
-use crate::parameters::parameters_document;
-use crate::plausible::doubts;
-use crate::{files, output};
+use crate::math::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
+use crate::run::output;
+use crate::stages::evaluate::{self, Sets};
+use crate::stages::parameters::parameters_document;
+use crate::stages::plausible::doubts;
 use std::fmt::Write;
 use std::path::PathBuf;
 

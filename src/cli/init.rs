@@ -1,8 +1,8 @@
 //! `etalon init`
 
 use super::{Verdict, print_written};
-use crate::files;
-use crate::message::{Message, Problems};
+use crate::base::files;
+use crate::base::message::{Message, Problems};
 use std::path::PathBuf;
 
 /// Write a commented campaign to start from

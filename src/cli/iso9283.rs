@@ -6,11 +6,11 @@ mod stream;
 mod stream_text;
 
 use super::{Verdict, print, say};
+use crate::base::message::{Message, Problems};
 use crate::document::{Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose};
-use crate::message::{Message, Problems};
-use crate::output;
-use crate::pose_tables::PoseTables;
-use crate::pose_test::Settings;
+use crate::run::output;
+use crate::stages::iso9283::pose::Settings;
+use crate::stages::iso9283::pose_tables::PoseTables;
 pub(super) use compliance::as_text as compliance_as_text;
 use plan::PlanOptions;
 use std::fmt::Write;

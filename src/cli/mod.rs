@@ -20,7 +20,7 @@ mod simulate;
 mod text_format;
 
 use crate::document::WrittenDocument;
-use crate::table_file;
+use crate::stages::table_file;
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
 use std::io::Write;
@@ -90,7 +90,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Ok(Verdict::NotRun) => ExitCode::from(2),
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            match error.downcast_ref::<crate::message::Problems>() {
+            match error.downcast_ref::<crate::base::message::Problems>() {
                 Some(problems) => say(problems),
                 None => say(format_args!("error: {error:#}")),
             }
@@ -115,7 +115,7 @@ fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
 /// Says which files were written, as lines or as JSON.
 fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     if json {
-        return print(crate::output::to_json(&WrittenDocument::new(files))?);
+        return print(crate::run::output::to_json(&WrittenDocument::new(files))?);
     }
     print(files.iter().map(|file| format!("{file}\n")).collect::<String>())
 }

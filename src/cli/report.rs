@@ -1,9 +1,13 @@
 //! `etalon report`
 
 use super::{Verdict, print_written};
+use crate::base::files;
+use crate::base::message::{Message, Problems, Result};
+use crate::base::table;
 use crate::document::{CampaignSummary, Characteristics, GeometricDocument, Language, Presentation};
-use crate::message::{Message, Problems, Result};
-use crate::{dress, evaluate, files, report, table};
+use crate::report;
+use crate::report::branding;
+use crate::stages::evaluate;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 
@@ -42,8 +46,8 @@ pub(super) struct Dressed {
 impl Dressed {
     /// What is stated here, and for the rest what `campaign` states.
     pub fn over(&self, campaign: Presentation) -> Result<Presentation> {
-        let logo = self.logo.as_deref().map(dress::logo).transpose()?;
-        let templates = self.templates.as_deref().map(dress::templates).transpose()?;
+        let logo = self.logo.as_deref().map(branding::logo).transpose()?;
+        let templates = self.templates.as_deref().map(branding::templates).transpose()?;
         Ok(Presentation {
             language: self.language.unwrap_or(campaign.language),
             logo: logo.or(campaign.logo),

@@ -1,10 +1,10 @@
 //! `etalon run`
 
 use super::{Verdict, print, say};
+use crate::base::message::Message;
 use crate::campaign::Campaign;
 use crate::document::{AccuracySet, Characteristics, LimitVerdict};
-use crate::message::Message;
-use crate::pipeline;
+use crate::run::pipeline;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -55,7 +55,7 @@ impl Run {
             say(format_args!("{message}\n"));
         }
         if self.json {
-            print(crate::output::to_json(&outcome.accuracy)?)?;
+            print(crate::run::output::to_json(&outcome.accuracy)?)?;
         } else {
             let mut text = format!("{}\n", campaign.file.name);
             for set in &outcome.accuracy.sets {
@@ -85,9 +85,9 @@ impl Run {
         let found = &tested.found;
         if self.json {
             print(match (&found.poses, &found.streams, &found.compliance) {
-                (Some(poses), ..) => crate::output::to_json(poses)?,
-                (None, Some(streams), _) => crate::output::to_json(streams)?,
-                (None, None, compliance) => crate::output::to_json(compliance)?,
+                (Some(poses), ..) => crate::run::output::to_json(poses)?,
+                (None, Some(streams), _) => crate::run::output::to_json(streams)?,
+                (None, None, compliance) => crate::run::output::to_json(compliance)?,
             })?;
         } else {
             let mut text = format!("{}\n{}", campaign.file.name, characteristics(found));

@@ -1,7 +1,7 @@
 //! `etalon schema`
 
 use super::{Verdict, print};
-use crate::message::{Message, Problems};
+use crate::base::message::{Message, Problems};
 
 /// Print the JSON Schema of a document
 #[derive(Debug, clap::Args)]
@@ -15,7 +15,7 @@ pub struct Schema {
 
 impl Schema {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let all = crate::schema::all();
+        let all = crate::document::schema::all();
         let (_, text) = all.iter().find(|(name, _)| *name == self.document).ok_or_else(|| {
             let message = Message::error(format!("there is no document `{}`", self.document));
             Problems::from(message.hint_names(&self.document, all.iter().map(|(name, _)| *name)))

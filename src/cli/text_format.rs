@@ -1,7 +1,13 @@
 //! Options that state how a text of points is read.
 
-use crate::campaign::{Decimal, Delimiter, Dialect, Format, Header, Role, Unit};
-use crate::message::{Message, Problems};
+use crate::base::message::{Message, Problems};
+use crate::import::format::Decimal;
+use crate::import::format::Delimiter;
+use crate::import::format::Dialect;
+use crate::import::format::Format;
+use crate::import::format::Header;
+use crate::import::format::Role;
+use crate::import::format::Unit;
 
 /// Unit and columns of a text.
 #[derive(Debug, clap::Args)]

@@ -2,9 +2,9 @@
 
 use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
 use super::trend::{changed, of_estimates, pairs};
+use crate::base::message::Message;
 use crate::document::*;
 use crate::iso9283::spread;
-use crate::message::Message;
 use std::collections::BTreeSet;
 
 /// AP, mean position and RP of every pose that all campaigns have; homings too.

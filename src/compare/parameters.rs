@@ -2,9 +2,9 @@
 
 use super::significance::{Estimate, LEVEL};
 use super::trend::{of_estimates, pairs};
+use crate::base::message::Message;
 use crate::document::*;
-use crate::identify::UncertaintyFrom;
-use crate::message::Message;
+use crate::math::identify::UncertaintyFrom;
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 use std::collections::BTreeSet;

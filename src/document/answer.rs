@@ -1,7 +1,7 @@
 //! What commands answer that make no document of a campaign: `--json` of check, formats, report, export, simulate, init.
 
 use super::Source;
-use crate::message::{Message, Severity};
+use crate::base::message::{Message, Severity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

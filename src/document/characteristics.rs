@@ -1,7 +1,7 @@
 //! The documents of tests by ISO 9283 together, as a campaign has them.
 
 use super::{Iso9283ComplianceDocument, Iso9283Document, Iso9283StreamsDocument, LimitVerdict};
-use crate::message::Message;
+use crate::base::message::Message;
 
 /// One of each kind of test that there is.
 #[derive(Clone, Debug, Default)]

@@ -1,8 +1,8 @@
 //! What `etalon compare` answers.
 
 use super::Provenance;
-use crate::identify::UncertaintyFrom;
-use crate::message::Message;
+use crate::base::message::Message;
+use crate::math::identify::UncertaintyFrom;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

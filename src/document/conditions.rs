@@ -1,6 +1,6 @@
 //! What a test report of ISO 9283 asks for beside its numbers.
 
-use crate::pose::Vector;
+use crate::base::pose::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

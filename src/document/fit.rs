@@ -1,10 +1,10 @@
 //! What `etalon fit` answers.
 
 use super::{FitProbe, FitStated};
-use crate::fit::{Element, Enclosing, Fit, MinimumZone};
-use crate::message::Message;
-use crate::pose::{Vector, minus, norm};
-use crate::solve::Termination;
+use crate::base::message::Message;
+use crate::base::pose::{Vector, minus, norm};
+use crate::math::fit::{Element, Enclosing, Fit, MinimumZone};
+use crate::math::solve::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! What geometry alone found, beside the identification of the same campaign.
 
 use super::Vector;
-use crate::message::Message;
+use crate::base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,6 @@
 //! What `etalon iso9283` answers.
 
-use crate::message::Message;
+use crate::base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -76,7 +76,7 @@ pub struct Iso9283Visit {
     /// How the pose was approached; null for the first visit of all.
     pub approach: Option<String>,
     /// Attained position.
-    pub attained_mm: crate::pose::Vector,
+    pub attained_mm: crate::base::pose::Vector,
 }
 
 /// Two-sided interval of 95 %.
@@ -165,7 +165,7 @@ pub struct Iso9283Pose {
     pub rp_without_noise_mm: Option<f64>,
     /// Standard deviation of one reading, by coordinate, likewise.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub noise_mm: Option<crate::pose::Vector>,
+    pub noise_mm: Option<crate::base::pose::Vector>,
     /// What the interval of AP proves about the stated limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ap_conformity: Option<Iso9283Conformity>,
@@ -188,9 +188,9 @@ pub struct Iso9283Pose {
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Ellipsoid {
     /// Semi-axes, the longest first.
-    pub semi_axes_mm: crate::pose::Vector,
+    pub semi_axes_mm: crate::base::pose::Vector,
     /// Their unit vectors.
-    pub axes: [crate::pose::Vector; 3],
+    pub axes: [crate::base::pose::Vector; 3],
 }
 
 /// Conformity with a limit by ISO 14253-1's decision rule.
@@ -252,9 +252,9 @@ pub struct Iso9283Approach {
     /// Visits.
     pub cycles: usize,
     /// Barycentre.
-    pub mean_mm: crate::pose::Vector,
+    pub mean_mm: crate::base::pose::Vector,
     /// Barycentre minus commanded position; null where none was commanded.
-    pub deviation_mm: Option<crate::pose::Vector>,
+    pub deviation_mm: Option<crate::base::pose::Vector>,
     /// RP within this approach; null with a single visit.
     pub rp_mm: Option<f64>,
     /// Radius of the smallest sphere (planar robots: circle) that holds its positions.

@@ -1,7 +1,7 @@
 //! What `etalon iso9283 --plan` and `etalon iso9283 --compliance` answer.
 
-use crate::message::Message;
-use crate::pose::Vector;
+use crate::base::message::Message;
+use crate::base::pose::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! What `etalon iso9283 --stream` answers.
 
 use super::Iso9283Interval;
-use crate::message::Message;
+use crate::base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -15,6 +15,7 @@ mod observability;
 mod plan;
 mod presentation;
 mod refit;
+pub mod schema;
 mod standstill;
 mod stated;
 mod study;
@@ -38,9 +39,9 @@ pub use standstill::{StandingInterval, StandingJoint};
 pub use stated::{CampaignSummary, ContactSummary, ResidualSummary};
 pub use study::{CandidatePlace, StudiedParameter, StudiedPlace, StudyDocument, StudyStep};
 
-use crate::message::Message;
-use crate::pose::Vector;
-use crate::solve::Termination;
+use crate::base::message::Message;
+use crate::base::pose::Vector;
+use crate::math::solve::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -185,7 +186,7 @@ pub struct FramePose {
     /// Cycle number; absent where the frame holds for all.
     pub cycle: Option<i64>,
     /// `export_T_world`.
-    pub export_T_world: crate::pose::Pose,
+    pub export_T_world: crate::base::pose::Pose,
 }
 
 /// Identified parameters with all that is needed to trust them.

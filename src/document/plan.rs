@@ -1,7 +1,7 @@
 //! The document of a plan.
 
 use super::{CandidatePlace, ObservabilitySummary, Provenance, StudyDocument};
-use crate::message::Message;
+use crate::base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

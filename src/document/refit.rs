@@ -1,7 +1,7 @@
 //! What `etalon fit` says about the probe, and about the values that a file states.
 
-use crate::fit::{Compensation, Side};
-use crate::pose::Vector;
+use crate::base::pose::Vector;
+use crate::math::fit::{Compensation, Side};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,6 @@
 //! What a campaign states of itself, and how residuals compare with that.
 
-use crate::identify::{ResidualKind, UncertaintyFrom};
+use crate::math::identify::{ResidualKind, UncertaintyFrom};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,6 @@
 //! A simulated calibration with chosen poses (thesis, section 4.6), and where candidates are.
 
-use crate::pose::Vector;
+use crate::base::pose::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,8 +1,8 @@
 //! Parameters as a C header, for controllers that are compiled: C99 and C++.
 
 use super::{Exporter, check, status_word};
+use crate::base::message::{Message, Result};
 use crate::document::{ParameterEntry, ParametersDocument};
-use crate::message::{Message, Result};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 

@@ -1,8 +1,8 @@
 //! Parameters as a CSV table, for spreadsheets and small scripts.
 
 use super::{Exporter, check, status_word};
+use crate::base::message::{Message, Result};
 use crate::document::ParametersDocument;
-use crate::message::{Message, Result};
 
 /// CSV, one parameter a row.
 pub(super) struct Csv;

@@ -1,8 +1,8 @@
 //! `etalon/controller/1`: parameters by name, for programs that read JSON.
 
 use super::{Exporter, check};
+use crate::base::message::{Message, Result};
 use crate::document::{ParameterStatus, ParametersDocument};
-use crate::message::{Message, Result};
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -12,8 +12,8 @@ mod tests;
 
 pub use targets::{places, targets};
 
+use crate::base::message::{Message, Problems, Result, Severity};
 use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
-use crate::message::{Message, Problems, Result, Severity};
 use std::collections::BTreeSet;
 
 /// One controller format.

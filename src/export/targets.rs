@@ -1,8 +1,8 @@
 //! Poses to measure as targets that a controller loads: JSON by name, or a C header of arrays.
 
 use super::c_header::{comment, identifier, literal};
+use crate::base::message::{Message, Result};
 use crate::document::{Iso9283Places, PlanDocument};
-use crate::message::{Message, Result};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -1,6 +1,6 @@
 //! Files that are no text, known by their first bytes.
 
-use crate::message::Message;
+use crate::base::message::Message;
 
 /// First bytes, what they begin, and what to do instead.
 const KINDS: [(&[u8], &str, &str); 6] = [

@@ -1,7 +1,7 @@
 //! Bytes of a file from anywhere: text has lines, and what has none is not read to its end.
 
 use super::binary;
-use crate::message::Message;
+use crate::base::message::Message;
 use std::io::Read;
 
 /// Longer lines are in no measurement.

@@ -3,8 +3,15 @@
 
 use super::names::Names;
 use super::plain_line::{LONGEST, Line, line_feeds};
-use crate::campaign::{Columns, Decimal, Delimiter, Dialect, Format, Header, Role, Unit};
-use crate::message::{Message, Problems, Result};
+use crate::base::message::{Message, Problems, Result};
+use crate::import::format::Columns;
+use crate::import::format::Decimal;
+use crate::import::format::Delimiter;
+use crate::import::format::Dialect;
+use crate::import::format::Format;
+use crate::import::format::Header;
+use crate::import::format::Role;
+use crate::import::format::Unit;
 use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
 use rayon::prelude::*;
 use std::fs::File;
@@ -202,7 +209,7 @@ fn plain_columns(dialect: &Dialect) -> Option<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table;
+    use crate::base::table;
 
     type Rows = Option<Vec<(String, [u64; 3])>>;
 
@@ -243,7 +250,7 @@ mod tests {
 
     #[test]
     fn many_blocks_give_the_same_bits_as_the_strict_reader() {
-        let mut noise = crate::noise::Noise::new(3, 1);
+        let mut noise = crate::base::noise::Noise::new(3, 1);
         for (format, separator, labelled) in formats()
             .iter()
             .zip([" ", "  ", "\t ", ",", "\t", ";"])

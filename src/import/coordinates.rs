@@ -1,7 +1,7 @@
 //! Coordinates of every kind become Cartesian ones.
 
-use crate::campaign::Role;
-use crate::pose::Vector;
+use crate::base::pose::Vector;
+use crate::import::format::Role;
 
 /// Place of a point in mm, from coordinates in mm and rad in the order of their columns, and its standard uncertainties
 /// in x, y and z from theirs: each independent of the others, to first order; what is common to x, y and z is left out.

@@ -1,8 +1,9 @@
 //! Text of rows and columns: fields with their places.
 
 pub(super) use super::number::{WHOLE, number};
-use crate::campaign::{Delimiter, Dialect};
-use crate::message::{Message, Place, Problems, Result};
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::import::format::Delimiter;
+use crate::import::format::Dialect;
 
 /// A row of fields.
 #[derive(Clone, Debug, PartialEq)]

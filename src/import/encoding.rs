@@ -1,7 +1,7 @@
 //! Bytes become text: strictly, in the stated encoding, or in the one that a byte-order mark names.
 
-use crate::campaign::Encoding;
-use crate::message::Message;
+use crate::base::message::Message;
+use crate::import::format::Encoding;
 
 /// Windows-1252 from 0x80 to 0x9F; a blank where it means nothing.
 const WINDOWS: &str = "€ ‚ƒ„…†‡ˆ‰Š‹Œ Ž  ‘’“”•–—˜™š›œ žŸ";

@@ -6,9 +6,15 @@ use super::known::{Known, known};
 use super::point_rows::point_rows;
 use super::roles::{is_joint, looks_like_a_log, names, roles};
 use super::{bytes_of, encoding, workbook};
-use crate::campaign::{Columns, CoordinateType, Dialect, Encoding, Header, Role, Unit};
+use crate::base::message::{Message, Place, Result, count};
 use crate::document::{FormatsDocument, Reading};
-use crate::message::{Message, Place, Result, count};
+use crate::import::format::Columns;
+use crate::import::format::CoordinateType;
+use crate::import::format::Dialect;
+use crate::import::format::Encoding;
+use crate::import::format::Header;
+use crate::import::format::Role;
+use crate::import::format::Unit;
 use std::fmt::Write;
 use std::path::Path;
 

@@ -2,7 +2,13 @@
 
 use super::delimited::{Row, split};
 use super::number::marked;
-use crate::campaign::{Columns, Decimal, Delimiter, Dialect, Header, Missing, Thousands};
+use crate::import::format::Columns;
+use crate::import::format::Decimal;
+use crate::import::format::Delimiter;
+use crate::import::format::Dialect;
+use crate::import::format::Header;
+use crate::import::format::Missing;
+use crate::import::format::Thousands;
 
 /// Rows that are weighed; a proposal is then tried on all.
 const SAMPLE: usize = 2000;
@@ -90,7 +96,7 @@ pub(super) fn guesses(text: &str, sheet: Option<&str>) -> Vec<Guess> {
 
 /// Columns against which marks and delimiter can be checked.
 fn some_columns() -> Columns {
-    vec![crate::campaign::Role::X, crate::campaign::Role::Y].into()
+    vec![crate::import::format::Role::X, crate::import::format::Role::Y].into()
 }
 
 fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess> {

@@ -1,6 +1,6 @@
 //! The unit of length that a header gives a column.
 
-use crate::campaign::Unit;
+use crate::import::format::Unit;
 
 /// The unit in brackets or behind the name: `X [mm]`, `y (in)`, `z_um`. A bare `_m` may mean "measured" and says nothing.
 pub(super) fn header_unit(name: &str) -> Option<Unit> {

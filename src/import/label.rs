@@ -1,6 +1,6 @@
 //! Labels that name target, pose and cycle: `{target}_{pose}_{cycle}`.
 
-use crate::message::Message;
+use crate::base::message::Message;
 
 /// What a label says.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -2,11 +2,12 @@
 
 use super::logs::{self, Columns, Values};
 use super::standstill;
-use crate::campaign::{Campaign, Log};
+use crate::base::message::{Message, Result};
+use crate::base::table::{ASSEMBLY, LABEL};
+use crate::campaign::Campaign;
 use crate::document::Source;
-use crate::message::{Message, Result};
-use crate::robots::{Joint, Quantity};
-use crate::table::{ASSEMBLY, LABEL};
+use crate::import::format::Log;
+use crate::math::robots::{Joint, Quantity};
 use polars::prelude::{Column, DataFrame};
 
 /// Keys of `columns` that bring the time, and seconds in one of their unit.

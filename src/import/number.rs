@@ -1,7 +1,8 @@
 //! Numbers in stated marks, read strictly: nothing around them, nothing guessed.
 
-use crate::campaign::{Decimal, Thousands};
-use crate::message::Message;
+use crate::base::message::Message;
+use crate::import::format::Decimal;
+use crate::import::format::Thousands;
 
 /// Whole numbers up to here are exact.
 pub(super) const WHOLE: f64 = 9e15;

@@ -1,7 +1,7 @@
 //! Lines of a label and numbers, read in one pass over their bytes.
 
 use super::number::number;
-use crate::campaign::Decimal;
+use crate::import::format::Decimal;
 
 /// A line that is longer is not plain.
 pub(super) const LONGEST: usize = 4096;

@@ -1,11 +1,12 @@
 //! Points of all exports, column by column.
 
 use super::label::Pattern;
-use crate::campaign::{Campaign, Export, JoinBy};
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pose::Vector;
+use crate::campaign::{Campaign, JoinBy};
 use crate::document::{Refused, Source};
-use crate::identify::matches_pattern;
-use crate::message::{Message, Place, Problems, Result};
-use crate::pose::Vector;
+use crate::import::format::Export;
+use crate::math::identify::matches_pattern;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 
 /// A row of an export. A reader fills in what the row says; what the campaign says of the export comes after.

@@ -2,8 +2,9 @@
 
 use super::delimited::{blank_fields, columns_of, number};
 use super::points::Point;
-use crate::campaign::{Decimal, Unit};
-use crate::message::{Message, Place, Problems};
+use crate::base::message::{Message, Place, Problems};
+use crate::import::format::Decimal;
+use crate::import::format::Unit;
 
 /// Points of a PolyWorks text, and what does not read; directions are not read.
 pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {

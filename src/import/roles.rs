@@ -2,7 +2,8 @@
 
 use super::guess::Guess;
 use super::number::marked;
-use crate::campaign::{Decimal, Role};
+use crate::import::format::Decimal;
+use crate::import::format::Role;
 
 /// Roles by the names of the header, where it names every column and x and y; else by position: leading texts are the
 /// label, the first numbers x, y, z, and a direction behind them i, j, k. A whole number before numbers with a decimal mark is
@@ -96,7 +97,7 @@ fn direction(guess: &Guess) -> bool {
     let number = |field: &String| marked(field, guess.dialect.decimal, guess.dialect.thousands).ok();
     let numbers: Vec<f64> = guess.first.fields.iter().filter_map(number).collect();
     let [.., i, j, k] = numbers[..] else { return false };
-    (crate::pose::norm([i, j, k]) - 1.0).abs() < 0.01
+    (crate::base::pose::norm([i, j, k]) - 1.0).abs() < 0.01
 }
 
 /// Whether the rows are joint values rather than points, and by what one sees it.

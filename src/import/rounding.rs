@@ -1,8 +1,10 @@
 //! Coordinates that an export rounded away.
 
 use super::points::Point;
-use crate::campaign::{Campaign, Export, Format};
-use crate::message::Message;
+use crate::base::message::Message;
+use crate::campaign::Campaign;
+use crate::import::format::Export;
+use crate::import::format::Format;
 
 /// With fewer points all may be round by chance.
 const FEWEST: usize = 8;

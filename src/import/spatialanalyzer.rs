@@ -3,8 +3,11 @@
 
 use super::point_rows::point_rows;
 use super::points::Point;
-use crate::campaign::{Delimiter, Dialect, Role, Unit};
-use crate::message::{Message, Place, Problems};
+use crate::base::message::{Message, Place, Problems};
+use crate::import::format::Delimiter;
+use crate::import::format::Dialect;
+use crate::import::format::Role;
+use crate::import::format::Unit;
 
 const COMMENT: &str = "//";
 

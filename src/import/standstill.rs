@@ -4,10 +4,12 @@
 //! stated for its kind. The rule is the same read backwards, and knows no filter. What stands together is one interval:
 //! stretches that share a sample are.
 
-use crate::campaign::{Campaign, Log, Standstill};
+use crate::base::message::{Message, Place, Result};
+use crate::base::table;
+use crate::campaign::Campaign;
 use crate::document::{Source, StandingInterval, StandingJoint};
-use crate::message::{Message, Place, Result};
-use crate::table;
+use crate::import::format::Log;
+use crate::import::format::Standstill;
 use polars::prelude::{Column, DataFrame};
 use std::collections::VecDeque;
 

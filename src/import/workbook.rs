@@ -1,6 +1,6 @@
 //! Sheets of an Excel workbook (.xlsx) as rows of text: cells separated by tabs, in the lines that they have in the sheet.
 
-use crate::message::{Message, count};
+use crate::base::message::{Message, count};
 use calamine::{DataRef, Reader, Xlsx};
 use std::io::{Cursor, Read};
 

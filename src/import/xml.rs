@@ -1,6 +1,6 @@
 //! A small XML tree for files from anywhere: no document types, no entities of their own, bounded depth and size.
 
-use crate::message::{Message, Place, Result};
+use crate::base::message::{Message, Place, Result};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::borrow::Cow;
@@ -246,7 +246,7 @@ impl<'t, 'a> Node<'t, 'a> {
     /// The numbers of its text, separated by blanks.
     pub fn numbers(self) -> std::result::Result<Vec<f64>, Message> {
         let number = |field: &str| {
-            super::delimited::number(field, crate::campaign::Decimal::Point).map_err(|m| m.at(self.place()))
+            super::delimited::number(field, crate::import::format::Decimal::Point).map_err(|m| m.at(self.place()))
         };
         self.text().split_ascii_whitespace().map(number).collect()
     }

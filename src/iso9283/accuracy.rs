@@ -1,8 +1,8 @@
 //! Pose accuracy AP (ISO 9283:1998 7.2.1; thesis eq. 1.1 to 1.6).
 
 use super::sample::{mean_position, spread, unwrapped, wrapped};
-use crate::message::Result;
-use crate::pose::{Vector, minus, norm};
+use crate::base::message::Result;
+use crate::base::pose::{Vector, minus, norm};
 
 /// Where the robot stands on average, against where it was sent.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,9 +7,9 @@ use super::interval::{Interval, TAIL};
 use super::repeatability::PoseRepeatability;
 use super::sample::{mean_position, spread};
 use super::scatter::{FARTHEST, Scatter};
-use crate::message::Result;
-use crate::noise::Noise;
-use crate::pose::{Vector, minus};
+use crate::base::message::Result;
+use crate::base::noise::Noise;
+use crate::base::pose::{Vector, minus};
 
 /// Simulated tests of unit scatter.
 #[derive(Clone, Debug)]

@@ -1,8 +1,8 @@
 //! Static compliance (ISO 9283:1998 10, unverified against a bought copy): how far a loaded robot gives way, in mm/N, along
 //! the force; forces in steps of 10 % up to the rated load, both ways along each axis, three times.
 
-use crate::message::{Message, Result};
-use crate::pose::{Vector, dot, minus};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, dot, minus};
 
 /// A robot pulled along one direction.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! Coplanarity of mean positions (thesis 2.4): a planar robot's barycentres should lie in one plane.
 
 use super::sample::mean_position;
-use crate::fit;
-use crate::message::{Message, Result};
-use crate::pose::{Vector, cross, dot, minus, norm, unit};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, cross, dot, minus, norm, unit};
+use crate::math::fit;
 
 /// Mean positions against their least-squares plane.
 #[derive(Clone, Debug, PartialEq)]

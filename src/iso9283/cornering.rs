@@ -4,8 +4,8 @@
 use super::passes::{Pass, check};
 use super::path::{CommandPoint, Corner};
 use super::stream::Stream;
-use crate::message::{Message, Result};
-use crate::pose::{Vector, dot, minus, norm, unit};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, dot, minus, norm, unit};
 
 /// How a corner is driven, the worst of all passes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 
 use super::repeatability::{PoseRepeatability, pose_repeatability};
 use super::sample::{mean_position, spread, unwrapped, wrapped};
-use crate::message::{Message, Result};
-use crate::pose::{Vector, minus, norm};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, minus, norm};
 
 /// Attained positions of one pose, apart by approach.
 #[derive(Clone, Debug, PartialEq)]

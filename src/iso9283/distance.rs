@@ -1,8 +1,8 @@
 //! Distance accuracy AD and repeatability RD between two poses (ISO 9283:1998 7.3, unverified against a bought copy).
 
 use super::sample::{Spread, spread, unwrapped, wrapped};
-use crate::message::{Message, Result};
-use crate::pose::{Vector, minus, norm};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, minus, norm};
 
 /// How well a commanded distance is driven.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 
 use super::accuracy::pose_accuracy;
 use super::repeatability::pose_repeatability;
-use crate::message::{Message, Result};
-use crate::pose::Vector;
+use crate::base::message::{Message, Result};
+use crate::base::pose::Vector;
 
 /// AP and RP over the sets of a drift test.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Error ellipsoid (not of the standard): where the next position lies with 95 % probability, direction by direction.
 
 use super::scatter::Scatter;
-use crate::message::{Message, Result};
-use crate::pose::Vector;
+use crate::base::message::{Message, Result};
+use crate::base::pose::Vector;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 /// An ellipsoid about the barycentre; flat in directions without scatter.

@@ -2,8 +2,8 @@
 
 use super::directions::farthest;
 use super::sample::mean_position;
-use crate::message::{Message, Result};
-use crate::pose::{Vector, minus, norm};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, minus, norm};
 
 /// How far robots of one type stand apart.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 use super::accuracy::PoseAccuracy;
 use super::repeatability::PoseRepeatability;
 use super::scatter::{FARTHEST, Scatter, dimensions};
-use crate::message::Result;
-use crate::pose::{Vector, minus, norm};
+use crate::base::message::Result;
+use crate::base::pose::{Vector, minus, norm};
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 
 /// Two-sided interval.

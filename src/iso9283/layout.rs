@@ -1,8 +1,8 @@
 //! Where to test: cube, test plane, poses P1 to P5 and paths (ISO 9283:1998 6, unverified against a bought copy but for the
 //! poses), laid into a stated workspace.
 
-use crate::message::{Message, Result};
-use crate::pose::{Vector, minus, norm, unit};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, minus, norm, unit};
 use std::f64::consts::TAU;
 
 /// Diagonal planes of the cube that the standard offers, each by its corners in order.

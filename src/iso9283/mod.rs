@@ -70,8 +70,8 @@ pub mod standstill;
 pub mod stream;
 pub mod weaving;
 
-use crate::message::{Message, Result};
-use crate::pose::{Vector, norm};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, norm};
 
 pub use sample::{Spread, spread, unwrapped, wrapped};
 

@@ -4,9 +4,9 @@
 use super::repeatability::{PoseRepeatability, pose_repeatability};
 use super::sample::{covariance, mean_position};
 use super::scatter::drawn_together;
-use crate::message::{Message, Result};
-use crate::pose::Vector;
-use crate::solve::symmetric_eigen;
+use crate::base::message::{Message, Result};
+use crate::base::pose::Vector;
+use crate::math::solve::symmetric_eigen;
 
 /// RP of the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 
 use super::path::CommandPoint;
 use super::stream::Stream;
-use crate::message::{Message, Result};
-use crate::pose::{Vector, dot, minus, norm};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, dot, minus, norm};
 use std::ops::Range;
 
 /// Where an attained path goes through the plane of a command point; between two samples along a straight line.
@@ -113,7 +113,8 @@ fn crossing(
 /// Refuses fewer than `least` passes, or passes of other command points.
 pub(super) fn check(passes: &[Pass], points: &[CommandPoint], least: usize, what: &str) -> Result<()> {
     if passes.len() < least {
-        let message = Message::error(format!("{what}: {} of the path", crate::message::count(passes.len(), "pass")));
+        let message =
+            Message::error(format!("{what}: {} of the path", crate::base::message::count(passes.len(), "pass")));
         return Err(message.expected(format!("at least {least}")).into());
     }
     if points.is_empty() || passes.iter().any(|pass| pass.crossings.len() != points.len()) {

@@ -1,8 +1,8 @@
 //! The commanded path: corners joined by straight lines, a curve by as many points as it needs.
 
 use super::sample::followed;
-use crate::message::{Message, Result};
-use crate::pose::{Vector, dot, minus, norm, unit};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, dot, minus, norm, unit};
 
 /// A path in space or in the plane, with the angles commanded along it.
 #[derive(Clone, Debug, PartialEq)]

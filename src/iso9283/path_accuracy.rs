@@ -5,8 +5,8 @@ use super::accuracy::angle_accuracy_rad;
 use super::passes::{Pass, angles_at, check, positions_at};
 use super::path::{CommandPoint, CommandedPath};
 use super::sample::mean_position;
-use crate::message::{Message, Result};
-use crate::pose::{Vector, minus, norm};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, minus, norm};
 
 /// How well a path is kept on average.
 #[derive(Clone, Debug, PartialEq)]

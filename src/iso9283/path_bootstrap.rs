@@ -14,10 +14,10 @@ use super::path::CommandPoint;
 use super::path_accuracy::PathAccuracy;
 use super::path_repeatability::PathRepeatability;
 use super::sample::{covariance, mean_position, spread};
-use crate::message::Result;
-use crate::noise::Noise;
-use crate::pose::{Vector, minus, norm};
-use crate::solve::symmetric_eigen;
+use crate::base::message::Result;
+use crate::base::noise::Noise;
+use crate::base::pose::{Vector, minus, norm};
+use crate::math::solve::symmetric_eigen;
 
 /// Simulated tests, drawn from a stated seed.
 #[derive(Clone, Copy, Debug)]

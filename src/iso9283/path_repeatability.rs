@@ -6,7 +6,7 @@ use super::path::CommandPoint;
 use super::path_accuracy::largest;
 use super::repeatability::{angle_repeatability_rad, radii_mm};
 use super::sample::spread;
-use crate::message::Result;
+use crate::base::message::Result;
 
 /// How closely passes of a path agree.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,8 +4,8 @@
 use super::passes::{Pass, check};
 use super::path::CommandPoint;
 use super::sample::spread;
-use crate::message::{Message, Result};
-use crate::pose::{minus, norm};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{minus, norm};
 
 /// How a commanded velocity is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]

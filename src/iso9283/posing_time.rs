@@ -4,7 +4,7 @@
 use super::stabilisation::{Arrival, away_mm};
 use super::standstill::Standstill;
 use super::stream::Stream;
-use crate::pose::{minus, norm};
+use crate::base::pose::{minus, norm};
 
 /// One move from a standstill to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]

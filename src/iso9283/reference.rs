@@ -1,9 +1,9 @@
 //! Reference targets (not of the standard): targets that stand still beside the robot and are measured again and again tell how
 //! instrument and foundation moved against each other; what is measured between is carried back.
 
-use crate::fit::rigid;
-use crate::message::{Message, Result};
-use crate::pose::{Pose, Vector, minus, norm};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Pose, Vector, minus, norm};
+use crate::math::fit::rigid;
 
 /// One measurement of the reference targets against the first.
 #[derive(Clone, Debug, PartialEq)]

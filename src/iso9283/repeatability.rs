@@ -1,9 +1,9 @@
 //! Pose repeatability RP (ISO 9283:1998 7.2.2; thesis eq. 1.7 to 1.12), and the smallest ball that holds all positions.
 
 use super::sample::{mean_position, spread, unwrapped};
-use crate::fit::{enclosing_circle, enclosing_sphere};
-use crate::message::Result;
-use crate::pose::{Vector, minus, norm};
+use crate::base::message::Result;
+use crate::base::pose::{Vector, minus, norm};
+use crate::math::fit::{enclosing_circle, enclosing_sphere};
 
 /// How closely the robot comes back to its own mean.
 #[derive(Clone, Copy, Debug, PartialEq)]

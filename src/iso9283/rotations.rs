@@ -1,6 +1,6 @@
 //! Orientations as three rotations one after the other (not of the standard, which leaves their order to the robot).
 
-use crate::pose::{Pose, Vector, cross, dot, norm};
+use crate::base::pose::{Pose, Vector, cross, dot, norm};
 
 /// Three rotations, multiplied from left to right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,7 +82,7 @@ fn rotation_vector(pose: &Pose) -> Vector {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::noise::Noise;
+    use crate::base::noise::Noise;
 
     #[test]
     fn only_orders_that_reach_every_orientation_are_read() {

@@ -1,6 +1,6 @@
 //! Means and standard deviations that are exact where all values are equal, and angles without jumps.
 
-use crate::pose::{Vector, minus};
+use crate::base::pose::{Vector, minus};
 use std::f64::consts::TAU;
 
 /// Mean and standard deviation of values.

@@ -1,8 +1,8 @@
 //! The scatter of attained positions along its principal axes: what intervals rest on.
 
 use super::sample::covariance;
-use crate::pose::{Vector, dot, norm};
-use crate::solve::symmetric_eigen;
+use crate::base::pose::{Vector, dot, norm};
+use crate::math::solve::symmetric_eigen;
 
 /// Principal variances and axes.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 
 use super::standstill::Standstill;
 use super::stream::Stream;
-use crate::pose::{Vector, minus, norm};
+use crate::base::pose::{Vector, minus, norm};
 use std::ops::Range;
 
 /// How a robot arrives.

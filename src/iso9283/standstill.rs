@@ -3,8 +3,8 @@
 
 use super::sample::{mean_position, spread};
 use super::stream::Stream;
-use crate::message::{Message, Result};
-use crate::pose::{Vector, minus, norm};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, minus, norm};
 use std::ops::Range;
 
 /// What counts as standing: all positions within `radius_mm` of their mean for at least `duration_s`.

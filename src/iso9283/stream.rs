@@ -1,8 +1,8 @@
 //! A recorded motion: positions, and where there are angles, over time.
 
 use super::sample::followed;
-use crate::message::{Message, Problems};
-use crate::pose::{Vector, minus, norm};
+use crate::base::message::{Message, Problems};
+use crate::base::pose::{Vector, minus, norm};
 
 /// Samples in the order of recording. Time goes on from each to the next, every number is finite, angles do not jump.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 
 use super::sample::spread;
 use super::stream::Stream;
-use crate::message::{Message, Result};
-use crate::pose::{Vector, dot, minus, unit};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, dot, minus, unit};
 use std::ops::Range;
 
 /// How a weave is driven.

@@ -6,8 +6,8 @@ use super::plane::{self, Plane, WIDTH};
 use super::points::{self, Picture};
 use super::svg::Svg;
 use super::words::Words;
+use crate::base::pose::Vector;
 use crate::document::PointError;
-use crate::pose::Vector;
 
 /// More arrows than this cannot be read.
 const LIMIT: usize = 300;

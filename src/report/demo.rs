@@ -1,12 +1,12 @@
 //! Documents to try the report on: a campaign like the thesis', with synthetic errors.
 
 use super::Report;
+use crate::base::message::{Message, Place};
+use crate::base::noise::Noise;
+use crate::base::pose::{Pose, Vector};
 use crate::document::*;
-use crate::identify::ResidualKind;
-use crate::message::{Message, Place};
-use crate::noise::Noise;
-use crate::pose::{Pose, Vector};
-use crate::solve::Termination;
+use crate::math::identify::ResidualKind;
+use crate::math::solve::Termination;
 
 /// An error of pose `pose`, cycle 1, target K, calibration.
 pub(super) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vector) -> PointError {
@@ -135,7 +135,7 @@ fn errors() -> Vec<PointError> {
 fn import() -> ImportDocument {
     let source = |file: &str, kind: &str, dialect: &str, refused: Vec<Refused>| Source {
         file: file.to_owned(),
-        sha256: crate::files::sha256(file.as_bytes()),
+        sha256: crate::base::files::sha256(file.as_bytes()),
         bytes: 48_211,
         kind: kind.to_owned(),
         dialect: dialect.to_owned(),
@@ -236,7 +236,7 @@ fn parameters() -> ParametersDocument {
             stated_standard_uncertainty_mm: Some(0.001_35),
             common_standard_uncertainty_mm: None,
             chi_square: Some(212.4),
-            uncertainties_from: crate::identify::UncertaintyFrom::Instrument,
+            uncertainties_from: crate::math::identify::UncertaintyFrom::Instrument,
             uncertainties_enlarged_by: 1.194,
         },
         observability: Some(ObservabilitySummary {
@@ -265,7 +265,7 @@ fn parameters() -> ParametersDocument {
         provenance: Provenance {
             version: "0.1.0".to_owned(),
             inputs: ["campaign.toml", "robot.toml", "exports/poses.txt"]
-                .map(|f| (f.to_owned(), crate::files::sha256(f.as_bytes())))
+                .map(|f| (f.to_owned(), crate::base::files::sha256(f.as_bytes())))
                 .into(),
             seed: Some(7),
         },

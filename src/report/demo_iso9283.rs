@@ -1,7 +1,7 @@
 //! A test of repeatability to try the report on: two poses, thirty visits each, synthetic.
 
+use crate::base::noise::Noise;
 use crate::document::*;
-use crate::noise::Noise;
 
 /// The test alone.
 pub(super) fn tested() -> Characteristics {

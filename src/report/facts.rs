@@ -2,8 +2,8 @@
 
 use super::number;
 use super::words::Words;
+use crate::base::pose::centroid;
 use crate::document::{CampaignSummary, Characteristics, Iso9283Document};
-use crate::pose::centroid;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -6,6 +6,7 @@
 
 mod arrows;
 mod axis;
+pub mod branding;
 mod by_pose;
 pub(crate) mod compare;
 mod correlation;
@@ -44,11 +45,11 @@ mod workbook;
 
 pub use plan::html as plan_html;
 
+use crate::base::message::{Message, Result};
 use crate::document::{
     AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
     ImportDocument, ParametersDocument, PointError, Provenance, WorldFrame,
 };
-use crate::message::{Message, Result};
 use pictures::pictures;
 use serde::Serialize;
 use words::Words;

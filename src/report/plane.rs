@@ -3,7 +3,7 @@
 use super::axis::{Axis, range};
 use super::svg::{Place, Svg};
 use super::words::Words;
-use crate::pose::Vector;
+use crate::base::pose::Vector;
 
 /// Width of a map, in units of the picture: that of a phone, so that letters keep their size there.
 pub(super) const WIDTH: f64 = 380.0;

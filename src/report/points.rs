@@ -3,8 +3,8 @@
 use super::number::{self, Shown};
 use super::svg::Shape;
 use super::words::{Words, isolated};
+use crate::base::pose::norm;
 use crate::document::PointError;
-use crate::pose::norm;
 use std::fmt::Display;
 
 /// Places and errors beyond this are blunders that no picture can show, mm.

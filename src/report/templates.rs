@@ -2,8 +2,8 @@
 
 use super::words::{Words, isolated};
 use super::{facts, number};
+use crate::base::message::{Message, Place, Problems, Result, one_line};
 use crate::document::Presentation;
-use crate::message::{Message, Place, Problems, Result, one_line};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use minijinja::syntax::SyntaxConfig;

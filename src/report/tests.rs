@@ -2,8 +2,8 @@
 
 use super::demo::{Documents, point};
 use super::*;
+use crate::base::message::Place;
 use crate::document::{Language, Refused, Statistics};
-use crate::message::Place;
 
 fn page(documents: &Documents) -> String {
     html(&documents.report()).unwrap()

@@ -105,7 +105,7 @@ pub(super) fn limit(l: &LimitVerdict) -> Limit {
 mod tests {
     use super::super::demo::Documents;
     use super::*;
-    use crate::solve::Termination;
+    use crate::math::solve::Termination;
 
     #[test]
     fn limits_are_judged_as_stated() {

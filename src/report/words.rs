@@ -2,8 +2,8 @@
 //!
 //! What a campaign states, and messages of the program, are never translated.
 
+use crate::base::message::{Message, Result};
 use crate::document::Language;
-use crate::message::{Message, Result};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 

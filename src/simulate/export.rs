@@ -1,11 +1,18 @@
 //! An export in the format that the campaign states.
 
 use super::{Scene, Truth, Turn, geometric, own, repeatability, text};
-use crate::campaign::{ColumnAt, Columns, Dialect, Encoding, Export, Format, Header, Role};
+use crate::base::message::{Message, Result};
+use crate::base::noise::Noise;
+use crate::base::pose::Vector;
 use crate::import;
-use crate::message::{Message, Result};
-use crate::noise::Noise;
-use crate::pose::Vector;
+use crate::import::format::ColumnAt;
+use crate::import::format::Columns;
+use crate::import::format::Dialect;
+use crate::import::format::Encoding;
+use crate::import::format::Export;
+use crate::import::format::Format;
+use crate::import::format::Header;
+use crate::import::format::Role;
 
 /// One row, in the unit of the export.
 struct Row {

@@ -1,11 +1,11 @@
 //! The points of the geometric calibration (thesis, chapter 2).
 
 use super::Scene;
-use crate::campaign::Export;
-use crate::geometry::{self, Gathered};
-use crate::message::{Message, Result};
-use crate::noise::Noise;
-use crate::pose::Vector;
+use crate::base::message::{Message, Result};
+use crate::base::noise::Noise;
+use crate::base::pose::Vector;
+use crate::import::format::Export;
+use crate::stages::geometric::{self, Gathered};
 
 /// Stream of the noise of homing: no file has it.
 const HOMING: u64 = 1 << 32;
@@ -26,7 +26,7 @@ pub(super) fn points(
     let mut homing = Noise::new(truth.seed, HOMING);
     let found = setup.measure(planar, &scene.values, &mut homing, &mut measure);
     let (bars, balls) = (setup.bars(&mut measure), setup.balls(&mut measure));
-    geometry::labelled(definition, &Gathered { robot: found, bars, balls })
+    geometric::labelled(definition, &Gathered { robot: found, bars, balls })
 }
 
 /// Refuses a truth that its campaign cannot name.

@@ -1,11 +1,15 @@
 //! A log with the columns that the campaign reads.
 
 use super::{Scene, Turn, text};
-use crate::campaign::{Column, ColumnAt, JoinBy, Log, LogFormat};
+use crate::base::message::{Message, Result};
+use crate::base::noise::Noise;
+use crate::base::table::{ASSEMBLY, LABEL};
+use crate::campaign::JoinBy;
 use crate::import;
-use crate::message::{Message, Result};
-use crate::noise::Noise;
-use crate::table::{ASSEMBLY, LABEL};
+use crate::import::format::Column;
+use crate::import::format::ColumnAt;
+use crate::import::format::Log;
+use crate::import::format::LogFormat;
 
 /// A campaign may number columns, but not without end.
 const MOST_COLUMNS: usize = 1000;

@@ -11,12 +11,12 @@ mod truth;
 pub use repeatability::{Repeating, Scatter};
 pub use truth::{Circle, LabelledPoint, Placement, Poses, Truth, true_values};
 
+use crate::base::files;
+use crate::base::message::{Message, Problems, Result};
+use crate::base::noise::Noise;
+use crate::base::pose::{Pose, Vector};
 use crate::campaign::Campaign;
-use crate::files;
-use crate::message::{Message, Problems, Result};
-use crate::noise::Noise;
-use crate::pose::{Pose, Vector};
-use crate::robots::Robot;
+use crate::math::robots::Robot;
 
 /// Between two poses of the log.
 const INTERVAL_S: f64 = 10.0;

@@ -1,9 +1,12 @@
 //! Exports in formats that have a reader of their own, as plain as their rules allow.
 
 use super::text;
-use crate::campaign::{Decimal, Delimiter, Reader, Unit};
-use crate::message::Message;
-use crate::pose::Vector;
+use crate::base::message::Message;
+use crate::base::pose::Vector;
+use crate::import::format::Decimal;
+use crate::import::format::Delimiter;
+use crate::import::format::Reader;
+use crate::import::format::Unit;
 
 /// A text of labelled points in the unit of the export.
 pub(super) fn write(

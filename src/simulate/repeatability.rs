@@ -1,11 +1,11 @@
 //! Visits of a test of repeatability (thesis 2.4): where a robot stands depends on where it comes from.
 
 use super::{Scene, Turn};
-use crate::campaign::Export;
-use crate::geometry;
-use crate::message::{Message, Result};
-use crate::noise::Noise;
-use crate::pose::{Vector, minus};
+use crate::base::message::{Message, Result};
+use crate::base::noise::Noise;
+use crate::base::pose::{Vector, minus};
+use crate::import::format::Export;
+use crate::stages::geometric;
 use serde::Deserialize;
 
 /// Stream of the noise of the robot: no file has it.
@@ -91,14 +91,14 @@ pub(super) fn points(
             let lagging = |k: usize| (play[0] * truth.play_x_um[k] + play[1] * truth.play_y_um[k]) / 1e3;
             let lift = [0.0, 0.0, scatter.lift_um / 1e3];
             let stands = [0, 1, 2].map(|k| at[k] + lagging(k) + lift[k] + noise[k]);
-            rows.push((geometry::label(definition.label.get_ref(), &truth.target, pose, cycle), measure(stands)));
+            rows.push((geometric::label(definition.label.get_ref(), &truth.target, pose, cycle), measure(stands)));
             before = at;
         }
     }
     for (cycle, pattern) in (1..=truth.homings).flat_map(|cycle| definition.homing.iter().map(move |p| (cycle, p))) {
         let noise = scattered([truth.homing_um; 3]);
         let stands = [0, 1, 2].map(|k| home_mm[k] + noise[k]);
-        rows.push((geometry::label(pattern.get_ref(), &truth.target, 0, cycle), measure(stands)));
+        rows.push((geometric::label(pattern.get_ref(), &truth.target, 0, cycle), measure(stands)));
     }
     Ok(rows)
 }

@@ -1,7 +1,8 @@
 //! Lines of delimited text as import reads them.
 
-use crate::campaign::{Decimal, Delimiter};
-use crate::message::Message;
+use crate::base::message::Message;
+use crate::import::format::Decimal;
+use crate::import::format::Delimiter;
 
 /// One line; where it would read as a comment its first field is quoted.
 pub(super) fn line(fields: &[String], delimiter: Delimiter, comment: Option<&str>) -> Result<String, Message> {

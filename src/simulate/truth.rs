@@ -1,9 +1,9 @@
 //! What is true in a simulation, and what is measured.
 
-use crate::geometric::Setup;
-use crate::message::{Message, Result};
-use crate::pose::Vector;
-use crate::robots::{PlanarPose, Robot};
+use crate::base::message::{Message, Result};
+use crate::base::pose::Vector;
+use crate::math::geometric::Setup;
+use crate::math::robots::{PlanarPose, Robot};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 

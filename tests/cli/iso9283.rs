@@ -1,8 +1,8 @@
 //! `etalon iso9283`: recorded motions, paths, loads and plans of tests.
 
 use super::{etalon, text_of};
+use etalon::base::pose::Pose;
 use etalon::document::{Iso9283ComplianceDocument, Iso9283PlanDocument, Iso9283StreamDocument};
-use etalon::pose::Pose;
 use std::path::Path;
 use std::process::Output;
 

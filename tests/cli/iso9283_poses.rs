@@ -63,7 +63,7 @@ fn robots_approaches_and_cycles_are_told_apart() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("commanded.csv"), "pose,x_mm,y_mm\n1,0,0\n2,100,0\n").unwrap();
     let table = |robots: &[(&str, f64)], ways: &[(&str, f64)]| {
-        let mut noise = etalon::noise::Noise::new(11, 0);
+        let mut noise = etalon::base::noise::Noise::new(11, 0);
         let mut text = "pose,cycle,x_mm,y_mm,robot,approach\n".to_owned();
         for (cycle, pose) in (1..=8).flat_map(|cycle| [1, 2].map(|pose| (cycle, pose))) {
             for ((robot, off), (way, aside)) in robots.iter().flat_map(|r| ways.iter().map(move |w| (r, w))) {

@@ -3,7 +3,7 @@
 use super::{etalon, text, text_of};
 use crate::laws::five_bar::{SEVEN, holes, robot};
 use etalon::document::PlanDocument;
-use etalon::robots::Robot;
+use etalon::math::robots::Robot;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -161,7 +161,7 @@ fn an_irb120_is_planned_with_its_redundant_parameters_named() {
     let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
     std::fs::copy(sample, folder.path().join("robot.toml")).unwrap();
     let mut csv = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n".to_owned();
-    let mut noise = etalon::noise::Noise::new(3, 0);
+    let mut noise = etalon::base::noise::Noise::new(3, 0);
     for pose in 1..=24 {
         let q = [150.0, 80.0, 60.0, 150.0, 110.0, 180.0].map(|half| noise.uniform(half).to_string()).join(",");
         for target in ["a", "b", "c"] {

@@ -17,7 +17,7 @@ fn compare(path: &str, text: &str) {
 
 #[test]
 fn committed_schemas_are_current() {
-    for (name, text) in etalon::schema::all() {
+    for (name, text) in etalon::document::schema::all() {
         compare(&format!("schemas/{name}.schema.json"), &text);
     }
 }

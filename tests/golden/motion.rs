@@ -1,7 +1,7 @@
 //! The recorded motion of the sample campaign: synthetic, made here, as its README says.
 
 use super::compare;
-use etalon::noise::Noise;
+use etalon::base::noise::Noise;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 

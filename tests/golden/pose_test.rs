@@ -1,9 +1,9 @@
 //! The test of poses of the sample campaign: synthetic, made here, as its README says.
 
 use super::compare;
+use etalon::base::noise::Noise;
+use etalon::base::pose::Pose;
 use etalon::iso9283::rotations::RotationOrder;
-use etalon::noise::Noise;
-use etalon::pose::Pose;
 use std::fmt::Write;
 
 type Vector = [f64; 3];

@@ -3,9 +3,12 @@
 //! run is printed with what failed.
 
 use super::{logs, qif, readers};
-use etalon::campaign::{Campaign, Format, Reader, Unit};
+use etalon::base::noise::Noise;
+use etalon::campaign::Campaign;
+use etalon::import::format::Format;
+use etalon::import::format::Reader;
+use etalon::import::format::Unit;
 use etalon::import::{import, labelled_points, propose, propose_file};
-use etalon::noise::Noise;
 use std::io::{Cursor, Write};
 use std::time::{Duration, Instant};
 use zip::write::SimpleFileOptions;

@@ -1,9 +1,9 @@
 //! Damaged and ambiguous logs of controllers: every problem with its place. All texts are synthetic.
 
 use crate::scratch::{Scratch, copy_sample};
+use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::import::{Imported, import};
-use etalon::table;
 
 /// A campaign whose log is this text.
 pub fn with_log(text: &str, stated: &str) -> Scratch {

@@ -1,9 +1,11 @@
 //! Damaged, ambiguous and hostile exports of formats with a reader of their own: an error with its place and a hint, all of
 //! them in one go, never a panic, never more memory or time than the file is worth. All texts are synthetic.
 
-use etalon::campaign::{Format, Reader, Unit};
+use etalon::base::pose::Vector;
+use etalon::import::format::Format;
+use etalon::import::format::Reader;
+use etalon::import::format::Unit;
 use etalon::import::labelled_points;
-use etalon::pose::Vector;
 use std::time::Instant;
 
 fn read(name: &str, text: &str, unit: Unit) -> Result<Vec<(String, Vector)>, String> {

@@ -5,9 +5,11 @@
 //! `import::bounded`).
 
 use crate::scratch::{Scratch, copy_sample};
-use etalon::campaign::{Campaign, Format, Unit};
+use etalon::base::message::Result;
+use etalon::campaign::Campaign;
+use etalon::import::format::Format;
+use etalon::import::format::Unit;
 use etalon::import::{Imported, Point, import, read_file};
-use etalon::message::Result;
 
 #[derive(serde::Deserialize)]
 struct Stated {

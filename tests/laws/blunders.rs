@@ -1,9 +1,9 @@
 //! The rule about rigid parts works however rows are grouped, and says so where they cannot be.
 
 use crate::scratch::copy_sample;
+use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
 use etalon::import::{Imported, import};
-use etalon::message::Problems;
 
 const RIGID: &str = "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = 0.1\n";
 const THREE: &str = "[[rigid]]\ntargets = [\"K\", \"L\", \"M\"]\ntolerance_mm = 0.1\n";

@@ -3,7 +3,7 @@
 use crate::scratch::{Scratch, copy_sample};
 use etalon::campaign::{Campaign, read_truth};
 use etalon::document::ParameterStatus;
-use etalon::pipeline;
+use etalon::run::pipeline;
 
 /// Runs the sample with its noise multiplied; gives the parameters that are off by more than `sigmas` of their u.
 fn off_by(sample: &str, noise_um: f64, sigmas: f64) -> Vec<String> {

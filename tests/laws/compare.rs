@@ -1,12 +1,12 @@
 //! What is called changed between campaigns: by chance as often as stated, and by a change that is there.
 
+use etalon::base::noise::Noise;
+use etalon::base::pose::Vector;
 use etalon::compare::{Compared, compare};
 use etalon::document::*;
 use etalon::iso9283::accuracy::pose_accuracy;
 use etalon::iso9283::interval::{Interval, accuracy_interval, repeatability_interval};
 use etalon::iso9283::repeatability::pose_repeatability;
-use etalon::noise::Noise;
-use etalon::pose::Vector;
 use std::collections::BTreeMap;
 
 const PAIRS: u64 = 2000;
@@ -31,7 +31,7 @@ fn identified(folder: &str, values: &[f64], u: &[f64], of: &mut dyn FnMut(&mut P
         parameters: values.iter().zip(u).enumerate().map(entry).collect(),
         covariance: (0..n).map(|i| (0..n).map(|j| square(i, j)).collect()).collect(),
         residuals: ResidualSummary {
-            kind: etalon::identify::ResidualKind::Targets,
+            kind: etalon::math::identify::ResidualKind::Targets,
             count: 100,
             rms: 0.001,
             max: 0.003,
@@ -39,14 +39,14 @@ fn identified(folder: &str, values: &[f64], u: &[f64], of: &mut dyn FnMut(&mut P
             stated_standard_uncertainty_mm: Some(0.001),
             common_standard_uncertainty_mm: None,
             chi_square: None,
-            uncertainties_from: etalon::identify::UncertaintyFrom::Instrument,
+            uncertainties_from: etalon::math::identify::UncertaintyFrom::Instrument,
             uncertainties_enlarged_by: 1.0,
         },
         observability: None,
         solver: SolverSummary {
             method: String::new(),
             iterations: 1,
-            termination: etalon::solve::Termination::ResidualsZero,
+            termination: etalon::math::solve::Termination::ResidualsZero,
             meaning: String::new(),
         },
         messages: Vec::new(),

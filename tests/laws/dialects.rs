@@ -1,12 +1,13 @@
 //! Whatever dialect a campaign states, `simulate` writes it and `import` reads the same points and joints back.
 
 use crate::scratch::{Scratch, copy_sample};
-use etalon::campaign::{Campaign, Format, read_truth};
+use etalon::base::message::Problems;
+use etalon::base::pose::Pose;
+use etalon::base::table;
+use etalon::campaign::{Campaign, read_truth};
+use etalon::import::format::Format;
 use etalon::import::import;
-use etalon::message::Problems;
-use etalon::pose::Pose;
 use etalon::simulate::{LabelledPoint, Truth, simulate};
-use etalon::table;
 use std::collections::BTreeMap;
 
 const CYCLES: i64 = 2;
@@ -182,7 +183,7 @@ fn every_dialect_reads_back_bit_for_bit() {
         simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{name}: {e}"));
         let imported = import(&campaign).unwrap_or_else(|e| panic!("{name}: {e}"));
         let robot = campaign.build_robot().unwrap();
-        let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+        let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
         let values: Vec<f64> = robot.parameters().iter().map(value).collect();
         let rpy = truth.export_T_world.rpy_deg.map(f64::to_radians);
         let placed = Pose::from_xyz_rpy(truth.export_T_world.xyz_mm, rpy);

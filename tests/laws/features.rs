@@ -1,9 +1,9 @@
 //! World frames from circles, cylinders and lines with a known truth: features and frames agree with it to 1e-9.
 
 use crate::scratch::copy_sample;
+use etalon::base::pose::{Pose, Vector, cross, dot, norm, unit};
 use etalon::campaign::{Campaign, read_truth};
 use etalon::document::{FeaturesDocument, FramesDocument};
-use etalon::pose::{Pose, Vector, cross, dot, norm, unit};
 use etalon::simulate::LabelledPoint;
 use serde::de::DeserializeOwned;
 
@@ -67,7 +67,7 @@ fn run(world: &str) -> (FeaturesDocument, FramesDocument, Pose) {
     (truth.noise_um, truth.decimals, truth.cycles, truth.points) = (Some(0.0), 13, 1, points());
     let campaign = Campaign::read(&scratch.path()).unwrap();
     etalon::simulate::simulate(&campaign, &truth).unwrap();
-    let outcome = etalon::pipeline::run(&campaign).unwrap();
+    let outcome = etalon::run::pipeline::run(&campaign).unwrap();
     for p in &outcome.parameters.parameters {
         assert!((p.value - truth.parameters[&p.name]).abs() < 1e-8, "{}: {}", p.name, p.value);
     }

@@ -2,9 +2,9 @@
 
 #![allow(non_snake_case)] // frames in names
 
-use etalon::fit::{self, Element, Fit, Settings};
-use etalon::noise::Noise;
-use etalon::pose::{Pose, Vector, cross, dot, minus, norm};
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm};
+use etalon::math::fit::{self, Element, Fit, Settings};
 
 /// Points on an element about z through the origin, seen over `turn_rad`, and its true sizes.
 pub(super) fn points_on(element: Element, turn_rad: f64) -> Vec<Vector> {
@@ -189,7 +189,7 @@ fn a_rigid_best_fit_finds_the_motion_and_its_uncertainty() {
     assert!((dot(r[0], cross(r[1], r[2])) - 1.0).abs() < 1e-14);
 
     let (mut centroid, mut stated, mut worst_axis, mut stated_angle) = (0.0, 0.0, 0.0, 0.0);
-    let middle = etalon::pose::centroid(&from).unwrap();
+    let middle = etalon::base::pose::centroid(&from).unwrap();
     // the axis about which the points lie closest: about it a rotation is known least
     let spread = fit::line(&from).unwrap();
     let trials = 6000;

@@ -1,8 +1,8 @@
 //! Every covariance that a fit states is what 10,000 repeated measurements show, entry by entry.
 
 use super::fits::{disturbed, points_on, quantities};
-use etalon::fit::{self, CircleMethod, Element, Fit, Probe, Settings, Side};
-use etalon::pose::{Pose, Vector, centroid, dot, minus};
+use etalon::base::pose::{Pose, Vector, centroid, dot, minus};
+use etalon::math::fit::{self, CircleMethod, Element, Fit, Probe, Settings, Side};
 use rayon::prelude::*;
 
 const TRIALS: u64 = 10_000;

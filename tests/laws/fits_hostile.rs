@@ -1,8 +1,8 @@
 //! No input makes a fit panic or answer with a number that is none.
 
-use etalon::fit::{self, CircleMethod, Element, Settings};
-use etalon::noise::Noise;
-use etalon::pose::Vector;
+use etalon::base::noise::Noise;
+use etalon::base::pose::Vector;
+use etalon::math::fit::{self, CircleMethod, Element, Settings};
 
 fn is_sound(what: &str, element: Element, points: &[Vector], settings: &Settings) {
     match fit::element(element, points, settings) {
@@ -28,7 +28,7 @@ fn is_sound(what: &str, element: Element, points: &[Vector], settings: &Settings
             assert!(fit.radius_mm.is_none_or(|r| r > 0.0), "{element} of {what}: {:?}", fit.radius_mm);
             assert_eq!(fit.points, points.len());
             if let Some(d) = fit.direction {
-                assert!((etalon::pose::norm(d) - 1.0).abs() < 1e-14, "{element} of {what}: {d:?}");
+                assert!((etalon::base::pose::norm(d) - 1.0).abs() < 1e-14, "{element} of {what}: {d:?}");
             }
         }
     }

@@ -1,9 +1,11 @@
 //! The five-bar: laws of its model, and what an identification makes of it.
 
 use crate::linearised::linearised;
-use etalon::identify::{Identification, Observation, ResidualKind, Settings, fit_frames, identify, identify_from};
-use etalon::noise::Noise;
-use etalon::robots::{FiveBar, Reach, Robot, WORKING_MODES};
+use etalon::base::noise::Noise;
+use etalon::math::identify::{
+    Identification, Observation, ResidualKind, Settings, fit_frames, identify, identify_from,
+};
+use etalon::math::robots::{FiveBar, Reach, Robot, WORKING_MODES};
 
 /// "Actual" column of table 4.1, in the order of eq. 4.24.
 pub fn truth() -> Vec<f64> {

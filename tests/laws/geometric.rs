@@ -1,9 +1,9 @@
 //! Chapter 2: what balls, a shaft and an arm find is what is there, as well as they say.
 
-use etalon::geometric::*;
-use etalon::noise::Noise;
-use etalon::pose::{Pose, Vector};
-use etalon::robots::Prexyt;
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector};
+use etalon::math::geometric::*;
+use etalon::math::robots::Prexyt;
 
 /// Indices in the model's parameters.
 const BETA: usize = 0;

@@ -3,7 +3,7 @@
 use crate::scratch::{Scratch, copy_sample};
 use etalon::campaign::{Campaign, read_truth};
 use etalon::document::{GeometricDocument, MethodErrors};
-use etalon::pipeline;
+use etalon::run::pipeline;
 use etalon::simulate::Truth;
 use std::f64::consts::PI;
 

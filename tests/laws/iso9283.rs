@@ -1,5 +1,7 @@
 //! Characteristics of ISO 9283 against a second implementation, written from the formulas in another way, and by laws.
 
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::iso9283::accuracy::{angle_accuracy_rad, pose_accuracy};
 use etalon::iso9283::bootstrap::Bootstrap;
 use etalon::iso9283::coplanarity::coplanarity;
@@ -10,8 +12,6 @@ use etalon::iso9283::exchangeability::exchangeability;
 use etalon::iso9283::interval::{accuracy_interval, repeatability_interval};
 use etalon::iso9283::quarter::quarter;
 use etalon::iso9283::repeatability::{angle_repeatability_rad, pose_repeatability};
-use etalon::noise::Noise;
-use etalon::pose::{Pose, Vector, minus, norm};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 

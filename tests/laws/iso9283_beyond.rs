@@ -1,6 +1,8 @@
 //! Beyond the standard: error ellipsoid, conformity with a limit, RP without the instrument's noise.
 
 use super::iso9283::cloud;
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector, dot, minus, norm};
 use etalon::iso9283::bootstrap::Bootstrap;
 use etalon::iso9283::conformity::{Conformity, conformity};
 use etalon::iso9283::ellipsoid::{Ellipsoid, ellipsoid};
@@ -8,8 +10,6 @@ use etalon::iso9283::interval::Interval;
 use etalon::iso9283::noise_free::{repeatability_of_scatter, without_noise};
 use etalon::iso9283::reference::epochs;
 use etalon::iso9283::repeatability::pose_repeatability;
-use etalon::noise::Noise;
-use etalon::pose::{Pose, Vector, dot, minus, norm};
 use std::f64::consts::PI;
 
 const TESTS: usize = 2000;

@@ -1,6 +1,7 @@
 //! Intervals of AT and RT against simulated tests whose truth is known.
 
 use super::compare::recorded;
+use etalon::base::noise::Noise;
 use etalon::compare::{Compared, compare};
 use etalon::document::CompareFamily;
 use etalon::iso9283::noise_free::repeatability_of_scatter;
@@ -10,7 +11,6 @@ use etalon::iso9283::path_accuracy::path_accuracy;
 use etalon::iso9283::path_bootstrap::PathBootstrap;
 use etalon::iso9283::path_repeatability::path_repeatability;
 use etalon::iso9283::stream::Stream;
-use etalon::noise::Noise;
 use rayon::prelude::*;
 
 const POINTS: usize = 24;

@@ -1,6 +1,8 @@
 //! Paths, corners and velocities against a second implementation, written in another way, and by laws.
 
 use super::iso9283::{close, deviation_by_pairs};
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector, dot, minus, norm};
 use etalon::iso9283::cornering::cornering;
 use etalon::iso9283::passes::{Passes, passes};
 use etalon::iso9283::path::{CommandPoint, CommandedPath};
@@ -8,8 +10,6 @@ use etalon::iso9283::path_accuracy::{path_accuracy, path_accuracy_on_reorientati
 use etalon::iso9283::path_repeatability::{path_angle_repeatability_rad, path_repeatability};
 use etalon::iso9283::path_velocity::path_velocity;
 use etalon::iso9283::stream::Stream;
-use etalon::noise::Noise;
-use etalon::pose::{Pose, Vector, dot, minus, norm};
 
 const RATE_HZ: f64 = 500.0;
 /// A corner of a right angle, and one of 45°.

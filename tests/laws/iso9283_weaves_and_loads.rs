@@ -1,11 +1,11 @@
 //! Weaves and loads against what was drawn and what is found by hand.
 
 use super::iso9283::close;
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector, dot, minus};
 use etalon::iso9283::compliance::{Loaded, compliance};
 use etalon::iso9283::stream::Stream;
 use etalon::iso9283::weaving::{Weave, weaving};
-use etalon::noise::Noise;
-use etalon::pose::{Pose, Vector, dot, minus};
 
 const RATE_HZ: f64 = 500.0;
 

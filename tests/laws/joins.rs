@@ -1,9 +1,9 @@
 //! Joins by row and by time: what has no partner, or two, is said.
 
 use crate::scratch::{Scratch, copy_sample};
+use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
-use etalon::message::Problems;
-use etalon::pipeline::{self, Outcome};
+use etalon::run::pipeline::{self, Outcome};
 
 const DELIMITED: &str = "format = { delimiter = \";\", columns = [\"target\", \"time_s\", \"x\", \"y\", \"z\"] }";
 
@@ -13,7 +13,7 @@ fn timed(join: &str, clock_offset_s: f64, drop_log_row: Option<usize>, measured_
     let campaign = Campaign::read(&scratch.path()).unwrap();
     let robot = campaign.build_robot().unwrap();
     let truth = etalon::campaign::read_truth(&scratch.path().join("truth.toml")).unwrap();
-    let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+    let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     let mut export = String::new();

@@ -2,11 +2,11 @@
 
 use crate::scratch::{Scratch, copy_sample};
 use etalon::campaign::{Campaign, read_truth};
-use etalon::check::everything;
 use etalon::document::{Iso9283Document, Iso9283Pose, Iso9283Variation};
 use etalon::iso9283::coplanarity::from_the_others;
 use etalon::iso9283::repeatability::pose_repeatability;
-use etalon::pipeline;
+use etalon::run::check::everything;
+use etalon::run::pipeline;
 use etalon::simulate::Truth;
 
 const SAMPLE: &str = "prexyt-repeatability";
@@ -61,7 +61,7 @@ fn play_alone_is_found_exactly() {
     assert_eq!(counts, [("from pose 2", 30), ("from pose 3", 30), ("from pose 4", 30), ("from pose 5", 29)]);
     assert!(v.approaches.iter().all(|a| a.rp_mm.unwrap() < 1e-9));
     // it lags: from above (P2, P3) it stays above, from the right (P2, P5) right
-    let between = |a: &str, b: &str| etalon::pose::minus(approach(v, a).mean_mm, approach(v, b).mean_mm);
+    let between = |a: &str, b: &str| etalon::base::pose::minus(approach(v, a).mean_mm, approach(v, b).mean_mm);
     for (found, expected) in [
         (between("from pose 2", "from pose 4"), [6e-3, 40e-3, 8e-3]),
         (between("from pose 3", "from pose 5"), [-6e-3, 40e-3, 8e-3]),

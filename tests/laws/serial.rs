@@ -1,9 +1,9 @@
 //! Serial arms: whatever the place of the tracker, a noise-free identification gives the truth.
 
+use etalon::base::noise::Noise;
 use etalon::campaign::read_robot;
-use etalon::identify::{Observation, ResidualKind, Settings, UncertaintyFrom, identify};
-use etalon::noise::Noise;
-use etalon::robots::{Robot, Role};
+use etalon::math::identify::{Observation, ResidualKind, Settings, UncertaintyFrom, identify};
+use etalon::math::robots::{Robot, Role};
 
 fn robot(targets: usize) -> Box<dyn Robot> {
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
@@ -14,7 +14,7 @@ fn robot(targets: usize) -> Box<dyn Robot> {
 /// A truth that differs from nominal in every parameter that can be told apart from base and targets.
 fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
     let absorbed = ["alpha_1", "a_1", "theta_1", "d_1", "theta_6", "d_6"];
-    let value = |p: &etalon::robots::Parameter, noise: &mut Noise| match (p.role, p.name.as_str()) {
+    let value = |p: &etalon::math::robots::Parameter, noise: &mut Noise| match (p.role, p.name.as_str()) {
         (Role::Base, "base_x" | "base_y" | "base_z") => noise.uniform(3000.0),
         (Role::Base, "base_ry") => noise.uniform(1.3),
         (Role::Base, _) => noise.uniform(3.1),
@@ -54,14 +54,14 @@ fn base_and_targets_are_found_from_anywhere() {
             };
             let found = identify(robot.as_ref(), &observations, &settings).unwrap();
             for (i, p) in robot.parameters().iter().enumerate() {
-                let identified = found.status[i] == etalon::identify::Status::Identified;
+                let identified = found.status[i] == etalon::math::identify::Status::Identified;
                 assert!(identified || found.values[i] == p.nominal, "{} is not held at its nominal value", p.name);
             }
             let fresh = observe(robot.as_ref(), &truth, 20, &mut noise);
             for o in &fresh {
                 for (k, expected) in o.targets.iter().enumerate() {
                     let p = robot.position(&found.values, &o.joints, k);
-                    let off = etalon::pose::norm(etalon::pose::minus(p, expected.unwrap()));
+                    let off = etalon::base::pose::norm(etalon::base::pose::minus(p, expected.unwrap()));
                     assert!(off < 1e-8, "{targets} targets, trial {trial}: off by {off} mm");
                 }
             }
@@ -98,7 +98,7 @@ fn what_the_robot_file_states_is_kept_where_held_and_only_a_start_where_not() {
         }
         for (o, k) in observations.iter().flat_map(|o| [(o, 0), (o, 1)]) {
             let p = arm.position(&found.values, &o.joints, k);
-            let off = etalon::pose::norm(etalon::pose::minus(p, o.targets[k].unwrap()));
+            let off = etalon::base::pose::norm(etalon::base::pose::minus(p, o.targets[k].unwrap()));
             assert!(off < 1e-8, "{stated:?}: off by {off} mm");
         }
     }

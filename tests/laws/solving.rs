@@ -2,8 +2,10 @@
 
 #![allow(clippy::excessive_precision)] // digits as computed
 
-use etalon::noise::Noise;
-use etalon::solve::{Bounds, Held, Loss, Options, Prior, Problem, Side, Weighted, WithPriors, solve, solve_within};
+use etalon::base::noise::Noise;
+use etalon::math::solve::{
+    Bounds, Held, Loss, Options, Prior, Problem, Side, Weighted, WithPriors, solve, solve_within,
+};
 
 /// y = a + b t.
 struct Line {

@@ -1,12 +1,12 @@
 //! Standstills in a log recorded while the robot moved, and joins in time that rest on them.
 
 use crate::scratch::{Scratch, copy_sample};
+use etalon::base::message::Problems;
+use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
 use etalon::document::ImportDocument;
 use etalon::import::standstill::{Watched, standing};
-use etalon::message::Problems;
-use etalon::noise::Noise;
-use etalon::pipeline::{self, Outcome};
+use etalon::run::pipeline::{self, Outcome};
 
 /// A walk of two joints that stands now and then, with scatter and odd steps of time.
 fn walk(seed: u64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
@@ -113,7 +113,7 @@ fn campaign(scratch: &Scratch, log: &[(f64, [f64; 3])], measured: &[(f64, [f64; 
     let campaign = Campaign::read(&scratch.path()).unwrap();
     let robot = campaign.build_robot().unwrap();
     let truth = etalon::campaign::read_truth(&scratch.path().join("truth.toml")).unwrap();
-    let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+    let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let mut export = String::new();
     for (time, q) in measured {

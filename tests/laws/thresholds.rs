@@ -1,9 +1,9 @@
 //! Limits that README.md promises, met from both sides with numbers worked out by hand.
 
-use etalon::identify::{
+use etalon::math::identify::{
     Identification, Observation, ResidualKind, Settings, SingularValue, Status, UncertaintyFrom, identify,
 };
-use etalon::robots::{Prexyt, Robot};
+use etalon::math::robots::{Prexyt, Robot};
 
 /// Poses at theta = 0 of the nominal PreXYT, and of K and L what `error_mm` makes of them.
 ///

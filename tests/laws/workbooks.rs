@@ -2,9 +2,9 @@
 //! openpyxl 3.1 wrote them, and as LibreOffice Calc 7.4 saved that file again (strings shared, formulas with their value).
 
 use crate::scratch::copy_sample;
+use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::import::{import, propose_file};
-use etalon::table;
 use std::path::{Path, PathBuf};
 
 const SHEET: &str = "Points (mm)";

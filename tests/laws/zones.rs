@@ -1,9 +1,9 @@
 //! Minimum zones: no choice of contact points makes a narrower one, a motion changes nothing, and what cannot be answered
 //! is refused.
 
-use etalon::fit::{self, Element, MinimumZone, Settings, minimum_zone};
-use etalon::noise::Noise;
-use etalon::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use etalon::math::fit::{self, Element, MinimumZone, Settings, minimum_zone};
 
 const ELEMENTS: [Element; 3] = [Element::Line2d, Element::Plane, Element::Circle2d];
 

@@ -6,8 +6,8 @@
 #![allow(clippy::excessive_precision)] // digits as computed
 
 use super::nist_strd::{DataSet, log_relative_error};
-use etalon::noise::Noise;
-use etalon::solve::{Bounds, Options, Problem, Side, Solution, Step, StepKind, solve, solve_within};
+use etalon::base::noise::Noise;
+use etalon::math::solve::{Bounds, Options, Problem, Side, Solution, Step, StepKind, solve, solve_within};
 use std::path::Path;
 
 const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);

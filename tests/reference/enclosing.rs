@@ -4,8 +4,8 @@
 #![allow(clippy::print_stdout)] // how close each comes is worth saying
 #![allow(clippy::excessive_precision)] // digits as published
 
-use etalon::fit::{Enclosing, enclosing_circle, enclosing_sphere};
-use etalon::pose::{Vector, minus, norm};
+use etalon::base::pose::{Vector, minus, norm};
+use etalon::math::fit::{Enclosing, enclosing_circle, enclosing_sphere};
 use std::path::Path;
 
 fn numbers(path: &Path, header: usize) -> Vec<Vec<f64>> {

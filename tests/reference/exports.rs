@@ -3,9 +3,12 @@
 
 use super::exports_table::{As, TABLE};
 use crate::scratch::copy_sample;
-use etalon::campaign::{Campaign, Encoding, Format, Unit};
+use etalon::base::message::Result;
+use etalon::campaign::Campaign;
+use etalon::import::format::Encoding;
+use etalon::import::format::Format;
+use etalon::import::format::Unit;
 use etalon::import::{self, Point};
-use etalon::message::Result;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -131,7 +134,8 @@ fn logs_are_read_with_their_rows() {
 fn distances(a: &[Point], b: &[Point]) -> Vec<f64> {
     assert_eq!(a.len(), b.len());
     let both = a.iter().zip(b).filter(|(a, b)| a.refused.is_none() && b.refused.is_none());
-    let mut all: Vec<f64> = both.map(|(a, b)| etalon::pose::norm(etalon::pose::minus(a.xyz_mm, b.xyz_mm))).collect();
+    let mut all: Vec<f64> =
+        both.map(|(a, b)| etalon::base::pose::norm(etalon::base::pose::minus(a.xyz_mm, b.xyz_mm))).collect();
     all.sort_by(f64::total_cmp);
     all
 }
@@ -219,10 +223,10 @@ fn leica_rows_of_both_kinds_become_points() {
     let Some(folder) = reference("exports/leica_tracker_cesapi") else { return };
     let all = points(&folder, "measurements_2025-09-15.csv", "\"leica-emscon\"");
     // the first row is spherical: the distance is its third number, all others are Cartesian as they stand
-    let distance = etalon::pose::norm(all[0].xyz_mm);
+    let distance = etalon::base::pose::norm(all[0].xyz_mm);
     assert!((distance - 9928.352440561106).abs() < 1e-8, "{distance}");
     let u = all[0].standard_uncertainty_mm.unwrap();
-    let total = etalon::pose::norm(u);
+    let total = etalon::base::pose::norm(u);
     // stdTotal of the file is 0.0204
     assert!((total - 0.02043).abs() < 0.0003, "{u:?}");
     assert_eq!(all[1].label, "MDUp");
@@ -257,7 +261,7 @@ fn trap_8_columns_called_xyz_that_hold_angles_are_refused_until_someone_says_so(
     // README: at 18:35:41 SlaveDown holds the coordinates of D, at 4361.276 and 4361.279 mm
     let (slave, d) = (&all[21], &all[23]);
     assert_eq!((slave.label.as_str(), d.label.as_str()), ("SlaveDown", "D"));
-    let [a, b] = [slave, d].map(|p| etalon::pose::norm(p.xyz_mm));
+    let [a, b] = [slave, d].map(|p| etalon::base::pose::norm(p.xyz_mm));
     assert!((a - 4361.276).abs() < 0.001 && (b - 4361.279).abs() < 0.001, "{a} {b}");
     assert!(distances(std::slice::from_ref(slave), std::slice::from_ref(d))[0] < 0.1);
 }

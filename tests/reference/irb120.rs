@@ -1,9 +1,9 @@
 //! ABB IRB 120 with a FARO tracker (real data): blunders, accuracy of an independent SciPy fit, and the two logs.
 
+use etalon::base::message::Message;
 use etalon::campaign::Campaign;
 use etalon::document::{ImportDocument, ParameterStatus};
-use etalon::message::Message;
-use etalon::pipeline::{self, Outcome};
+use etalon::run::pipeline::{self, Outcome};
 use std::collections::BTreeSet;
 
 /// The sample with `hold` added, run into a folder that goes away.

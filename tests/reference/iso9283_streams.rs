@@ -5,8 +5,8 @@
 //! between the two places, and what is asserted is what must hold whatever was commanded.
 
 use super::iso9283::folder;
+use etalon::base::pose::{Vector, cross, minus, norm, unit};
 use etalon::document::{Iso9283Path, Iso9283StreamDocument};
-use etalon::pose::{Vector, cross, minus, norm, unit};
 use std::path::Path;
 
 /// Samples, and per cent of the velocity.

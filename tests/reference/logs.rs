@@ -1,10 +1,10 @@
 //! Real logs of five controllers: counts, clocks and units as their READMEs state them.
 
 use crate::scratch::copy_sample;
+use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::document::ImportDocument;
 use etalon::import::import;
-use etalon::table;
 use polars::prelude::DataFrame;
 
 /// The table of a log that a campaign states so, or what is said against it.

@@ -4,9 +4,9 @@
 #![allow(clippy::print_stdout)] // how close each fit comes is worth saying
 #![allow(clippy::excessive_precision)] // digits as published
 
-use etalon::fit::{self, CircleMethod, Fit, Settings};
-use etalon::message::Result;
-use etalon::pose::{Vector, cross, dot, minus, norm};
+use etalon::base::message::Result;
+use etalon::base::pose::{Vector, cross, dot, minus, norm};
+use etalon::math::fit::{self, CircleMethod, Fit, Settings};
 use std::path::Path;
 
 /// One reference pair: points and published answer.

@@ -2,12 +2,16 @@
 //! that they give. Numbers that are expected stand in the files themselves.
 
 use crate::scratch::copy_sample;
-use etalon::campaign::{Campaign, Decimal, Format, Reader, Unit};
+use etalon::base::pose::Vector;
+use etalon::base::table;
+use etalon::campaign::Campaign;
 use etalon::document::Source;
+use etalon::import::format::Decimal;
+use etalon::import::format::Format;
+use etalon::import::format::Reader;
+use etalon::import::format::Unit;
 use etalon::import::readers::{dmis, polyworks_report};
 use etalon::import::{import, labelled_points};
-use etalon::pose::Vector;
-use etalon::table;
 
 /// Labels and points in mm, and the file with what of it was refused; or what is said against it.
 fn read(file: &str, format: &str, unit: &str) -> Result<(Vec<(String, Vector)>, Source), String> {

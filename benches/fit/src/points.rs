@@ -1,7 +1,7 @@
 //! Points on elements, from a seed.
 
-use etalon::fit::Element;
-use etalon::noise::Noise;
+use etalon::math::fit::Element;
+use etalon::base::noise::Noise;
 
 /// The truth: radius 50 mm about (300, -200, 100) mm, along (0.6, 0, 0.8), with 5 µm of noise.
 const CENTER: [f64; 3] = [300.0, -200.0, 100.0];

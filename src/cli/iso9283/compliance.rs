@@ -3,8 +3,8 @@
 use super::super::table_file::TableFile;
 use super::super::{Verdict, print, say};
 use crate::document::Iso9283ComplianceDocument;
-use crate::load_test::evaluate;
-use crate::output;
+use crate::run::output;
+use crate::stages::iso9283::load::evaluate;
 use std::fmt::Write;
 use std::path::Path;
 

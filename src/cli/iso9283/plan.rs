@@ -1,13 +1,15 @@
 //! `etalon iso9283 --plan`
 
 use super::super::{Verdict, print, print_written, say};
+use crate::base::files;
+use crate::base::message::{Message, Problems};
+use crate::base::table::XYZ;
 use crate::campaign::read_robot;
-use crate::coordinates::ANGLES;
 use crate::document::{Iso9283Places, Iso9283PlanDocument};
-use crate::message::{Message, Problems};
-use crate::table::XYZ;
-use crate::test_plan::{Request, plan, reach};
-use crate::{export, files, output};
+use crate::export;
+use crate::import::tables::coordinates::ANGLES;
+use crate::run::output;
+use crate::stages::iso9283::plan::{Request, plan, reach};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

@@ -4,15 +4,17 @@ use super::super::table_file::TableFile;
 use super::super::text_format::{TextFormat, word};
 use super::super::{Verdict, print, say};
 use super::stream_text::as_text;
-use crate::coordinates::ANGLES;
+use crate::base::files;
+use crate::base::message::Result;
+use crate::base::pose::Vector;
+use crate::base::table::XYZ;
 use crate::document::Iso9283StreamDocument;
+use crate::import;
+use crate::import::tables::coordinates::ANGLES;
+use crate::import::tables::recording::{Recording, commanded_path, commanded_poses};
 use crate::iso9283::path::CommandedPath;
-use crate::message::Result;
-use crate::pose::Vector;
-use crate::recording::{Recording, commanded_path, commanded_poses};
-use crate::stream_test::{Stated, evaluate};
-use crate::table::XYZ;
-use crate::{files, import, output};
+use crate::run::output;
+use crate::stages::iso9283::motion::{Stated, evaluate};
 use std::path::{Path, PathBuf};
 
 /// A recorded motion.

@@ -1,13 +1,13 @@
 //! `plan.json`: what was chosen, as a document.
 
 use super::{Plan, STUDY_DRAWS, STUDY_RUNS};
+use crate::base::files;
+use crate::base::table::ASSEMBLY;
 use crate::document::*;
-use crate::files;
-use crate::identify::Observation;
-use crate::parameters::observability_summary;
-use crate::plan::{Plan as Planned, Study, index_of};
-use crate::robots::Robot;
-use crate::table::ASSEMBLY;
+use crate::math::identify::Observation;
+use crate::math::plan::{Plan as Planned, Study, index_of};
+use crate::math::robots::Robot;
+use crate::stages::parameters::observability_summary;
 use std::collections::BTreeMap;
 
 impl Plan {
@@ -101,7 +101,7 @@ pub(super) fn study_document(
     configurations: usize,
 ) -> Option<StudyDocument> {
     let last = studies.last()?;
-    let parameter = |(i, p): (usize, &crate::robots::Parameter)| StudiedParameter {
+    let parameter = |(i, p): (usize, &crate::math::robots::Parameter)| StudiedParameter {
         name: p.name.clone(),
         unit: p.quantity.unit().to_owned(),
         nominal: p.quantity.outward(p.nominal),
@@ -116,7 +116,7 @@ pub(super) fn study_document(
         rms_mm: s.rms_mm.1,
         max_mm: s.max_mm.1,
     };
-    let place = |p: &crate::plan::PlaceError| StudiedPlace {
+    let place = |p: &crate::math::plan::PlaceError| StudiedPlace {
         pose: p.pose,
         at_mm: p.at_mm,
         max_before_mm: p.before_mm,
@@ -137,7 +137,7 @@ fn parameters(robot: &dyn Robot, planned: &Planned, stated: bool) -> Vec<Planned
     let (free, n) = (&planned.sensitivity.free, planned.sensitivity.free.len());
     let held = planned.sensitivity.groups.iter().map(|g| g.with.iter().chain([&g.held]).copied().collect::<Vec<_>>());
     let sets: Vec<Vec<usize>> = held.chain(planned.prediction.weak.iter().map(|w| w.parameters.clone())).collect();
-    let parameter = |(i, p): (usize, &crate::robots::Parameter)| {
+    let parameter = |(i, p): (usize, &crate::math::robots::Parameter)| {
         let place = free.iter().position(|&f| f == i);
         let uncertainty = place.filter(|_| stated).map(|k| planned.prediction.covariance[k * n + k].sqrt());
         let mut others: Vec<usize> =

@@ -1,8 +1,8 @@
 //! A plan for people and as a table.
 
+use crate::base::table::ASSEMBLY;
 use crate::document::PlanDocument;
-use crate::robots::Robot;
-use crate::table::ASSEMBLY;
+use crate::math::robots::Robot;
 use std::fmt::Write;
 
 /// The chosen configurations as a table: candidates again, or targets of a controller.

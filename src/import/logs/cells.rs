@@ -3,9 +3,11 @@
 use super::super::delimited::{WHOLE, number};
 use super::sheet::Sheet;
 use super::{Values, Wanted, galil};
-use crate::campaign::{Decimal, Log, LogFormat};
-use crate::message::{Message, Problems};
-use crate::table::{ASSEMBLY, LABEL};
+use crate::base::message::{Message, Problems};
+use crate::base::table::{ASSEMBLY, LABEL};
+use crate::import::format::Decimal;
+use crate::import::format::Log;
+use crate::import::format::LogFormat;
 
 /// Whether a field is a number, in this decimal mark or with more digits than a number can keep.
 pub(super) fn is_number(field: &str, decimal: Decimal) -> bool {

@@ -5,8 +5,8 @@
 
 use super::Wanted;
 use super::sheet::{Sheet, row_place};
+use crate::base::message::{Message, Problems};
 use crate::document::Refused;
-use crate::message::{Message, Problems};
 
 /// An error where a column is read as if it held mm or deg.
 pub(super) fn states_counts(wanted: &Wanted) -> Option<Message> {

@@ -4,7 +4,7 @@
 
 use super::Columns;
 use super::Values;
-use crate::message::{Message, Place, count};
+use crate::base::message::{Message, Place, count};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 

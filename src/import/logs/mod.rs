@@ -10,9 +10,12 @@ mod twincat_header;
 mod ur_rtde;
 
 use super::log::meaning;
-use crate::campaign::{Campaign, Column, Log, LogFormat};
+use crate::base::message::{Message, Problems, Result};
+use crate::campaign::Campaign;
 use crate::document::Source;
-use crate::message::{Message, Problems, Result};
+use crate::import::format::Column;
+use crate::import::format::Log;
+use crate::import::format::LogFormat;
 use toml::Spanned;
 
 /// Rows of a log, column by column.

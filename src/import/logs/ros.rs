@@ -2,7 +2,7 @@
 //! (`lbr_joint_1,lbr_joint_2,...`) or in the rows of `rostopic echo -p` (`field.name0,...,field.position0,...`).
 
 use super::sheet::Sheet;
-use crate::message::{Message, Place, Problems};
+use crate::base::message::{Message, Place, Problems};
 
 /// Units of ROS (REP 103): rad and m, times of `rostopic echo` in ns. A position may be either: the campaign's word counts,
 /// as long as it is one of the two.

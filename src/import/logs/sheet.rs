@@ -3,9 +3,15 @@
 use super::super::delimited::{Row, cell_place, rows};
 use super::super::formats::propose;
 use super::{Columns, Wanted, cells, galil, kuka_rsi, ros, unit_agrees};
-use crate::campaign::{Campaign, ColumnAt, Decimal, Delimiter, Log, LogFormat, two_commas};
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::campaign::Campaign;
 use crate::document::Source;
-use crate::message::{Message, Place, Problems, Result};
+use crate::import::format::ColumnAt;
+use crate::import::format::Decimal;
+use crate::import::format::Delimiter;
+use crate::import::format::Log;
+use crate::import::format::LogFormat;
+use crate::import::format::two_commas;
 
 /// The rows of a log.
 pub(super) struct Sheet<'a> {

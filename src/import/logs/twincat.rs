@@ -6,9 +6,12 @@
 use super::super::delimited::{Row, cell_place, number};
 use super::twincat_header::{Channel, Header};
 use super::{Columns, Values, Wanted, other_unit};
-use crate::campaign::{Campaign, ChannelValues, ColumnAt, Log};
+use crate::base::message::{Message, Place, Problems, Result, count};
+use crate::campaign::Campaign;
 use crate::document::Source;
-use crate::message::{Message, Place, Problems, Result, count};
+use crate::import::format::ChannelValues;
+use crate::import::format::ColumnAt;
+use crate::import::format::Log;
 
 /// The samples of a channel.
 #[derive(Default)]

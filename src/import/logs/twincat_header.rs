@@ -1,7 +1,9 @@
 //! The head of a TwinCAT 3 Scope export: start, names, scales and units of its channels.
 
-use crate::campaign::{Decimal, Delimiter, Log};
-use crate::message::{Message, Place, Problems, Result};
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::import::format::Decimal;
+use crate::import::format::Delimiter;
+use crate::import::format::Log;
 
 /// Seconds from 1601-01-01, where a FILETIME begins, to 1970-01-01.
 const FILETIME_TO_UNIX_S: i64 = 11_644_473_600;

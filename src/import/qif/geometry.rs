@@ -2,8 +2,8 @@
 
 use super::super::xml::Node;
 use super::units::Units;
-use crate::message::Message;
-use crate::pose::{Vector, unit};
+use crate::base::message::Message;
+use crate::base::pose::{Vector, unit};
 
 /// Values of a feature, as far as they are stated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -13,9 +13,9 @@ pub use geometry::Geometry;
 pub(super) use rows::rows;
 
 use super::xml::{Node, Tree};
-use crate::fit::Element;
-use crate::message::{Message, Place, Problems, Result, Severity};
-use crate::pose::Vector;
+use crate::base::message::{Message, Place, Problems, Result, Severity};
+use crate::base::pose::Vector;
+use crate::math::fit::Element;
 use points::PointSets;
 use std::collections::BTreeMap;
 use units::Units;

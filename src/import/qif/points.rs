@@ -3,8 +3,8 @@
 use super::super::xml::Node;
 use super::Touch;
 use super::units::Units;
-use crate::message::Message;
-use crate::pose::Vector;
+use crate::base::message::Message;
+use crate::base::pose::Vector;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Points that all features may have together: one set may be referred to by many.

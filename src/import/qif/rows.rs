@@ -2,9 +2,9 @@
 
 use super::super::points::Point;
 use super::{MeasuredFeature, Touch};
-use crate::campaign::Unit;
-use crate::message::Problems;
-use crate::pose::Vector;
+use crate::base::message::Problems;
+use crate::base::pose::Vector;
+use crate::import::format::Unit;
 
 /// Rows of a QIF file, in the stated unit (which must be that of the file), and what does not read.
 ///

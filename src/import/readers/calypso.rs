@@ -8,9 +8,10 @@
 use super::super::points::Point;
 use super::pivot::{Pivot, Said};
 use super::{Text, unit_agrees};
-use crate::campaign::{Decimal, Unit};
+use crate::base::message::{Message, Place, Problems};
 use crate::import::delimited::{Row, cell_place, number};
-use crate::message::{Message, Place, Problems};
+use crate::import::format::Decimal;
+use crate::import::format::Unit;
 
 /// A table with a header.
 struct Table<'a> {

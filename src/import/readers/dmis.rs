@@ -6,10 +6,11 @@
 use super::super::points::Point;
 use super::dmis_records::{Part, Record, records};
 use super::{Text, unit_agrees};
-use crate::campaign::{Decimal, Unit};
+use crate::base::message::{Message, Problems, Result};
+use crate::base::pose::{Vector, norm};
 use crate::import::delimited::number;
-use crate::message::{Message, Problems, Result};
-use crate::pose::{Vector, norm};
+use crate::import::format::Decimal;
+use crate::import::format::Unit;
 
 /// How directions are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Records of a DMIS file: a line each, unless it ends in `$` and goes on in the next; `$$` begins a comment.
 
 use super::Text;
-use crate::message::Place;
+use crate::base::message::Place;
 
 /// A record: `label = MAJOR/field, field, ...`.
 #[derive(Debug, Default)]

@@ -6,10 +6,11 @@
 
 use super::super::points::Point;
 use super::{Text, unit_agrees};
-use crate::campaign::{Decimal, Unit};
+use crate::base::message::{Message, Place, Problems};
+use crate::base::pose::Vector;
 use crate::import::delimited::number;
-use crate::message::{Message, Place, Problems};
-use crate::pose::Vector;
+use crate::import::format::Decimal;
+use crate::import::format::Unit;
 
 /// What stands between one `#nn:` and the next.
 struct Record<'a> {

@@ -6,10 +6,11 @@
 use super::super::points::Point;
 use super::Text;
 use super::pivot::{Pivot, Said};
-use crate::campaign::{Decimal, Unit};
+use crate::base::message::{Message, Problems};
+use crate::base::pose::Vector;
 use crate::import::delimited::{Row, cell_place, number};
-use crate::message::{Message, Problems};
-use crate::pose::Vector;
+use crate::import::format::Decimal;
+use crate::import::format::Unit;
 
 /// The points that were measured, and those that were computed.
 pub(super) fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {

@@ -17,9 +17,11 @@ pub mod polyworks_report;
 mod vda_fs;
 
 use super::points::Point;
-use crate::campaign::{Decimal, Reader, Unit};
-use crate::message::{Message, Place, Problems};
-use crate::pose::Vector;
+use crate::base::message::{Message, Place, Problems};
+use crate::base::pose::Vector;
+use crate::import::format::Decimal;
+use crate::import::format::Reader;
+use crate::import::format::Unit;
 
 /// Points of an export, and what does not read.
 pub(super) fn rows(reader: Reader, file: &str, text: &str, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {

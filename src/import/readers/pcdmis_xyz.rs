@@ -4,9 +4,10 @@
 
 use super::super::points::Point;
 use super::{Text, unit_agrees};
-use crate::campaign::{Decimal, Unit};
+use crate::base::message::{Message, Problems};
 use crate::import::delimited::{Row, cell_place, number};
-use crate::message::{Message, Problems};
+use crate::import::format::Decimal;
+use crate::import::format::Unit;
 
 /// The points.
 pub(super) fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {

@@ -2,7 +2,7 @@
 
 use super::super::points::Point;
 use super::Text;
-use crate::campaign::Unit;
+use crate::import::format::Unit;
 use std::collections::BTreeMap;
 
 const AXES: [&str; 3] = ["X", "Y", "Z"];

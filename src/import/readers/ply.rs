@@ -3,10 +3,11 @@
 use super::super::points::Point;
 use super::Text;
 use super::ply_header::{Element, Encoding, Header, Kind, Property, read};
-use crate::campaign::{Decimal, Unit};
+use crate::base::message::{Message, Place, Problems};
+use crate::base::pose::Vector;
 use crate::import::delimited::{Row, cell_place, number};
-use crate::message::{Message, Place, Problems};
-use crate::pose::Vector;
+use crate::import::format::Decimal;
+use crate::import::format::Unit;
 
 /// The vertices. The text of a binary file has one character for each byte.
 pub(super) fn rows(text: &Text, whole: &str, unit: Unit) -> (Vec<Point>, Problems) {

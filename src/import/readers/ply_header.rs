@@ -1,6 +1,6 @@
 //! Head of a PLY file: its encoding, its elements and their properties.
 
-use crate::message::{Message, Place};
+use crate::base::message::{Message, Place};
 
 /// Lines of a head; real ones have some twenty.
 const MOST_LINES: usize = 2000;

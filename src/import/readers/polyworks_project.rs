@@ -3,9 +3,10 @@
 
 use super::super::points::Point;
 use super::Text;
-use crate::campaign::{Decimal, Unit};
+use crate::base::message::{Message, Problems};
 use crate::import::delimited::number;
-use crate::message::{Message, Problems};
+use crate::import::format::Decimal;
+use crate::import::format::Unit;
 use std::collections::BTreeMap;
 
 /// Blocks in blocks; real files have three.

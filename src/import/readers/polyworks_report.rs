@@ -7,9 +7,10 @@
 use super::super::points::Point;
 use super::Text;
 use super::pivot::{Pivot, Said};
-use crate::campaign::{Decimal, Unit};
+use crate::base::message::{Message, Problems, Result};
 use crate::import::delimited::{Row, cell_place, number};
-use crate::message::{Message, Problems, Result};
+use crate::import::format::Decimal;
+use crate::import::format::Unit;
 
 /// A control of a feature: what was asked and what was found, in the unit of the report.
 #[derive(Clone, Debug, PartialEq)]

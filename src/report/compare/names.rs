@@ -1,8 +1,8 @@
 //! What quantities and families are called. Documents name them in English; names of parameters and streams stay.
 
 use super::super::words::Words;
+use crate::base::message::one_line;
 use crate::document::{CompareFamily, CompareTrend};
-use crate::message::one_line;
 
 /// A family in words.
 pub(crate) fn family(family: CompareFamily, words: &Words) -> String {

@@ -2,8 +2,8 @@
 
 use super::super::number;
 use super::super::words::Words;
+use crate::base::message::one_line;
 use crate::document::{CompareChange, CompareTrend, CompareValue};
-use crate::message::one_line;
 
 /// A change ready to print; what is not known is empty.
 pub(crate) struct Change {

@@ -14,8 +14,8 @@ use super::number;
 use super::part::{Part, number as numbers, text};
 use super::points::Picture;
 use super::words::{Words, isolated};
+use crate::base::pose::{Vector, centroid, minus};
 use crate::document::{Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose, Iso9283Visit};
-use crate::pose::{Vector, centroid, minus};
 use serde::Serialize;
 
 #[derive(Debug, Serialize)]

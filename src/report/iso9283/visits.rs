@@ -1,8 +1,8 @@
 //! Visits of a pose in its plane, by approach: figure 2.7 of the thesis.
 
 use super::{approach, of_pose};
+use crate::base::pose::{Vector, centroid, minus};
 use crate::document::{Iso9283Document, Iso9283Visit};
-use crate::pose::{Vector, centroid, minus};
 use crate::report::number;
 use crate::report::plane::{Plane, WIDTH};
 use crate::report::points::Picture;

@@ -1,8 +1,8 @@
 //! Long tables behind the signature.
 
 use super::paper::{Block, Section};
+use crate::base::message::one_line;
 use crate::document::{ImportDocument, PointError, Refused};
-use crate::message::one_line;
 use crate::report::tables;
 use crate::report::words::Words;
 

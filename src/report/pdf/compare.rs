@@ -2,8 +2,8 @@
 
 use super::paper::{Block, Labels, Paper, Section, Verdict};
 use super::stated;
+use crate::base::message::{Message, one_line};
 use crate::document::{CompareDocument, Presentation};
-use crate::message::{Message, one_line};
 use crate::report::compare::{self, Family};
 use crate::report::words::Words;
 

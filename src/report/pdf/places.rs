@@ -1,8 +1,8 @@
 //! The world frame and the features that it is made from.
 
 use super::paper::{Block, Section};
+use crate::base::pose::Vector;
 use crate::document::{Feature, FeaturesDocument, WorldFrame};
-use crate::pose::Vector;
 use crate::report::number::{fixed, significant};
 use crate::report::words::Words;
 

@@ -1,8 +1,8 @@
 //! What is stated rather than computed: conditions, limits, messages, inputs.
 
 use super::paper::{Block, Section};
+use crate::base::message::{Message, Severity, one_line};
 use crate::document::{ImportDocument, LimitVerdict};
-use crate::message::{Message, Severity, one_line};
 use crate::report::facts::Fact;
 use crate::report::verdict;
 use crate::report::words::Words;

@@ -7,8 +7,8 @@ mod parameter_errors;
 use super::points::Picture;
 use super::words::Words;
 use super::{map, number, templates};
+use crate::base::message::Result;
 use crate::document::{PlanDocument, PointError, Presentation, StudyDocument};
-use crate::message::Result;
 use serde::Serialize;
 
 /// What the template sees.

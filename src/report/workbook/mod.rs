@@ -17,8 +17,8 @@ pub(super) use tests::only_texts_and_numbers;
 
 use super::words::Words;
 use super::{Report, TestReport, messages, test_messages, verdict};
+use crate::base::message::Result;
 use crate::document::{Characteristics, CompareDocument, Presentation};
-use crate::message::Result;
 
 /// All tables of a calibration as a workbook (.xlsx).
 pub fn workbook(report: &Report) -> Result<Vec<u8>> {

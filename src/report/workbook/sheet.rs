@@ -1,6 +1,6 @@
 //! A sheet: columns with their titles and units, and rows of cells.
 
-use crate::message::{Message, Result};
+use crate::base::message::{Message, Result};
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
 /// What Excel holds on one sheet, less the header and a line that says what is left out.

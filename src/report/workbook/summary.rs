@@ -2,8 +2,8 @@
 
 use super::sheet::{Cell, Sheet};
 use super::{Report, TestReport, verdict};
+use crate::base::message::{Message, Severity};
 use crate::document::{CampaignSummary, Characteristics, LimitVerdict};
-use crate::message::{Message, Severity};
 use crate::report::facts::facts;
 use crate::report::iso9283;
 use crate::report::words::Words;

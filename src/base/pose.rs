@@ -1,0 +1,172 @@
+//! Rigid transforms in space: `a_T_b` is the pose of frame b in frame a; chains read from left to right.
+
+use crate::base::scalar::Scalar;
+use serde::{Deserialize, Serialize};
+
+/// A point or direction in space, in millimetres where it is a point.
+pub type Vector<T = f64> = [T; 3];
+
+/// A rigid transform: rotation matrix (rows) and translation in millimetres.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Pose<T = f64> {
+    /// Rotation matrix, row by row.
+    pub rotation: [[T; 3]; 3],
+    /// Translation in millimetres.
+    pub translation_mm: Vector<T>,
+}
+
+impl<T: Scalar> Pose<T> {
+    /// The pose of a frame in itself.
+    pub fn identity() -> Self {
+        let (o, i) = (T::from(0.0), T::from(1.0));
+        Self { rotation: [[i, o, o], [o, i, o], [o, o, i]], translation_mm: [o; 3] }
+    }
+
+    /// Translation (mm) and rotation `Rz(rz) Ry(ry) Rx(rx)` (rad).
+    pub fn from_xyz_rpy(xyz_mm: Vector<T>, rpy_rad: Vector<T>) -> Self {
+        let turned = Self { translation_mm: xyz_mm, ..Self::identity() };
+        turned.turn_z(rpy_rad[2]).turn_y(rpy_rad[1]).turn_x(rpy_rad[0])
+    }
+
+    /// This pose, then a rotation about its own x axis.
+    pub fn turn_x(self, angle_rad: T) -> Self {
+        self.turn(1, 2, angle_rad)
+    }
+
+    /// This pose, then a rotation about its own y axis.
+    pub fn turn_y(self, angle_rad: T) -> Self {
+        self.turn(2, 0, angle_rad)
+    }
+
+    /// This pose, then a rotation about its own z axis.
+    pub fn turn_z(self, angle_rad: T) -> Self {
+        self.turn(0, 1, angle_rad)
+    }
+
+    fn turn(mut self, i: usize, j: usize, angle_rad: T) -> Self {
+        let (sin, cos) = angle_rad.sin_cos();
+        for row in &mut self.rotation {
+            let (a, b) = (row[i], row[j]);
+            row[i] = a * cos + b * sin;
+            row[j] = b * cos - a * sin;
+        }
+        self
+    }
+
+    /// This pose, then a translation along its own axis 0, 1 or 2.
+    pub fn shift(mut self, axis: usize, length_mm: T) -> Self {
+        for (t, row) in self.translation_mm.iter_mut().zip(&self.rotation) {
+            *t = *t + row[axis] * length_mm;
+        }
+        self
+    }
+
+    /// Direction of axis 0, 1 or 2 of this frame.
+    pub fn axis(&self, axis: usize) -> Vector<T> {
+        self.rotation.map(|row| row[axis])
+    }
+
+    /// A direction, expressed in the frame that this pose is named in.
+    pub fn rotate(&self, d: Vector<T>) -> Vector<T> {
+        self.rotation.map(|row| row[0] * d[0] + row[1] * d[1] + row[2] * d[2])
+    }
+
+    /// A point of this frame, expressed in the frame that this pose is named in.
+    pub fn apply(&self, p: Vector<T>) -> Vector<T> {
+        let r = self.rotate(p);
+        let t = self.translation_mm;
+        [r[0] + t[0], r[1] + t[1], r[2] + t[2]]
+    }
+
+    /// `a_T_b` and `b_T_c` give `a_T_c`.
+    pub fn then(&self, other: &Self) -> Self {
+        let mut rotation = [[T::from(0.0); 3]; 3];
+        for (row, mine) in rotation.iter_mut().zip(&self.rotation) {
+            for (j, r) in row.iter_mut().enumerate() {
+                *r = mine[0] * other.rotation[0][j] + mine[1] * other.rotation[1][j] + mine[2] * other.rotation[2][j];
+            }
+        }
+        Self { rotation, translation_mm: self.apply(other.translation_mm) }
+    }
+
+    /// `a_T_b` gives `b_T_a`.
+    pub fn inverse(&self) -> Self {
+        let r = &self.rotation;
+        let rotation = [0, 1, 2].map(|j| [r[0][j], r[1][j], r[2][j]]);
+        let back = Self { rotation, translation_mm: [T::from(0.0); 3] };
+        let t = back.rotate(self.translation_mm);
+        Self { rotation, translation_mm: t.map(|v| -v) }
+    }
+}
+
+impl Pose {
+    /// Angle of the rotation, in radians, accurate near zero.
+    pub fn angle_rad(&self) -> f64 {
+        let r = &self.rotation;
+        let sin = norm([r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]]);
+        sin.atan2(r[0][0] + r[1][1] + r[2][2] - 1.0)
+    }
+
+    /// Angles (rx, ry, rz) in radians of `Rz(rz) Ry(ry) Rx(rx)`.
+    pub fn rpy_rad(&self) -> Vector {
+        let r = &self.rotation;
+        [r[2][1].atan2(r[2][2]), (-r[2][0]).atan2(r[0][0].hypot(r[1][0])), r[1][0].atan2(r[0][0])]
+    }
+}
+
+/// `a - b`.
+pub fn minus(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// Scalar product.
+pub fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Vector product.
+pub fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Length.
+pub fn norm(a: Vector) -> f64 {
+    a[0].hypot(a[1]).hypot(a[2])
+}
+
+/// `a` scaled to length one; `None` for a vector without direction.
+pub fn unit(a: Vector) -> Option<Vector> {
+    let length = norm(a);
+    (length > 0.0 && length.is_finite()).then(|| a.map(|v| v / length))
+}
+
+/// Mean of points; `None` without any.
+pub fn centroid(points: &[Vector]) -> Option<Vector> {
+    let n = points.len() as f64;
+    let sum = points.iter().fold([0.0; 3], |s, p| [s[0] + p[0], s[1] + p[1], s[2] + p[2]]);
+    (n > 0.0).then(|| sum.map(|v| v / n))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverse_undoes_and_chains_compose() {
+        let a = Pose::from_xyz_rpy([1.0, -2.0, 3.0], [0.1, -0.7, 2.5]);
+        let b = Pose::from_xyz_rpy([-4.0, 0.5, 9.0], [-1.1, 0.2, 0.3]);
+        let p = [0.3, 0.2, 0.1];
+        let back = a.inverse().apply(a.apply(p));
+        let chained = minus(a.then(&b).apply(p), a.apply(b.apply(p)));
+        assert!(norm(minus(back, p)) < 1e-14 && norm(chained) < 1e-14);
+        let rpy = a.rpy_rad();
+        assert!(norm(minus(rpy, [0.1, -0.7, 2.5])) < 1e-14);
+        assert!((Pose::<f64>::identity().turn_x(1e-9).angle_rad() - 1e-9).abs() < 1e-20);
+    }
+
+    #[test]
+    fn a_quarter_turn_about_z_brings_x_to_y() {
+        let turned = Pose::<f64>::identity().turn_z(std::f64::consts::FRAC_PI_2).apply([1.0, 0.0, 0.0]);
+        assert!(norm(minus(turned, [0.0, 1.0, 0.0])) < 1e-15);
+    }
+}

@@ -1,0 +1,126 @@
+//! Tables: points, joints, observations (polars underneath), with the names of their columns in one place.
+
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pose::Vector;
+use polars::prelude::*;
+use std::io::Cursor;
+use std::path::Path;
+
+/// Columns of the coordinates, in millimetres.
+pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
+/// Column of a point's label; in a log, of the point that the robot touches.
+pub const LABEL: &str = "label";
+
+/// Column of the assembly mode, +1 or -1, of robots that have several.
+pub const ASSEMBLY: &str = "assembly";
+
+impl From<PolarsError> for Problems {
+    fn from(error: PolarsError) -> Self {
+        Message::error(format!("table: {error}")).into()
+    }
+}
+
+/// A column as numbers; missing values are NaN.
+pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
+    let column = column(table, name)?.cast(&DataType::Float64)?;
+    Ok(column.f64()?.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
+}
+
+/// A column of whole numbers without gaps.
+pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
+    let wrong = || Message::error(format!("column `{name}` holds something that is no whole number"));
+    let column = column(table, name)?;
+    // a cast would cut 1.5 and 1e300
+    let cut = |v: Option<f64>| v.is_some_and(|v| v.fract() != 0.0 || v.abs() > 9e15);
+    if column.dtype().is_float() && column.cast(&DataType::Float64)?.f64()?.iter().any(cut) {
+        return Err(wrong().into());
+    }
+    let column = column.strict_cast(&DataType::Int64).map_err(|_| wrong())?;
+    let whole = |v: Option<i64>| v.ok_or_else(|| Message::error(format!("column `{name}` has an empty cell")).into());
+    column.i64()?.iter().map(whole).collect()
+}
+
+/// A column of whole numbers; empty where missing.
+pub fn optional_integers(table: &DataFrame, name: &str) -> Result<Vec<Option<i64>>> {
+    Ok(column(table, name)?.cast(&DataType::Int64)?.i64()?.iter().collect())
+}
+
+/// A column as text; empty where missing.
+pub fn texts(table: &DataFrame, name: &str) -> Result<Vec<String>> {
+    let column = column(table, name)?.cast(&DataType::String)?;
+    Ok(column.str()?.iter().map(|v| v.unwrap_or_default().to_owned()).collect())
+}
+
+/// The three coordinates in millimetres; a table without `z_mm`, or with an empty one, has z = 0.
+pub fn coordinates(table: &DataFrame) -> Result<Vec<Vector>> {
+    let (x, y) = (numbers(table, XYZ[0])?, numbers(table, XYZ[1])?);
+    let mut z = if table.column(XYZ[2]).is_ok() { numbers(table, XYZ[2])? } else { vec![0.0; x.len()] };
+    if z.iter().all(|z| z.is_nan()) {
+        z.fill(0.0);
+    }
+    Ok(x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect())
+}
+
+/// Errors about every one of these columns that the table does not have; they point at its header, line 1 of whatever file.
+pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
+    let header = Place { line: Some(1), ..Place::default() };
+    let missing = names.iter().filter_map(|name| column(table, name).err());
+    Problems(missing.flat_map(|problems| problems.at(&header).0).collect()).check().map(|_| ())
+}
+
+fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
+    table.column(name).map_err(|_| {
+        // `line` says where a row was read, no user wrote it
+        let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| *name != "line");
+        let names: Vec<&str> = names.collect();
+        Message::error(format!("the table has no column `{name}`")).hint_names(name, names).into()
+    })
+}
+
+/// The table as CSV text.
+pub fn to_csv(table: &mut DataFrame) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    CsvWriter::new(&mut bytes).include_header(true).finish(table)?;
+    Ok(bytes)
+}
+
+/// The table as Parquet.
+pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    ParquetWriter::new(&mut bytes).finish(table)?;
+    Ok(bytes)
+}
+
+/// Reads a Parquet table that a stage wrote.
+pub fn read_parquet(path: &Path) -> Result<DataFrame> {
+    let bytes = crate::base::files::read(path)?;
+    let unreadable = |e| Message::error(format!("`{}` is not a table: {e}", path.display())).into();
+    ParquetReader::new(Cursor::new(bytes)).finish().map_err(unreadable)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use polars::prelude::{IntoColumn, NamedFrom, Series};
+
+    #[test]
+    fn hostile_texts_stay_in_their_cells() {
+        let texts = [
+            "<script>alert(1)</script>".to_owned(),
+            "=HYPERLINK(\"http://x.invalid\",\"y\")".to_owned(),
+            "a,b;c\td\"e".to_owned(),
+            "two\nlines\r\nand a\rthird".to_owned(),
+            "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8}".to_owned(),
+            "n".repeat(200),
+            String::new(),
+        ];
+        let numbers = Series::new("pose".into(), (0..7i64).collect::<Vec<_>>()).into_column();
+        let mut table =
+            DataFrame::new(7, vec![numbers, Series::new("target".into(), &texts[..]).into_column()]).unwrap();
+        let written = to_csv(&mut table).unwrap();
+        let mut reader = ::csv::Reader::from_reader(&written[..]);
+        let read: Vec<(i64, String)> = reader.deserialize().map(|row| row.unwrap()).collect();
+        assert_eq!(read, (0..).zip(texts).collect::<Vec<_>>());
+    }
+}

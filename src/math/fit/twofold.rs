@@ -1,0 +1,104 @@
+//! A number as the unevaluated sum of two doubles: 106 bits, for decisions that hang on the last digit.
+//!
+//! Dekker 1971, "A floating-point technique for extending the available precision"; the error of a product by fused
+//! multiply-add (Ogita, Rump & Oishi 2005, algorithm 3.5).
+
+use crate::base::pose::Vector;
+use std::ops::{Add, Div, Mul, Sub};
+
+/// hi + lo, with |lo| at most half a unit in the last place of hi.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+pub(super) struct Twofold {
+    pub hi: f64,
+    lo: f64,
+}
+
+impl From<f64> for Twofold {
+    fn from(hi: f64) -> Self {
+        Self { hi, lo: 0.0 }
+    }
+}
+
+/// a + b without error (Knuth).
+fn sum(a: f64, b: f64) -> Twofold {
+    let hi = a + b;
+    let part = hi - a;
+    Twofold { hi, lo: (a - (hi - part)) + (b - part) }
+}
+
+impl Add for Twofold {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let (high, low) = (sum(self.hi, other.hi), sum(self.lo, other.lo));
+        let middle = sum(high.hi, high.lo + low.hi);
+        sum(middle.hi, middle.lo + low.lo)
+    }
+}
+
+impl Sub for Twofold {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + Self { hi: -other.hi, lo: -other.lo }
+    }
+}
+
+impl Mul for Twofold {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let hi = self.hi * other.hi;
+        let error = self.hi.mul_add(other.hi, -hi);
+        sum(hi, error + (self.hi * other.lo + self.lo * other.hi))
+    }
+}
+
+impl Div for Twofold {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let first = self.hi / other.hi;
+        let rest = self - Self::from(first) * other;
+        let second = rest.hi / other.hi;
+        let rest = rest - Self::from(second) * other;
+        sum(first, second) + Self::from(rest.hi / other.hi)
+    }
+}
+
+/// Three of them.
+pub(super) type TwofoldVector = [Twofold; 3];
+
+/// `a - b`.
+pub(super) fn minus(a: TwofoldVector, b: TwofoldVector) -> TwofoldVector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// `a + t b`.
+pub(super) fn plus_times(a: TwofoldVector, t: Twofold, b: TwofoldVector) -> TwofoldVector {
+    [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]]
+}
+
+/// Scalar product.
+pub(super) fn dot(a: TwofoldVector, b: TwofoldVector) -> Twofold {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The same vector.
+pub(super) fn exact(a: Vector) -> TwofoldVector {
+    a.map(Twofold::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thirty_digits() {
+        let third = Twofold::from(1.0) / Twofold::from(3.0);
+        let left = (third * Twofold::from(3.0) - Twofold::from(1.0)).hi;
+        assert!(left.abs() < 1e-31, "{left:e}");
+        let ninth = (third * third * Twofold::from(9.0) - Twofold::from(1.0)).hi;
+        assert!(ninth.abs() < 1e-30, "{ninth:e}");
+        let small = Twofold::from(1e-20);
+        assert_eq!((Twofold::from(1.0) + small - Twofold::from(1.0)).hi, 1e-20);
+        let square = (Twofold::from(1.0) + small) * (Twofold::from(1.0) + small);
+        assert!(((square - Twofold::from(1.0)).hi - 2e-20).abs() < 1e-31);
+    }
+}

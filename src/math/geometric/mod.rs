@@ -1,0 +1,118 @@
+//! What a technician can do by geometry alone: balls, a shaft and an arm (thesis, chapter 2).
+//!
+//! Nothing is optimised over the robot's model. Each step finds one quantity from points that were measured for it, in
+//! the order of the thesis; every result carries its derivatives by all measured coordinates, so that what shares points
+//! or frames is correlated. On a robot with all thirteen errors of chapter 3, O, C and the axis of revolute joint 3 are
+//! still found where they are, but γ, β and ε_θ are taken as zero: what this costs is for the report to show.
+
+mod base;
+mod circle;
+mod lead;
+mod mobile;
+mod offsets;
+mod plane;
+mod readings;
+mod repeated;
+mod scale_bar;
+mod setup;
+mod shaft;
+mod uncertain;
+mod workspace;
+
+pub use base::{Base, BaseMeasurements};
+pub use circle::Circle;
+pub use lead::{Lead, LeadMeasurements};
+pub use mobile::{Mobile, Turned};
+pub use offsets::OffsetMeasurements;
+pub use plane::Plane;
+pub use readings::{Flat, Point, Readings, Scatter};
+pub use repeated::{Repeated, Repeats, mean_and_deviation};
+pub use scale_bar::{ScaleBar, scale_bar};
+pub use setup::{Arc, BallSetup, BarSetup, LeadSetup, OffsetSetup, Setup, ShaftSetup, Turn};
+pub use shaft::{Shaft, ShaftMeasurements, intersection};
+pub use uncertain::Uncertain;
+pub use workspace::{Polygon, Workspace, area_mm2};
+
+use crate::base::message::{Message, Problems, Result};
+
+/// All that is measured for the geometric calibration.
+#[derive(Clone, Debug, Default)]
+pub struct Measurements {
+    /// For the lead of actuators 1, 2 and 3; a lead that is not measured is taken as right.
+    pub leads: [Option<LeadMeasurements>; 3],
+    /// For the base frame.
+    pub base: BaseMeasurements,
+    /// For the mobile frame.
+    pub turned: Vec<Turned>,
+    /// For s, each repeat.
+    pub shafts: Vec<ShaftMeasurements>,
+    /// For d1 and d3, each homing.
+    pub offsets: Vec<OffsetMeasurements>,
+}
+
+/// The robot as geometry alone finds it.
+#[derive(Clone, Debug)]
+pub struct Geometry {
+    /// Actuators 1, 2 and 3.
+    pub leads: [Option<Lead>; 3],
+    /// The base frame.
+    pub base: Base,
+    /// The mobile frame.
+    pub mobile: Mobile,
+    /// Every cylinder fitted to the shaft.
+    pub shafts: Vec<[Shaft; 2]>,
+    /// Distance of revolute joint 3 from the y axis.
+    pub s: Repeated,
+    /// Offset of actuator 1.
+    pub d1: Repeated,
+    /// Offset of actuator 3.
+    pub d3: Repeated,
+    /// Every coordinate with the standard uncertainty that was used.
+    pub readings: Readings,
+}
+
+/// Finds the geometry from points measured by an instrument with this standard uncertainty of one coordinate, in mm.
+pub fn determine(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<Geometry> {
+    let mut readings = Readings::new(standard_uncertainty_mm);
+    if measured.shafts.is_empty() || measured.offsets.is_empty() {
+        let what = "s, d1 and d3 need the shaft in two positions and one displacement of actuator 1";
+        return Err(Message::error(what).expected("at least one repeat of each").into());
+    }
+    let [one, two, three] = &measured.leads;
+    let mut lead = |run: &Option<LeadMeasurements>, name: &str| -> Result<Option<Lead>> {
+        run.as_ref().map(|run| Lead::determine(&mut readings, run)).transpose().map_err(at_step(name))
+    };
+    let leads = [lead(one, "lead of rho1")?, lead(two, "lead of rho2")?, lead(three, "lead of rho3")?];
+    let base = Base::determine(&mut readings, &measured.base).map_err(at_step("base frame"))?;
+    let mobile = Mobile::determine(&mut readings, &base.plane, &measured.turned).map_err(at_step("mobile frame"))?;
+    let (mut shafts, mut s) = (Vec::new(), Vec::new());
+    for run in &measured.shafts {
+        let mut shaft = |i: usize| Shaft::through(&mut readings, &base, &run.positions[i]).map_err(at_step("shaft"));
+        let pair = [shaft(0)?, shaft(1)?];
+        let [x, _] = intersection(&pair[0], &pair[1]).map_err(at_step("shaft"))?;
+        s.push(x);
+        shafts.push(pair);
+    }
+    let s = Repeated::new(s);
+    let right = Uncertain::exact(1.0);
+    let ratio = |i: usize| leads[i].as_ref().map_or(&right, |lead| &lead.ratio);
+    let (mut d1, mut d3) = (Vec::new(), Vec::new());
+    for run in &measured.offsets {
+        let found = offsets::offsets(&mut readings, &base, &mobile, &s.mean, [ratio(1), ratio(2)], run);
+        let [one, three] = found.map_err(at_step("offsets"))?;
+        d1.push(one);
+        d3.push(three);
+    }
+    let (d1, d3) = (Repeated::new(d1), Repeated::new(d3));
+    Ok(Geometry { leads, base, mobile, shafts, s, d1, d3, readings })
+}
+
+/// Says at which step something is wrong.
+fn at_step(name: &str) -> impl Fn(Problems) -> Problems + '_ {
+    move |mut problems| {
+        for message in &mut problems.0 {
+            message.what = format!("{name}: {}", message.what);
+        }
+        problems
+    }
+}

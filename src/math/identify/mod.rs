@@ -1,0 +1,190 @@
+//! Identification: parameters from observations, with what the data can and cannot tell, and how well.
+
+mod assembly;
+mod common;
+mod identifiability;
+mod logs;
+mod observability;
+mod observation;
+mod predict;
+mod residuals;
+mod settle;
+mod start;
+mod stopped;
+mod suspects;
+mod uncertainty;
+
+pub use assembly::stated_modes;
+pub use identifiability::{Group, RANK_TOLERANCE};
+pub use logs::{LogComparison, compare_logs};
+pub use observability::{Observability, SingularValue, WeakGroup};
+pub use observation::Observation;
+pub use predict::{Prediction, Sensitivity, predict, sensitivity};
+pub use residuals::ResidualKind;
+pub use suspects::suspects;
+pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
+
+use crate::base::message::{Message, Result};
+use crate::math::robots::{Robot, Role};
+use crate::math::solve::Termination;
+use settle::settle;
+
+/// What is identified from which residuals.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Residuals of single targets, or of the pose (eq. 3.26).
+    pub kind: ResidualKind,
+    /// Standard uncertainty of one measured coordinate in mm; `None` takes it from the residuals.
+    pub standard_uncertainty_mm: Option<f64>,
+    /// Standard uncertainty in mm of what a coordinate has in common with all observations of the very same coordinates,
+    /// beside [`Self::standard_uncertainty_mm`], which is then what each observation has of its own: a ball measured once
+    /// and touched in several working modes. Targets only.
+    pub common_uncertainty_mm: Option<f64>,
+    /// Names of parameters held at their nominal value; `*` stands for any text.
+    pub hold: Vec<String>,
+}
+
+/// Why a parameter has the value that it has.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Status {
+    /// Found by least squares.
+    Identified,
+    /// Held by the settings, or not part of these residuals.
+    Fixed,
+    /// Held because the data cannot tell it apart from others, or do not see it at all.
+    NotIdentifiable,
+}
+
+/// What an identification found.
+#[derive(Clone, Debug)]
+pub struct Identification {
+    /// All parameters of the robot, in its order (mm, rad, 1).
+    pub values: Vec<f64>,
+    /// Status of each parameter.
+    pub status: Vec<Status>,
+    /// Indices of the identified parameters: the order of `covariance`.
+    pub free: Vec<usize>,
+    /// Covariance of the identified parameters, row by row (mm, rad, 1); `None` where nothing tells it.
+    pub covariance: Option<Vec<f64>>,
+    /// What the covariance rests on.
+    pub uncertainty_from: UncertaintyFrom,
+    /// By how much standard uncertainties are larger than the instrument's uncertainty alone makes them (median).
+    pub enlarged_by: f64,
+    /// Sets of parameters that the data cannot tell apart.
+    pub groups: Vec<Group>,
+    /// Sets of parameters that the data hardly tell apart.
+    pub weak: Vec<WeakGroup>,
+    /// Singular values of the Jacobian and what follows from them; `None` where they are not numbers.
+    pub observability: Option<Observability>,
+    /// Root mean square of the residuals, in mm (mm and rad mixed for pose residuals, as in eq. 3.26).
+    pub rms: f64,
+    /// Largest residual, likewise.
+    pub max: f64,
+    /// Equations minus identified parameters.
+    pub degrees_of_freedom: usize,
+    /// Sum of squares of residuals over their uncertainties; `None` where no uncertainty is stated or nothing is left over.
+    pub chi_square: Option<f64>,
+    /// Steps taken.
+    pub iterations: usize,
+    /// How the solver ended.
+    pub termination: Termination,
+    /// What the user should know, with remedies.
+    pub warnings: Vec<Message>,
+}
+
+impl Identification {
+    /// Standard uncertainty of a parameter, by its index; `None` if it was not identified.
+    pub fn standard_uncertainty(&self, index: usize) -> Option<f64> {
+        let k = self.free.iter().position(|&i| i == index)?;
+        Some(self.covariance.as_ref()?[k * self.free.len() + k].sqrt())
+    }
+}
+
+/// Identifies the parameters of `robot` from `observations`.
+///
+/// Redundant parameters are found by the rank of the scaled Jacobian, at the start and again at the solution; of each
+/// group the one that stands last in the model's list is held at its nominal value, so that base and targets, which
+/// come first, take up what cannot be told apart from them.
+pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    let start = start::start(robot, observations, &wanted)?;
+    identify_from(robot, observations, settings, &start)
+}
+
+/// [`identify`] from starting values of all parameters, for instance those of [`fit_frames`].
+pub fn identify_from(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    start: &[f64],
+) -> Result<Identification> {
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    let settled = settle(robot, observations, settings, &wanted, start)?;
+    uncertainty::conclude(robot, observations, settings, &wanted, settled)
+}
+
+/// Parameters of the nominal robot with only base and targets fitted, wherever they are: what accuracy is before a
+/// calibration, and where the identification starts.
+pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<f64>> {
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    let frames: Vec<usize> = wanted.into_iter().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
+    if frames.is_empty() {
+        return Ok(robot.nominal());
+    }
+    let start = start::start(robot, observations, &frames)?;
+    Ok(settle(robot, observations, settings, &frames, &start)?.values)
+}
+
+fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
+    if observations.is_empty() {
+        return Err(Message::error("there are no observations to identify from").into());
+    }
+    if settings.kind == ResidualKind::Pose && settings.standard_uncertainty_mm.is_none() {
+        return Err(Message::error(
+            "pose residuals mix mm and rad: they need the standard uncertainty of a coordinate",
+        )
+        .hint("state it (--standard-uncertainty-um), or compare targets")
+        .into());
+    }
+    let whole = settings.kind == ResidualKind::Targets && settings.standard_uncertainty_mm.is_some();
+    if settings.common_uncertainty_mm.is_some() && !whole {
+        return Err(Message::error(
+            "an uncertainty common to several observations is for residuals of targets, beside one that each has of its own",
+        )
+        .hint("state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets")
+        .into());
+    }
+    let names = || robot.parameters().iter().map(|p| p.name.as_str());
+    for pattern in &settings.hold {
+        if !names().any(|name| matches_pattern(pattern, name)) {
+            let what = format!("`hold` names `{pattern}`, which is no parameter of this robot");
+            return Err(Message::error(what).hint_names(pattern, names()).into());
+        }
+    }
+    let held = |name: &str| settings.hold.iter().any(|pattern| matches_pattern(pattern, name));
+    let unseen = |name: &str| settings.kind == ResidualKind::Pose && name == "l_kl";
+    Ok((0..robot.parameters().len())
+        .filter(|&i| !held(&robot.parameters()[i].name) && !unseen(&robot.parameters()[i].name))
+        .collect())
+}
+
+/// Whether `name` is `pattern`, in which one `*` stands for any text.
+pub fn matches_pattern(pattern: &str, name: &str) -> bool {
+    match pattern.split_once('*') {
+        Some((head, tail)) => name.len() >= head.len() + tail.len() && name.starts_with(head) && name.ends_with(tail),
+        None => pattern == name,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::matches_pattern;
+
+    #[test]
+    fn patterns() {
+        assert!(matches_pattern("gain_*", "gain_3") && matches_pattern("d", "d") && matches_pattern("*_x", "SMR_1_x"));
+        assert!(
+            !matches_pattern("gain_*", "again_3") && !matches_pattern("d", "d3") && !matches_pattern("ab*ba", "aba")
+        );
+    }
+}

@@ -1,0 +1,193 @@
+//! What the poses can tell: observability indices, and parameters that are hardly told apart.
+
+use super::residuals::Residuals;
+use crate::base::message::Message;
+use crate::math::robots::{Quantity, Robot};
+use crate::math::solve::{Factor, Problem, Solution, Svd, column_norms, svd};
+
+/// Singular values of the Jacobian and the indices made of them (eq. 1.19 to 1.25).
+///
+/// The indices are those of the Jacobian in mm per mm and mm per rad, without weights; the condition number is that of
+/// the Jacobian with its columns divided by their norms.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observability {
+    /// O1 to O5. O1 is (σ1…σm)^(1/m) / √n with m parameters and n poses (Sun & Hollerbach 2008).
+    pub indices: [f64; 5],
+    /// Condition number with scaled columns.
+    pub condition: f64,
+    /// Number of parameters told apart.
+    pub rank: usize,
+    /// Singular values of the Jacobian with its columns divided by their norms, descending: the first over the last is the
+    /// condition number.
+    pub singular_values: Vec<SingularValue>,
+    /// Of the same Jacobian with all parameters that were to be identified, the smallest, as many as are held: directions
+    /// that the data do not tell, or uselessly badly. Empty where none is held, and where nothing was measured yet.
+    pub held_singular_values: Vec<SingularValue>,
+}
+
+/// How strongly the residuals answer to a direction of the parameters, and which parameters make that up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SingularValue {
+    /// The singular value.
+    pub value: f64,
+    /// Indices of parameters with a share of more than 0.3 in its right singular vector, the largest first.
+    pub parameters: Vec<usize>,
+}
+
+/// Parameters that the data can hardly tell apart: their uncertainties are large and cancel each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WeakGroup {
+    /// Indices of the parameters.
+    pub parameters: Vec<usize>,
+    /// Their predicted standard uncertainties (mm, rad, 1).
+    pub standard_uncertainties: Vec<f64>,
+    /// Largest correlation among them, by size.
+    pub correlation: f64,
+}
+
+/// Parameters are hardly told apart where their uncertainty alone would move the targets by more than this many times
+/// what the instrument resolves (root mean square over the residuals, each pose measured once).
+const WEAK_EFFECT: f64 = 10.0;
+/// Share of a singular vector above which a parameter takes part.
+const MEMBER: f64 = 0.3;
+/// Correlation, by size, that binds two of them.
+const BOUND: f64 = 0.9;
+
+/// Observability at a solution, and the groups of parameters that are hardly told apart there.
+pub(super) fn observe(
+    problem: &Residuals,
+    solution: &Solution,
+    covariance: Option<&[f64]>,
+) -> Option<(Observability, Vec<WeakGroup>)> {
+    let n = problem.free.len();
+    let plain = problem.is_whitened().then(|| plain(problem, &solution.x));
+    let (factor, scale) = match &plain {
+        Some((factor, scale)) => (factor, scale),
+        None => (solution.factor.as_ref()?, &solution.scale),
+    };
+    let scaled = svd(factor);
+    let unscaled = svd(&unscale(factor, scale, problem.unit));
+    let observability = Observability {
+        indices: indices(&unscaled, problem.observation_count())?,
+        condition: Some(scaled.condition()).filter(|c| c.is_finite())?,
+        rank: n,
+        singular_values: singular_values(&scaled, &problem.free),
+        held_singular_values: Vec::new(),
+    };
+    let Some(covariance) = covariance else { return Some((observability, Vec::new())) };
+    let u = |k: usize| covariance[k * n + k].sqrt();
+    let correlation = |i: usize, j: usize| covariance[i * n + j] / (u(i) * u(j));
+    // repeats make everything better known, not better told apart
+    let mut poses = problem.poses();
+    let rows = poses.len() as f64;
+    poses.dedup();
+    let repeated = poses.len() as f64;
+    poses.sort_unstable();
+    poses.dedup();
+    let rows = rows * poses.len() as f64 / repeated;
+    let mut weak: Vec<WeakGroup> = Vec::new();
+    for k in (0..n).filter(|&k| 1.0 / (scaled.values[k] * rows.sqrt()) > WEAK_EFFECT) {
+        let members: Vec<usize> = (0..n).filter(|&j| scaled.vectors[k][j].abs() > MEMBER).collect();
+        for bound in bind(&members, &correlation) {
+            let parameters: Vec<usize> = bound.iter().map(|&j| problem.free[j]).collect();
+            if weak.iter().any(|w| w.parameters == parameters) {
+                continue;
+            }
+            let pairs = bound.iter().flat_map(|&i| bound.iter().filter(move |&&j| j > i).map(move |&j| (i, j)));
+            let stronger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+            weak.push(WeakGroup {
+                standard_uncertainties: bound.iter().map(|&j| u(j)).collect(),
+                parameters,
+                correlation: pairs.map(|(i, j)| correlation(i, j)).fold(0.0, stronger),
+            });
+        }
+    }
+    Some((observability, weak))
+}
+
+/// The smallest singular values with all parameters of `problem`, as many as are not among the `rank` identified ones.
+pub(super) fn held_singular_values(problem: &Residuals, values: &[f64], rank: usize) -> Vec<SingularValue> {
+    if problem.free.len() == rank {
+        return Vec::new();
+    }
+    let x: Vec<f64> = problem.free.iter().map(|&i| values[i]).collect();
+    singular_values(&svd(&plain(problem, &x).0), &problem.free).split_off(rank)
+}
+
+fn singular_values(svd: &Svd, free: &[usize]) -> Vec<SingularValue> {
+    let of = |(&value, vector): (&f64, &Vec<f64>)| {
+        let mut members: Vec<usize> = (0..free.len()).filter(|&j| vector[j].abs() > MEMBER).collect();
+        members.sort_by(|&i, &j| vector[j].abs().total_cmp(&vector[i].abs()));
+        SingularValue { value, parameters: members.into_iter().map(|j| free[j]).collect() }
+    };
+    svd.values.iter().zip(&svd.vectors).map(of).collect()
+}
+
+/// Factor and column norms of the Jacobian that is not whitened.
+fn plain(problem: &Residuals, x: &[f64]) -> (Factor, Vec<f64>) {
+    let (m, n) = (problem.residual_count(), problem.free.len());
+    let mut jacobian = vec![0.0; m * n];
+    problem.plain_jacobian(x, &mut jacobian);
+    let scale = column_norms(&jacobian, n);
+    (Factor::new(&jacobian, &vec![0.0; m], &scale), scale)
+}
+
+/// Splits `members` into sets bound by correlation: vectors of nearly equal singular values mix what has nothing to do
+/// with each other. Where no two are bound, all of them are only together not told.
+fn bind(members: &[usize], correlation: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<usize>> {
+    let mut sets: Vec<Vec<usize>> = Vec::new();
+    for &j in members {
+        let near = |set: &Vec<usize>| set.iter().any(|&i| correlation(i, j).abs() >= BOUND);
+        let (mut joined, rest): (Vec<_>, Vec<_>) = sets.into_iter().partition(near);
+        joined.push(vec![j]);
+        sets = rest;
+        let mut set = joined.concat();
+        set.sort_unstable();
+        sets.push(set);
+    }
+    sets.retain(|set| set.len() > 1);
+    if sets.is_empty() { vec![members.to_vec()] } else { sets }
+}
+
+/// The factor of the Jacobian without column scaling and weights.
+fn unscale(factor: &Factor, scale: &[f64], unit: f64) -> Factor {
+    let n = scale.len();
+    let rows: Vec<f64> = (0..n * n).map(|k| factor.r(k / n, k % n) * unit).collect();
+    let inverse: Vec<f64> = scale.iter().map(|s| 1.0 / s).collect();
+    Factor::new(&rows, &vec![0.0; n], &inverse)
+}
+
+/// O1 to O5 from the singular values (eq. 1.19, 1.20, 1.22, 1.23, 1.25).
+fn indices(svd: &Svd, poses: usize) -> Option<[f64; 5]> {
+    let (&largest, &smallest) = (svd.values.first()?, svd.values.last()?);
+    let m = svd.values.len() as f64;
+    let mean_log = svd.values.iter().map(|s| s.ln()).sum::<f64>() / m;
+    let harmonic: f64 = svd.values.iter().map(|s| 1.0 / s).sum();
+    let all = [
+        mean_log.exp() / (poses as f64).sqrt(),
+        smallest / largest,
+        smallest,
+        smallest * smallest / largest,
+        1.0 / harmonic,
+    ];
+    all.iter().all(|o| o.is_finite()).then_some(all)
+}
+
+pub(super) fn weak_message(robot: &dyn Robot, weak: &WeakGroup) -> Message {
+    let parameters: Vec<_> = weak.parameters.iter().map(|&i| &robot.parameters()[i]).collect();
+    let names: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
+    let say = |(p, &u): (&&crate::math::robots::Parameter, &f64)| match p.quantity {
+        Quantity::Ratio => format!("u({}) = {u:.2e}", p.name),
+        quantity => format!("u({}) = {:.3} {}", p.name, quantity.outward(u), quantity.unit()),
+    };
+    let uncertainties: Vec<String> = parameters.iter().zip(&weak.standard_uncertainties).map(say).collect();
+    let what = format!(
+        "these poses can hardly tell apart `{}`: predicted standard uncertainties {} (correlation {:.6})",
+        names.join("` and `"),
+        uncertainties.join(", "),
+        weak.correlation
+    );
+    let remedy =
+        robot.remedy(&names).unwrap_or("measure poses in which these parameters act differently, or hold one of them");
+    Message::warning(what).hint(remedy)
+}

@@ -1,0 +1,94 @@
+//! What an identification from planned observations would know, before anything is measured.
+
+use super::identifiability::{Analysis, Group, RANK_TOLERANCE};
+use super::observability::{Observability, WeakGroup, observe, weak_message};
+use super::residuals::Residuals;
+use super::uncertainty::held_message;
+use super::{Observation, Settings, wanted_parameters};
+use crate::base::message::{Message, Result};
+use crate::math::robots::Robot;
+use crate::math::solve::{Factor, Problem, Solution, column_norms, svd};
+use std::collections::BTreeSet;
+
+/// Parameters that can be identified, and how the targets move with them, at nominal values.
+#[derive(Clone, Debug)]
+pub struct Sensitivity {
+    /// Indices of the parameters that the observations can tell apart.
+    pub free: Vec<usize>,
+    /// Sets of parameters that they cannot tell apart.
+    pub groups: Vec<Group>,
+    /// d positions / d free parameters (mm per mm, rad and 1), row by row.
+    pub jacobian: Vec<f64>,
+    /// Rows of each observation.
+    pub rows: Vec<usize>,
+    /// The groups in words.
+    pub messages: Vec<Message>,
+}
+
+/// What is known after an identification.
+#[derive(Clone, Debug)]
+pub struct Prediction {
+    /// O1 to O5 and the condition number; `None` where they are not numbers.
+    pub observability: Option<Observability>,
+    /// Sets of parameters that the observations hardly tell apart.
+    pub weak: Vec<WeakGroup>,
+    /// Covariance of the free parameters, row by row (mm, rad, 1).
+    pub covariance: Vec<f64>,
+    /// The weak groups in words.
+    pub messages: Vec<Message>,
+}
+
+/// How `observations` depend on the parameters that they can tell apart; where the targets are does not matter.
+pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Sensitivity> {
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    let nominal = robot.nominal();
+    let all = Residuals::new(robot, observations, settings, &wanted, &nominal)?;
+    let groups = Analysis::at(&all, &nominal, all.noise(None)).groups;
+    let free: Vec<usize> = wanted.into_iter().filter(|i| groups.iter().all(|g| g.held != *i)).collect();
+    let problem = Residuals::new(robot, observations, settings, &free, &nominal)?;
+    let mut jacobian = jacobian_at_nominal(&problem, &nominal);
+    if jacobian.iter().any(|j| !j.is_finite()) {
+        return Err(Message::error("with nominal parameters the robot cannot be where these joint values put it")
+            .hint("check unit, sign and offset of the joints, and the nominal parameters")
+            .into());
+    }
+    jacobian.iter_mut().for_each(|j| *j *= problem.unit);
+    let rows = observations.iter().map(|o| robot.dimension() * o.targets.iter().flatten().count()).collect();
+    let messages = groups.iter().map(|g| held_message(robot, g)).collect();
+    Ok(Sensitivity { free, groups, jacobian, rows, messages })
+}
+
+/// What an identification of the parameters `free` from `observations` would know; an error where they do not suffice.
+pub fn predict(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    free: &[usize],
+) -> Result<Prediction> {
+    let nominal = robot.nominal();
+    let problem = Residuals::new(robot, observations, settings, free, &nominal)?;
+    let jacobian = jacobian_at_nominal(&problem, &nominal);
+    let scale = column_norms(&jacobian, free.len());
+    let residuals = vec![0.0; problem.residual_count()];
+    let factor = Factor::new(&jacobian, &residuals, &scale);
+    let x = free.iter().map(|&i| nominal[i]).collect();
+    let solution = Solution::foretold(x, residuals, factor, scale);
+    let told = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == free.len());
+    let covariance = solution.covariance().filter(|_| told && problem.residual_count() >= free.len());
+    let covariance = covariance.ok_or_else(|| {
+        let poses: BTreeSet<i64> = observations.iter().map(|o| o.pose).collect();
+        Message::error(format!("{} poses do not suffice to identify {} parameters", poses.len(), free.len()))
+            .hint("choose more positions, or hold parameters with `--hold`")
+    })?;
+    let observed = observe(&problem, &solution, Some(&covariance));
+    let (observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
+    let messages = weak.iter().map(|w| weak_message(robot, w)).collect();
+    Ok(Prediction { observability, weak, covariance, messages })
+}
+
+fn jacobian_at_nominal(problem: &Residuals, nominal: &[f64]) -> Vec<f64> {
+    let x: Vec<f64> = problem.free.iter().map(|&i| nominal[i]).collect();
+    let mut jacobian = vec![0.0; problem.residual_count() * x.len()];
+    problem.jacobian(&x, &mut jacobian);
+    jacobian
+}

@@ -1,0 +1,221 @@
+//! Residuals between model and measurement, as a least-squares problem in the free parameters.
+
+use super::common::Common;
+use super::{Observation, Settings};
+use crate::base::message::{Message, Result};
+use crate::math::robots::{Prexyt, Robot};
+use crate::math::solve::{Problem, Solution};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+/// What is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ResidualKind {
+    /// Coordinates of each target, weighted by the instrument's uncertainty.
+    Targets,
+    /// x, y and theta of the platform (eq. 3.26): a radian weighs as a millimetre. Planar robots only.
+    Pose,
+}
+
+const CHUNK: usize = 32;
+
+/// Residuals of the observations as a function of the free parameters.
+pub(super) struct Residuals<'a> {
+    pub robot: &'a dyn Robot,
+    pub free: Vec<usize>,
+    observations: &'a [Observation],
+    planar: Option<&'a Prexyt>,
+    /// what makes residuals independent that are not
+    common: Option<Common>,
+    /// residuals are divided by this
+    pub unit: f64,
+    /// standard deviation of a residual so divided, as the instrument states it
+    stated_noise: Option<f64>,
+    values: Vec<f64>,
+    rows: Vec<usize>,
+}
+
+impl<'a> Residuals<'a> {
+    pub fn new(
+        robot: &'a dyn Robot,
+        observations: &'a [Observation],
+        settings: &Settings,
+        free: &[usize],
+        values: &[f64],
+    ) -> Result<Self> {
+        if free.is_empty() {
+            return Err(Message::error("no parameter is left to identify").hint("hold fewer parameters").into());
+        }
+        let planar = match settings.kind {
+            ResidualKind::Targets => None,
+            ResidualKind::Pose => Some(robot.planar().ok_or_else(|| {
+                Message::error(format!("`residuals = \"pose\"` is for planar robots, not for `{}`", robot.model()))
+                    .hint("use `residuals = \"targets\"`")
+            })?),
+        };
+        let rows = observations.iter().map(|o| {
+            let measured = o.targets.iter().flatten().count();
+            if planar.is_some() { 3 * usize::from(measured == 2) } else { robot.dimension() * measured }
+        });
+        let unit = if planar.is_some() { 1.0 } else { settings.standard_uncertainty_mm.unwrap_or(1.0) };
+        Ok(Self {
+            robot,
+            free: free.to_vec(),
+            observations,
+            planar,
+            common: Common::new(observations, settings, robot.dimension()),
+            unit,
+            stated_noise: settings.standard_uncertainty_mm.map(|u| u / unit),
+            values: values.to_vec(),
+            rows: rows.collect(),
+        })
+    }
+
+    /// All parameters of the robot with the free ones at `x`.
+    pub fn all(&self, x: &[f64]) -> Vec<f64> {
+        let mut values = self.values.clone();
+        for (&i, &x) in self.free.iter().zip(x) {
+            values[i] = x;
+        }
+        values
+    }
+
+    /// Standard deviation of a residual: as stated, or as `solution` shows it where that is more; 0 where neither tells.
+    pub fn noise(&self, solution: Option<&Solution>) -> f64 {
+        let shown = |s: &Solution| {
+            let dof = self.residual_count().saturating_sub(s.x.len());
+            if dof > 0 { (s.cost() / dof as f64).sqrt() } else { 0.0 }
+        };
+        self.stated_noise.unwrap_or(0.0).max(solution.map_or(0.0, shown))
+    }
+
+    /// The pose of each residual.
+    pub fn poses(&self) -> Vec<i64> {
+        self.observations.iter().zip(&self.rows).flat_map(|(o, &rows)| std::iter::repeat_n(o.pose, rows)).collect()
+    }
+
+    /// What the errors of each residual belong to: its reading where that is common to several, or else its pose.
+    pub fn clusters(&self) -> Vec<i64> {
+        self.common.as_ref().map_or_else(|| self.poses(), |common| common.numbers(self.residual_count()))
+    }
+
+    /// Whether residuals and Jacobian are whitened, and their elements no longer belong to one observation.
+    pub fn is_whitened(&self) -> bool {
+        self.common.is_some()
+    }
+
+    /// Observations that bring at least one residual: poses, each as often as it was repeated.
+    pub fn observation_count(&self) -> usize {
+        self.rows.iter().filter(|&&rows| rows > 0).count()
+    }
+
+    /// Cuts `out` (`width` numbers a row) into the parts of each chunk of observations.
+    fn chunks<'o>(&self, mut out: &'o mut [f64], width: usize) -> Vec<(&[Observation], &'o mut [f64])> {
+        let mut parts = Vec::new();
+        for (observations, rows) in self.observations.chunks(CHUNK).zip(self.rows.chunks(CHUNK)) {
+            let (part, rest) = out.split_at_mut(rows.iter().sum::<usize>() * width);
+            out = rest;
+            parts.push((observations, part));
+        }
+        parts
+    }
+
+    /// For pose residuals: sensitivity of each residual to the coordinates of K and L, three rows of four per pose.
+    pub fn ball_sensitivities(&self, x: &[f64]) -> Option<Vec<[[f64; 4]; 3]>> {
+        let planar = self.planar?;
+        let all = self.all(x);
+        let of = |o: &Observation| balls(o).map(|[k, l]| planar.pose_residual_jacobians(&all, &o.joints, k, l).1);
+        Some(self.observations.iter().filter_map(of).collect())
+    }
+
+    /// Residuals as observed, not whitened.
+    pub fn plain_residuals(&self, x: &[f64], r: &mut [f64]) {
+        let all = self.all(x);
+        let dimension = self.robot.dimension();
+        self.chunks(r, 1).into_par_iter().for_each(|(observations, mut r)| {
+            let mut predicted = vec![0.0; dimension * self.robot.targets().len()];
+            for o in observations {
+                if let Some(planar) = self.planar {
+                    if let Some([k, l]) = balls(o) {
+                        let (here, rest) = r.split_at_mut(3);
+                        here.copy_from_slice(&planar.pose_residual(&all, &o.joints, k, l));
+                        r = rest;
+                    }
+                    continue;
+                }
+                self.robot.positions(&all, &o.joints, &mut predicted);
+                for (predicted, measured) in predicted.chunks_exact(dimension).zip(&o.targets) {
+                    let Some(measured) = measured else { continue };
+                    let (here, rest) = r.split_at_mut(dimension);
+                    for ((r, p), m) in here.iter_mut().zip(predicted).zip(measured) {
+                        *r = (p - m) / self.unit;
+                    }
+                    r = rest;
+                }
+            }
+        });
+    }
+
+    /// Their Jacobian.
+    pub fn plain_jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
+        let all = self.all(x);
+        let (n, free, dimension) = (all.len(), &self.free, self.robot.dimension());
+        self.chunks(jacobian, free.len()).into_par_iter().for_each(|(observations, mut out)| {
+            let mut full = vec![0.0; dimension * self.robot.targets().len() * n];
+            let take = |rows: &[f64], out: &mut [f64]| {
+                for (row, out) in rows.chunks_exact(n).zip(out.chunks_exact_mut(free.len())) {
+                    for (&i, out) in free.iter().zip(out) {
+                        *out = row[i] / self.unit;
+                    }
+                }
+            };
+            for o in observations {
+                if let Some(planar) = self.planar {
+                    if let Some([k, l]) = balls(o) {
+                        let (here, rest) = out.split_at_mut(3 * free.len());
+                        take(&planar.pose_residual_jacobians(&all, &o.joints, k, l).0, here);
+                        out = rest;
+                    }
+                    continue;
+                }
+                self.robot.jacobian(&all, &o.joints, &mut full);
+                for (rows, measured) in full.chunks_exact(dimension * n).zip(&o.targets) {
+                    if measured.is_some() {
+                        let (here, rest) = out.split_at_mut(dimension * free.len());
+                        take(rows, here);
+                        out = rest;
+                    }
+                }
+            }
+        });
+    }
+}
+
+/// K and L in the plane, where both were measured.
+fn balls(o: &Observation) -> Option<[[f64; 2]; 2]> {
+    match o.targets[..] {
+        [Some(k), Some(l)] => Some([[k[0], k[1]], [l[0], l[1]]]),
+        _ => None,
+    }
+}
+
+impl Problem for Residuals<'_> {
+    fn residual_count(&self) -> usize {
+        self.rows.iter().sum()
+    }
+
+    fn residuals(&self, x: &[f64], r: &mut [f64]) {
+        self.plain_residuals(x, r);
+        if let Some(common) = &self.common {
+            common.whiten(r, 1);
+        }
+    }
+
+    fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
+        self.plain_jacobian(x, jacobian);
+        if let Some(common) = &self.common {
+            common.whiten(jacobian, self.free.len());
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! How well parameters are known: covariance and chi-square.
+
+use super::observability::{held_singular_values, observe, weak_message};
+use super::residuals::Residuals;
+use super::settle::Settled;
+use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
+use crate::base::message::{Message, Result};
+use crate::math::robots::{Quantity, Robot};
+use crate::math::solve::{Factor, Problem, Solution, column_norms};
+use nalgebra::{DMatrix, Matrix3x4};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+use std::collections::BTreeMap;
+
+/// What standard uncertainties rest on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum UncertaintyFrom {
+    /// The stated uncertainty of the instrument: chi-square does not reject the model.
+    Instrument,
+    /// The residuals, each taken as independent of the others.
+    Residuals,
+    /// The residuals, those of one pose taken together: errors of the robot are common to all targets and repeats of a
+    /// pose (cluster-robust covariance, Liang & Zeger 1986).
+    ResidualsByPose,
+    /// Nothing: there are as many equations as parameters, and no uncertainty is stated.
+    Nothing,
+}
+
+/// Probability with which a chi-square test rejects a right model.
+const REJECT: f64 = 1e-3;
+/// Poses per parameter from which their scatter tells a covariance.
+const POSES_PER_PARAMETER: usize = 3;
+
+/// What a settled solution means.
+pub(super) fn conclude(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+    settled: Settled,
+) -> Result<Identification> {
+    let problem = &Residuals::new(robot, observations, settings, &settled.free, &settled.values)?;
+    let Settled { values, groups, solution, iterations, .. } = settled;
+    let solution = &solution;
+    let (m, n) = (problem.residual_count(), problem.free.len());
+    let dof = m - n;
+    let mut jacobian = vec![0.0; m * n];
+    problem.jacobian(&solution.x, &mut jacobian);
+
+    // from the instrument
+    let stated = match (settings.kind, settings.standard_uncertainty_mm) {
+        (_, None) => None,
+        (ResidualKind::Targets, Some(_)) => solution.covariance().map(|c| (c, solution.cost())),
+        (ResidualKind::Pose, Some(u)) => pose_covariance(problem, solution, &jacobian, u),
+    };
+    let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
+    let instrument = stated.map(|s| s.0);
+
+    // from the residuals, where they do not agree with it
+    let mut warnings = Vec::new();
+    let rejected = chi_square.filter(|&chi| exceeds(chi, dof));
+    let (covariance, uncertainty_from) = match (&instrument, rejected) {
+        (Some(instrument), None) => (Some(instrument.clone()), UncertaintyFrom::Instrument),
+        (None, _) if dof == 0 => {
+            warnings.push(
+                Message::warning("there are as many equations as parameters: nothing tells how well they are known")
+                    .hint("measure more poses, or state the uncertainty of the instrument"),
+            );
+            (None, UncertaintyFrom::Nothing)
+        }
+        _ => match by_pose(problem, solution, &jacobian) {
+            Some(covariance) => (Some(covariance), UncertaintyFrom::ResidualsByPose),
+            None => {
+                let variance = match chi_square {
+                    Some(chi) => chi / dof as f64,
+                    None => solution.cost() / dof as f64,
+                };
+                let scaled = |c: Vec<f64>| c.into_iter().map(|v| v * variance).collect();
+                (instrument.clone().or_else(|| solution.covariance()).map(scaled), UncertaintyFrom::Residuals)
+            }
+        },
+    };
+    let enlarged_by = match (&instrument, &covariance) {
+        (Some(before), Some(after)) => median((0..n).map(|k| (after[k * n + k] / before[k * n + k]).sqrt()).collect()),
+        _ => 1.0,
+    };
+    if let Some(chi) = rejected {
+        warnings.push(rejection(chi, dof, enlarged_by, uncertainty_from));
+    } else if let Some(chi) = chi_square.filter(|&chi| falls_short(chi, dof)) {
+        warnings.push(shortfall(chi, dof));
+    }
+
+    let mut plain = vec![0.0; m];
+    problem.plain_residuals(&solution.x, &mut plain);
+    let observed = observe(problem, solution, covariance.as_deref());
+    let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
+    if let Some(o) = &mut observability {
+        let all = Residuals::new(robot, observations, settings, wanted, &values)?;
+        o.held_singular_values = held_singular_values(&all, &values, n);
+    }
+    warnings.extend(groups.iter().map(|g| held_message(robot, g)));
+    warnings.extend(weak.iter().map(|w| weak_message(robot, w)));
+    let status = |i| match () {
+        () if problem.free.contains(&i) => Status::Identified,
+        () if wanted.contains(&i) => Status::NotIdentifiable,
+        () => Status::Fixed,
+    };
+    Ok(Identification {
+        status: (0..values.len()).map(status).collect(),
+        values,
+        free: problem.free.clone(),
+        covariance,
+        uncertainty_from,
+        enlarged_by,
+        groups,
+        weak,
+        observability,
+        rms: (plain.iter().map(|r| r * r).sum::<f64>() / m.max(1) as f64).sqrt() * problem.unit,
+        max: plain.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
+        degrees_of_freedom: dof,
+        chi_square,
+        iterations,
+        termination: solution.termination,
+        warnings,
+    })
+}
+
+/// Whether chi-square is too large for the degrees of freedom: a right model has it once in a thousand times.
+pub fn exceeds(chi_square: f64, dof: usize) -> bool {
+    ChiSquared::new(dof as f64).is_ok_and(|d| d.sf(chi_square) < REJECT)
+}
+
+/// Whether chi-square is too small for the degrees of freedom: with the stated uncertainty once in a thousand times.
+fn falls_short(chi_square: f64, dof: usize) -> bool {
+    ChiSquared::new(dof as f64).is_ok_and(|d| d.cdf(chi_square) < REJECT)
+}
+
+fn shortfall(chi_square: f64, dof: usize) -> Message {
+    Message::warning(format!(
+        "residuals are {:.2} times what the instrument's uncertainty explains (chi-square {chi_square:.1} for {dof} degrees \
+         of freedom): the stated uncertainty is larger than the residuals show, and standard uncertainties are too large with it",
+        (chi_square / dof as f64).sqrt()
+    ))
+    .hint("check the instrument's uncertainty, its unit and its coverage factor; errors common to all poses do not show in residuals")
+}
+
+fn rejection(chi_square: f64, dof: usize, enlarged_by: f64, from: UncertaintyFrom) -> Message {
+    let rest = match from {
+        UncertaintyFrom::ResidualsByPose => "standard uncertainties are taken from the scatter of the poses",
+        _ => "standard uncertainties are enlarged, as if residuals of one pose were independent",
+    };
+    Message::warning(format!(
+        "residuals are {:.1} times what the instrument's uncertainty explains (chi-square {chi_square:.0} for {dof} \
+         degrees of freedom): {rest} ({enlarged_by:.1} times the instrument's, median)",
+        (chi_square / dof as f64).sqrt()
+    ))
+    .hint("the robot has errors that the model does not describe, or the stated uncertainty is too small")
+}
+
+pub(super) fn held_message(robot: &dyn Robot, group: &Group) -> Message {
+    let held = &robot.parameters()[group.held];
+    let names: Vec<&str> = group.with.iter().map(|&i| robot.parameters()[i].name.as_str()).collect();
+    let (name, names) = (&held.name, names.join("`, `"));
+    let quantity = held.quantity;
+    match group.useless_uncertainty {
+        _ if names.is_empty() => {
+            Message::warning(format!("the data do not see `{name}`: it is held at its nominal value"))
+        }
+        None => Message::warning(format!(
+            "the data cannot tell apart `{name}` and `{names}`: `{name}` is held at its nominal value"
+        )),
+        Some(u) => Message::warning(format!(
+            "the data can tell `{name}` from `{names}` only with a standard uncertainty of {:.2}{}, which is worse than \
+             its nominal value: it is held there",
+            quantity.outward(u),
+            if quantity == Quantity::Ratio { String::new() } else { format!(" {}", quantity.unit()) },
+        ))
+        .hint("measure poses in which these parameters act differently"),
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(1.0)
+}
+
+/// A⁻¹ (Σ gₚ gₚᵀ) A⁻¹ · G/(G − n) with A = JᵀJ, gₚ = Jₚᵀrₚ the gradient of one pose and G poses; `None` where poses are
+/// too few. The factor makes up for residuals being smaller than errors, as n of them are used up.
+fn by_pose(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Vec<f64>> {
+    let n = solution.x.len();
+    let mut gradients: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
+    for ((row, r), pose) in jacobian.chunks_exact(n).zip(&solution.residuals).zip(problem.clusters()) {
+        let gradient = gradients.entry(pose).or_insert_with(|| vec![0.0; n]);
+        gradient.iter_mut().zip(row).for_each(|(g, j)| *g += j * r);
+    }
+    let poses = gradients.len();
+    if poses < POSES_PER_PARAMETER * n {
+        return None;
+    }
+    let inverse = solution.covariance()?;
+    let factor = poses as f64 / (poses - n) as f64;
+    let mut covariance = vec![0.0; n * n];
+    for gradient in gradients.values() {
+        let moved = |row: &[f64]| row.iter().zip(gradient).map(|(a, g)| a * g).sum::<f64>();
+        let step: Vec<f64> = inverse.chunks_exact(n).map(moved).collect(); // A⁻¹ gₚ
+        for (row, a) in covariance.chunks_exact_mut(n).zip(&step) {
+            row.iter_mut().zip(&step).for_each(|(c, b)| *c += factor * a * b);
+        }
+    }
+    Some(covariance)
+}
+
+/// Covariance of unweighted pose residuals whose noise comes from the balls: A⁻¹ (Σ Jᵀ S Sᵀ J u²) A⁻¹ with A = JᵀJ; and
+/// the least chi-square that the linear model reaches with the residuals weighted by (S Sᵀ u²)⁻¹.
+fn pose_covariance(problem: &Residuals, solution: &Solution, jacobian: &[f64], u: f64) -> Option<(Vec<f64>, f64)> {
+    let sensitivities = problem.ball_sensitivities(&solution.x)?;
+    let n = solution.x.len();
+    let inverse = DMatrix::from_row_slice(n, n, &solution.covariance()?);
+    let mut middle = DMatrix::zeros(n, n);
+    let (mut white_rows, mut white_residuals) = (Vec::new(), Vec::new());
+    for ((rows, r), s) in jacobian.chunks_exact(3 * n).zip(solution.residuals.chunks_exact(3)).zip(&sensitivities) {
+        let noise = u * Matrix3x4::from_fn(|i, j| s[i][j]); // S u
+        let rows = DMatrix::from_row_slice(3, n, rows);
+        let by_ball = noise.transpose() * &rows; // u Sᵀ J
+        middle += by_ball.tr_mul(&by_ball);
+        let lower = (noise * noise.transpose()).cholesky()?.l();
+        let white = lower.solve_lower_triangular(&rows)?;
+        white_rows.extend(white.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()));
+        white_residuals
+            .extend_from_slice(lower.solve_lower_triangular(&nalgebra::Vector3::from_column_slice(r))?.as_slice());
+    }
+    let covariance = &inverse * middle * &inverse;
+    let chi_square = Factor::new(&white_rows, &white_residuals, &column_norms(&white_rows, n)).rest;
+    Some((covariance.as_slice().to_vec(), chi_square))
+}

@@ -1,0 +1,9 @@
+//! Mathematics, which knows no file and no campaign: least squares, fits of elements, kinematics, identification, the geometric
+//! method and the choice of poses.
+
+pub mod fit;
+pub mod geometric;
+pub mod identify;
+pub mod plan;
+pub mod robots;
+pub mod solve;

@@ -1,0 +1,243 @@
+//! The PreXYT: a planar parallel table with three actuators (thesis, chapter 3).
+//!
+//! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
+//! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
+
+use super::{Definition, Joint, Parameter, Quantity, Robot, Role};
+use crate::base::scalar::{Dual, Scalar, constants, duals};
+
+/// Position (mm) and orientation (rad) in the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarPose<T = f64> {
+    /// x in millimetres.
+    pub x_mm: T,
+    /// y in millimetres.
+    pub y_mm: T,
+    /// Orientation in radians.
+    pub theta_rad: T,
+}
+
+const PARAMETERS: usize = 16;
+/// Names, quantities, roles and nominal values (thesis, table 3.3; l_kl is twice the nominal x_C).
+const COMMON: [(&str, Quantity, Role, f64); 14] = [
+    ("beta", Quantity::Angle, Role::Robot, 0.0),
+    ("gamma", Quantity::Angle, Role::Robot, 0.0),
+    ("epsilon_theta", Quantity::Angle, Role::Target, 0.0),
+    ("s", Quantity::Length, Role::Robot, 394.0),
+    ("d3", Quantity::Length, Role::Robot, 0.0),
+    ("d", Quantity::Length, Role::Robot, 116.0),
+    ("x_c", Quantity::Length, Role::Target, 73.0),
+    ("y_c", Quantity::Length, Role::Target, -73.0),
+    ("x_o", Quantity::Length, Role::Base, 22.5),
+    ("y_o", Quantity::Length, Role::Base, -30.5),
+    ("delta", Quantity::Ratio, Role::Robot, 1.0),
+    ("delta2", Quantity::Ratio, Role::Robot, 1.0),
+    ("delta3", Quantity::Ratio, Role::Robot, 1.0),
+    ("l_kl", Quantity::Length, Role::Target, 146.0),
+];
+
+/// The PreXYT with its nominal parameters.
+#[derive(Clone, Debug)]
+pub struct Prexyt {
+    definition: Definition,
+    full: bool,
+    travel_mm: Option<[f64; 3]>,
+}
+
+impl Default for Prexyt {
+    fn default() -> Self {
+        Self::new(false)
+    }
+}
+
+impl Prexyt {
+    /// The model of thirteen parameters, or, if `full`, the one before the reduction of section 3.4.
+    pub fn new(full: bool) -> Self {
+        let mut parameters: Vec<Parameter> = COMMON
+            .iter()
+            .map(|&(name, quantity, role, nominal)| Parameter::new(name, quantity, role, nominal))
+            .collect();
+        if full {
+            parameters[5].name = "d1".into();
+            parameters[10].name = "delta1".into();
+            parameters.push(Parameter::new("alpha", Quantity::Angle, Role::Robot, 0.0));
+            parameters.push(Parameter::new("h", Quantity::Length, Role::Robot, 0.0));
+        }
+        let joints = ["rho1", "rho2", "rho3"].map(|name| Joint { name: name.into(), quantity: Quantity::Length });
+        let targets = vec!["K".into(), "L".into()];
+        Self { definition: Definition { parameters, joints: joints.into(), targets }, full, travel_mm: None }
+    }
+
+    /// The same robot with other nominal values, names of targets kept.
+    pub fn with_nominal(mut self, values: &[f64]) -> Self {
+        self.definition = self.definition.with_nominal(values);
+        self
+    }
+
+    /// The same robot with actuators that go from zero to these displacements.
+    pub fn with_travel(mut self, travel_mm: [f64; 3]) -> Self {
+        self.travel_mm = Some(travel_mm);
+        self
+    }
+
+    /// How far each actuator goes from zero, where that is stated.
+    pub fn travel_mm(&self) -> Option<[f64; 3]> {
+        self.travel_mm
+    }
+
+    /// delta and d of the reduced model (section 3.4, below eq. 3.10).
+    fn reduced<T: Scalar>(&self, p: &[T]) -> (T, T) {
+        if !self.full {
+            return (p[10], p[5]);
+        }
+        let (gamma, d1, delta1, alpha, h) = (p[1], p[5], p[10], p[14], p[15]);
+        let one = T::from(1.0);
+        let delta = delta1 * alpha.sin_cos().1 * (one - alpha.tan() * gamma.tan());
+        (delta, d1 - h * gamma.tan())
+    }
+
+    /// Direct kinematics: pose of the platform in the base frame (eq. 3.8, 3.11, 3.10).
+    pub fn direct<T: Scalar>(&self, p: &[T], rho: &[T]) -> PlanarPose<T> {
+        let (gamma, delta2) = (p[1], p[11]);
+        let (delta, d) = self.reduced(p);
+        let [[_, y2], [run, y3]] = self.revolutes(p, rho);
+        let rise = y3 - y2;
+        let theta = rise.atan2(run); // eq. 3.8
+        let (tan_theta, tan_gamma) = (rise / run, gamma.tan());
+        let one = T::from(1.0);
+        let x = (rho[0] * delta + d + delta2 * rho[1] * tan_gamma) / (one - tan_gamma * tan_theta); // eq. 3.11
+        let y = delta2 * rho[1] + x * tan_theta; // eq. 3.10
+        PlanarPose { x_mm: x, y_mm: y, theta_rad: theta }
+    }
+
+    /// Axes of revolute joints 2 and 3 in the base frame; theta is the direction from one to the other (eq. 3.8).
+    fn revolutes<T: Scalar>(&self, p: &[T], rho: &[T]) -> [[T; 2]; 2] {
+        let [beta, s, d3] = [p[0], p[3], p[4]];
+        let (sin_beta, cos_beta) = beta.sin_cos();
+        let reach3 = p[12] * rho[2];
+        let second = [T::from(0.0), p[11] * rho[1]];
+        [second, [s - reach3 * sin_beta - d3 * beta.tan(), reach3 * cos_beta + d3]]
+    }
+
+    /// Axes of revolute joints 2 and 3 in the world.
+    pub fn pivots(&self, p: &[f64], rho: &[f64; 3]) -> [[f64; 2]; 2] {
+        self.revolutes(p, rho).map(|[x, y]| [x + p[8], y + p[9]])
+    }
+
+    /// Centre C of the platform in the world.
+    pub fn centre(&self, p: &[f64], rho: &[f64; 3]) -> [f64; 2] {
+        let pose = self.direct(p, rho);
+        [pose.x_mm + p[8], pose.y_mm + p[9]]
+    }
+
+    /// How far a carriage travels for each millimetre commanded, along x and y: actuator 1, 2 or 3 (eq. 3.7). Without
+    /// alpha, actuator 1 travels delta along x: what C shows of it.
+    pub fn travel(&self, p: &[f64], actuator: usize) -> [f64; 2] {
+        match actuator {
+            1 => {
+                let (sin, cos) = p.get(14).filter(|_| self.full).map_or((0.0, 1.0), |alpha| alpha.sin_cos());
+                [p[10] * cos, p[10] * sin]
+            }
+            2 => [0.0, p[11]],
+            _ => [-p[12] * p[0].sin(), p[12] * p[0].cos()],
+        }
+    }
+
+    /// Inverse kinematics: actuator values for a pose of the platform in the base frame (eq. 3.12 to 3.14).
+    pub fn inverse<T: Scalar>(&self, p: &[T], pose: PlanarPose<T>) -> [T; 3] {
+        let [beta, gamma, _, s, d3] = [p[0], p[1], p[2], p[3], p[4]];
+        let (delta, d) = self.reduced(p);
+        let PlanarPose { x_mm: x, y_mm: y, theta_rad } = pose;
+        let t = theta_rad.tan();
+        let (sin_beta, cos_beta) = beta.sin_cos();
+        let rho2 = (y - x * t) / p[11]; // eq. 3.12
+        let rho3 = (t * (s - d3 * beta.tan() - x) + y - d3) / (p[12] * (cos_beta + sin_beta * t)); // eq. 3.13
+        let rho1 = (x - d - y * gamma.tan()) / delta; // eq. 3.14
+        [rho1, rho2, rho3]
+    }
+
+    /// Positions of the balls K and L in the world: eq. 3.17 and 3.19 solved for K, and L at `l_kl` from it.
+    pub fn balls<T: Scalar>(&self, p: &[T], rho: &[T]) -> [[T; 2]; 2] {
+        let pose = self.direct(p, rho);
+        let (sin, cos) = (pose.theta_rad + p[2]).sin_cos();
+        let (x_c, y_c, x_o, y_o, l_kl) = (p[6], p[7], p[8], p[9], p[13]);
+        let k = [pose.x_mm + x_o - (x_c * cos - y_c * sin), pose.y_mm + y_o - (x_c * sin + y_c * cos)];
+        [k, [k[0] + l_kl * cos, k[1] + l_kl * sin]]
+    }
+
+    /// Pose of the platform in the base frame, as the balls K and L measure it (eq. 3.17 to 3.19).
+    pub fn measured<T: Scalar>(&self, p: &[T], k: [T; 2], l: [T; 2]) -> PlanarPose<T> {
+        let (dx, dy) = (l[0] - k[0], l[1] - k[1]);
+        let length = (dx * dx + dy * dy).sqrt();
+        let (cos, sin) = (dx / length, dy / length);
+        let (x_c, y_c, x_o, y_o) = (p[6], p[7], p[8], p[9]);
+        PlanarPose {
+            x_mm: k[0] + x_c * cos - y_c * sin - x_o,
+            y_mm: k[1] + x_c * sin + y_c * cos - y_o,
+            theta_rad: dy.atan2(dx) - p[2],
+        }
+    }
+
+    /// Estimated minus measured pose: the summands of eq. 3.26 (mm, mm, rad).
+    pub fn pose_residual<T: Scalar>(&self, p: &[T], rho: &[T], k: [T; 2], l: [T; 2]) -> [T; 3] {
+        let (estimated, measured) = (self.direct(p, rho), self.measured(p, k, l));
+        [estimated.x_mm - measured.x_mm, estimated.y_mm - measured.y_mm, wrap(estimated.theta_rad - measured.theta_rad)]
+    }
+
+    /// Derivatives of [`Self::pose_residual`]: by the parameters (3 rows of all parameters) and by the coordinates
+    /// of K and L (3 rows of 4).
+    pub fn pose_residual_jacobians(
+        &self,
+        p: &[f64],
+        rho: &[f64],
+        k: [f64; 2],
+        l: [f64; 2],
+    ) -> (Vec<f64>, [[f64; 4]; 3]) {
+        let by_parameters =
+            self.pose_residual(&duals::<PARAMETERS>(p), &constants(rho), k.map(Dual::from), l.map(Dual::from));
+        let balls = duals::<4>(&[k[0], k[1], l[0], l[1]]);
+        let by_balls = self.pose_residual(&constants(p), &constants(rho), [balls[0], balls[1]], [balls[2], balls[3]]);
+        (by_parameters.iter().flat_map(|r| &r.gradient[..p.len()]).copied().collect(), by_balls.map(|r| r.gradient))
+    }
+}
+
+/// An angle difference brought to (−π, π], derivative kept.
+fn wrap<T: Scalar>(angle: T) -> T {
+    let turns = (angle.value() / std::f64::consts::TAU).round();
+    angle + (-turns * std::f64::consts::TAU)
+}
+
+impl Robot for Prexyt {
+    fn model(&self) -> &'static str {
+        if self.full { "prexyt_full" } else { "prexyt" }
+    }
+    fn definition(&self) -> &Definition {
+        &self.definition
+    }
+    fn dimension(&self) -> usize {
+        2
+    }
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(self.balls(parameters, joints).as_flattened());
+    }
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let balls = self.balls(&duals::<PARAMETERS>(parameters), &constants(joints));
+        for (row, value) in out.chunks_exact_mut(parameters.len()).zip(balls.as_flattened()) {
+            row.copy_from_slice(&value.gradient[..parameters.len()]);
+        }
+    }
+    fn beyond(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
+        let ends = self.travel_mm?;
+        let off = |(_, (rho, end)): &(usize, (&f64, f64))| !(0.0..=*end).contains(*rho);
+        let (i, (rho, end)) = joints.iter().zip(ends).enumerate().find(off)?;
+        Some(format!("rho{} = {rho} mm, its travel is 0 to {end} mm", i + 1))
+    }
+    fn planar(&self) -> Option<&Prexyt> {
+        Some(self)
+    }
+    fn remedy(&self, names: &[&str]) -> Option<&'static str> {
+        // d and x_c act along x and x': only different |theta| tell them apart
+        (names.contains(&"x_c") && (names.contains(&"d") || names.contains(&"d1")))
+            .then_some("measure poses with different |theta|, e.g. 0 and the largest the table reaches")
+    }
+}

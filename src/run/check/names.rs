@@ -1,0 +1,193 @@
+//! Names that nothing bears: labels, features, targets, parameters, columns.
+
+use crate::base::message::{Message, Problems};
+use crate::base::table;
+use crate::campaign::{Campaign, JoinBy};
+use crate::import;
+use crate::import::Imported;
+use crate::import::format::Export;
+use crate::import::format::Format;
+use crate::import::format::Role;
+use crate::math::identify;
+use crate::math::robots::Robot;
+use std::collections::BTreeSet;
+use toml::Spanned;
+
+/// Labels and features that nothing bears. Where some exports are not read, they may bear them: then it is a warning.
+pub(super) fn labels(campaign: &Campaign, imported: &Imported, complete: bool, problems: &mut Problems) {
+    let all = table::texts(&imported.points, "label").unwrap_or_default();
+    let of = table::texts(&imported.points, "target").unwrap_or_default();
+    // nobody means a label that names a target at a pose
+    let plain: BTreeSet<&str> =
+        all.iter().zip(&of).filter(|(_, target)| target.is_empty()).map(|(label, _)| label.as_str()).collect();
+    let labels: BTreeSet<String> = all.iter().cloned().collect();
+    let targets: BTreeSet<String> = of.into_iter().collect();
+    let file = &campaign.file;
+    let mut open: Vec<String> = Vec::new();
+    let mut want = |name: &Spanned<String>, among: &[&BTreeSet<String>], what: &str| {
+        let text = name.get_ref();
+        let borne = |set: &&BTreeSet<String>| set.iter().any(|l| identify::matches_pattern(text, l));
+        if !among.iter().any(borne) {
+            if !complete && what != "feature is called" {
+                return open.push(text.clone());
+            }
+            let meant = |label: &&str| !label.is_empty() && (!labels.contains(*label) || plain.contains(label));
+            let known = among.iter().flat_map(|set| set.iter().map(String::as_str)).filter(meant);
+            let message = Message::error(format!("no {what} `{text}`")).at(campaign.place(name));
+            problems.0.push(message.hint_names(text, known.collect::<Vec<_>>()));
+        }
+    };
+    for feature in file.features.values() {
+        for label in feature.element().map_or(&[][..], |(_, labels)| labels) {
+            want(label, &[&labels], "point bears the label");
+        }
+    }
+    let features: BTreeSet<String> = file.features.keys().cloned().collect();
+    let world = file.frame.world.get_ref();
+    if let (Some(name), false) = (&world.plane, campaign.lost.touches(&["feature"])) {
+        want(name, &[&features], "feature is called");
+    }
+    for name in world
+        .origin
+        .iter()
+        .chain(&world.towards)
+        .chain(world.x_axis.iter().flatten())
+        .chain(world.y_axis.iter().flatten())
+    {
+        want(name, &[&labels, &features], "point or feature is called");
+    }
+    for name in world.targets.iter().flatten() {
+        let among: &[&BTreeSet<String>] = if world.each.is_some() { &[&targets] } else { &[&targets, &labels] };
+        want(name, among, "export brings the target");
+    }
+    let rigid = file.rigid.iter().flat_map(|r| &r.targets).chain(file.fixed.iter().flat_map(|f| &f.targets));
+    for name in rigid.chain(file.join.targets.iter().flatten()) {
+        want(name, &[&targets], "export brings the target");
+    }
+    if !open.is_empty() {
+        open.sort_unstable();
+        open.dedup();
+        let names: Vec<String> = open.iter().map(|name| format!("`{name}`")).collect();
+        let message = Message::warning(format!("no export that reads brings {}", names.join(", ")));
+        problems.0.push(message.hint("check these names when all exports read"));
+    }
+}
+
+/// What the robot needs of the campaign.
+pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
+    let names = || robot.parameters().iter().map(|p| p.name.as_str());
+    for pattern in &campaign.file.identify.hold {
+        if !names().any(|name| identify::matches_pattern(pattern.get_ref(), name)) {
+            let message = Message::error(format!("`{}` is no parameter of this robot", pattern.get_ref()));
+            problems.0.push(message.at(campaign.place(pattern)).hint_names(pattern.get_ref(), names()));
+        }
+    }
+    for target in campaign.file.join.targets.iter().flatten() {
+        if !robot.targets().contains(target.get_ref()) {
+            let what = format!("`{}` is no target of this robot", target.get_ref());
+            let message = Message::error(what).at(campaign.place(target));
+            problems.0.push(message.hint_names(target.get_ref(), robot.targets().iter().map(String::as_str)));
+        }
+    }
+    if let Some(targets) = &campaign.file.join.targets {
+        let named = |name: &&String| targets.iter().any(|t| t.get_ref() == *name);
+        for target in robot.targets().iter().filter(|t| !named(t)) {
+            let message = Message::error(format!("`targets` leaves out `{target}`"));
+            let message = message.at(campaign.place_of(&["join", "targets"]));
+            problems.0.push(message.expected("nothing: of this robot all its targets count"));
+        }
+    }
+    let drawn = campaign.file.geometric.as_ref().is_some_and(|g| g.workspace.is_some());
+    if drawn && robot.planar().is_some_and(|planar| planar.travel_mm().is_none()) {
+        let message = Message::error("the workspace needs the travel of the actuators");
+        let message = message.at(campaign.place_of(&["geometric", "workspace"]));
+        problems.0.push(message.hint("state [reach] with `travel_mm = [..., ..., ...]` in robot.toml"));
+    }
+    for (i, export) in campaign.file.exports.iter().enumerate() {
+        let Format::Delimited(dialect) = &export.format else { continue };
+        if !campaign.export_reads(i) {
+            continue;
+        }
+        let holds = |role| dialect.columns.contains(role);
+        if robot.dimension() == 3 && (holds(Role::X) || holds(Role::Radius)) && !holds(Role::Z) {
+            let what = "`columns` has no z, which a robot in space needs";
+            problems.0.push(Message::error(what).at(campaign.place(&export.file)));
+        }
+    }
+}
+
+/// What the robot needs of the logs.
+pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
+    for log in &campaign.file.logs {
+        let named = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+        let same = campaign.file.logs.iter().filter(|l| l.name == log.name).count();
+        if log.name.is_empty() || !log.name.chars().all(named) || same > 1 {
+            let what = format!("`{}` cannot be the name of a log", log.name);
+            let message = Message::error(what).at(campaign.place(&log.file));
+            problems.0.push(message.expected("letters, digits, `_` and `-`, another name for each log"));
+        }
+        let known = |key: &str| {
+            import::is_common_column(key) || robot.joints().iter().any(|joint| import::is_joint_column(key, joint))
+        };
+        for key in log.columns.keys().filter(|key| !known(key.get_ref()) && import::log_column(key.get_ref()).is_some())
+        {
+            let columns: Vec<String> = robot.joints().iter().map(|joint| joint.column()).collect();
+            let message = Message::error(format!("`{}` is no joint of this robot", key.get_ref()));
+            let hint = format!("its joints are {}, in these units or others", columns.join(", "));
+            problems.0.push(message.at(campaign.place(key)).hint(hint));
+        }
+        if campaign.lost.touches(&["log"]) {
+            continue;
+        }
+        for joint in robot.joints() {
+            let column = joint.column();
+            if !log.columns.keys().any(|k| import::is_joint_column(k.get_ref(), joint)) {
+                problems.0.push(
+                    Message::error(format!("log `{}` has no column for joint `{}`", log.name, joint.name))
+                        .at(campaign.place(&log.file))
+                        .hint(format!("add `{column} = \"name or number of the column\"` to its `columns`")),
+                );
+            }
+        }
+    }
+}
+
+/// Targets of the robot that nobody measured.
+pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Imported, problems: &mut Problems) {
+    // what the log says it touches need not be called as the robot's target
+    if campaign.file.join.by == JoinBy::Label {
+        return;
+    }
+    let mut measured: BTreeSet<String> =
+        table::texts(&imported.points, "target").unwrap_or_default().into_iter().collect();
+    measured.remove("");
+    // those that [join] names are told with the labels
+    let stated = campaign.file.join.targets.as_ref();
+    let told = |target: &String| stated.is_some_and(|all| all.iter().any(|t| t.get_ref() == target));
+    let mut missing = robot.targets().iter().filter(|t| !measured.contains(*t) && !told(t)).peekable();
+    let odd: Vec<Message> = campaign.file.exports.iter().filter_map(|e| other_form(campaign, e, imported)).collect();
+    if missing.peek().is_some() && !odd.is_empty() {
+        return problems.0.extend(odd);
+    }
+    for target in missing {
+        let what = format!("no export brings the target `{target}` of this robot");
+        let message = Message::error(what).at(campaign.place_of(&["join"]));
+        problems.0.push(message.hint_names(target, measured.iter().map(String::as_str)));
+    }
+}
+
+/// An error where no label of an export has the form that the campaign states.
+fn other_form(campaign: &Campaign, export: &Export, imported: &Imported) -> Option<Message> {
+    let form = export.label.as_ref()?;
+    let pattern = import::LabelPattern::parse(form.get_ref()).ok()?;
+    let (files, labels) =
+        (table::texts(&imported.points, "export").ok()?, table::texts(&imported.points, "label").ok()?);
+    let mut own = files.iter().zip(&labels).filter(|(file, _)| *file == export.file.get_ref()).map(|(_, label)| label);
+    let first = own.next()?;
+    if pattern.read(first).is_some() || own.any(|label| pattern.read(label).is_some()) {
+        return None;
+    }
+    let what = format!("no label of `{}` has the form `{}`", export.file.get_ref(), form.get_ref());
+    let message = Message::error(what).at(campaign.place(form));
+    Some(message.hint(format!("its first label is `{first}`: state its form, with {{target}}, {{pose}} and {{cycle}}")))
+}

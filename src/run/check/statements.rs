@@ -1,0 +1,295 @@
+//! Statements of a campaign that contradict each other or mean nothing, whatever the files hold.
+
+use crate::base::message::{Message, Problems, Result, count};
+use crate::base::table::LABEL;
+use crate::campaign::{Campaign, ClockOffset, JoinBy, Selection};
+use crate::export;
+use crate::import::format::Export;
+use crate::import::format::Format;
+use crate::import::format::Role;
+use crate::math::identify::ResidualKind;
+use std::collections::BTreeSet;
+use std::ffi::OsString;
+use std::path::{Component, Path, PathBuf};
+use toml::Spanned;
+
+/// All statements but those on features and frames.
+pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
+    let lost = &campaign.lost;
+    if let (Err(more), false) = (campaign.selections(), !campaign.identifies() || lost.touches(&["identify"])) {
+        problems.0.extend(more.0);
+    }
+    for name in &file.controllers {
+        if export::by_name(name.get_ref()).is_none() {
+            let what = format!("`{}` is no controller format", name.get_ref());
+            problems.0.push(Message::error(what).at(campaign.place(name)).hint_names(name.get_ref(), export::names()));
+        }
+    }
+    let instrument = &file.instrument;
+    let mut stated = vec![
+        ("instrument", "expanded_uncertainty_um", instrument.expanded_uncertainty_um),
+        ("instrument", "coverage_factor", instrument.coverage_factor),
+    ];
+    if let Some(contact) = &file.contact {
+        stated.push(("contact", "repeatability_um", contact.repeatability_um));
+        stated.push(("contact", "coverage_factor", contact.coverage_factor));
+        if file.identify.residuals == ResidualKind::Pose {
+            let message = Message::error("[contact] is for residuals of targets").at(campaign.place_of(&["contact"]));
+            problems.0.push(message.hint("state `residuals = \"targets\"`, or leave [contact] out"));
+        }
+    }
+    for (table, key, value) in stated {
+        if value <= 0.0 {
+            let message = Message::error(format!("`{key}` must be positive")).at(campaign.place_of(&[table, key]));
+            let hint = match table {
+                "instrument" => "take it from the instrument's calibration certificate",
+                _ => "touch one point often and take the scatter of what the encoders say",
+            };
+            problems.0.push(message.hint(hint));
+        }
+    }
+    for (key, limit) in file.limits.stated() {
+        if limit.is_some_and(|limit| limit <= 0.0) {
+            let message = Message::error(format!("the limit `{key}` must be positive"));
+            problems.0.push(message.at(campaign.place_of(&["limits", key])));
+        }
+        let labelled = file.repeatability.as_ref();
+        let (needs, told) = match key {
+            "repeatability_max_mm" => ("[repeatability] or [poses]", labelled.is_some() || file.poses.is_some()),
+            "accuracy_max_mm" => {
+                let commanded = labelled.is_some_and(|r| r.commanded.is_some()) || file.poses.is_some();
+                ("[repeatability] with `commanded`, or [poses]", commanded)
+            }
+            _ => ("[identify]", campaign.identifies()),
+        };
+        if limit.is_some() && !told {
+            let message = Message::error(format!("the limit `{key}` needs {needs}"));
+            problems.0.push(message.at(campaign.place_of(&["limits", key])).hint("remove it, or state what it judges"));
+        }
+    }
+    output(campaign, problems);
+    if !lost.touches(&["join"]) {
+        join(campaign, problems);
+    }
+    let targets: Vec<_> = file.join.targets.iter().flatten().collect();
+    for (i, target) in targets.iter().enumerate() {
+        if targets[..i].iter().any(|t| t.get_ref() == target.get_ref()) {
+            let message = Message::error(format!("target `{}` is there twice", target.get_ref()));
+            problems.0.push(message.at(campaign.place(target)));
+        }
+    }
+    file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
+}
+
+/// What a join by time needs, and what means nothing for another.
+fn join(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
+    let by_time = file.join.by == JoinBy::Time;
+    let clocks =
+        [("clock_offset_s", file.join.clock_offset_s.is_some()), ("tolerance_s", file.join.tolerance_s.is_some())];
+    if by_time && clocks.iter().any(|(_, stated)| !stated) {
+        problems.0.push(
+            Message::error("a join by time needs the offset of the clocks and a tolerance")
+                .at(campaign.place_of(&["join", "by"]))
+                .hint(
+                    "add `clock_offset_s` (time of the measurement minus time of the log) and `tolerance_s` to [join]",
+                ),
+        );
+    }
+    let estimated = file.join.clock_offset_s == Some(ClockOffset::Standstills);
+    for log in file.logs.iter().filter(|_| !campaign.lost.touches(&["log"]) && by_time) {
+        let what = match (estimated, file.join.interpolate, log.standstill.is_some()) {
+            (true, _, false) => "the offset of the clocks cannot come from standstills of a log that states none",
+            (_, true, true) => "between standstills there is nothing to interpolate",
+            _ => continue,
+        };
+        let message = Message::error(format!("{what}: `{}`", log.name)).at(campaign.place_of(&["join", "by"]));
+        let hint = if log.standstill.is_some() {
+            "leave `interpolate` out: a point meets the standstill that it falls into"
+        } else {
+            "add [log.standstill] with `at_least_s` and `within_deg` or `within_mm`, or state `clock_offset_s` as a number"
+        };
+        problems.0.push(message.hint(hint));
+    }
+    let beside = [clocks[0], clocks[1], ("interpolate", file.join.interpolate)];
+    for (key, _) in beside.iter().filter(|(_, stated)| *stated && !by_time) {
+        let message = Message::error(format!("`{key}` means nothing for this join"));
+        problems.0.push(message.at(campaign.place_of(&["join", key])).hint("it belongs to `by = \"time\"`"));
+    }
+    if file.join.tolerance_s.is_some_and(|t| t < 0.0) {
+        let message = Message::error("`tolerance_s` must not be negative");
+        problems.0.push(message.at(campaign.place_of(&["join", "tolerance_s"])));
+    }
+    for log in file.logs.iter().filter(|_| !campaign.lost.touches(&["log"])) {
+        let column = log.columns.keys().find(|key| key.get_ref() == LABEL);
+        match (column, file.join.by == JoinBy::Label) {
+            (None, true) => problems.0.push(
+                Message::error(format!("a join by label needs the label of the point in log `{}`", log.name))
+                    .at(campaign.place_of(&["join", "by"]))
+                    .hint("add `label = \"name or number of the column\"` to its `columns`"),
+            ),
+            (Some(key), false) => problems.0.push(
+                Message::error("`label` means nothing for this join")
+                    .at(campaign.place(key))
+                    .hint("it belongs to `by = \"label\"`"),
+            ),
+            _ => {}
+        }
+    }
+}
+
+/// A pose or a target that both the file and a column of it state.
+fn stated_twice(campaign: &Campaign, export: &Export, problems: &mut Problems) {
+    let Format::Delimited(dialect) = &export.format else { return };
+    let stated = [("pose", export.pose.is_some(), Role::Pose), ("target", export.target.is_some(), Role::Target)];
+    for (key, _, _) in stated.into_iter().filter(|(_, stated, role)| *stated && dialect.columns.contains(*role)) {
+        let message = Message::error(format!("`{key}` is stated twice: by this export, and by a column of it"));
+        problems.0.push(message.at(campaign.place(&export.file)).hint("leave one of them out"));
+    }
+}
+
+/// The output folder must not be one that holds inputs, nor one of them.
+fn output(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
+    let output = match campaign.output() {
+        Ok(output) => output,
+        Err(more) => return problems.0.extend(more.0),
+    };
+    let stated = |file: &&Spanned<String>| !file.get_ref().is_empty();
+    let inputs = file.inputs().chain([&file.robot]).filter(stated).filter_map(|f| campaign.resolve(f).ok());
+    let parts = |path: &Path| -> Vec<OsString> {
+        path.components().filter(|c| *c != Component::CurDir).map(|c| c.as_os_str().to_owned()).collect()
+    };
+    let folder = parts(&output);
+    let hit = |input: &PathBuf| parts(input) == folder || input.parent().is_some_and(|p| parts(p) == folder);
+    if let Some(input) = inputs.chain([PathBuf::from(&campaign.path)]).find(hit) {
+        let what = format!("the output folder is that of an input, `{}`", input.display());
+        let message = Message::error(what).at(campaign.place_of(&["output"]));
+        problems.0.push(message.hint("name another folder, or none: it is `out` by default"));
+    }
+}
+
+/// Errors where a selection or a table takes none of these poses, or calibration and validation share some.
+pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
+    // what does not read is told with the statements
+    let Ok((calibration, validation)) = campaign.selections() else { return Ok(()) };
+    let identify = &campaign.file.identify;
+    let mut problems = Problems::default();
+    let taken = |i: usize, pose: i64| calibration.contains(pose, i, false);
+    let numbered = || poses.iter().copied().enumerate();
+    if !numbered().any(|(i, pose)| taken(i, pose)) {
+        let message = Message::error("`calibration` selects no pose that was measured");
+        problems.0.push(message.at(campaign.place(&identify.calibration)).hint(measured(poses)));
+    }
+    if let (Some(validation), Some(text)) = (&validation, &identify.validation) {
+        let tests = |i: usize, pose: i64| validation.contains(pose, i, taken(i, pose));
+        if !numbered().any(|(i, pose)| tests(i, pose)) {
+            let message = Message::error("`validation` selects no pose that was measured");
+            problems.0.push(message.at(campaign.place(text)).hint(measured(poses)));
+        }
+        let shared: Vec<String> = numbered()
+            .filter(|&(i, pose)| taken(i, pose) && tests(i, pose) && *validation != Selection::Rest)
+            .map(|(_, pose)| pose.to_string())
+            .collect();
+        if !shared.is_empty() {
+            let shown = shared.iter().take(20).cloned().collect::<Vec<_>>().join(", ");
+            let more = if shared.len() > 20 { ", ..." } else { "" };
+            let what = format!("poses in both calibration and validation: {shown}{more}");
+            let message = Message::error(what).at(campaign.place(text));
+            problems.0.push(message.hint("`validation = \"rest\"` takes all that calibration does not"));
+        }
+    }
+    let tests = |i: usize, pose: i64| validation.as_ref().is_some_and(|v| v.contains(pose, i, taken(i, pose)));
+    let used: Vec<i64> = numbered().filter(|&(i, pose)| taken(i, pose) || tests(i, pose)).map(|(_, p)| p).collect();
+    for table in campaign.file.geometric.iter().flat_map(|g| &g.table) {
+        let found = match Selection::parse(table.poses.get_ref()) {
+            Ok(selection) if used.iter().enumerate().any(|(i, &pose)| selection.contains(pose, i, false)) => continue,
+            Ok(_) => Message::error(format!("the table `{}` has no pose that was measured", table.title))
+                .hint("a table shows poses of `calibration` and `validation`"),
+            Err(message) => message,
+        };
+        problems.0.push(found.at(campaign.place(&table.poses)));
+    }
+    problems.check().map(|_| ())
+}
+
+/// Which poses there are to select from.
+fn measured(poses: &BTreeSet<i64>) -> String {
+    match (poses.first(), poses.last()) {
+        (Some(first), Some(last)) => {
+            format!("{} are measured and joined, from {first} to {last}", count(poses.len(), "pose"))
+        }
+        _ => "no pose is measured and joined".to_owned(),
+    }
+}
+
+/// Features and the world frame: whether each is stated in one way.
+pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
+    for (name, feature) in &file.features {
+        let Some((_, labels)) = feature.element() else {
+            if campaign.lost.touches(&["feature", name]) {
+                continue;
+            }
+            problems.0.push(
+                Message::error(format!("feature `{name}` must be exactly one element"))
+                    .at(campaign.place_of(&["feature", name]))
+                    .expected("one of `plane`, `line`, `circle`, `cylinder` with the labels of its points"),
+            );
+            continue;
+        };
+        for (i, label) in labels.iter().enumerate() {
+            if labels[..i].iter().any(|l| l.get_ref() == label.get_ref()) {
+                let what = format!("feature `{name}` names `{}` twice", label.get_ref());
+                problems.0.push(Message::error(what).at(campaign.place(label)));
+            }
+        }
+    }
+    if campaign.lost.touches(&["frame"]) {
+        return;
+    }
+    let world = file.frame.world.get_ref();
+    let ways = [world.plane.is_some(), world.targets.is_some(), world.as_exported];
+    if ways.iter().filter(|w| **w).count() != 1 {
+        problems.0.push(
+            Message::error("the world frame must be defined in exactly one way")
+                .at(campaign.place(&file.frame.world))
+                .expected("`plane` with `origin` and an axis, or `targets`, or `as_exported = true`"),
+        );
+    } else if world.plane.is_some() {
+        if world.each.is_some() {
+            let message = Message::error("`each` means nothing for a world frame from a plane");
+            problems.0.push(message.at(campaign.place(&file.frame.world)).hint("it belongs to `targets`"));
+        }
+        for ends in world.x_axis.iter().chain(&world.y_axis) {
+            let directed = match &ends[..] {
+                [one] => file.features.contains_key(one.get_ref()),
+                ends => ends.len() == 2,
+            };
+            if !directed {
+                let place = ends.first().map_or_else(|| campaign.place(&file.frame.world), |end| campaign.place(end));
+                let message = Message::error("the axis of the world frame has no direction").at(place);
+                problems.0.push(message.expected("two labels, from and to, or one feature with a direction"));
+            }
+        }
+        let axes = usize::from(world.x_axis.is_some()) + usize::from(world.y_axis.is_some());
+        if axes != 1 || world.origin.is_none() || world.towards.is_none() {
+            problems.0.push(
+                Message::error(
+                    "a world frame from a plane needs `origin`, one of `x_axis` and `y_axis`, and `towards`",
+                )
+                .at(campaign.place(&file.frame.world))
+                .hint("`towards` names a label on the positive side of the other axis: it decides which way z points"),
+            );
+        }
+    } else {
+        let idle = [("origin", world.origin.is_some()), ("x_axis", world.x_axis.is_some())];
+        let idle = idle.into_iter().chain([("y_axis", world.y_axis.is_some()), ("towards", world.towards.is_some())]);
+        let idle = idle.chain([("each", world.each.is_some() && world.as_exported)]);
+        for (key, _) in idle.filter(|(_, stated)| *stated) {
+            let message = Message::error(format!("`{key}` means nothing for this world frame"));
+            problems.0.push(message.at(campaign.place(&file.frame.world)));
+        }
+    }
+}

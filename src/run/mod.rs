@@ -1,0 +1,5 @@
+//! A campaign from its files to its output folder.
+
+pub mod check;
+pub mod output;
+pub mod pipeline;

@@ -1,0 +1,256 @@
+//! Errors before and after: measured against predicted, on calibration and validation poses apart.
+
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, minus, norm};
+use crate::base::table::{self, XYZ};
+use crate::campaign::{Limits, Selection};
+use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, PointError, Statistics};
+use crate::math::fit;
+use crate::math::identify::Observation;
+use crate::math::robots::Robot;
+use polars::prelude::{Column, DataFrame};
+use std::collections::BTreeSet;
+
+/// Observations split into those to identify on and those to test on.
+#[derive(Clone, Debug, Default)]
+pub struct Sets {
+    /// To identify on.
+    pub calibration: Vec<Observation>,
+    /// To test on; may be empty.
+    pub validation: Vec<Observation>,
+}
+
+/// Numbers of the poses of these observations.
+pub fn poses(observations: &[Observation]) -> BTreeSet<i64> {
+    observations.iter().map(|o| o.pose).collect()
+}
+
+/// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log that is identified.
+pub fn split(
+    observations: &[Observation],
+    poses: &BTreeSet<i64>,
+    calibration: &Selection,
+    validation: Option<&Selection>,
+) -> Sets {
+    let index = |pose: i64| poses.range(..pose).count();
+    let mut sets = Sets::default();
+    for o in observations {
+        let i = index(o.pose);
+        let taken = calibration.contains(o.pose, i, false);
+        if taken {
+            sets.calibration.push(o.clone());
+        }
+        if validation.is_some_and(|v| v.contains(o.pose, i, taken)) {
+            sets.validation.push(o.clone());
+        }
+    }
+    sets
+}
+
+/// Errors of every observation of both sets with two sets of parameters.
+pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> Vec<PointError> {
+    let mut all = Vec::new();
+    for (name, observations) in [("calibration", &sets.calibration), ("validation", &sets.validation)] {
+        for o in observations {
+            match robot.planar() {
+                Some(planar) => {
+                    let [Some(k), Some(l)] = o.targets[..] else { continue };
+                    let (k, l) = ([k[0], k[1]], [l[0], l[1]]);
+                    let error = |p: &[f64]| planar.pose_residual(p, &o.joints, k, l).map(|r| -r);
+                    let (b, a) = (error(before), error(after));
+                    let at = planar.measured(after, k, l);
+                    all.push(PointError {
+                        set: name.to_owned(),
+                        pose: o.pose,
+                        cycle: o.cycle,
+                        target: "C".to_owned(),
+                        at_mm: [at.x_mm, at.y_mm, 0.0],
+                        before_mm: [b[0], b[1], 0.0],
+                        after_mm: [a[0], a[1], 0.0],
+                        before_deg: Some(b[2].to_degrees()),
+                        after_deg: Some(a[2].to_degrees()),
+                    });
+                }
+                None => all.extend(target_errors(robot, o, name, before, after)),
+            }
+        }
+    }
+    all
+}
+
+/// Errors of each target of a pose in space; with three or more, the rotation that is left between them.
+fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], after: &[f64]) -> Vec<PointError> {
+    let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, t)| Some((k, (*t)?))).collect();
+    let measured: Vec<Vector> = seen.iter().map(|s| s.1).collect();
+    let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
+    let (b, a) = (predict(before), predict(after));
+    // a rotation can be told from three targets that are not on one line
+    let turned = |from: &[Vector]| {
+        let fitted = fit::rigid(from, &measured).ok()?;
+        Some(fitted.to_T_from.angle_rad().to_degrees())
+    };
+    let (before_deg, after_deg) = (turned(&b), turned(&a));
+    let error = |i: usize| PointError {
+        set: set.to_owned(),
+        pose: o.pose,
+        cycle: o.cycle,
+        target: robot.targets()[seen[i].0].clone(),
+        at_mm: measured[i],
+        before_mm: minus(measured[i], b[i]),
+        after_mm: minus(measured[i], a[i]),
+        // one rotation a pose: told with its first target
+        before_deg: before_deg.filter(|_| i == 0),
+        after_deg: after_deg.filter(|_| i == 0),
+    };
+    (0..seen.len()).map(error).collect()
+}
+
+/// Statistics of the errors, and the verdict on the campaign's limits.
+pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Result<AccuracyDocument> {
+    let planar = robot.dimension() == 2;
+    let mut sets = Vec::new();
+    for name in ["calibration", "validation"] {
+        let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name).collect();
+        if !of.is_empty() {
+            sets.push(accuracy_of(name, &of, planar));
+        }
+    }
+    let judged = sets.last();
+    let value = |quantity: &str, pick: fn(&Statistics) -> f64| {
+        let errors = judged?.errors.iter().find(|e| e.quantity == quantity)?;
+        Some((pick(&errors.after), errors.unit.clone()))
+    };
+    let stated = [
+        ("position_max_mm", limits.position_max_mm, value("position", |s| s.max)),
+        ("position_mean_mm", limits.position_mean_mm, value("position", |s| s.mean)),
+        ("position_rms_mm", limits.position_rms_mm, value("position", |s| s.rms)),
+        ("orientation_max_deg", limits.orientation_max_deg, value("orientation", |s| s.max)),
+    ];
+    let mut verdicts = Vec::new();
+    for (name, limit, value) in stated {
+        let Some(limit) = limit else { continue };
+        let (value, unit) = value.ok_or_else(|| {
+            Message::error(format!("the limit `{name}` cannot be judged: these data tell no such error"))
+                .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")
+        })?;
+        verdicts.push(LimitVerdict { name: name.to_owned(), unit, limit, value, met: value <= limit });
+    }
+    let point = if robot.planar().is_some() {
+        "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints; \
+         positions are those of C in the base frame"
+    } else {
+        "each target's measured position minus the one that the model predicts from the joints; orientation is the \
+         rotation that is left between measured and predicted targets; positions are those of the targets in the world"
+    };
+    Ok(AccuracyDocument {
+        schema: "etalon/accuracy/1".to_owned(),
+        definition: format!(
+            "error: {point}; before: nominal parameters of the robot, with only base and targets fitted to the calibration \
+             poses; after: all identified parameters; statistics are of sizes, each repeat counted"
+        ),
+        sets,
+        limits: verdicts,
+    })
+}
+
+fn accuracy_of(name: &str, errors: &[&PointError], planar: bool) -> AccuracySet {
+    let poses: BTreeSet<i64> = errors.iter().map(|e| e.pose).collect();
+    let mut quantities = vec![statistics("position", "mm", errors, &|v, _| Some(norm(v)))];
+    for (axis, quantity) in ["x", "y", "z"].into_iter().enumerate().take(if planar { 2 } else { 3 }) {
+        quantities.push(statistics(quantity, "mm", errors, &move |v, _| Some(v[axis].abs())));
+    }
+    let orientation = statistics("orientation", "deg", errors, &|_, deg| deg.map(f64::abs));
+    if errors.iter().any(|e| e.after_deg.is_some()) {
+        quantities.push(orientation);
+    }
+    AccuracySet { name: name.to_owned(), poses: poses.len(), count: errors.len(), errors: quantities }
+}
+
+type Size<'a> = &'a dyn Fn(Vector, Option<f64>) -> Option<f64>;
+
+fn statistics(quantity: &str, unit: &str, errors: &[&PointError], size: Size) -> ErrorStatistics {
+    let of = |pick: &dyn Fn(&PointError) -> Option<f64>| summarise(errors.iter().filter_map(|e| pick(e)).collect());
+    ErrorStatistics {
+        quantity: quantity.to_owned(),
+        unit: unit.to_owned(),
+        before: of(&|e| size(e.before_mm, e.before_deg)),
+        after: of(&|e| size(e.after_mm, e.after_deg)),
+    }
+}
+
+/// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum of sizes.
+fn summarise(mut sizes: Vec<f64>) -> Statistics {
+    sizes.sort_by(f64::total_cmp);
+    let n = sizes.len() as f64;
+    let Some(&max) = sizes.last() else { return Statistics::default() };
+    let rank = 0.95 * (n - 1.0);
+    let (low, part) = (rank.floor() as usize, rank.fract());
+    let p95 = sizes[low] + part * (sizes.get(low + 1).unwrap_or(&max) - sizes[low]);
+    let sum_of_squares: f64 = sizes.iter().map(|s| s * s).sum();
+    Statistics { mean: sizes.iter().sum::<f64>() / n, rms: (sum_of_squares / n).sqrt(), p95, max }
+}
+
+/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`.
+pub fn to_table(errors: &[PointError]) -> Result<DataFrame> {
+    let text =
+        |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
+    let whole =
+        |name: &str, f: fn(&PointError) -> i64| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
+    let mut columns = vec![
+        text("set", |e| &e.set),
+        whole("pose", |e| e.pose),
+        whole("cycle", |e| e.cycle),
+        text("target", |e| &e.target),
+    ];
+    for (prefix, of) in VECTORS {
+        for (axis, name) in XYZ.iter().enumerate() {
+            let values: Vec<f64> = errors.iter().map(|e| of(e)[axis]).collect();
+            columns.push(Column::new(format!("{prefix}{name}").into(), values));
+        }
+    }
+    columns.push(Column::new("before_deg".into(), errors.iter().map(|e| e.before_deg).collect::<Vec<_>>()));
+    columns.push(Column::new("after_deg".into(), errors.iter().map(|e| e.after_deg).collect::<Vec<_>>()));
+    Ok(DataFrame::new(errors.len(), columns)?)
+}
+
+/// Prefix of three columns, and the vector in them.
+type VectorColumns = (&'static str, fn(&PointError) -> Vector);
+
+const VECTORS: [VectorColumns; 3] = [("", |e| e.at_mm), ("before_", |e| e.before_mm), ("after_", |e| e.after_mm)];
+
+/// The errors from such a table.
+pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
+    let (sets, targets) = (table::texts(frame, "set")?, table::texts(frame, "target")?);
+    let (poses, cycles) = (table::integers(frame, "pose")?, table::integers(frame, "cycle")?);
+    let vectors = |prefix: &str| -> Result<Vec<Vector>> {
+        let [x, y, z] = XYZ.map(|axis| table::numbers(frame, &format!("{prefix}{axis}")));
+        Ok(x?.into_iter().zip(y?).zip(z?).map(|((x, y), z)| [x, y, z]).collect())
+    };
+    let (at, before, after) = (vectors("")?, vectors("before_")?, vectors("after_")?);
+    let (before_deg, after_deg) = (table::numbers(frame, "before_deg")?, table::numbers(frame, "after_deg")?);
+    let error = |i: usize| PointError {
+        set: sets[i].clone(),
+        pose: poses[i],
+        cycle: cycles[i],
+        target: targets[i].clone(),
+        at_mm: at[i],
+        before_mm: before[i],
+        after_mm: after[i],
+        before_deg: Some(before_deg[i]).filter(|d| d.is_finite()),
+        after_deg: Some(after_deg[i]).filter(|d| d.is_finite()),
+    };
+    Ok((0..frame.height()).map(error).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn statistics_of_known_sizes() {
+        let s = summarise((1..=21).map(f64::from).collect());
+        assert_eq!((s.mean, s.p95, s.max), (11.0, 20.0, 21.0));
+        assert!((s.rms - (3311.0f64 / 21.0).sqrt()).abs() < 1e-12);
+        assert_eq!(summarise(Vec::new()).max, 0.0);
+    }
+}

@@ -1,0 +1,196 @@
+//! Labels of points become measurements of the geometric calibration, and back.
+
+use crate::base::message::{Message, Problems, Result};
+use crate::base::pose::{Vector, centroid};
+use crate::campaign::{Campaign, GeometricDefinition};
+use crate::math::geometric::{
+    BaseMeasurements, LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned,
+};
+use crate::stages::steps::{Step, Steps};
+use polars::prelude::DataFrame;
+use std::collections::BTreeSet;
+use toml::Spanned;
+
+/// All that is measured.
+#[derive(Clone, Debug)]
+pub struct Gathered {
+    /// The robot.
+    pub robot: Measurements,
+    /// Pairs of balls of each scale bar.
+    pub bars: Vec<Vec<[Vector; 2]>>,
+    /// Readings of each single ball.
+    pub balls: Vec<Vec<Vector>>,
+}
+
+/// Finds the points of every step by their labels; everything that is missing is said at once.
+pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &DataFrame) -> Result<Gathered> {
+    let all = Steps::new(campaign, points)?;
+    let mut problems = Problems::default();
+    let mut step = |pattern: &Spanned<String>| {
+        all.of(pattern).unwrap_or_else(|more| {
+            problems.0.extend(more.0);
+            Step::new()
+        })
+    };
+    let (arc, turn) = (step(&definition.arc), step(&definition.turn));
+    let (shaft, offsets) = (step(&definition.shaft), step(&definition.offsets));
+    let leads: Vec<Step> = definition.lead.iter().map(|l| step(&l.label)).collect();
+    let bars: Vec<Step> = definition.scale_bar.iter().map(|b| step(&b.label)).collect();
+    let balls = definition.ball.iter().map(|b| step(&b.label).into_values().flatten().collect()).collect();
+    let mut found = Measurements { base: all.base().map_err(|e| e.with(&mut problems))?, ..Measurements::default() };
+    found.base.arc = arc.into_values().flatten().collect();
+    gather_leads(campaign, definition, leads, &mut found, &mut problems);
+
+    let one = |step: &Step, cycle: i64, pose: i64, target: &str| {
+        centroid(step.get(&(cycle, pose, target.to_owned())).map_or(&[][..], Vec::as_slice))
+    };
+    let mut want = |point: Option<Vector>, pattern: &Spanned<String>, (cycle, pose): (i64, i64), target: &str| {
+        if point.is_none() {
+            let what = format!("ball `{target}` is missing (pose {pose}, cycle {cycle})");
+            problems.0.push(Message::error(what).at(campaign.place(pattern)).hint("measure it, or remove the rest"));
+        }
+        point.unwrap_or_default()
+    };
+    for (cycle, pose) in turn.keys().map(|k| (k.0, k.1)).collect::<BTreeSet<_>>() {
+        let mut ball = |name: &str| want(one(&turn, cycle, pose, name), &definition.turn, (cycle, pose), name);
+        found.turned.push(Turned { k: ball("K"), l: ball("L"), i: ball(&definition.turn_ball) });
+    }
+    for cycle in shaft.keys().map(|k| k.0).collect::<BTreeSet<_>>() {
+        let position = |wanted: i64| shaft.iter().filter(move |(k, _)| k.0 == cycle && k.1 == wanted);
+        let positions = [1, 2].map(|pose| position(pose).flat_map(|(_, p)| p).copied().collect());
+        found.shafts.push(ShaftMeasurements { positions });
+    }
+    for cycle in offsets.keys().map(|k| k.0).collect::<BTreeSet<_>>() {
+        let mut ball =
+            |name: &str, pose: i64| want(one(&offsets, cycle, pose, name), &definition.offsets, (cycle, pose), name);
+        let (k, l, k_end) = (ball("K", 1), ball("L", 1), ball("K", 2));
+        let rho = definition.mid_travel_mm;
+        found.offsets.push(OffsetMeasurements { rho2_mm: rho, rho3_mm: rho, k, l, k_end });
+    }
+    let mut pairs = Vec::new();
+    for (definition, step) in definition.scale_bar.iter().zip(bars) {
+        let keys: BTreeSet<(i64, i64)> = step.keys().map(|k| (k.0, k.1)).collect();
+        let mut ball =
+            |(cycle, pose), name: &str| want(one(&step, cycle, pose, name), &definition.label, (cycle, pose), name);
+        pairs.push(keys.into_iter().map(|key| [ball(key, "A"), ball(key, "B")]).collect());
+    }
+    problems.check()?;
+    Ok(Gathered { robot: found, bars: pairs, balls })
+}
+
+/// The readings of every actuator with the displacements that were commanded.
+fn gather_leads(
+    campaign: &Campaign,
+    definition: &GeometricDefinition,
+    leads: Vec<Step>,
+    found: &mut Measurements,
+    problems: &mut Problems,
+) {
+    for (definition, step) in definition.lead.iter().zip(leads) {
+        let actuator = *definition.actuator.get_ref();
+        let Some(run) = found.leads.get_mut(actuator.wrapping_sub(1)) else {
+            let message = Message::error(format!("there is no actuator {actuator}")).expected("1, 2 or 3");
+            problems.0.push(message.at(campaign.place(&definition.actuator)));
+            continue;
+        };
+        let measured = run.get_or_insert_with(LeadMeasurements::default);
+        for ((_, pose, _), points) in step {
+            let commanded = usize::try_from(pose - 1).ok().and_then(|i| definition.positions_mm.get(i));
+            let Some(&commanded) = commanded else {
+                let what = format!("position {pose} of actuator {actuator} is not among `positions_mm`");
+                problems.0.push(Message::error(what).at(campaign.place(&definition.label)));
+                continue;
+            };
+            measured.commanded_mm.extend(points.iter().map(|_| commanded));
+            measured.points.extend(points);
+        }
+    }
+}
+
+/// The label of a point: a pattern with its parts filled in.
+pub fn label(pattern: &str, target: &str, pose: i64, cycle: i64) -> String {
+    pattern.replace("{target}", target).replace("{pose}", &pose.to_string()).replace("{cycle}", &cycle.to_string())
+}
+
+/// Measurements as labelled points: what [`gather`] reads. Rails and ball R are not among them.
+pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(String, Vector)> {
+    let Gathered { robot: found, bars, balls } = gathered;
+    let mut rows = Vec::new();
+    let mut row = |pattern: &Spanned<String>, target: &str, pose: i64, cycle: i64, p: Vector| {
+        rows.push((label(pattern.get_ref(), target, pose, cycle), p));
+    };
+    for (lead, run) in definition.lead.iter().filter_map(|l| Some((l, found.leads.get(l.actuator.get_ref() - 1)?))) {
+        for (i, p) in run.iter().flat_map(|run| &run.points).enumerate() {
+            let positions = lead.positions_mm.len().max(1);
+            row(&lead.label, "", (i % positions) as i64 + 1, (i / positions) as i64 + 1, *p);
+        }
+    }
+    for (bar, pairs) in definition.scale_bar.iter().zip(bars) {
+        for (cycle, [a, b]) in (1..).zip(pairs) {
+            row(&bar.label, "A", 1, cycle, *a);
+            row(&bar.label, "B", 1, cycle, *b);
+        }
+    }
+    for (ball, readings) in definition.ball.iter().zip(balls) {
+        (1..).zip(readings).for_each(|(cycle, p)| row(&ball.label, "", 1, cycle, *p));
+    }
+    for (pose, p) in (1..).zip(&found.base.arc) {
+        row(&definition.arc, "N", pose, 1, *p);
+    }
+    for (pose, t) in (1..).zip(&found.turned) {
+        for (target, p) in [("K", t.k), ("L", t.l), (definition.turn_ball.as_str(), t.i)] {
+            row(&definition.turn, target, pose, 1, p);
+        }
+    }
+    for (cycle, run) in (1..).zip(&found.shafts) {
+        for (pose, points) in (1..).zip(&run.positions) {
+            points.iter().for_each(|p| row(&definition.shaft, "shaft", pose, cycle, *p));
+        }
+    }
+    for (cycle, run) in (1..).zip(&found.offsets) {
+        for (target, pose, p) in [("K", 1, run.k), ("L", 1, run.l), ("K", 2, run.k_end)] {
+            row(&definition.offsets, target, pose, cycle, p);
+        }
+    }
+    rows
+}
+
+impl Steps<'_> {
+    /// Rails and ball R: those of the world frame.
+    fn base(&self) -> Result<BaseMeasurements> {
+        let world = self.campaign.file.frame.world.get_ref();
+        let wrong = || {
+            Message::error("the geometric calibration needs a world frame from the rails and ball R")
+                .at(self.campaign.place(&self.campaign.file.frame.world))
+                .expected("`plane`, `origin`, `y_axis = [origin, other end]` and `towards`, as in the thesis' 3.4.1")
+        };
+        let (Some(plane), Some(origin), Some(ends), Some(towards)) =
+            (&world.plane, &world.origin, &world.y_axis, &world.towards)
+        else {
+            return Err(wrong().into());
+        };
+        let rails = self.campaign.file.features.get(plane.get_ref()).and_then(|f| f.element());
+        let ([from, to], Some((_, rails))) = (&ends[..], rails) else { return Err(wrong().into()) };
+        let measured = BaseMeasurements {
+            rails: self.named(rails),
+            towards: centroid(&self.named([towards])).unwrap_or_default(),
+            arc: Vec::new(),
+            r_home: self.named([from]),
+            r_end: self.named([to]),
+        };
+        let same = from.get_ref() == origin.get_ref();
+        if !same || measured.rails.is_empty() || measured.r_home.is_empty() || measured.r_end.is_empty() {
+            return Err(wrong().into());
+        }
+        Ok(measured)
+    }
+}
+
+impl Problems {
+    /// These after those found before.
+    fn with(self, before: &mut Self) -> Self {
+        let mut all = std::mem::take(&mut before.0);
+        all.extend(self.0);
+        Self(all)
+    }
+}

@@ -1,0 +1,211 @@
+//! The geometric calibration of a campaign: labelled points in, its document out.
+
+mod labels;
+mod tables;
+
+pub use labels::{Gathered, gather, label, labelled};
+
+use crate::base::message::{Message, Result};
+use crate::base::pose::Vector;
+use crate::campaign::{BallDefinition, Campaign, GeometricDefinition};
+use crate::document::*;
+use crate::iso9283::repeatability::pose_repeatability;
+use crate::math::geometric::{self, Geometry, Repeated, Scatter, Uncertain, Workspace, scale_bar};
+use crate::math::identify::Identification;
+use crate::math::robots::{Prexyt, Robot};
+use crate::stages::evaluate::Sets;
+use polars::prelude::DataFrame;
+
+/// Finds the robot by geometry alone, and sets it beside what was identified from the same campaign; `None` where the
+/// campaign has no `[geometric]`.
+pub fn calibrate(
+    campaign: &Campaign,
+    robot: &dyn Robot,
+    points: &DataFrame,
+    sets: &Sets,
+    identified: &Identification,
+) -> Result<Option<GeometricDocument>> {
+    let Some(definition) = &campaign.file.geometric else { return Ok(None) };
+    let planar = robot.planar().filter(|r| r.model() == "prexyt").ok_or_else(|| {
+        Message::error("[geometric] is the geometric calibration of a PreXYT").expected("a robot with model `prexyt`")
+    })?;
+    let Gathered { robot: measured, bars, balls } = gather(campaign, definition, points)?;
+    let found = geometric::determine(&measured, campaign.file.instrument.standard_uncertainty_mm())?;
+    let quantities = quantities(&found);
+    let value = |name: &str| quantities.iter().find(|q| q.0 == name).map(|q| q.1.value);
+    let with = |set: &dyn Fn(&str) -> Option<f64>| -> Vec<f64> {
+        planar.parameters().iter().map(|p| set(&p.name).unwrap_or(p.nominal)).collect()
+    };
+    // all are judged in the base frame that was found first (thesis 2.7)
+    let before = with(&|name| value(name).filter(|_| name == "x_o" || name == "y_o"));
+    let geometric = with(&|name| match name {
+        "beta" | "gamma" | "epsilon_theta" => Some(0.0),
+        _ => value(name),
+    });
+    let tables = tables::tables(campaign, definition, planar, sets, [&before, &geometric, &identified.values])?;
+    let methods = tables::methods(&tables);
+    let mut steps = vec![step("plane of the rails", &found.base.plane.scatter, None)];
+    steps.push(step("arc of ball N about O", &found.base.arc.scatter, Some(found.base.arc.coverage_deg)));
+    let circle = &found.mobile.circle;
+    steps.push(step("arc of ball I about C", &circle.scatter, Some(circle.coverage_deg)));
+    for (i, pair) in found.shafts.iter().enumerate() {
+        for (k, shaft) in pair.iter().enumerate() {
+            steps.push(step(&format!("shaft, repeat {}, position {}", i + 1, k + 1), &shaft.scatter, None));
+        }
+    }
+    for (i, lead) in found.leads.iter().enumerate() {
+        steps.extend(lead.iter().map(|lead| step(&format!("travel of actuator {}", i + 1), &lead.scatter, None)));
+    }
+    let scale_bars = definition.scale_bar.iter().zip(&bars).filter_map(|(d, pairs)| {
+        let bar = scale_bar(d.length_mm, pairs)?;
+        Some(ScaleBarResult {
+            name: d.name.clone(),
+            length_mm: d.length_mm,
+            count: bar.count,
+            mean_error_mm: bar.mean_error_mm,
+            standard_deviation_mm: bar.standard_deviation_mm,
+        })
+    });
+    let balls: Result<Vec<BallResult>> =
+        definition.ball.iter().zip(&balls).map(|(d, b)| ball(campaign, d, b)).collect();
+    Ok(Some(GeometricDocument {
+        schema: "etalon/geometric/1".to_owned(),
+        definition: "thesis, chapter 2: each quantity from points measured for it, no optimisation of the robot's model; \
+                     gamma, beta and epsilon_theta are taken as zero; d3 is corrected for the leads of actuators 2 and 3. \
+                     Uncertainties are the points' own, carried through every fit and frame; where residuals scatter \
+                     more than the instrument states, theirs. Errors are means of measured minus predicted pose, before \
+                     and geometric in the base frame found geometrically"
+            .to_owned(),
+        quantities: quantities.iter().map(|q| quantity(q, &found, planar, identified)).collect(),
+        covariance: covariance(&quantities, &found),
+        messages: steps.iter().filter_map(scatter_message).collect(),
+        leads: leads(definition, &found),
+        steps,
+        scale_bars: scale_bars.collect(),
+        balls: balls?,
+        tables,
+        methods,
+        workspace: workspace(definition, planar, &geometric),
+    }))
+}
+
+/// Name of a parameter, its value, and its repeats where it was repeated.
+type Quantity<'a> = (&'static str, &'a Uncertain, Option<&'a Repeated>);
+
+fn quantities(found: &Geometry) -> Vec<Quantity<'_>> {
+    let ([x_o, y_o], [x_c, y_c]) = (&found.base.origin_in_world, &found.mobile.circle.centre);
+    let mut all: Vec<Quantity> = vec![("x_o", x_o, None), ("y_o", y_o, None), ("x_c", x_c, None), ("y_c", y_c, None)];
+    all.extend([("s", &found.s), ("d", &found.d1), ("d3", &found.d3)].map(|(name, r)| (name, &r.mean, Some(r))));
+    for (name, lead) in ["delta", "delta2", "delta3"].into_iter().zip(&found.leads) {
+        all.extend(lead.iter().map(|lead| (name, &lead.ratio, None)));
+    }
+    all.push(("l_kl", &found.mobile.l_kl, None));
+    all
+}
+
+fn quantity(q: &Quantity, found: &Geometry, robot: &Prexyt, identified: &Identification) -> GeometricQuantity {
+    let &(name, x, repeated) = q;
+    let i = robot.index(name).unwrap_or_default();
+    let parameter = &robot.parameters()[i];
+    let repeats = repeated.map(|r| (r.values.len(), r.repeats(&found.readings)));
+    GeometricQuantity {
+        name: name.to_owned(),
+        unit: parameter.quantity.unit().to_owned(),
+        nominal: parameter.nominal,
+        value: x.value,
+        standard_uncertainty: match repeated {
+            Some(repeated) => repeated.standard_uncertainty(&found.readings),
+            None => x.standard_uncertainty(found.readings.standard_uncertainties_mm()),
+        },
+        repeats: repeats.filter(|(count, _)| *count > 1).map(|(count, r)| RepeatStatistics {
+            count,
+            standard_deviation: r.standard_deviation,
+            expected: r.expected,
+            enlarged: r.excess_variance > 0.0,
+        }),
+        identified: identified.values[i],
+        identified_standard_uncertainty: identified.standard_uncertainty(i),
+    }
+}
+
+fn covariance(quantities: &[Quantity], found: &Geometry) -> Vec<Vec<f64>> {
+    let u = found.readings.standard_uncertainties_mm();
+    let entry = |a: &Quantity, b: &Quantity| {
+        let excess = a.2.filter(|_| a.0 == b.0).map_or(0.0, |r| r.repeats(&found.readings).excess_variance);
+        a.1.covariance(b.1, u) + excess
+    };
+    quantities.iter().map(|a| quantities.iter().map(|b| entry(a, b)).collect()).collect()
+}
+
+/// How a single ball repeats.
+fn ball(campaign: &Campaign, definition: &BallDefinition, readings: &[Vector]) -> Result<BallResult> {
+    let found = pose_repeatability(readings).map_err(|problems| problems.at(&campaign.place(&definition.label)))?;
+    Ok(BallResult {
+        name: definition.name.clone(),
+        count: readings.len(),
+        mean_mm: found.mean_radius_mm,
+        standard_deviation_mm: found.sd_radius_mm,
+        repeatability_mm: found.rp_mm,
+    })
+}
+
+fn step(name: &str, scatter: &Scatter, coverage_deg: Option<f64>) -> GeometricStep {
+    GeometricStep {
+        name: name.to_owned(),
+        count: scatter.count,
+        standard_deviation_mm: scatter.standard_deviation_mm,
+        expected_mm: scatter.expected_mm,
+        max_mm: scatter.max_mm,
+        norm_mm: scatter.norm_mm,
+        enlarged_by: scatter.enlarged_by,
+        coverage_deg,
+    }
+}
+
+/// Where residuals and the instrument's statement differ.
+fn scatter_message(step: &GeometricStep) -> Option<Message> {
+    (step.enlarged_by > 1.0).then(|| {
+        let what = format!(
+            "{}: residuals scatter by {:.4} mm, the instrument states {:.4} mm: uncertainties follow the residuals",
+            step.name, step.standard_deviation_mm, step.expected_mm
+        );
+        Message::warning(what).hint("look for play, a dirty ball or a loose nest; measure the step again")
+    })
+}
+
+fn leads(definition: &GeometricDefinition, found: &Geometry) -> Vec<LeadResult> {
+    let u = found.readings.standard_uncertainties_mm();
+    let result = |actuator: usize| {
+        let lead = found.leads.get(actuator.wrapping_sub(1))?.as_ref()?;
+        let nominal = definition.lead.iter().find(|d| *d.actuator.get_ref() == actuator)?.lead_mm;
+        let linearity = |&(commanded_mm, deviation_mm): &(f64, f64)| Linearity { commanded_mm, deviation_mm };
+        Some(LeadResult {
+            actuator,
+            nominal_lead_mm: nominal,
+            actual_lead_mm: nominal * lead.ratio.value,
+            error: lead.error(),
+            standard_uncertainty: lead.ratio.standard_uncertainty(u),
+            linearity: lead.linearity.iter().map(linearity).collect(),
+        })
+    };
+    (1..=3).filter_map(result).collect()
+}
+
+fn workspace(definition: &GeometricDefinition, robot: &Prexyt, parameters: &[f64]) -> Vec<Region> {
+    let (Some(wanted), Some(reached)) = (definition.workspace, Workspace::new(robot, parameters)) else {
+        return Vec::new();
+    };
+    let (deg, theta) = (wanted.theta_deg, wanted.theta_deg.to_radians());
+    let regions = [
+        ("orientation 0 deg".to_owned(), reached.at(0.0)),
+        (format!("orientation {deg} deg"), reached.at(theta)),
+        (format!("orientation {} deg", -deg), reached.at(-theta)),
+        (format!("every orientation from {} to {deg} deg", -deg), reached.within(theta)),
+    ];
+    let region = |(name, polygon): (String, Vec<[f64; 2]>)| Region {
+        name,
+        area_mm2: geometric::area_mm2(&polygon),
+        corners_mm: polygon.into_iter().map(|[x, y]| [x, y, 0.0]).collect(),
+    };
+    regions.map(region).into_iter().collect()
+}

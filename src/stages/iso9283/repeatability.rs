@@ -1,0 +1,290 @@
+//! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of ISO 9283 out.
+
+use crate::base::message::{Message, Problems, Result};
+use crate::base::pose::{Pose, Vector};
+use crate::campaign::{Campaign, RepeatabilityDefinition};
+use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit, Source};
+use crate::import;
+use crate::import::tables::coordinates::{ANGLES, in_file, spatial};
+use crate::import::tables::recording::commanded_poses;
+use crate::import::tables::visits::{PoseVisits, Visit, Visits, from_pose};
+use crate::iso9283::coplanarity::from_the_others;
+use crate::stages::iso9283::characteristics::COVERAGE_FACTOR;
+use crate::stages::iso9283::pose::{self, Settings};
+use crate::stages::steps::{Step, Steps};
+use crate::stages::table_file::TableFile;
+use polars::prelude::DataFrame;
+use std::collections::{BTreeMap, BTreeSet};
+use toml::Spanned;
+
+/// The characteristics that the campaign's visits tell, in its world frame, and the files beside the exports that they are of.
+pub fn evaluate(
+    campaign: &Campaign,
+    definition: &RepeatabilityDefinition,
+    points: &DataFrame,
+    frames: &FramesDocument,
+    settings: &Settings,
+) -> Result<(Iso9283Document, Vec<Source>)> {
+    let [frame] = &frames.world.poses[..] else {
+        let message = Message::error("[repeatability] needs a world frame that is measured once");
+        return Err(message.at(campaign.place(&campaign.file.frame.world)).into());
+    };
+    let gathered = gather(campaign, definition, points, &frame.export_T_world)?;
+    let mut document = pose::evaluate(&gathered.visits, settings)?;
+    document.conventions.push(format!(
+        "approach: the pose before in the trajectory; the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the world \
+         frame ({})",
+        frames.world.definition
+    ));
+    if !gathered.visits.spatial {
+        document.conventions.push(
+            "commanded positions have no z: all characteristics but the coplanarity are in the plane xy".to_owned(),
+        );
+    }
+    if let Some(homings) = &gathered.homings {
+        let settings = Settings { drift_set: None, ap_limit_mm: None, ..settings.clone() };
+        let homing = pose::evaluate(homings, &settings)?.poses.pop();
+        document.messages.extend(homing.as_ref().and_then(too_coarse));
+        document.homing = homing;
+    }
+    document.coplanarity_of_four = out_of_plane(campaign, definition, &gathered.in_order)?;
+    document.visits = gathered.in_order;
+    Ok((document, gathered.sources))
+}
+
+/// What the labels of a campaign bring.
+#[derive(Clone, Debug)]
+pub struct Gathered {
+    /// Visits of the trajectory's poses.
+    pub visits: Visits,
+    /// Homings, as visits of pose 0.
+    pub homings: Option<Visits>,
+    /// The visits of the trajectory in the order of recording.
+    pub in_order: Vec<Iso9283Visit>,
+    /// Files beside the exports.
+    pub sources: Vec<Source>,
+}
+
+/// Finds the visits by their labels; everything that is missing is said at once.
+pub fn gather(
+    campaign: &Campaign,
+    definition: &RepeatabilityDefinition,
+    points: &DataFrame,
+    export_T_world: &Pose,
+) -> Result<Gathered> {
+    let steps = Steps::new(campaign, points)?;
+    let mut problems = statements(campaign, definition);
+    let mut step = |pattern| steps.of(pattern).map_err(|more| problems.0.extend(more.0)).ok();
+    let (visits, homings) = (step(&definition.label), definition.homing.as_ref().map(&mut step));
+    let world_T_export = export_T_world.inverse();
+    let mut warnings = Vec::new();
+    let in_order = visits.map_or_else(Vec::new, |step| {
+        in_order(campaign, definition, step, &world_T_export, &mut warnings, &mut problems)
+    });
+    let commanded = definition.commanded.as_ref().map(|file| Commanded::read(campaign, file));
+    let commanded = commanded.and_then(|read| read.map_err(|more| problems.0.extend(more.0)).ok());
+    problems.check()?;
+    let homings = homings.flatten().map(|step| {
+        let homed = |((cycle, _, _), points): ((i64, i64, String), Vec<_>)| {
+            let visit = move |p| visit(0, cycle, None, world_T_export.apply(p));
+            points.into_iter().map(visit).collect::<Vec<_>>()
+        };
+        by_pose(&step.into_iter().flat_map(homed).collect::<Vec<_>>(), Vec::new())
+    });
+    let (mut visits, mut homings) = (by_pose(&in_order, warnings), homings);
+    let mut sources = Vec::new();
+    if let Some(commanded) = commanded {
+        commanded.give_to(&mut visits)?;
+        if let Some(set) = definition.drift_set.as_ref().filter(|set| *set.get_ref() > 1) {
+            pose::drifts(&visits, Some(*set.get_ref())).map_err(|more| more.at(&campaign.place(set)))?;
+        }
+        homings.iter_mut().filter(|_| !commanded.spatial).for_each(flatten);
+        sources.push(commanded.source);
+    }
+    Ok(Gathered { visits, homings, in_order, sources })
+}
+
+/// What is wrong with the commanded positions alone, whatever the labels bring.
+pub fn commanded_problems(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Problems {
+    let read = definition.commanded.as_ref().map(|file| Commanded::read(campaign, file));
+    read.and_then(Result::err).unwrap_or_default()
+}
+
+/// Commanded positions of the campaign's poses, in its world frame.
+struct Commanded {
+    table: TableFile,
+    source: Source,
+    poses: Vec<(i64, Vector)>,
+    spatial: bool,
+}
+
+impl Commanded {
+    fn read(campaign: &Campaign, file: &Spanned<String>) -> Result<Self> {
+        let kind = ("table", "commanded poses");
+        let (table, source) = TableFile::of_campaign(campaign, file, kind, import::observations)?;
+        if let Some(name) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
+            let message = Message::error(format!("`{name}` is commanded, but labels bring positions alone"));
+            let hint = "leave the column out, or give attained poses with angles as a table: [poses]";
+            return Err(table.place(in_file(message.hint(hint).into(), &table.name)));
+        }
+        let poses = commanded_poses(table.named()).map_err(|p| table.place(p))?;
+        let spatial = spatial(&table.table)?;
+        Ok(Self { table, source, poses, spatial })
+    }
+
+    /// Every visited pose must be commanded. Where no z is, the visits lose theirs.
+    fn give_to(&self, visits: &mut Visits) -> Result<()> {
+        let known = |pose: i64| self.poses.iter().find(|(known, _)| *known == pose).map(|(_, p)| *p);
+        let mut missing = Vec::new();
+        for p in &mut visits.poses {
+            p.commanded_mm = known(p.pose);
+            if p.commanded_mm.is_none() {
+                missing.push(p.pose.to_string());
+            }
+        }
+        if !missing.is_empty() {
+            let message = Message::error(format!("no position is commanded for pose {}", missing.join(", ")));
+            let message = message.hint("add a row for every pose of the trajectory that was measured");
+            return Err(in_file(message.into(), &self.table.name));
+        }
+        for (pose, _) in self.poses.iter().filter(|(pose, _)| visits.poses.iter().all(|p| p.pose != *pose)) {
+            let what = format!("pose {pose} is commanded, but nothing was measured there");
+            visits.warnings.push(Message::warning(what));
+        }
+        if !self.spatial {
+            flatten(visits);
+        }
+        Ok(())
+    }
+}
+
+/// Leaves out z.
+fn flatten(visits: &mut Visits) {
+    visits.spatial = false;
+    for visit in visits.poses.iter_mut().flat_map(|p| &mut p.visits) {
+        visit.position_mm[2] = 0.0;
+        visit.readings_mm.iter_mut().for_each(|p| p[2] = 0.0);
+    }
+}
+
+fn visit(pose: i64, cycle: i64, approach: Option<String>, attained_mm: crate::base::pose::Vector) -> Iso9283Visit {
+    Iso9283Visit { pose, cycle, approach, attained_mm }
+}
+
+/// Statements that no measurement can meet.
+fn statements(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Problems {
+    let trajectory = definition.trajectory.get_ref();
+    let mut problems = Problems::default();
+    if trajectory.is_empty() {
+        let message = Message::error("the trajectory has no pose").at(campaign.place(&definition.trajectory));
+        problems.0.push(message.hint("state the poses of one cycle in their order, e.g. [1, 2, 1, 3]"));
+    }
+    if let Some(four) = &definition.coplanar {
+        let poses = four.get_ref();
+        let distinct = poses.iter().collect::<BTreeSet<_>>().len() == poses.len();
+        if !distinct || !poses.iter().all(|pose| trajectory.contains(pose)) {
+            let message = Message::error("`coplanar` does not name four poses of the trajectory");
+            problems.0.push(message.at(campaign.place(four)).expected("four of its poses, each once"));
+        }
+    }
+    problems
+}
+
+/// The visits of every cycle along the trajectory. Of a pose that a cycle passes several times all visits must be there:
+/// otherwise nobody knows which one is missing.
+fn in_order(
+    campaign: &Campaign,
+    definition: &RepeatabilityDefinition,
+    mut step: Step,
+    world_T_export: &Pose,
+    warnings: &mut Vec<Message>,
+    problems: &mut Problems,
+) -> Vec<Iso9283Visit> {
+    let trajectory = definition.trajectory.get_ref();
+    let place = || campaign.place(&definition.label);
+    let cycles: BTreeSet<i64> = step.keys().map(|key| key.0).collect();
+    let first = cycles.first().copied();
+    let mut measured: BTreeMap<(i64, i64), std::vec::IntoIter<_>> = BTreeMap::new();
+    for ((cycle, pose, target), points) in std::mem::take(&mut step) {
+        if !trajectory.contains(&pose) {
+            let message = Message::error(format!("pose {pose} (cycle {cycle}) is not in the trajectory")).at(place());
+            problems.0.push(message.hint("correct the label, or add the pose to `trajectory`"));
+        } else if measured.insert((pose, cycle), points.into_iter()).is_some() {
+            let what = format!("pose {pose} (cycle {cycle}) is there with another target than `{target}` as well");
+            problems
+                .0
+                .push(Message::error(what).at(place()).hint("one ball tells the repeatability: name it in `label`"));
+        }
+    }
+    let counts = trajectory.iter().fold(BTreeMap::new(), |mut counts: BTreeMap<i64, usize>, pose| {
+        *counts.entry(*pose).or_default() += 1;
+        counts
+    });
+    let mut missing = Vec::new();
+    for (&cycle, (&pose, &count)) in cycles.iter().flat_map(|cycle| counts.iter().map(move |count| (cycle, count))) {
+        match measured.get(&(pose, cycle)).map_or(0, ExactSizeIterator::len) {
+            0 => missing.push(format!("pose {pose} of cycle {cycle}")),
+            found if found != count => {
+                let what = format!(
+                    "pose {pose} was measured {found} times in cycle {cycle}, the trajectory passes it {count} times"
+                );
+                let hint =
+                    "add the visit, or remove all of this pose and cycle: nobody knows from where the others came";
+                problems.0.push(Message::error(what).at(place()).hint(hint));
+            }
+            _ => {}
+        }
+    }
+    problems.0.truncate(20);
+    if !missing.is_empty() {
+        let shown = missing.iter().take(10).cloned().collect::<Vec<_>>().join(", ");
+        let more = if missing.len() > 10 { ", ..." } else { "" };
+        warnings.push(Message::warning(format!("not measured: {shown}{more}")).at(place()));
+    }
+    let mut all = Vec::new();
+    for &cycle in &cycles {
+        for (i, pose) in trajectory.iter().enumerate() {
+            let before = trajectory[(i + trajectory.len() - 1) % trajectory.len()];
+            // where the robot stood before the test nobody says
+            let approach = (i > 0 || Some(cycle) != first).then(|| from_pose(before));
+            if let Some(p) = measured.get_mut(&(*pose, cycle)).and_then(Iterator::next) {
+                all.push(visit(*pose, cycle, approach, world_T_export.apply(p)));
+            }
+        }
+    }
+    all
+}
+
+fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> Visits {
+    let mut poses: BTreeMap<i64, Vec<Visit>> = BTreeMap::new();
+    for v in in_order {
+        poses.entry(v.pose).or_default().push(Visit {
+            cycle: v.cycle,
+            position_mm: v.attained_mm,
+            angles_rad: Vec::new(),
+            approach: v.approach.clone(),
+            robot: String::new(),
+            readings_mm: vec![v.attained_mm],
+        });
+    }
+    let of_pose = |(pose, visits)| PoseVisits { pose, commanded_mm: None, commanded_rad: Vec::new(), visits };
+    Visits { poses: poses.into_iter().map(of_pose).collect(), spatial: true, angles: Vec::new(), warnings }
+}
+
+fn out_of_plane(
+    campaign: &Campaign,
+    definition: &RepeatabilityDefinition,
+    visits: &[Iso9283Visit],
+) -> Result<Vec<Iso9283OutOfPlane>> {
+    let Some(four) = &definition.coplanar else { return Ok(Vec::new()) };
+    let poses = *four.get_ref();
+    let of_pose = |pose: i64| visits.iter().filter(|v| v.pose == pose).map(|v| v.attained_mm).collect::<Vec<_>>();
+    let distances_mm = from_the_others(&poses.map(of_pose)).map_err(|more| more.at(&campaign.place(four)))?;
+    Ok(poses.into_iter().zip(distances_mm).map(|(pose, distance_mm)| Iso9283OutOfPlane { pose, distance_mm }).collect())
+}
+
+fn too_coarse(homing: &Iso9283Pose) -> Option<Message> {
+    let rp = homing.rp_mm.filter(|_| homing.quarter_rule_met == Some(false))?;
+    let what = format!("the instrument's uncertainty exceeds a quarter of the repeatability of homing, {rp:.4} mm");
+    Some(Message::warning(what).hint("the value is an upper bound of the robot's"))
+}

@@ -1,0 +1,117 @@
+//! Recorded motions of a campaign: files become what ISO 9283 says of them.
+
+use crate::base::message::{Message, Problems, Result};
+use crate::campaign::{Campaign, StreamDefinition};
+use crate::document::{Iso9283NamedStream, Iso9283StreamsDocument, Source};
+use crate::import;
+use crate::import::tables::recording::{Recording, commanded_path, commanded_poses};
+use crate::stages::iso9283::motion::{Settings, Stated, evaluate};
+use crate::stages::table_file::TableFile;
+use std::collections::BTreeSet;
+use toml::Spanned;
+
+/// Seed of the bootstrap: intervals are the same on every run.
+const SEED: u64 = 1;
+
+/// A recording that was read, and how it is evaluated.
+#[derive(Clone, Debug)]
+pub struct Ready {
+    recording: Recording,
+    settings: Settings,
+    sources: Vec<Source>,
+}
+
+/// Reads all recordings with what they are compared with; tells everything that is wrong with them.
+pub fn read(campaign: &Campaign) -> Result<Vec<Ready>> {
+    let mut problems = Problems::default();
+    let mut names = BTreeSet::new();
+    let mut all = Vec::new();
+    for stream in &campaign.file.streams {
+        if !names.insert(stream.name.get_ref()) {
+            let message = Message::error(format!("stream `{}` is there twice", stream.name.get_ref()));
+            problems.0.push(message.at(campaign.place(&stream.name)));
+        }
+        let mut wrong = stream.problems(campaign);
+        if let Err(more) = stated(stream).check(|key| format!("`{key}`")) {
+            wrong.0.extend(more.at(&campaign.place(&stream.name)).0);
+        }
+        match wrong.0.is_empty() {
+            false => problems.0.extend(wrong.0),
+            true => match ready(campaign, stream) {
+                Ok(ready) => all.push(ready),
+                Err(more) => problems.0.extend(more.0),
+            },
+        }
+    }
+    problems.check()?;
+    Ok(all)
+}
+
+/// Evaluates all recordings, and says which files they were; `None` where the campaign has no `[[stream]]`.
+pub fn evaluate_all(campaign: &Campaign) -> Result<Option<(Iso9283StreamsDocument, Vec<Source>)>> {
+    if campaign.file.streams.is_empty() {
+        return Ok(None);
+    }
+    let mut sources = Vec::new();
+    let mut streams = Vec::new();
+    for (definition, ready) in campaign.file.streams.iter().zip(read(campaign)?) {
+        let found = evaluate(&ready.recording, &ready.settings);
+        streams.push(Iso9283NamedStream {
+            name: definition.name.get_ref().clone(),
+            file: definition.file.get_ref().clone(),
+            band_mm: definition.band_mm,
+            stream: found.map_err(|more| more.at(&campaign.place(&definition.file)))?,
+        });
+        sources.extend(ready.sources);
+    }
+    Ok(Some((Iso9283StreamsDocument { schema: "etalon/iso9283-streams/1".to_owned(), streams }, sources)))
+}
+
+fn ready(campaign: &Campaign, stream: &StreamDefinition) -> Result<Ready> {
+    let mut sources = Vec::new();
+    let mut file = |file: &Spanned<String>, what: &str, recorded: bool| -> Result<TableFile> {
+        let read = |file: &str, text: &str| match (&stream.format, stream.unit) {
+            (Some(format), Some(unit)) if recorded => import::recorded_points(file, text, format, unit),
+            _ => import::observations(file, text),
+        };
+        let (table, source) = TableFile::of_campaign(campaign, file, ("stream", what), read)?;
+        sources.push(source);
+        Ok(table)
+    };
+    let recorded = file(&stream.file, "recorded motion", true)?;
+    let recording = Recording::from_table(recorded.named(), stream.rate_hz).map_err(|p| recorded.place(p))?;
+    let poses = match &stream.commanded {
+        None => None,
+        Some(commanded) => {
+            let table = file(commanded, "commanded poses", false)?;
+            Some(commanded_poses(table.named()).map_err(|p| table.place(p))?)
+        }
+    };
+    let path = match &stream.path {
+        None => None,
+        Some(path) => {
+            let table = file(path, "commanded path", false)?;
+            Some(commanded_path(table.named(), (&recorded.name, &recording)).map_err(|p| table.place(p))?)
+        }
+    };
+    let settings = stated(stream).settings(poses, path, SEED);
+    Ok(Ready { recording, settings, sources })
+}
+
+/// What holds for a motion that no campaign knows, too.
+fn stated(stream: &StreamDefinition) -> Stated<'_> {
+    Stated {
+        rate_hz: stream.rate_hz,
+        still_mm: stream.still_mm,
+        still_s: stream.still_s,
+        near_mm: stream.near_mm,
+        band_mm: stream.band_mm,
+        path: stream.path.is_some(),
+        path_points: stream.path_points,
+        velocity_mm_s: stream.velocity_mm_s,
+        central_percent: stream.central_percent,
+        weave_stroke_mm: stream.weave_stroke_mm,
+        weave_hz: stream.weave_hz,
+        weave_across: &stream.weave_across,
+    }
+}

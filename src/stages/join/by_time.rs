@@ -1,0 +1,231 @@
+//! Points meet the log by the clock: with the nearest row, with the standstill they fall into, or between two rows.
+
+use super::unmatched::Rows;
+use super::{Log, Said, contradictions};
+use crate::base::message::{Message, Problems, Result, count};
+use crate::base::table::{self, ASSEMBLY};
+use polars::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How times meet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Clocks {
+    /// Time of the measurement minus time of the log.
+    pub offset_s: f64,
+    /// How far apart a point and the rows that it meets may be.
+    pub tolerance_s: f64,
+    /// Joint values are those between the row before and the row after.
+    pub interpolate: bool,
+}
+
+/// The rows of the log that a point meets: the nearer one, and with a share of the other where it lies between two.
+#[derive(Clone, Copy)]
+struct Met {
+    row: usize,
+    other: Option<(usize, f64)>,
+}
+
+/// Joins each point with what the log says of its time; where no label names a pose, the log's row becomes the pose, or
+/// between rows the number of the time.
+pub(super) fn by_time(points: &DataFrame, log: Log, clocks: Clocks, said: &mut Said) -> Result<DataFrame> {
+    let name = log.name;
+    let stated_s = table::numbers(points, "time_s")?;
+    let times = nanoseconds(&stated_s, clocks.offset_s, "the export")?;
+    let spans = spans(log)?;
+    let tolerance_ns = (clocks.tolerance_s * 1e9).round() as i64;
+    let met: Vec<Option<Met>> = times
+        .iter()
+        .map(|&t| if clocks.interpolate { between(&spans, t, tolerance_ns) } else { nearest(&spans, t, tolerance_ns) })
+        .collect();
+    if !clocks.interpolate {
+        let within = |t: i64| {
+            let before = spans.partition_point(|s| s.1 < t.saturating_sub(tolerance_ns));
+            spans.partition_point(|s| s.0 <= t.saturating_add(tolerance_ns)).saturating_sub(before)
+        };
+        report_several(points, &times, &within, clocks, name, said)?;
+    }
+    report_alone(points, &met, clocks, name, said)?;
+    let used: BTreeSet<usize> =
+        met.iter().flatten().flat_map(|m| [Some(m.row), m.other.map(|(row, _)| row)]).flatten().collect();
+    report_idle(log, &used, clocks, said)?;
+    refuse_twice(points, &times, &met, clocks, log)?;
+    if !clocks.interpolate {
+        contradictions(points, log, met.iter().enumerate().filter_map(|(i, met)| Some((i, met.as_ref()?.row))))?;
+    }
+    joined(points, log, &times, &met, clocks.interpolate)
+}
+
+/// First and last time of each row of the log in nanoseconds: the same, but for standstills.
+fn spans(log: Log) -> Result<Vec<(i64, i64)>> {
+    let (from, to) = if log.rows.column("from_s").is_ok() { ("from_s", "to_s") } else { ("time_s", "time_s") };
+    let from = nanoseconds(&table::numbers(log.rows, from)?, 0.0, "the log")?;
+    let to = nanoseconds(&table::numbers(log.rows, to)?, 0.0, "the log")?;
+    if let Some(i) = from.windows(2).position(|w| w[1] <= w[0]) {
+        let what = format!("times of log `{}` do not increase at its row {}", log.name, i + 2);
+        return Err(Message::error(what).hint("sort the log by time, and remove rows with equal times").into());
+    }
+    Ok(from.into_iter().zip(to).collect())
+}
+
+fn nanoseconds(times_s: &[f64], offset_s: f64, whose: &str) -> Result<Vec<i64>> {
+    if times_s.iter().any(|t| !t.is_finite()) {
+        return Err(Message::error(format!("{whose} has rows without a time"))
+            .hint("a join by time needs `time_s` in the columns of exports and log")
+            .into());
+    }
+    Ok(times_s.iter().map(|t| ((t - offset_s) * 1e9).round() as i64).collect())
+}
+
+/// How far a time is from a row.
+fn apart((from, to): &(i64, i64), t: i64) -> i64 {
+    from.saturating_sub(t).max(t.saturating_sub(*to)).max(0)
+}
+
+fn nearest(spans: &[(i64, i64)], t: i64, tolerance_ns: i64) -> Option<Met> {
+    let after = spans.partition_point(|s| s.0 <= t);
+    let beside = after.saturating_sub(1)..(after + 1).min(spans.len());
+    let row = beside.min_by_key(|&i| apart(&spans[i], t))?;
+    (apart(&spans[row], t) <= tolerance_ns).then_some(Met { row, other: None })
+}
+
+/// The rows before and after a time, both within the tolerance.
+fn between(spans: &[(i64, i64)], t: i64, tolerance_ns: i64) -> Option<Met> {
+    let after = spans.partition_point(|s| s.0 < t);
+    if spans.get(after).is_some_and(|s| s.0 == t) {
+        return Some(Met { row: after, other: None });
+    }
+    let before = after.checked_sub(1)?;
+    let (low, high) = (spans[before].0, spans.get(after)?.0);
+    if t - low > tolerance_ns || high - t > tolerance_ns {
+        return None;
+    }
+    let share = (t - low) as f64 / (high - low) as f64;
+    let (row, other) = if share <= 0.5 { (before, (after, share)) } else { (after, (before, 1.0 - share)) };
+    Some(Met { row, other: Some(other) })
+}
+
+fn at(t: f64) -> String {
+    format!("{t} s")
+}
+
+/// Points that could have met several rows.
+fn report_several(
+    points: &DataFrame,
+    times: &[i64],
+    within: &dyn Fn(i64) -> usize,
+    clocks: Clocks,
+    name: &str,
+    said: &mut Said,
+) -> Result<()> {
+    let (stated_s, places) = (table::numbers(points, "time_s")?, Rows::points(points)?);
+    let tolerance_s = clocks.tolerance_s;
+    let several: Vec<(usize, usize)> =
+        times.iter().map(|&t| within(t)).enumerate().filter(|(_, rows)| *rows > 1).collect();
+    if several.is_empty() {
+        return Ok(());
+    }
+    let what = format!(
+        "{} with several rows of log `{name}` within {tolerance_s} s: the nearest counts",
+        count(several.len(), "measured point")
+    );
+    said.messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
+    said.unmatched.extend(several.into_iter().map(|(i, rows)| {
+        let reason = format!("{rows} rows of log `{name}` are within {tolerance_s} s: the nearest counts");
+        places.unmatched(i, at(stated_s[i]), &reason)
+    }));
+    Ok(())
+}
+
+/// Points that met no row.
+fn report_alone(points: &DataFrame, met: &[Option<Met>], clocks: Clocks, name: &str, said: &mut Said) -> Result<()> {
+    let (stated_s, places) = (table::numbers(points, "time_s")?, Rows::points(points)?);
+    let reason = match clocks.interpolate {
+        true => format!("no rows of log `{name}` before and after it are within {} s", clocks.tolerance_s),
+        false => format!("no row of log `{name}` is within {} s", clocks.tolerance_s),
+    };
+    let alone: Vec<usize> = (0..met.len()).filter(|&i| met[i].is_none()).collect();
+    if !alone.is_empty() {
+        let points = count(alone.len(), "measured point");
+        let what = format!("{points} without a row of log `{name}` within {} s", clocks.tolerance_s);
+        said.messages.push(Message::warning(what));
+    }
+    said.unmatched.extend(alone.into_iter().map(|i| places.unmatched(i, at(stated_s[i]), &reason)));
+    Ok(())
+}
+
+/// Rows of the log that no point met; between the rows of a log that runs on there are many.
+fn report_idle(log: Log, used: &BTreeSet<usize>, clocks: Clocks, said: &mut Said) -> Result<()> {
+    let (times_s, places) = (table::numbers(log.rows, "time_s")?, Rows::log(log.rows, log.file)?);
+    let idle: Vec<usize> = (0..times_s.len()).filter(|i| !used.contains(i)).collect();
+    if idle.is_empty() || clocks.interpolate {
+        return Ok(());
+    }
+    let what = format!("{} of log `{}` without a measured point", count(idle.len(), "row"), log.name);
+    said.messages.push(Message::warning(what));
+    let reason = "no measured point is nearest to it";
+    said.unmatched.extend(idle.into_iter().map(|i| places.unmatched(i, at(times_s[i]), reason)));
+    Ok(())
+}
+
+/// An error about points of one target that met the same row, or between rows have the same time.
+fn refuse_twice(points: &DataFrame, times: &[i64], met: &[Option<Met>], clocks: Clocks, log: Log) -> Result<()> {
+    let (targets, places) = (table::texts(points, "target")?, Rows::points(points)?);
+    let numbers = table::integers(log.rows, "row")?;
+    let mut used: BTreeMap<(i64, &str), Vec<usize>> = BTreeMap::new();
+    for (i, met) in met.iter().enumerate() {
+        let Some(met) = met else { continue };
+        let key = if clocks.interpolate { times[i] } else { numbers[met.row] };
+        used.entry((key, targets[i].as_str())).or_default().push(i);
+    }
+    let errors = used.iter().filter(|(_, points)| points.len() > 1).map(|((key, target), points)| {
+        let lines: Vec<String> = points.iter().map(|&i| places.line(i).to_string()).collect();
+        let (n, lines, name) = (points.len(), lines.join(", "), log.name);
+        let what = match clocks.interpolate {
+            true => format!("{n} points of target `{target}` have the same time (lines {lines})"),
+            false => format!("row {key} of log `{name}` is nearest to {n} points of target `{target}` (lines {lines})"),
+        };
+        let message = Message::error(what).hint("lower `tolerance_s`, or check `clock_offset_s`");
+        message.at(places.place(points[points.len() - 1]))
+    });
+    Problems(errors.collect()).check().map(|_| ())
+}
+
+/// The points that met something, with the columns of the log.
+fn joined(points: &DataFrame, log: Log, times: &[i64], met: &[Option<Met>], interpolated: bool) -> Result<DataFrame> {
+    let kept: Vec<(usize, Met)> = met.iter().enumerate().filter_map(|(i, met)| met.map(|met| (i, met))).collect();
+    let mut order: Vec<usize> = (0..kept.len()).collect();
+    order.sort_by_key(|&k| times[kept[k].0]);
+    let kept: Vec<(usize, Met)> = order.into_iter().map(|k| kept[k]).collect();
+    let taken: Vec<IdxSize> = kept.iter().map(|(i, _)| *i as IdxSize).collect();
+    let mut joined = points.take(&IdxCa::from_vec("i".into(), taken))?;
+    let numbers = table::integers(log.rows, "row")?;
+    let distinct: BTreeSet<i64> = kept.iter().map(|(i, _)| times[*i]).collect();
+    let rank: BTreeMap<i64, i64> = distinct.into_iter().zip(1..).collect();
+    let poses = table::optional_integers(&joined, "pose")?;
+    let own = |(i, met): &(usize, Met)| if interpolated { rank[&times[*i]] } else { numbers[met.row] };
+    let pose: Vec<Option<i64>> = poses.iter().zip(&kept).map(|(pose, kept)| pose.or(Some(own(kept)))).collect();
+    joined.with_column(Column::new("pose".into(), pose))?;
+    for column in log.rows.columns() {
+        let column_name = column.name().as_str();
+        if ["row", "line", "pose", "cycle", "time_s", "from_s", "to_s"].contains(&column_name) {
+            continue;
+        }
+        let rows: Vec<IdxSize> = kept.iter().map(|(_, met)| met.row as IdxSize).collect();
+        let nearer = column.take(&IdxCa::from_vec("i".into(), rows))?;
+        if !column.dtype().is_float() || column_name == ASSEMBLY || !interpolated {
+            joined.with_column(nearer)?;
+            continue;
+        }
+        let all = table::numbers(log.rows, column_name)?;
+        let turns = column_name.ends_with("_deg");
+        let value = |(_, met): &(usize, Met)| {
+            let Some((other, share)) = met.other else { return all[met.row] };
+            let step = all[other] - all[met.row];
+            // from 179.9 to -179.9 degrees it is a fifth of a degree; no joint turns so far from one row to the next
+            let step = if turns && step.abs() > 270.0 { step - 360.0 * step.signum() } else { step };
+            all[met.row] + share * step
+        };
+        joined.with_column(Column::new(column_name.into(), kept.iter().map(value).collect::<Vec<f64>>()))?;
+    }
+    Ok(joined)
+}

@@ -1,0 +1,12 @@
+//! The stages of a run, each from documents to the next document.
+
+pub mod evaluate;
+pub mod frames;
+pub mod geometric;
+pub mod iso9283;
+pub mod join;
+pub mod parameters;
+pub mod plausible;
+pub mod qif_fit;
+pub(crate) mod steps;
+pub(crate) mod table_file;

@@ -1,0 +1,117 @@
+//! The document of an identification: parameters with all that is needed to trust them.
+
+use crate::base::message::{Message, Severity};
+use crate::document::*;
+use crate::math::identify::{Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status};
+use crate::math::robots::Robot;
+use std::collections::BTreeMap;
+
+/// Says what `found` means: `before` is the same robot with only base and targets fitted.
+pub fn parameters_document(
+    robot: &dyn Robot,
+    settings: &Settings,
+    before: &[f64],
+    found: &Identification,
+    inputs: &BTreeMap<String, String>,
+) -> ParametersDocument {
+    let name = |i: &usize| robot.parameters()[*i].name.clone();
+    let confounded = |i: usize| {
+        let in_group = |g: &&Group| g.held == i || g.with.contains(&i);
+        let members = |g: &Group| g.with.iter().chain([&g.held]).copied().collect::<Vec<_>>();
+        let mut others: Vec<usize> =
+            found.groups.iter().filter(in_group).flat_map(members).filter(|&j| j != i).collect();
+        others.sort_unstable();
+        others.dedup();
+        others.iter().map(name).collect()
+    };
+    let parameters = robot.parameters().iter().enumerate().map(|(i, p)| ParameterEntry {
+        name: p.name.clone(),
+        unit: p.quantity.unit().to_owned(),
+        nominal: p.quantity.outward(p.nominal),
+        before: p.quantity.outward(before[i]),
+        value: p.quantity.outward(found.values[i]),
+        standard_uncertainty: found.standard_uncertainty(i).map(|u| p.quantity.outward(u)),
+        status: match found.status[i] {
+            Status::Identified => ParameterStatus::Identified,
+            Status::Fixed => ParameterStatus::Fixed,
+            Status::NotIdentifiable => ParameterStatus::NotIdentifiable,
+        },
+        confounded_with: confounded(i),
+    });
+    let n = found.free.len();
+    let factor = |k: usize| robot.parameters()[found.free[k]].quantity.outward(1.0);
+    let outward =
+        |c: &Vec<f64>| (0..n).map(|i| (0..n).map(|j| c[i * n + j] * factor(i) * factor(j)).collect()).collect();
+    let covariance = found.covariance.as_ref().map(outward).unwrap_or_default();
+    let mut messages = found.warnings.clone();
+    if !found.groups.is_empty() {
+        messages.push(
+            Message::warning("of parameters that act alike the one that stands last in the model's list is held at its nominal value")
+                .hint("name another one under `hold` in [identify] to hold that instead"),
+        );
+    }
+    ParametersDocument {
+        schema: "etalon/parameters/1".to_owned(),
+        robot: robot.model().to_owned(),
+        parameters: parameters.collect(),
+        covariance,
+        residuals: ResidualSummary {
+            kind: settings.kind,
+            count: found.degrees_of_freedom + n,
+            rms: found.rms,
+            max: found.max,
+            degrees_of_freedom: found.degrees_of_freedom,
+            stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
+            common_standard_uncertainty_mm: settings.common_uncertainty_mm,
+            chi_square: found.chi_square,
+            uncertainties_from: found.uncertainty_from,
+            uncertainties_enlarged_by: found.enlarged_by,
+        },
+        observability: found.observability.as_ref().map(|o| observability_summary(robot, o)),
+        solver: SolverSummary {
+            method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),
+            iterations: found.iterations,
+            termination: found.termination,
+            meaning: found.termination.to_string(),
+        },
+        messages,
+        provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs: inputs.clone(), seed: None },
+    }
+}
+
+/// The indices with their scaling, and the singular values with the names of their parameters.
+pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> ObservabilitySummary {
+    let [o1, o2, o3, o4, o5] = o.indices;
+    let named = |s: &SingularValue| SingularValueEntry {
+        value: s.value,
+        parameters: s.parameters.iter().map(|&i| robot.parameters()[i].name.clone()).collect(),
+    };
+    let scaling = "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms";
+    ObservabilitySummary {
+        o1,
+        o2,
+        o3,
+        o4,
+        o5,
+        condition: o.condition,
+        rank: o.rank,
+        scaling: scaling.to_owned(),
+        singular_values: o.singular_values.iter().map(named).collect(),
+        held_singular_values: o.held_singular_values.iter().map(named).collect(),
+        rank_cut: RANK_TOLERANCE,
+    }
+}
+
+impl ParametersDocument {
+    /// Whether they may reach a controller: no error is among the messages.
+    pub fn is_plausible(&self) -> bool {
+        self.messages.iter().all(|m| m.severity != Severity::Error)
+    }
+}
+
+impl ImportDocument {
+    /// SHA-256 of every input by its name.
+    pub fn inputs(&self) -> BTreeMap<String, String> {
+        self.sources.iter().map(|s| (s.file.clone(), s.sha256.clone())).collect()
+    }
+}

@@ -1,0 +1,144 @@
+//! Measured features fitted again: what a file states against what its points give.
+
+use crate::base::message::{Message, Problems, Result};
+use crate::base::pose::{Vector, cross, dot, minus, norm};
+use crate::document::{FitDocument, FitStated};
+use crate::import::qif::{Geometry, MeasuredFeature, Touch};
+use crate::math::fit::{self, Element, Fit, Probe, Settings, Side};
+
+/// What the user states about the probe, over what the file says.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ProbeStated {
+    /// Its radius.
+    pub radius_mm: Option<f64>,
+    /// Its side.
+    pub side: Option<Side>,
+}
+
+/// Fits a measured feature to its points by `settings` (without probe), compensates it where the points are probe
+/// centres, and sets it against what the file states; `None` where it has no points or is no element.
+///
+/// A circle whose stated normal is exactly an axis of coordinates is fitted in that plane: no measured normal is.
+///
+/// # Errors
+/// If its points do not determine the element, or if they are probe centres and neither the file nor the user says how
+/// large the probe was and on which side.
+pub fn refit(feature: &MeasuredFeature, settings: &Settings, probe: ProbeStated) -> Result<Option<FitDocument>> {
+    let Some(element) = feature.element().filter(|_| !feature.points_mm.is_empty()) else { return Ok(None) };
+    let label = feature.label();
+    let named = |problems: Problems| {
+        let what = |mut m: Message| {
+            m.what = format!("`{label}`: {}", m.what);
+            m.at(feature.place.clone())
+        };
+        Problems(problems.0.into_iter().map(what).collect())
+    };
+    let in_plane = feature.stated.direction.filter(|d| element == Element::Circle3d && is_coordinate_axis(*d));
+    let settings = Settings { axis: settings.axis.or(in_plane), probe: None, ..*settings };
+    let centres = fit::element(element, &feature.points_mm, &settings).map_err(named)?;
+    let (probe, side_from) = probe_of(feature, &centres, probe)?.unzip();
+    let fit = centres.compensated(probe).map_err(named)?;
+    let mut document = FitDocument::new(Some(label.to_owned()), &fit);
+    if let Some(probe) = &mut document.probe {
+        probe.side_from = side_from;
+    }
+    document.stated = Some(against(feature, &fit));
+    Ok(Some(document))
+}
+
+fn is_coordinate_axis(d: Vector) -> bool {
+    d.iter().filter(|x| **x == 0.0).count() == 2
+}
+
+/// The probe whose centres the points are, and what its side was told from; `None` for contact points.
+fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, String)>> {
+    let Touch::Centre { radius_mm } = feature.touch else { return Ok(None) };
+    let label = feature.label();
+    let missing = |what: &str, hint: &str| {
+        let what = format!("`{label}` is not fitted: its points are probe centres, and {what}");
+        Message::error(what).at(feature.place.clone()).hint(hint)
+    };
+    let radius_mm = stated.radius_mm.or(radius_mm);
+    let Some(radius_mm) = radius_mm else {
+        return Err(missing("the file does not state the radius of the probe", "state it: --probe-radius-mm").into());
+    };
+    let (side, from) = match stated.side {
+        Some(side) => (side, "as stated by the user".to_owned()),
+        None => side_of(feature, centres, radius_mm).ok_or_else(|| {
+            missing(
+                "the file does not say on which side the probe was",
+                "state it: --probe-side inside, outside or x,y,z",
+            )
+        })?,
+    };
+    Ok(Some((Probe { radius_mm, side }, from)))
+}
+
+/// On which side of the feature the probe was, as far as the file says it, and by what.
+fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, String)> {
+    let known = [(&feature.nominal, "nominal"), (&feature.stated, "stated")];
+    let first = |side: &dyn Fn(&Geometry) -> Option<Side>, of: &str| {
+        known.iter().find_map(|(values, name)| Some((side(values)?, format!("from the {name} {of}"))))
+    };
+    match centres.element {
+        Element::Plane => first(&|values| values.direction.map(Side::Towards), "normal"),
+        // the centres lie about a probe radius from where the line is meant to be
+        Element::Line | Element::Line2d => first(
+            &|values| {
+                let away = from_axis(centres.point_mm, values.point_mm?, centres.direction?);
+                (norm(away) > 0.5 * probe_mm).then_some(Side::Towards(away))
+            },
+            "location",
+        ),
+        element => {
+            let side = |inside: bool| if inside { Side::Inside } else { Side::Outside };
+            if let Some(inside) = feature.internal {
+                let said = if inside { "INTERNAL" } else { "EXTERNAL" };
+                return Some((side(inside), format!("from `InternalExternal`: {said}")));
+            }
+            let by_size = |values: &Geometry| {
+                let (size, found) = match element {
+                    Element::Torus => (values.minor_radius_mm?, centres.minor_radius_mm?),
+                    Element::Cone => return None,
+                    _ => (values.radius_mm?, centres.radius_mm?),
+                };
+                ((size - found).abs() > 0.5 * probe_mm).then_some(side(found < size))
+            };
+            first(&by_size, "diameter")
+        }
+    }
+}
+
+/// From the line through `axis_point` along `d` to `p`, square to it.
+fn from_axis(p: Vector, axis_point: Vector, d: Vector) -> Vector {
+    let w = minus(p, axis_point);
+    let along = dot(w, d);
+    std::array::from_fn(|k| w[k] - along * d[k])
+}
+
+/// The stated values, and how far the fit is from them.
+fn against(feature: &MeasuredFeature, fit: &Fit) -> FitStated {
+    let stated = &feature.stated;
+    let apart = |p: Vector| match (fit.element, fit.direction) {
+        (Element::Plane, Some(n)) => dot(minus(p, fit.point_mm), n).abs(),
+        (Element::Line | Element::Cylinder | Element::Cone, Some(d)) => norm(from_axis(p, fit.point_mm, d)),
+        _ => norm(minus(p, fit.point_mm)),
+    };
+    let angle_deg = |(a, b): (Vector, Vector)| norm(cross(a, b)).atan2(dot(a, b).abs()).to_degrees();
+    let less = |fitted: Option<f64>, stated: Option<f64>| Some(fitted? - stated?);
+    // the radius of a cone is stated at a point of the file's choice
+    let radius_mm = fit.radius_mm.filter(|_| fit.element != Element::Cone);
+    FitStated {
+        id: feature.id.clone(),
+        point_mm: stated.point_mm,
+        direction: stated.direction,
+        radius_mm: stated.radius_mm,
+        minor_radius_mm: stated.minor_radius_mm,
+        apex_angle_deg: stated.apex_angle_rad.map(f64::to_degrees),
+        point_apart_mm: stated.point_mm.map(apart),
+        direction_apart_deg: fit.direction.zip(stated.direction).map(angle_deg),
+        radius_less_stated_mm: less(radius_mm, stated.radius_mm),
+        minor_radius_less_stated_mm: less(fit.minor_radius_mm, stated.minor_radius_mm),
+        apex_angle_less_stated_deg: less(fit.apex_angle_rad, stated.apex_angle_rad).map(f64::to_degrees),
+    }
+}

@@ -1,0 +1,84 @@
+//! A table that a command is given, or a campaign names.
+
+use crate::base::files;
+use crate::base::message::{Problems, Result};
+use crate::base::table;
+use crate::campaign::Campaign;
+use crate::document::Source;
+use crate::import;
+use polars::prelude::DataFrame;
+use std::path::Path;
+use toml::Spanned;
+
+/// A table with the text that it was read from.
+#[derive(Clone, Debug)]
+pub(crate) struct TableFile {
+    /// The file as the user named it.
+    pub name: String,
+    text: String,
+    pub table: DataFrame,
+}
+
+impl TableFile {
+    pub fn read(path: &Path) -> Result<Self> {
+        Self::read_with(path, import::observations)
+    }
+
+    /// A table that a campaign names, read by `table`, and what the list of inputs says of it: its kind and what it holds.
+    pub fn of_campaign(
+        campaign: &Campaign,
+        file: &Spanned<String>,
+        (kind, holds): (&str, &str),
+        table: impl FnOnce(&str, &str) -> Result<DataFrame>,
+    ) -> Result<(Self, Source)> {
+        let here = campaign.place(file);
+        let path = campaign.resolve(file)?;
+        let bytes = files::read(&path).map_err(|more| more.at(&here))?;
+        let (sha256, size) = (files::sha256(&bytes), bytes.len());
+        let text = files::text(&path, bytes).map_err(|more| more.at(&here))?;
+        let table = Self::of(&path, text, table).map_err(|more| more.at(&here))?;
+        let source = Source {
+            file: file.get_ref().clone(),
+            sha256,
+            bytes: size,
+            kind: kind.to_owned(),
+            dialect: holds.to_owned(),
+            rows_read: table.table.height(),
+            refused: Vec::new(),
+            standstills: Vec::new(),
+        };
+        Ok((table, source))
+    }
+
+    /// A text of another form, which `table` makes a table of, given the file's name and the text.
+    pub fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
+        Self::of(path, files::read_text(path)?, table)
+    }
+
+    /// The same of the text that the file holds.
+    fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
+        let name = path.display().to_string();
+        Ok(Self { table: table(&name, &text)?, name, text })
+    }
+
+    /// The names in the column `target`, each once, in their order.
+    pub fn targets(&self) -> Result<Vec<String>> {
+        let mut targets: Vec<String> = Vec::new();
+        for name in table::texts(&self.table, "target").map_err(|more| self.place(more))? {
+            if !targets.contains(&name) {
+                targets.push(name);
+            }
+        }
+        Ok(targets)
+    }
+
+    /// The table with the name of its file.
+    pub fn named(&self) -> (&str, &DataFrame) {
+        (&self.name, &self.table)
+    }
+
+    /// Problems of the table, with the lines they are about.
+    pub fn place(&self, problems: Problems) -> Problems {
+        problems.in_text(&self.name, &self.text)
+    }
+}
