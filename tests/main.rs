@@ -1,6 +1,7 @@
 //! Tests by what they prove.
 #![allow(clippy::print_stdout)] // a test says what it measured and what it skipped
 
+mod architecture;
 mod browser;
 mod cli;
 mod golden;

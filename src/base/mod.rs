@@ -1,8 +1,9 @@
-//! What every room may use: messages, files, tables, poses, numbers that carry derivatives, random numbers.
+//! What every room may use: messages, files, tables, patterns of names, poses, numbers that carry derivatives, random numbers.
 
 pub mod files;
 pub mod message;
 pub mod noise;
+pub mod pattern;
 pub mod pose;
 pub mod scalar;
 pub mod table;

@@ -27,14 +27,13 @@ pub use types::*;
 
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result};
-use crate::document::{CampaignSummary, ContactSummary, Presentation};
 use crate::math::identify::Settings;
 use crate::math::robots::Robot;
-use crate::report::branding;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml_problems::Recovered;
+pub(crate) use toml_problems::parse;
 
 /// A campaign with the folder it lives in and the text it was read from.
 #[derive(Clone, Debug)]
@@ -162,40 +161,6 @@ impl Campaign {
         self.robot.build(&targets).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
     }
 
-    /// What a report says about the campaign.
-    pub fn summary(&self) -> Result<CampaignSummary> {
-        let file = &self.file;
-        Ok(CampaignSummary {
-            name: file.name.clone(),
-            robot: self.robot.name.clone(),
-            synthetic: file.synthetic.clone(),
-            notes: file.notes.clone(),
-            date: file.date.clone(),
-            operator: file.operator.clone(),
-            instrument: Some(file.instrument.name.clone()),
-            expanded_uncertainty_um: Some(file.instrument.expanded_uncertainty_um),
-            coverage_factor: Some(file.instrument.coverage_factor),
-            contact: file
-                .contact
-                .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),
-            temperature_c: file.temperature_c,
-            conditions: file.conditions.clone(),
-            report: self.presentation()?,
-        })
-    }
-
-    /// How the report is dressed, with logo and templates read.
-    pub fn presentation(&self) -> Result<Presentation> {
-        let stated = &self.file.report;
-        let read = |file: &Spanned<String>| Ok::<_, Problems>((self.resolve(file)?, self.place(file)));
-        let logo = stated.logo.as_ref().map(read).transpose()?;
-        let templates = stated.templates.as_ref().map(read).transpose()?;
-        let logo = logo.map(|(path, place)| branding::logo(&path).map_err(|p| p.at(&place))).transpose()?;
-        let templates =
-            templates.map(|(path, place)| branding::templates(&path).map_err(|p| p.at(&place))).transpose()?;
-        Ok(Presentation { language: stated.language, logo, templates: templates.unwrap_or_default() })
-    }
-
     /// Which poses are for what: `calibration` and `validation`.
     pub fn selections(&self) -> Result<(Selection, Option<Selection>)> {
         let parse = |text: &Spanned<String>| {
@@ -212,12 +177,7 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
-/// Reads the truth of a simulation.
-pub fn read_truth(path: &Path) -> Result<crate::simulate::Truth> {
-    toml_problems::parse(&path.display().to_string(), &files::read_text(path)?)
-}
-
-/// Reads the true parameters alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.
+/// Reads the true parameters of a simulation alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.
 pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
     #[derive(serde::Deserialize)]
     struct Parameters {

@@ -20,7 +20,7 @@ pub(super) struct Recovered<T> {
 }
 
 /// Reads `text` as a `T`, or reports everything in it that does not fit.
-pub(super) fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
+pub(crate) fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
     let Recovered { value, problems, .. } = recover(file, text, "");
     value.filter(|_| problems.0.is_empty()).ok_or(problems)
 }

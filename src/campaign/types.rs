@@ -110,8 +110,7 @@ pub struct CampaignFile {
     #[serde(default)]
     pub report: super::ReportDefinition,
     /// Controller files to write.
-    #[serde(default = "default_controllers")]
-    pub controllers: Vec<Spanned<String>>,
+    pub controllers: Option<Vec<Spanned<String>>>,
 }
 
 impl CampaignFile {
@@ -128,10 +127,6 @@ impl CampaignFile {
 
 fn default_output() -> Spanned<String> {
     Spanned::new(0..0, "out".to_owned())
-}
-
-fn default_controllers() -> Vec<Spanned<String>> {
-    crate::export::names().map(|name| Spanned::new(0..0, name.to_owned())).collect()
 }
 
 /// The measuring instrument.

@@ -1,7 +1,8 @@
 //! `etalon simulate`
 
 use super::{Verdict, print_written};
-use crate::campaign::{Campaign, read_truth};
+use crate::campaign::Campaign;
+use crate::simulate::Truth;
 use std::path::PathBuf;
 
 /// Write the exports and logs of a campaign for a robot with known parameters and stated noise
@@ -23,7 +24,7 @@ pub struct Simulate {
 impl Simulate {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let campaign = Campaign::read(&self.campaign)?;
-        let mut truth = read_truth(&self.truth.unwrap_or_else(|| campaign.folder.join("truth.toml")))?;
+        let mut truth = Truth::read(&self.truth.unwrap_or_else(|| campaign.folder.join("truth.toml")))?;
         truth.seed = self.seed.unwrap_or(truth.seed);
         print_written(crate::simulate::simulate(&campaign, &truth)?, self.json)?;
         Ok(Verdict::Met)

@@ -41,7 +41,8 @@ pub use study::{CandidatePlace, StudiedParameter, StudiedPlace, StudyDocument, S
 
 use crate::base::message::Message;
 use crate::base::pose::Vector;
-use crate::math::solve::Termination;
+pub use crate::math::identify::{ResidualKind, UncertaintyFrom};
+pub use crate::math::solve::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,9 +1,9 @@
 //! Every format against the same parameters: what is written reads back bit for bit.
 
 use super::*;
+use crate::document::ResidualKind;
+use crate::document::Termination;
 use crate::document::{ObservabilitySummary, Provenance, ResidualSummary, SolverSummary};
-use crate::math::identify::ResidualKind;
-use crate::math::solve::Termination;
 use std::process::Command;
 
 const NUMBERS: [f64; 8] =
@@ -38,7 +38,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             stated_standard_uncertainty_mm: None,
             common_standard_uncertainty_mm: None,
             chi_square: None,
-            uncertainties_from: crate::math::identify::UncertaintyFrom::Instrument,
+            uncertainties_from: crate::document::UncertaintyFrom::Instrument,
             uncertainties_enlarged_by: 1.0,
         },
         observability: Some(ObservabilitySummary {

@@ -2,11 +2,11 @@
 
 use super::label::Pattern;
 use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pattern::matches_pattern;
 use crate::base::pose::Vector;
 use crate::campaign::{Campaign, JoinBy};
 use crate::document::{Refused, Source};
 use crate::import::format::Export;
-use crate::math::identify::matches_pattern;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 
 /// A row of an export. A reader fills in what the row says; what the campaign says of the export comes after.

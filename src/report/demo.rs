@@ -4,9 +4,9 @@ use super::Report;
 use crate::base::message::{Message, Place};
 use crate::base::noise::Noise;
 use crate::base::pose::{Pose, Vector};
+use crate::document::ResidualKind;
+use crate::document::Termination;
 use crate::document::*;
-use crate::math::identify::ResidualKind;
-use crate::math::solve::Termination;
 
 /// An error of pose `pose`, cycle 1, target K, calibration.
 pub(super) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vector) -> PointError {
@@ -236,7 +236,7 @@ fn parameters() -> ParametersDocument {
             stated_standard_uncertainty_mm: Some(0.001_35),
             common_standard_uncertainty_mm: None,
             chi_square: Some(212.4),
-            uncertainties_from: crate::math::identify::UncertaintyFrom::Instrument,
+            uncertainties_from: crate::document::UncertaintyFrom::Instrument,
             uncertainties_enlarged_by: 1.194,
         },
         observability: Some(ObservabilitySummary {

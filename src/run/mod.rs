@@ -3,3 +3,4 @@
 pub mod check;
 pub mod output;
 pub mod pipeline;
+pub mod summary;

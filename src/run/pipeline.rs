@@ -9,6 +9,7 @@ use crate::math::robots::Robot;
 use crate::report;
 use crate::run::check::{check, selections};
 use crate::run::output::Output;
+use crate::run::summary::summary;
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::frames;
 use crate::stages::geometric;
@@ -101,7 +102,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     let geometric = geometric::calibrate(campaign, robot.as_ref(), &imported.points, &sets, &found)?;
 
     // report and export, from the documents alone
-    let summary = campaign.summary()?;
+    let summary = summary(campaign)?;
     let reports = report::files(&report::Report {
         campaign: &summary,
         import: &imported.document,
@@ -130,8 +131,8 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     out.table("residuals", &mut evaluate::to_table(&errors)?)?;
     out.json("accuracy.json", &accuracy)?;
     out.optional("geometric.json", geometric.as_ref())?;
-    characteristics::write(&tested, &mut out)?;
-    for exporter in campaign.file.controllers.iter().filter_map(|name| export::by_name(name.get_ref())) {
+    write_tested(&tested, &mut out)?;
+    for exporter in exporters(campaign) {
         match parameters.is_plausible() {
             true => out.bytes(exporter.file_name(), exporter.write(&parameters)?),
             false => out.remove(exporter.file_name()),
@@ -165,7 +166,7 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     let planar = campaign.build_robot()?.dimension() == 2;
     let frames = frames::make_frames(campaign, &imported.points, &features, planar)?;
     let found = characteristics::evaluate(campaign, &mut imported, &frames)?;
-    let summary = campaign.summary()?;
+    let summary = summary(campaign)?;
     let reports = report::test_files(&report::TestReport {
         campaign: &summary,
         import: &imported.document,
@@ -180,10 +181,18 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     out.json("import.json", &imported.document)?;
     out.json("features.json", &features)?;
     out.json("frames.json", &frames)?;
-    characteristics::write(&found, &mut out)?;
+    write_tested(&found, &mut out)?;
     add(&mut out, reports);
     let messages = imported.document.messages.iter().chain(found.messages()).cloned().collect();
     Ok(Tested { written: out.write()?, found, messages })
+}
+
+/// The controller formats that the campaign names, or all of them.
+fn exporters(campaign: &Campaign) -> Vec<&'static dyn export::Exporter> {
+    match &campaign.file.controllers {
+        Some(names) => names.iter().filter_map(|name| export::by_name(name.get_ref())).collect(),
+        None => export::names().filter_map(export::by_name).collect(),
+    }
 }
 
 /// Adds the files of a report; a program without PDF leaves none of an earlier run.
@@ -192,6 +201,13 @@ fn add(out: &mut Output, reports: Vec<report::File>) {
         out.remove("report.pdf");
     }
     reports.into_iter().for_each(|(name, bytes)| out.bytes(name, bytes));
+}
+
+/// Adds the documents of tests by ISO 9283 to the output folder; one that an earlier run left goes.
+fn write_tested(found: &Characteristics, out: &mut Output) -> Result<()> {
+    out.optional("iso9283.json", found.poses.as_ref())?;
+    out.optional("iso9283-streams.json", found.streams.as_ref())?;
+    out.optional("iso9283-compliance.json", found.compliance.as_ref())
 }
 
 /// A log by its name, its observations and what they identify.

@@ -1,11 +1,14 @@
 //! What is true in a simulation, and what is measured.
 
+use crate::base::files;
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
+use crate::campaign::parse;
 use crate::math::geometric::Setup;
 use crate::math::robots::{PlanarPose, Robot};
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// `truth.toml`: what is true, and what is measured.
 #[derive(Clone, Debug, Deserialize)]
@@ -43,6 +46,13 @@ pub struct Truth {
     pub repeatability: Option<super::Repeating>,
     /// Poses, numbered from 1 in the order given.
     pub poses: Vec<Poses>,
+}
+
+impl Truth {
+    /// Reads `truth.toml`.
+    pub fn read(path: &Path) -> Result<Self> {
+        parse(&path.display().to_string(), &files::read_text(path)?)
+    }
 }
 
 fn six() -> usize {

@@ -1,12 +1,12 @@
 //! World frames from features and targets (thesis 3.4.1), and targets brought into them.
 
 use crate::base::message::{Message, Problems, Result};
+use crate::base::pattern::matches_pattern;
 use crate::base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
 use crate::base::table;
 use crate::campaign::{Campaign, WorldDefinition};
 use crate::document::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
 use crate::math::fit;
-use crate::math::identify::matches_pattern;
 use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 use toml::Spanned;

@@ -1,11 +1,11 @@
 //! Points of a campaign that belong to one step of a procedure, found by the form of their labels.
 
 use crate::base::message::{Message, Result};
+use crate::base::pattern::matches_pattern;
 use crate::base::pose::Vector;
 use crate::base::table;
 use crate::campaign::Campaign;
 use crate::import::LabelPattern;
-use crate::math::identify::matches_pattern;
 use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 use toml::Spanned;

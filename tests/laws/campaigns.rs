@@ -1,15 +1,16 @@
 //! Whole campaigns: simulate → run gives the truth, the same bytes every time, whatever the number of threads.
 
 use crate::scratch::{Scratch, copy_sample};
-use etalon::campaign::{Campaign, read_truth};
+use etalon::campaign::Campaign;
 use etalon::document::ParameterStatus;
 use etalon::run::pipeline;
+use etalon::simulate::Truth;
 
 /// Runs the sample with its noise multiplied; gives the parameters that are off by more than `sigmas` of their u.
 fn off_by(sample: &str, noise_um: f64, sigmas: f64) -> Vec<String> {
     let scratch = copy_sample(sample);
     let campaign = Campaign::read(&scratch.path()).unwrap();
-    let mut truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let mut truth = Truth::read(&scratch.path().join("truth.toml")).unwrap();
     truth.noise_um = Some(noise_um);
     truth.decimals = 12;
     etalon::simulate::simulate(&campaign, &truth).unwrap();
@@ -47,7 +48,7 @@ fn samples_are_what_their_truth_makes() {
     for sample in ["prexyt-cmm", "prexyt-faroarm", "prexyt-geometric", "prexyt-repeatability"] {
         let scratch = copy_sample(sample);
         let campaign = Campaign::read(&scratch.path()).unwrap();
-        let truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+        let truth = Truth::read(&scratch.path().join("truth.toml")).unwrap();
         let exports = campaign.file.exports.iter().map(|e| e.file.get_ref());
         let files: Vec<&String> = exports.chain(campaign.file.logs.iter().map(|l| l.file.get_ref())).collect();
         let committed: Vec<Vec<u8>> = files.iter().map(|f| std::fs::read(scratch.path().join(f)).unwrap()).collect();

@@ -4,7 +4,7 @@ use crate::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::base::pose::Pose;
 use etalon::base::table;
-use etalon::campaign::{Campaign, read_truth};
+use etalon::campaign::Campaign;
 use etalon::import::format::Format;
 use etalon::import::import;
 use etalon::simulate::{LabelledPoint, Truth, simulate};
@@ -140,7 +140,7 @@ fn campaign(export: &str, log: &str, join: &str, with_points: bool) -> (Scratch,
          [identify]\ncalibration = \"all\"\n"
     );
     std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
-    let mut truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let mut truth = Truth::read(&scratch.path().join("truth.toml")).unwrap();
     (truth.noise_um, truth.decimals, truth.cycles) = (Some(0.0), DIGITS, CYCLES);
     truth.points.clear();
     if with_points {
@@ -248,7 +248,7 @@ fn joints_in_radians_read_back_to_1e_12_deg() {
                  [[poses]]\njoints = [[10, -20.123456, 30, 40.5, 150, -179.9], [1, 2, 3, 4, 5, 6]]\n";
     std::fs::write(scratch.path().join("truth.toml"), truth).unwrap();
     let campaign = Campaign::read(&scratch.path()).unwrap();
-    simulate(&campaign, &read_truth(&scratch.path().join("truth.toml")).unwrap()).unwrap();
+    simulate(&campaign, &Truth::read(&scratch.path().join("truth.toml")).unwrap()).unwrap();
     let imported = import(&campaign).unwrap();
     for (name, expected) in [("q1_deg", 10.0), ("q2_deg", -20.123456), ("q4_deg", 40.5), ("q6_deg", -179.9)] {
         let read = table::numbers(&imported.logs[0].1, name).unwrap();

@@ -2,9 +2,10 @@
 
 use crate::scratch::copy_sample;
 use etalon::base::pose::{Pose, Vector, cross, dot, norm, unit};
-use etalon::campaign::{Campaign, read_truth};
+use etalon::campaign::Campaign;
 use etalon::document::{FeaturesDocument, FramesDocument};
 use etalon::simulate::LabelledPoint;
+use etalon::simulate::Truth;
 use serde::de::DeserializeOwned;
 
 const PLANE: [Vector; 4] = [[0.0, -40.0, 0.0], [420.0, -30.0, 0.0], [400.0, 340.0, 0.0], [10.0, 330.0, 0.0]];
@@ -63,7 +64,7 @@ fn run(world: &str) -> (FeaturesDocument, FramesDocument, Pose) {
                     [feature.far]\ncircle = [\"far_*\"]\n[feature.rail]\nline = [\"rail_*\"]\n\
                     [feature.shaft]\ncylinder = [\"shaft\"]\n";
     std::fs::write(&path, format!("{head}{features}[frame.world]\nplane = \"table\"\n{world}\n{tail}")).unwrap();
-    let mut truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let mut truth = Truth::read(&scratch.path().join("truth.toml")).unwrap();
     (truth.noise_um, truth.decimals, truth.cycles, truth.points) = (Some(0.0), 13, 1, points());
     let campaign = Campaign::read(&scratch.path()).unwrap();
     etalon::simulate::simulate(&campaign, &truth).unwrap();

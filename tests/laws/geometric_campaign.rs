@@ -1,7 +1,7 @@
 //! Chapter 2 as a campaign: what it leaves, why, and what it says of a campaign that does not fit.
 
 use crate::scratch::{Scratch, copy_sample};
-use etalon::campaign::{Campaign, read_truth};
+use etalon::campaign::Campaign;
 use etalon::document::{GeometricDocument, MethodErrors};
 use etalon::run::pipeline;
 use etalon::simulate::Truth;
@@ -19,7 +19,7 @@ fn run(scratch: &Scratch) -> GeometricDocument {
 /// The sample measured again, its truth changed.
 fn run_with(change: impl Fn(&mut Truth)) -> GeometricDocument {
     let scratch = copy_sample(SAMPLE);
-    let mut truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let mut truth = Truth::read(&scratch.path().join("truth.toml")).unwrap();
     change(&mut truth);
     truth.decimals = 12;
     etalon::simulate::simulate(&Campaign::read(&scratch.path()).unwrap(), &truth).unwrap();
@@ -80,7 +80,7 @@ fn a_campaign_on_a_robot_with_only_geometric_errors_is_exact() {
             truth.parameters.insert(name.into(), 0.0);
         }
     });
-    let truth = read_truth(&copy_sample(SAMPLE).path().join("truth.toml")).unwrap();
+    let truth = Truth::read(&copy_sample(SAMPLE).path().join("truth.toml")).unwrap();
     assert_eq!(document.quantities.len(), 11);
     for q in &document.quantities {
         assert!((q.value - truth.parameters[&q.name]).abs() < 1e-9, "{} {}", q.name, q.value);
@@ -173,7 +173,7 @@ fn what_does_not_fit_is_said_with_its_place() {
 fn poses_beyond_the_travel_are_not_simulated() {
     let scratch = copy_sample(SAMPLE);
     scratch.replace("truth.toml", "[170.0, 300.0, 300.0],", "[170.1, 300.0, 300.0],");
-    let truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let truth = Truth::read(&scratch.path().join("truth.toml")).unwrap();
     let problems = etalon::simulate::simulate(&Campaign::read(&scratch.path()).unwrap(), &truth).unwrap_err();
     assert!(
         problems.to_string().contains("pose 5 is out of reach: rho1 = 170.1 mm, its travel is 0 to 170 mm"),

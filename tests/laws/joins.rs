@@ -12,7 +12,7 @@ fn timed(join: &str, clock_offset_s: f64, drop_log_row: Option<usize>, measured_
     let scratch = copy_sample("prexyt-cmm");
     let campaign = Campaign::read(&scratch.path()).unwrap();
     let robot = campaign.build_robot().unwrap();
-    let truth = etalon::campaign::read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
     let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();

@@ -1,7 +1,7 @@
 //! The test of repeatability as a campaign (thesis 2.4): what it tells of a robot with known play, and what it refuses.
 
 use crate::scratch::{Scratch, copy_sample};
-use etalon::campaign::{Campaign, read_truth};
+use etalon::campaign::Campaign;
 use etalon::document::{Iso9283Document, Iso9283Pose, Iso9283Variation};
 use etalon::iso9283::coplanarity::from_the_others;
 use etalon::iso9283::repeatability::pose_repeatability;
@@ -18,7 +18,7 @@ fn test(scratch: &Scratch) -> Iso9283Document {
 /// The sample measured again, its truth changed.
 fn measured_with(change: impl Fn(&mut Truth)) -> Scratch {
     let scratch = copy_sample(SAMPLE);
-    let mut truth = read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let mut truth = Truth::read(&scratch.path().join("truth.toml")).unwrap();
     truth.decimals = 12;
     change(&mut truth);
     etalon::simulate::simulate(&Campaign::read(&scratch.path()).unwrap(), &truth).unwrap();

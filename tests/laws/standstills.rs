@@ -112,7 +112,7 @@ fn configurations(scratch: &Scratch) -> Vec<[f64; 3]> {
 fn campaign(scratch: &Scratch, log: &[(f64, [f64; 3])], measured: &[(f64, [f64; 3])], stated: &str, join: &str) {
     let campaign = Campaign::read(&scratch.path()).unwrap();
     let robot = campaign.build_robot().unwrap();
-    let truth = etalon::campaign::read_truth(&scratch.path().join("truth.toml")).unwrap();
+    let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
     let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let mut export = String::new();

@@ -25,6 +25,7 @@ pub use suspects::suspects;
 pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
 
 use crate::base::message::{Message, Result};
+use crate::base::pattern::matches_pattern;
 use crate::math::robots::{Robot, Role};
 use crate::math::solve::Termination;
 use settle::settle;
@@ -166,25 +167,4 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
     Ok((0..robot.parameters().len())
         .filter(|&i| !held(&robot.parameters()[i].name) && !unseen(&robot.parameters()[i].name))
         .collect())
-}
-
-/// Whether `name` is `pattern`, in which one `*` stands for any text.
-pub fn matches_pattern(pattern: &str, name: &str) -> bool {
-    match pattern.split_once('*') {
-        Some((head, tail)) => name.len() >= head.len() + tail.len() && name.starts_with(head) && name.ends_with(tail),
-        None => pattern == name,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::matches_pattern;
-
-    #[test]
-    fn patterns() {
-        assert!(matches_pattern("gain_*", "gain_3") && matches_pattern("d", "d") && matches_pattern("*_x", "SMR_1_x"));
-        assert!(
-            !matches_pattern("gain_*", "again_3") && !matches_pattern("d", "d3") && !matches_pattern("ab*ba", "aba")
-        );
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::paper::Block;
 use crate::document::{ParametersDocument, ResidualSummary};
-use crate::math::identify::{ResidualKind, UncertaintyFrom};
+use crate::document::{ResidualKind, UncertaintyFrom};
 use crate::report::facts::stated;
 use crate::report::number::significant;
 use crate::report::points::Picture;

@@ -8,11 +8,11 @@ mod statements;
 pub use statements::selections;
 
 use crate::base::message::{Problems, Result};
+use crate::base::pattern::matches_pattern;
 use crate::base::pose::Pose;
 use crate::base::table;
 use crate::campaign::Campaign;
 use crate::import::{self, Imported};
-use crate::math::identify::matches_pattern;
 use crate::math::robots::Robot;
 use crate::stages::frames;
 use crate::stages::geometric;

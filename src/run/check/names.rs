@@ -1,6 +1,7 @@
 //! Names that nothing bears: labels, features, targets, parameters, columns.
 
 use crate::base::message::{Message, Problems};
+use crate::base::pattern::matches_pattern;
 use crate::base::table;
 use crate::campaign::{Campaign, JoinBy};
 use crate::import;
@@ -8,7 +9,6 @@ use crate::import::Imported;
 use crate::import::format::Export;
 use crate::import::format::Format;
 use crate::import::format::Role;
-use crate::math::identify;
 use crate::math::robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
@@ -26,7 +26,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Imported, complete: bool, p
     let mut open: Vec<String> = Vec::new();
     let mut want = |name: &Spanned<String>, among: &[&BTreeSet<String>], what: &str| {
         let text = name.get_ref();
-        let borne = |set: &&BTreeSet<String>| set.iter().any(|l| identify::matches_pattern(text, l));
+        let borne = |set: &&BTreeSet<String>| set.iter().any(|l| matches_pattern(text, l));
         if !among.iter().any(borne) {
             if !complete && what != "feature is called" {
                 return open.push(text.clone());
@@ -77,7 +77,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Imported, complete: bool, p
 pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in &campaign.file.identify.hold {
-        if !names().any(|name| identify::matches_pattern(pattern.get_ref(), name)) {
+        if !names().any(|name| matches_pattern(pattern.get_ref(), name)) {
             let message = Message::error(format!("`{}` is no parameter of this robot", pattern.get_ref()));
             problems.0.push(message.at(campaign.place(pattern)).hint_names(pattern.get_ref(), names()));
         }

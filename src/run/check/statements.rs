@@ -20,7 +20,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     if let (Err(more), false) = (campaign.selections(), !campaign.identifies() || lost.touches(&["identify"])) {
         problems.0.extend(more.0);
     }
-    for name in &file.controllers {
+    for name in file.controllers.iter().flatten() {
         if export::by_name(name.get_ref()).is_none() {
             let what = format!("`{}` is no controller format", name.get_ref());
             problems.0.push(Message::error(what).at(campaign.place(name)).hint_names(name.get_ref(), export::names()));

@@ -4,7 +4,7 @@ use crate::base::message::{Message, Problems, Result};
 use crate::campaign::{Campaign, ComplianceDefinition, PosesDefinition};
 use crate::document::*;
 use crate::import::{self, Imported};
-use crate::run::output::Output;
+use crate::stages::iso9283::COVERAGE_FACTOR;
 use crate::stages::iso9283::load;
 use crate::stages::iso9283::pose::Settings;
 use crate::stages::iso9283::pose_tables::PoseTables;
@@ -13,8 +13,6 @@ use crate::stages::iso9283::streams;
 use crate::stages::table_file::TableFile;
 use toml::Spanned;
 
-/// The 25 % rule takes the expanded uncertainty with this coverage factor.
-pub(crate) const COVERAGE_FACTOR: f64 = 2.0;
 /// Seed of the bootstrap where the campaign states none: intervals are the same on every run.
 const SEED: u64 = 1;
 
@@ -35,13 +33,6 @@ pub fn evaluate(campaign: &Campaign, imported: &mut Imported, frames: &FramesDoc
     }
     imported.document.sources.extend(sources);
     Ok(found)
-}
-
-/// Adds the documents to the output folder; one that an earlier run left goes.
-pub fn write(found: &Characteristics, out: &mut Output) -> Result<()> {
-    out.optional("iso9283.json", found.poses.as_ref())?;
-    out.optional("iso9283-streams.json", found.streams.as_ref())?;
-    out.optional("iso9283-compliance.json", found.compliance.as_ref())
 }
 
 /// Everything that is wrong with the tables of these tests and with what is stated of them. Labels are not looked at.

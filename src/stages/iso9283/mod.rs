@@ -8,3 +8,6 @@ pub mod pose;
 pub(crate) mod pose_tables;
 pub mod repeatability;
 pub mod streams;
+
+/// The 25 % rule takes the expanded uncertainty with this coverage factor.
+pub(crate) const COVERAGE_FACTOR: f64 = 2.0;

@@ -9,7 +9,7 @@ use crate::import::tables::coordinates::{ANGLES, in_file, spatial};
 use crate::import::tables::recording::commanded_poses;
 use crate::import::tables::visits::{PoseVisits, Visit, Visits, from_pose};
 use crate::iso9283::coplanarity::from_the_others;
-use crate::stages::iso9283::characteristics::COVERAGE_FACTOR;
+use crate::stages::iso9283::COVERAGE_FACTOR;
 use crate::stages::iso9283::pose::{self, Settings};
 use crate::stages::steps::{Step, Steps};
 use crate::stages::table_file::TableFile;
