@@ -10,8 +10,7 @@ const ROOMS: [(&str, &[&str]); 13] = [
     ("math", &["base"]),
     ("iso9283", &["base", "math"]),
     ("document", &["base", "math", "iso9283"]),
-    // `campaign` until what a campaign gathers is a stage
-    ("import", &["base", "math", "iso9283", "document", "campaign"]),
+    ("import", &["base", "math", "iso9283", "document"]),
     ("campaign", &["base", "math", "iso9283", "document", "import"]),
     ("stages", &["base", "math", "iso9283", "document", "import", "campaign"]),
     ("report", &["base", "document"]),

@@ -85,6 +85,22 @@ impl Place {
     }
 }
 
+/// A text that states values, and the file that it is shown as: the place of each value.
+#[derive(Clone, Copy, Debug)]
+pub struct Stated<'a> {
+    /// File as the user named it.
+    pub name: &'a str,
+    /// Its text.
+    pub text: &'a str,
+}
+
+impl Stated<'_> {
+    /// Where a value is.
+    pub fn place<T>(&self, value: &toml::Spanned<T>) -> Place {
+        Place::span(self.name, self.text, value.span())
+    }
+}
+
 fn floor_boundary(source: &str, index: usize) -> usize {
     let index = index.min(source.len());
     (0..=index).rev().find(|&i| source.is_char_boundary(i)).unwrap_or(0)

@@ -26,7 +26,7 @@ pub use stream::StreamDefinition;
 pub use types::*;
 
 use crate::base::files;
-use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::message::{Message, Place, Problems, Result, Stated};
 use crate::math::identify::Settings;
 use crate::math::robots::Robot;
 use std::collections::BTreeMap;
@@ -116,7 +116,12 @@ impl Campaign {
 
     /// Where a value stands in `campaign.toml`.
     pub fn place<T>(&self, value: &Spanned<T>) -> Place {
-        Place::span(self.path.as_str(), &self.text, value.span())
+        self.stated().place(value)
+    }
+
+    /// `campaign.toml` as the text that states values.
+    pub fn stated(&self) -> Stated<'_> {
+        Stated { name: &self.path, text: &self.text }
     }
 
     /// Where the value of a key stands in `campaign.toml`, given by the keys that lead to it; the file where it does not.

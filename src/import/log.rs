@@ -2,9 +2,8 @@
 
 use super::logs::{self, Columns, Values};
 use super::standstill;
-use crate::base::message::{Message, Result};
+use crate::base::message::{Message, Result, Stated};
 use crate::base::table::{ASSEMBLY, LABEL};
-use crate::campaign::Campaign;
 use crate::document::Source;
 use crate::import::format::Log;
 use crate::math::robots::{Joint, Quantity};
@@ -49,13 +48,8 @@ pub(crate) fn meaning(key: &str) -> Option<(String, f64)> {
 
 /// Reads a log: `row line pose cycle time_s label` where stated, and the joints in mm or deg; and what is to be said of
 /// it. Where the campaign states when the robot stands, one row for each standstill with `from_s` and `to_s`.
-pub(super) fn read(
-    campaign: &Campaign,
-    log: &Log,
-    text: &str,
-    source: &mut Source,
-) -> Result<(DataFrame, Vec<Message>)> {
-    let Columns { rows, lines, columns, said } = logs::columns(campaign, log, text, source)?;
+pub(crate) fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<(DataFrame, Vec<Message>)> {
+    let Columns { rows, lines, columns, said } = logs::columns(stated, log, text, source)?;
     let count = rows.len();
     let mut table = vec![Column::new("row".into(), rows.clone()), Column::new("line".into(), lines)];
     if log.pose.is_some() {
@@ -75,7 +69,7 @@ pub(super) fn read(
     }
     let table = DataFrame::new(count, table)?;
     Ok(match &log.standstill {
-        Some(stated) => (standstill::reduce(campaign, log, stated, &table, source)?, said),
+        Some(still) => (standstill::reduce(stated, log, still, &table, source)?, said),
         None => (table, said),
     })
 }

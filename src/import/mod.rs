@@ -1,10 +1,9 @@
-//! Import: exports and logs become points and joint values; nothing else leaves this room.
+//! Import: files of measuring systems and controllers become points and joint values.
 //!
 //! No input is repaired in silence: a row that means "not measured" is refused by rule and listed, anything else that
 //! does not read as stated is an error with its place, and one run reports all of them.
 
 mod binary;
-mod blunders;
 mod bounded;
 mod cloud;
 mod coordinates;
@@ -20,7 +19,6 @@ mod log;
 mod logs;
 mod names;
 mod number;
-mod places;
 mod plain_line;
 mod point_rows;
 mod points;
@@ -28,8 +26,7 @@ mod polyworks;
 pub mod qif;
 pub mod readers;
 mod roles;
-mod rounding;
-mod spatialanalyzer;
+pub(crate) mod spatialanalyzer;
 pub mod standstill;
 pub mod tables;
 mod workbook;
@@ -39,141 +36,20 @@ pub use cloud::{Cloud, cloud};
 pub use formats::{propose, propose_file};
 pub(crate) use label::Pattern as LabelPattern;
 pub use log::is_joint_column;
-pub(crate) use log::{is_common_column, meaning as log_column};
+pub(crate) use log::{is_common_column, meaning as log_column, read as log};
 pub use points::Point;
-pub(crate) use points::used_labels;
+pub(crate) use points::table as points_table;
 pub use tables::observations::observations;
 
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result, count, nearest};
 use crate::base::pose::Vector;
-use crate::campaign::Campaign;
-use crate::document::{ImportDocument, Source};
 use crate::import::format::Encoding;
-use crate::import::format::Export;
 use crate::import::format::Format;
-use crate::import::format::Log;
 use crate::import::format::Reader;
 use crate::import::format::Unit;
-use points::PointColumns;
 use polars::prelude::DataFrame;
 use std::path::Path;
-
-/// What a campaign's files hold.
-#[derive(Clone, Debug)]
-pub struct Imported {
-    /// One row per measured point: `export row line label target pose cycle time_s x_mm y_mm z_mm`.
-    pub points: DataFrame,
-    /// Joint values of each log, by its name: `row line pose cycle time_s` and the joints in mm or deg.
-    pub logs: Vec<(String, DataFrame)>,
-    /// What was read and refused.
-    pub document: ImportDocument,
-}
-
-/// Reads all exports and logs of a campaign.
-pub fn import(campaign: &Campaign) -> Result<Imported> {
-    let (imported, problems) = recover(campaign);
-    problems.check()?;
-    Ok(imported)
-}
-
-/// Reads what can be read of all exports and logs of a campaign, and tells everything that is wrong with them. Points
-/// with a coordinate that does not read are there without it.
-pub fn recover(campaign: &Campaign) -> (Imported, Problems) {
-    let mut problems = Problems::default();
-    let mut sources = vec![
-        statement("campaign", campaign.file_name(), campaign.text.as_bytes()),
-        statement("robot", campaign.file.robot.get_ref(), campaign.robot_text.as_bytes()),
-    ];
-    let mut columns = PointColumns::default();
-    let mut frames = Vec::new();
-    for (i, export) in campaign.file.exports.iter().enumerate() {
-        if export.file.get_ref().is_empty() {
-            continue;
-        }
-        let read = campaign
-            .resolve(&export.file)
-            .and_then(|path| read_export(&path, export.encoding, &export.format, campaign.place(&export.file)));
-        match read {
-            // what it states of itself is told already
-            Ok(_) if !campaign.export_reads(i) => {}
-            Ok((text, bytes)) => {
-                let mut source = statement("export", export.file.get_ref(), &bytes);
-                source.dialect = format!("{}, unit {}", export.format, export.unit.name());
-                problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
-                if let Some(frame) = spatialanalyzer::frame(&text).filter(|_| export.format == Format::SpatialAnalyzer)
-                {
-                    source.dialect.push_str(&format!(", relative to `{frame}`"));
-                    frames.push((campaign.place(&export.file), frame.to_owned()));
-                }
-                sources.push(source);
-            }
-            Err(more) => problems.0.extend(more.0),
-        }
-    }
-    let (mut logs, mut said) = (Vec::new(), Vec::new());
-    for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
-        let read = campaign
-            .resolve(&stated.file)
-            .and_then(|path| read_text(&path, stated.encoding, campaign.place(&stated.file)));
-        match read.and_then(|(text, bytes)| {
-            if campaign.lost.touches(&["log"]) {
-                return Ok(None);
-            }
-            let mut source = statement("log", stated.file.get_ref(), &bytes);
-            let table = log::read(campaign, stated, &text, &mut source)?;
-            Ok(Some((source, table)))
-        }) {
-            Ok(None) => {}
-            Ok(Some((source, (table, more)))) => {
-                sources.push(source);
-                logs.push((stated.name.clone(), table));
-                said.extend(more);
-            }
-            Err(more) => problems.0.extend(more.0),
-        }
-    }
-    problems.0.extend(columns.measured_twice());
-    problems.0.extend(blunders::check(campaign).0);
-    problems.0.extend(places::check(campaign).0);
-    let mut messages = if campaign.lost.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
-    messages.extend(said);
-    messages.append(&mut columns.remarks);
-    messages.extend(spatialanalyzer::frames_differ(&frames));
-    if problems.0.is_empty() && campaign.lost.is_empty() {
-        match blunders::refuse(campaign, &mut columns, &mut sources) {
-            Ok(said) => messages.splice(0..0, said).for_each(drop),
-            Err(more) => problems.0.extend(more.0),
-        }
-        // of what is left
-        messages.extend(places::misplaced(campaign, &columns.points));
-        messages.extend(places::drifting(campaign, &columns.points));
-    }
-    let document = ImportDocument {
-        schema: "etalon/import/1".to_owned(),
-        campaign: campaign.file.name.clone(),
-        sources,
-        messages,
-        unmatched: Vec::new(),
-    };
-    let points = columns.table().unwrap_or_else(|more| {
-        problems.0.extend(more.0);
-        DataFrame::empty()
-    });
-    (Imported { points, logs, document }, problems)
-}
-
-/// The points that an export brings if this is its text, before rules about blunders.
-pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
-    let mut columns = PointColumns::default();
-    columns.read(campaign, export, text, &mut statement("export", export.file.get_ref(), b"")).check()?;
-    Ok(columns.points)
-}
-
-/// The table of a log if this is its text.
-pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<DataFrame> {
-    log::read(campaign, stated, text, &mut statement("log", stated.file.get_ref(), b"")).map(|(table, _)| table)
-}
 
 /// Rows of a file in a format, without a campaign; those that were not measured say so in `refused`.
 ///
@@ -239,11 +115,11 @@ pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> R
         problems.0.push(message.at(Place::line(file, point.line, &point.text)).hint("remove the row"));
     }
     problems.check()?;
-    PointColumns { points, ..PointColumns::default() }.table()
+    points::table(&points)
 }
 
 /// Rows of an export in the stated format, and what does not read.
-fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point>, Problems) {
+pub(crate) fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point>, Problems) {
     match format {
         Format::Polyworks => polyworks::rows(file, text, unit),
         Format::Qif => qif::rows(file, text, unit),
@@ -253,21 +129,8 @@ fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point
     }
 }
 
-fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {
-    Source {
-        file: file.to_owned(),
-        sha256: files::sha256(bytes),
-        bytes: bytes.len(),
-        kind: kind.to_owned(),
-        dialect: if kind == "export" || kind == "log" { String::new() } else { "TOML".to_owned() },
-        rows_read: 0,
-        refused: Vec::new(),
-        standstills: Vec::new(),
-    }
-}
-
 /// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
-fn read_text(path: &Path, encoding: Option<Encoding>, place: Place) -> Result<(String, Vec<u8>)> {
+pub(crate) fn read_text(path: &Path, encoding: Option<Encoding>, place: Place) -> Result<(String, Vec<u8>)> {
     let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
     let text = encoding::decode(bytes.clone(), encoding).map_err(|mut message| {
         message.what = format!("`{}`: {}", path.display(), message.what);
@@ -277,7 +140,12 @@ fn read_text(path: &Path, encoding: Option<Encoding>, place: Place) -> Result<(S
 }
 
 /// The same of a file in a format, which may be a sheet of a workbook, or bytes.
-fn read_export(path: &Path, encoding: Option<Encoding>, format: &Format, place: Place) -> Result<(String, Vec<u8>)> {
+pub(crate) fn read_export(
+    path: &Path,
+    encoding: Option<Encoding>,
+    format: &Format,
+    place: Place,
+) -> Result<(String, Vec<u8>)> {
     let dialect = match format {
         // it may be binary: one character for each byte
         Format::Own(Reader::Ply, _) => {

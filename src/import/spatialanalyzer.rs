@@ -48,14 +48,14 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
 }
 
 /// The working frame, which the points are in; a check box of the export leaves it out.
-pub(super) fn frame(text: &str) -> Option<&str> {
+pub(crate) fn frame(text: &str) -> Option<&str> {
     let comments = text.lines().filter_map(|line| line.trim_start().strip_prefix(COMMENT));
     let mut frames = comments.filter_map(|c| c.trim().strip_prefix("Points Relative to Coordinate Frame"));
     frames.next().map(|frame| frame.trim().trim_matches('\''))
 }
 
 /// A warning if the exports of a campaign, each with its place, are relative to several frames.
-pub(super) fn frames_differ(frames: &[(Place, String)]) -> Option<Message> {
+pub(crate) fn frames_differ(frames: &[(Place, String)]) -> Option<Message> {
     let (_, first) = frames.first()?;
     let (place, other) = frames.iter().find(|(_, frame)| frame != first)?;
     let what = format!("the points are relative to the frame `{other}`, and those of another export to `{first}`");

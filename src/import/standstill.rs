@@ -4,9 +4,8 @@
 //! stated for its kind. The rule is the same read backwards, and knows no filter. What stands together is one interval:
 //! stretches that share a sample are.
 
-use crate::base::message::{Message, Place, Result};
+use crate::base::message::{Message, Place, Result, Stated};
 use crate::base::table;
-use crate::campaign::Campaign;
 use crate::document::{Source, StandingInterval, StandingJoint};
 use crate::import::format::Log;
 use crate::import::format::Standstill;
@@ -97,14 +96,14 @@ impl Range {
 ///
 /// Pose, cycle, label and assembly mode must not change within an interval.
 pub(super) fn reduce(
-    campaign: &Campaign,
+    stated: Stated,
     log: &Log,
-    stated: &Standstill,
+    still: &Standstill,
     table: &DataFrame,
     source: &mut Source,
 ) -> Result<DataFrame> {
-    let place = || campaign.place(&log.file);
-    let limits = [Some(stated.at_least_s), stated.within_deg, stated.within_mm];
+    let place = || stated.place(&log.file);
+    let limits = [Some(still.at_least_s), still.within_deg, still.within_mm];
     if limits.into_iter().flatten().any(|limit| limit <= 0.0 || !limit.is_finite()) {
         let message = Message::error("the limits of [log.standstill] must be positive").at(place());
         return Err(message.hint("they are what the robot does while it stands, as its encoders show it").into());
@@ -122,7 +121,7 @@ pub(super) fn reduce(
     let mut joints = Vec::new();
     for name in names.iter().filter(|name| is_joint(name)) {
         let (key, within) =
-            if name.ends_with("_deg") { ("within_deg", stated.within_deg) } else { ("within_mm", stated.within_mm) };
+            if name.ends_with("_deg") { ("within_deg", still.within_deg) } else { ("within_mm", still.within_mm) };
         let Some(within) = within else {
             let message = Message::error(format!("[log.standstill] does not say when `{name}` stands")).at(place());
             return Err(message.hint(format!("add `{key}`: the largest movement that is none")).into());
@@ -130,12 +129,12 @@ pub(super) fn reduce(
         joints.push((name, within, table::numbers(table, name)?));
     }
     let watched: Vec<Watched> = joints.iter().map(|(_, within, values)| Watched { values, within: *within }).collect();
-    let found = standing(&times_s, &watched, stated.at_least_s);
+    let found = standing(&times_s, &watched, still.at_least_s);
     if found.is_empty() {
         let longest = stretches(times_s.len(), &watched).into_iter().map(|(a, b)| times_s[b] - times_s[a]);
         let longest = longest.fold(0.0, f64::max);
         let message =
-            Message::error(format!("the robot of log `{}` never stands for {} s", log.name, stated.at_least_s));
+            Message::error(format!("the robot of log `{}` never stands for {} s", log.name, still.at_least_s));
         let hint =
             format!("the longest it stands within these limits is {longest:.3} s: check `at_least_s` and the limits");
         return Err(message.at(place()).hint(hint).into());

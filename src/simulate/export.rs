@@ -13,6 +13,7 @@ use crate::import::format::Export;
 use crate::import::format::Format;
 use crate::import::format::Header;
 use crate::import::format::Role;
+use crate::stages::gather;
 
 /// One row, in the unit of the export.
 struct Row {
@@ -57,7 +58,7 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
             delimited(&rows, export, dialect, scene.truth, offset_s).map_err(|m| m.at(place()))?
         }
     };
-    let read = import::points_of(scene.campaign, export, &written)?;
+    let read = gather::points_of(scene.campaign, export, &written)?;
     let wrong = |what: String| {
         Message::error(format!("`{file}` would not be read as it is meant: {what}")).at(place()).hint(
             "name target, pose and cycle in `label` or `columns`; `pose = \"row\"` is for one target a file; without a \

@@ -10,6 +10,7 @@ use crate::import::format::Column;
 use crate::import::format::ColumnAt;
 use crate::import::format::Log;
 use crate::import::format::LogFormat;
+use crate::stages::gather;
 
 /// A campaign may number columns, but not without end.
 const MOST_COLUMNS: usize = 1000;
@@ -60,7 +61,7 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
         let fields: Vec<String> = contents.iter().map(|c| field(scene, log, c.as_ref(), turn, &joints)).collect();
         all += &line(&fields)?;
     }
-    import::log_of(scene.campaign, log, &all)?;
+    gather::log_of(scene.campaign, log, &all)?;
     Ok(all)
 }
 

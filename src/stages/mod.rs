@@ -2,6 +2,7 @@
 
 pub mod evaluate;
 pub mod frames;
+pub mod gather;
 pub mod geometric;
 pub mod iso9283;
 pub mod join;

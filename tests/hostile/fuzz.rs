@@ -8,7 +8,8 @@ use etalon::campaign::Campaign;
 use etalon::import::format::Format;
 use etalon::import::format::Reader;
 use etalon::import::format::Unit;
-use etalon::import::{import, labelled_points, propose, propose_file};
+use etalon::import::{labelled_points, propose, propose_file};
+use etalon::stages::gather::gather;
 use std::io::{Cursor, Write};
 use std::time::{Duration, Instant};
 use zip::write::SimpleFileOptions;
@@ -145,7 +146,7 @@ fn readers_of_logs() {
         let path = scratch.path().join("encoders.csv");
         run(stated.lines().next().unwrap_or(""), &[&text], |text| {
             std::fs::write(&path, text).unwrap();
-            drop(import(&campaign));
+            drop(gather(&campaign));
         });
     }
 }

@@ -3,7 +3,7 @@
 use crate::scratch::{Scratch, copy_sample};
 use etalon::base::table;
 use etalon::campaign::Campaign;
-use etalon::import::{Imported, import};
+use etalon::stages::gather::{Gathered, gather};
 
 /// A campaign whose log is this text.
 pub fn with_log(text: &str, stated: &str) -> Scratch {
@@ -18,13 +18,13 @@ pub fn with_log(text: &str, stated: &str) -> Scratch {
     scratch
 }
 
-fn read(text: &str, stated: &str) -> Result<Imported, String> {
+fn read(text: &str, stated: &str) -> Result<Gathered, String> {
     let scratch = with_log(text, stated);
     let campaign = Campaign::read(&scratch.path()).map_err(|e| e.to_string())?;
-    import(&campaign).map_err(|e| e.to_string())
+    gather(&campaign).map_err(|e| e.to_string())
 }
 
-fn column(imported: &Imported, name: &str) -> Vec<f64> {
+fn column(imported: &Gathered, name: &str) -> Vec<f64> {
     table::numbers(&imported.logs[0].1, name).unwrap()
 }
 

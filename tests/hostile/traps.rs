@@ -9,7 +9,8 @@ use etalon::base::message::Result;
 use etalon::campaign::Campaign;
 use etalon::import::format::Format;
 use etalon::import::format::Unit;
-use etalon::import::{Imported, Point, import, read_file};
+use etalon::import::{Point, read_file};
+use etalon::stages::gather::{Gathered, gather};
 
 #[derive(serde::Deserialize)]
 struct Stated {
@@ -31,7 +32,7 @@ fn said(text: &str, format: &str) -> String {
 const LXYZ: &str = "columns = [\"label\", \"x\", \"y\", \"z\"]";
 
 /// The sample with other exports.
-fn campaign(exports: &str, files: &[(&str, &str)]) -> (Scratch, Result<Imported>) {
+fn campaign(exports: &str, files: &[(&str, &str)]) -> (Scratch, Result<Gathered>) {
     let scratch = copy_sample("prexyt-cmm");
     let head = "name = \"d\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 20\ncoverage_factor = 2\n";
     let tail = "[log]\nfile = \"encoders.csv\"\ncolumns = { pose = \"pose\", cycle = \"run\", rho1_mm = \"RP1\", rho2_mm = \"RP2\", rho3_mm = \"RP3\" }\n\
@@ -40,7 +41,7 @@ fn campaign(exports: &str, files: &[(&str, &str)]) -> (Scratch, Result<Imported>
     for (file, text) in files {
         std::fs::write(scratch.path().join(file), text).unwrap();
     }
-    let imported = Campaign::read(&scratch.path()).and_then(|c| import(&c));
+    let imported = Campaign::read(&scratch.path()).and_then(|c| gather(&c));
     (scratch, imported)
 }
 
@@ -50,7 +51,7 @@ fn trap_2_a_comma_that_separates_and_marks_decimals_is_refused() {
     assert!(told.contains("cannot both separate columns and mark decimals"), "{told}");
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "file = \"encoders.csv\"", "file = \"encoders.csv\"\ndecimal = \",\"");
-    let told = Campaign::read(&scratch.path()).and_then(|c| import(&c)).unwrap_err().to_string();
+    let told = Campaign::read(&scratch.path()).and_then(|c| gather(&c)).unwrap_err().to_string();
     assert!(told.contains("cannot both separate columns and mark decimals"), "{told}");
 }
 

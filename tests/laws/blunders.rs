@@ -3,13 +3,13 @@
 use crate::scratch::copy_sample;
 use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
-use etalon::import::{Imported, import};
+use etalon::stages::gather::{Gathered, gather};
 
 const RIGID: &str = "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = 0.1\n";
 const THREE: &str = "[[rigid]]\ntargets = [\"K\", \"L\", \"M\"]\ntolerance_mm = 0.1\n";
 
 /// Imports exports with these texts; the first export is `a.txt`, the second `b.txt` ...
-fn imported(exports: &[(&str, String)], rigid: &str) -> Result<Imported, Problems> {
+fn imported(exports: &[(&str, String)], rigid: &str) -> Result<Gathered, Problems> {
     let scratch = copy_sample("prexyt-cmm");
     let mut text = "name = \"b\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 2\n\
                     coverage_factor = 2\n[log]\nfile = \"encoders.csv\"\ncolumns = { pose = \"pose\", rho1_mm = \"RP1\" }\n\
@@ -20,7 +20,7 @@ fn imported(exports: &[(&str, String)], rigid: &str) -> Result<Imported, Problem
         text += &format!("[[export]]\nfile = \"{name}\"\nunit = \"mm\"\n{stated}\n");
     }
     std::fs::write(scratch.path().join("campaign.toml"), text + rigid).unwrap();
-    import(&Campaign::read(&scratch.path())?)
+    gather(&Campaign::read(&scratch.path())?)
 }
 
 /// Where target `k` is at a pose: a rigid triangle that moves, but for M at pose 4.
@@ -102,7 +102,7 @@ fn a_frame_target_without_pose_or_time_cannot_be_grouped() {
     std::fs::write(scratch.path().join("exports/world.txt"), text).unwrap();
     let campaign = Campaign::read(&scratch.path()).unwrap();
     // the balls K and L of the sample have poses: the rule trips over the first row that has none
-    let said = import(&campaign).unwrap_err().to_string();
+    let said = gather(&campaign).unwrap_err().to_string();
     assert!(said.contains("says neither pose nor time") && said.contains("exports/world.txt:1"), "{said}");
 }
 

@@ -6,8 +6,8 @@ use etalon::base::pose::Pose;
 use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::import::format::Format;
-use etalon::import::import;
 use etalon::simulate::{LabelledPoint, Truth, simulate};
+use etalon::stages::gather::gather;
 use std::collections::BTreeMap;
 
 const CYCLES: i64 = 2;
@@ -181,7 +181,7 @@ fn every_dialect_reads_back_bit_for_bit() {
     for (name, export, export_mm, with_points, log, log_mm, join) in all {
         let (_scratch, campaign, truth) = campaign(export, log, join, with_points);
         simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{name}: {e}"));
-        let imported = import(&campaign).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let imported = gather(&campaign).unwrap_or_else(|e| panic!("{name}: {e}"));
         let robot = campaign.build_robot().unwrap();
         let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
         let values: Vec<f64> = robot.parameters().iter().map(value).collect();
@@ -249,7 +249,7 @@ fn joints_in_radians_read_back_to_1e_12_deg() {
     std::fs::write(scratch.path().join("truth.toml"), truth).unwrap();
     let campaign = Campaign::read(&scratch.path()).unwrap();
     simulate(&campaign, &Truth::read(&scratch.path().join("truth.toml")).unwrap()).unwrap();
-    let imported = import(&campaign).unwrap();
+    let imported = gather(&campaign).unwrap();
     for (name, expected) in [("q1_deg", 10.0), ("q2_deg", -20.123456), ("q4_deg", 40.5), ("q6_deg", -179.9)] {
         let read = table::numbers(&imported.logs[0].1, name).unwrap();
         assert!((read[0] - expected).abs() < 1e-12, "{name}: {}", read[0]);
@@ -289,11 +289,11 @@ fn what_a_dialect_cannot_say_is_refused_and_not_written_otherwise() {
 }
 
 /// A campaign with this log, simulated; its points are of no matter.
-fn logged(log: &str) -> etalon::import::Imported {
+fn logged(log: &str) -> etalon::stages::gather::Gathered {
     let polyworks = "format = \"polyworks\"\nunit = \"mm\"\nlabel = \"{target}_{pose}_{cycle}\"";
     let (_scratch, campaign, truth) = campaign(polyworks, log, BY_POSE, false);
     simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{log}: {e}"));
-    import(&campaign).unwrap_or_else(|e| panic!("{log}: {e}"))
+    gather(&campaign).unwrap_or_else(|e| panic!("{log}: {e}"))
 }
 
 #[test]

@@ -4,7 +4,8 @@
 use crate::scratch::copy_sample;
 use etalon::base::table;
 use etalon::campaign::Campaign;
-use etalon::import::{import, propose_file};
+use etalon::import::propose_file;
+use etalon::stages::gather::gather;
 use std::path::{Path, PathBuf};
 
 const SHEET: &str = "Points (mm)";
@@ -24,7 +25,7 @@ fn read(program: &str) -> Result<Read, String> {
          columns = {{ label = \"Name\", x = \"X\", y = \"Y\", z = \"Z\" }} }}\n\n[feature.rails]"
     );
     scratch.replace("campaign.toml", "[feature.rails]", &stated);
-    let imported = import(&Campaign::read(&scratch.path()).unwrap()).map_err(|e| e.to_string())?;
+    let imported = gather(&Campaign::read(&scratch.path()).unwrap()).map_err(|e| e.to_string())?;
     let labels = table::texts(&imported.points, "label").unwrap();
     let exports = table::texts(&imported.points, "export").unwrap();
     let xyz = table::coordinates(&imported.points).unwrap();

@@ -9,6 +9,7 @@ use etalon::import::format::Encoding;
 use etalon::import::format::Format;
 use etalon::import::format::Unit;
 use etalon::import::{self, Point};
+use etalon::stages::gather::gather;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -123,7 +124,7 @@ fn logs_are_read_with_their_rows() {
             std::fs::write(scratch.path().join("campaign.toml"), campaign).unwrap();
             std::fs::write(scratch.path().join("e.txt"), "1 2 3\n").unwrap();
             let campaign = Campaign::read(&scratch.path()).unwrap_or_else(|e| panic!("{file}: {e}"));
-            let imported = import::import(&campaign).unwrap_or_else(|e| panic!("{file}: {e}"));
+            let imported = gather(&campaign).unwrap_or_else(|e| panic!("{file}: {e}"));
             let table = &imported.logs[0].1;
             assert_eq!((table.height(), table.width()), (*rows, 9), "{file}: {why}");
         }

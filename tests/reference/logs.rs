@@ -4,7 +4,7 @@ use crate::scratch::copy_sample;
 use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::document::ImportDocument;
-use etalon::import::import;
+use etalon::stages::gather::gather;
 use polars::prelude::DataFrame;
 
 /// The table of a log that a campaign states so, or what is said against it.
@@ -17,7 +17,7 @@ fn read(log: &str) -> Result<(DataFrame, ImportDocument), String> {
     );
     std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
     let campaign = Campaign::read(&scratch.path()).unwrap_or_else(|e| panic!("{e}"));
-    let mut imported = import(&campaign).map_err(|e| e.to_string())?;
+    let mut imported = gather(&campaign).map_err(|e| e.to_string())?;
     Ok((imported.logs.remove(0).1, imported.document))
 }
 

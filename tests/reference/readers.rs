@@ -10,8 +10,9 @@ use etalon::import::format::Decimal;
 use etalon::import::format::Format;
 use etalon::import::format::Reader;
 use etalon::import::format::Unit;
+use etalon::import::labelled_points;
 use etalon::import::readers::{dmis, polyworks_report};
-use etalon::import::{import, labelled_points};
+use etalon::stages::gather::gather;
 
 /// Labels and points in mm, and the file with what of it was refused; or what is said against it.
 fn read(file: &str, format: &str, unit: &str) -> Result<(Vec<(String, Vector)>, Source), String> {
@@ -23,7 +24,7 @@ fn read(file: &str, format: &str, unit: &str) -> Result<(Vec<(String, Vector)>, 
     );
     std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
     let campaign = Campaign::read(&scratch.path()).unwrap_or_else(|e| panic!("{e}"));
-    let imported = import(&campaign).map_err(|e| e.to_string())?;
+    let imported = gather(&campaign).map_err(|e| e.to_string())?;
     let labels = table::texts(&imported.points, "label").unwrap();
     let points = labels.into_iter().zip(table::coordinates(&imported.points).unwrap()).collect();
     Ok((points, imported.document.sources.into_iter().find(|s| s.kind == "export").unwrap()))

@@ -10,8 +10,7 @@ mod twincat_header;
 mod ur_rtde;
 
 use super::log::meaning;
-use crate::base::message::{Message, Problems, Result};
-use crate::campaign::Campaign;
+use crate::base::message::{Message, Problems, Result, Stated};
 use crate::document::Source;
 use crate::import::format::Column;
 use crate::import::format::Log;
@@ -71,12 +70,12 @@ impl Wanted<'_> {
 }
 
 /// Reads the columns that the campaign wants of a log.
-pub(super) fn columns(campaign: &Campaign, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
+pub(super) fn columns(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
     let mut problems = Problems::default();
-    let wanted = wanted(campaign, log, &mut problems);
+    let wanted = wanted(stated, log, &mut problems);
     let read = match log.format {
-        LogFormat::TwinCat => twincat::read(campaign, log, &wanted, text, source),
-        _ => sheet::read(campaign, log, &wanted, text, source),
+        LogFormat::TwinCat => twincat::read(stated, log, &wanted, text, source),
+        _ => sheet::read(stated, log, &wanted, text, source),
     };
     match read {
         Ok(columns) => problems.check().map(|_| columns),
@@ -88,7 +87,7 @@ pub(super) fn columns(campaign: &Campaign, log: &Log, text: &str, source: &mut S
 }
 
 /// What each key of `columns` becomes.
-fn wanted<'a>(campaign: &Campaign, log: &'a Log, problems: &mut Problems) -> Vec<Wanted<'a>> {
+fn wanted<'a>(stated: Stated, log: &'a Log, problems: &mut Problems) -> Vec<Wanted<'a>> {
     let mut wanted: Vec<Wanted> = Vec::new();
     let clock = log.period_s.is_some().then_some("time_s");
     let numbered = log.pose.is_some().then_some("pose");
@@ -96,7 +95,7 @@ fn wanted<'a>(campaign: &Campaign, log: &'a Log, problems: &mut Problems) -> Vec
         let Some((name, factor)) = meaning(key.get_ref()) else {
             problems.0.push(
                 Message::error(format!("`{}` states no unit that a joint can have", key.get_ref()))
-                    .at(campaign.place(key))
+                    .at(stated.place(key))
                     .expected(
                         "`pose`, `cycle`, `time_s`, `label`, or a joint with its unit like `q1_deg`, `q1_rad`, `rho1_mm`",
                     ),
@@ -106,27 +105,27 @@ fn wanted<'a>(campaign: &Campaign, log: &'a Log, problems: &mut Problems) -> Vec
         if wanted.iter().any(|w| w.name == name) || [clock, numbered].contains(&Some(name.as_str())) {
             let message = Message::error(format!("`{}` states `{name}` once more", key.get_ref()));
             let hint = "a joint has one column; `pose = \"row\"` needs none for the pose, `period_s` none for the time";
-            problems.0.push(message.at(campaign.place(key)).hint(hint));
+            problems.0.push(message.at(stated.place(key)).hint(hint));
             continue;
         }
         let wants = Wanted { key, column, name, factor };
         if column.per_count.is_some() && !wants.is_joint() {
             let message = Message::error(format!("`per_count` means nothing for `{}`", key.get_ref()));
-            problems.0.push(message.at(campaign.place(key)).hint("it is what one count of a joint's encoder is worth"));
+            problems.0.push(message.at(stated.place(key)).hint("it is what one count of a joint's encoder is worth"));
             continue;
         }
         wanted.push(wants);
     }
     if log.period_s.is_some_and(|period| period <= 0.0 || !period.is_finite()) {
-        let message = Message::error("`period_s` must be positive").at(campaign.place(&log.file));
+        let message = Message::error("`period_s` must be positive").at(stated.place(&log.file));
         problems.0.push(message.hint("it is the time from one row of the log to the next, in seconds"));
     }
     if log.values.is_some() && log.format != LogFormat::TwinCat {
-        let message = Message::error("`values` means nothing for this log").at(campaign.place(&log.file));
+        let message = Message::error("`values` means nothing for this log").at(stated.place(&log.file));
         problems.0.push(message.hint("it belongs to `format = \"twincat\"`"));
     }
     if !log.header && log.format == LogFormat::TwinCat {
-        let message = Message::error("`header = false` means nothing for this log").at(campaign.place(&log.file));
+        let message = Message::error("`header = false` means nothing for this log").at(stated.place(&log.file));
         problems.0.push(message.hint("a TwinCAT export names its channels: leave `header` out"));
     }
     wanted

@@ -3,8 +3,7 @@
 use super::super::delimited::{Row, cell_place, rows};
 use super::super::formats::propose;
 use super::{Columns, Wanted, cells, galil, kuka_rsi, ros, unit_agrees};
-use crate::base::message::{Message, Place, Problems, Result};
-use crate::campaign::Campaign;
+use crate::base::message::{Message, Place, Problems, Result, Stated};
 use crate::document::Source;
 use crate::import::format::ColumnAt;
 use crate::import::format::Decimal;
@@ -45,15 +44,9 @@ pub(super) fn row_place(sheet: &Sheet, line: usize) -> Place {
 }
 
 /// Reads the wanted columns.
-pub(super) fn read(
-    campaign: &Campaign,
-    log: &Log,
-    wanted: &[Wanted],
-    text: &str,
-    source: &mut Source,
-) -> Result<Columns> {
+pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
     if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
-        return Err(two_commas().at(campaign.place(&log.file)).into());
+        return Err(two_commas().at(stated.place(&log.file)).into());
     }
     source.dialect = format!(
         "{}delimited by `{}`, decimal `{}`",
@@ -62,7 +55,7 @@ pub(super) fn read(
         log.decimal.name()
     );
     let mut problems = Problems::default();
-    let mut sheet = split(campaign, log, text, &mut problems)?;
+    let mut sheet = split(stated, log, text, &mut problems)?;
     source.rows_read = sheet.rows.len();
     if log.format == LogFormat::Ros {
         ros::name_joints(&mut sheet, &mut problems);
@@ -71,7 +64,7 @@ pub(super) fn read(
     for wanted in wanted {
         match place_of(log, wanted, &sheet) {
             Ok(at) => placed.push((at, wanted)),
-            Err(message) => problems.0.push(message.at(campaign.place(wanted.key))),
+            Err(message) => problems.0.push(message.at(stated.place(wanted.key))),
         }
     }
     if log.format == LogFormat::Galil && problems.0.is_empty() {
@@ -94,13 +87,13 @@ pub(super) fn read(
 }
 
 /// Splits the text into a header and rows of one width.
-fn split<'a>(campaign: &Campaign, log: &'a Log, text: &'a str, problems: &mut Problems) -> Result<Sheet<'a>> {
+fn split<'a>(stated: Stated, log: &'a Log, text: &'a str, problems: &mut Problems) -> Result<Sheet<'a>> {
     let file = log.file.get_ref().as_str();
     let mut all = rows(file, text, log.delimiter(), None)?;
     let header = if log.header && !all.is_empty() { Some(all.remove(0)) } else { None };
     if all.is_empty() {
         return Err(Message::error(format!("log `{file}` holds no rows"))
-            .at(campaign.place(&log.file))
+            .at(stated.place(&log.file))
             .hint("record it again, or state `header = false` if its only row holds values")
             .into());
     }

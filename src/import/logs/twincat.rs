@@ -6,8 +6,7 @@
 use super::super::delimited::{Row, cell_place, number};
 use super::twincat_header::{Channel, Header};
 use super::{Columns, Values, Wanted, other_unit};
-use crate::base::message::{Message, Place, Problems, Result, count};
-use crate::campaign::Campaign;
+use crate::base::message::{Message, Place, Problems, Result, Stated, count};
 use crate::document::Source;
 use crate::import::format::ChannelValues;
 use crate::import::format::ColumnAt;
@@ -24,13 +23,7 @@ struct Samples {
 }
 
 /// Reads the wanted channels.
-pub(super) fn read(
-    campaign: &Campaign,
-    log: &Log,
-    wanted: &[Wanted],
-    text: &str,
-    source: &mut Source,
-) -> Result<Columns> {
+pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
     let file = log.file.get_ref().as_str();
     let lines: Vec<&str> = text.lines().collect();
     let header = Header::read(file, &lines, log)?;
@@ -39,18 +32,18 @@ pub(super) fn read(
     source.dialect = format!("{}, delimited by {separator:?}, decimal `{decimal}`{start}", log.format.name());
     let mut problems = Problems::default();
     if log.period_s.is_some() {
-        let message = Message::error("the channels bring their own times").at(campaign.place(&log.file));
+        let message = Message::error("the channels bring their own times").at(stated.place(&log.file));
         problems.0.push(message.hint("leave `period_s` out of this log"));
     }
     let mut chosen = Vec::new();
     for wanted in wanted {
         match channel(&header, log, wanted) {
             Ok(channel) => chosen.push((channel, wanted)),
-            Err(message) => problems.0.push(message.at(campaign.place(wanted.key))),
+            Err(message) => problems.0.push(message.at(stated.place(wanted.key))),
         }
     }
     if chosen.is_empty() && problems.0.is_empty() {
-        let message = Message::error("`columns` of this log names no channel").at(campaign.place(&log.file));
+        let message = Message::error("`columns` of this log names no channel").at(stated.place(&log.file));
         problems.0.push(message.hint_names("", header.channels.iter().map(|c| c.name.as_str())));
     }
     problems.check()?;

@@ -12,9 +12,9 @@ use crate::base::pattern::matches_pattern;
 use crate::base::pose::Pose;
 use crate::base::table;
 use crate::campaign::Campaign;
-use crate::import::{self, Imported};
 use crate::math::robots::Robot;
 use crate::stages::frames;
+use crate::stages::gather::{self, Gathered};
 use crate::stages::geometric;
 use crate::stages::iso9283::characteristics;
 use crate::stages::iso9283::repeatability;
@@ -24,7 +24,7 @@ use std::collections::BTreeSet;
 
 /// Checks what the stages cannot: statements, files, labels, targets and names. Gives what was imported, with warnings, or
 /// every error.
-pub fn check(campaign: &Campaign) -> Result<Imported> {
+pub fn check(campaign: &Campaign) -> Result<Gathered> {
     let found = find(campaign);
     found.problems.check()?;
     Ok(found.imported)
@@ -33,7 +33,7 @@ pub fn check(campaign: &Campaign) -> Result<Imported> {
 /// Checks all that a run would stumble over before it identifies: what was imported, with all warnings, and every error.
 ///
 /// A stage is tried on what is left of its input; where what it needs is wrong already, it is left out.
-pub fn everything(campaign: &Campaign) -> (Imported, Problems) {
+pub fn everything(campaign: &Campaign) -> (Gathered, Problems) {
     let mut found = find(campaign);
     let (points, unreadable) = match readable(&found.imported.points) {
         Ok(parted) => parted,
@@ -61,7 +61,7 @@ pub fn everything(campaign: &Campaign) -> (Imported, Problems) {
         Err(more) => found.problems.0.extend(more.0),
         Ok(features) => {
             found.imported.document.messages.extend(features.messages.clone());
-            if found.named && !import::used_labels(campaign).iter().any(|name| touched(name)) {
+            if found.named && !gather::used_labels(campaign).iter().any(|name| touched(name)) {
                 let planar = found.robot.as_ref().is_some_and(|r| r.dimension() == 2);
                 let made = frames::make_frames(campaign, &points, &features, planar);
                 world = made.map_err(|more| found.problems.0.extend(more.0)).ok();
@@ -96,7 +96,7 @@ pub fn everything(campaign: &Campaign) -> (Imported, Problems) {
 }
 
 struct Found {
-    imported: Imported,
+    imported: Gathered,
     problems: Problems,
     /// all files read
     read: bool,
@@ -112,7 +112,7 @@ fn find(campaign: &Campaign) -> Found {
     report::check(campaign, &mut problems);
     let before = problems.0.len();
     statements::frames(campaign, &mut problems);
-    let (imported, more) = import::recover(campaign);
+    let (imported, more) = gather::recover(campaign);
     let lost = &campaign.lost;
     let whole = |keys: &[&str]| !keys.iter().any(|key| lost.touches(&[key]));
     let mut read = more.0.is_empty() && whole(&["export", "log", "join"]);

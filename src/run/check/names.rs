@@ -5,16 +5,16 @@ use crate::base::pattern::matches_pattern;
 use crate::base::table;
 use crate::campaign::{Campaign, JoinBy};
 use crate::import;
-use crate::import::Imported;
 use crate::import::format::Export;
 use crate::import::format::Format;
 use crate::import::format::Role;
 use crate::math::robots::Robot;
+use crate::stages::gather::Gathered;
 use std::collections::BTreeSet;
 use toml::Spanned;
 
 /// Labels and features that nothing bears. Where some exports are not read, they may bear them: then it is a warning.
-pub(super) fn labels(campaign: &Campaign, imported: &Imported, complete: bool, problems: &mut Problems) {
+pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, problems: &mut Problems) {
     let all = table::texts(&imported.points, "label").unwrap_or_default();
     let of = table::texts(&imported.points, "target").unwrap_or_default();
     // nobody means a label that names a target at a pose
@@ -153,7 +153,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
 }
 
 /// Targets of the robot that nobody measured.
-pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Imported, problems: &mut Problems) {
+pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathered, problems: &mut Problems) {
     // what the log says it touches need not be called as the robot's target
     if campaign.file.join.by == JoinBy::Label {
         return;
@@ -177,7 +177,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Importe
 }
 
 /// An error where no label of an export has the form that the campaign states.
-fn other_form(campaign: &Campaign, export: &Export, imported: &Imported) -> Option<Message> {
+fn other_form(campaign: &Campaign, export: &Export, imported: &Gathered) -> Option<Message> {
     let form = export.label.as_ref()?;
     let pattern = import::LabelPattern::parse(form.get_ref()).ok()?;
     let (files, labels) =

@@ -3,7 +3,8 @@
 use crate::base::message::{Message, Problems, Result};
 use crate::campaign::{Campaign, ComplianceDefinition, PosesDefinition};
 use crate::document::*;
-use crate::import::{self, Imported};
+use crate::import;
+use crate::stages::gather::Gathered;
 use crate::stages::iso9283::COVERAGE_FACTOR;
 use crate::stages::iso9283::load;
 use crate::stages::iso9283::pose::Settings;
@@ -17,7 +18,7 @@ use toml::Spanned;
 const SEED: u64 = 1;
 
 /// Evaluates all tests of a campaign; files that they are in become sources of `imported`.
-pub fn evaluate(campaign: &Campaign, imported: &mut Imported, frames: &FramesDocument) -> Result<Characteristics> {
+pub fn evaluate(campaign: &Campaign, imported: &mut Gathered, frames: &FramesDocument) -> Result<Characteristics> {
     let (mut found, mut sources) = (Characteristics::default(), Vec::new());
     if let Some((document, more)) = poses(campaign, imported, frames)? {
         found.poses = Some(Iso9283Document { limits: limits(campaign, &document.poses)?, ..document });
@@ -78,7 +79,7 @@ fn table_problems(campaign: &Campaign, definition: &PosesDefinition) -> Problems
 /// Visited poses: of labels, or of tables.
 fn poses(
     campaign: &Campaign,
-    imported: &Imported,
+    imported: &Gathered,
     frames: &FramesDocument,
 ) -> Result<Option<(Iso9283Document, Vec<Source>)>> {
     match (&campaign.file.poses, &campaign.file.repeatability) {

@@ -46,7 +46,7 @@ pub(super) fn by_label(
     }
     problems.check()?;
     let used: BTreeSet<&String> = touched.iter().collect();
-    let frame_points: BTreeSet<&str> = crate::import::used_labels(campaign).into_iter().collect();
+    let frame_points: BTreeSet<&str> = crate::stages::gather::used_labels(campaign).into_iter().collect();
     let idle = |label: &&String| !used.contains(label) && !frame_points.contains(label.as_str());
     let idle: Vec<&str> = measured.keys().filter(idle).map(String::as_str).collect();
     if let Some(first) = idle.first() {

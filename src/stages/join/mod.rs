@@ -10,8 +10,8 @@ use crate::base::pose::{Pose, Vector};
 use crate::base::table;
 use crate::campaign::{Campaign, ClockOffset, JoinBy};
 use crate::document::{FramesDocument, Unmatched};
-use crate::import::Imported;
 use crate::math::robots::Robot;
+use crate::stages::gather::Gathered;
 use by_label::by_label;
 use by_time::{Clocks, by_time};
 use polars::prelude::*;
@@ -45,7 +45,7 @@ struct Log<'a> {
 }
 
 /// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
-pub fn join(campaign: &Campaign, imported: &Imported, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
+pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
     let (mut said, mut problems) = (Said::default(), Problems::default());
     let points = targets_in_world(imported, frames, robot, &mut said)?;
     let mut observations = Vec::new();
@@ -72,7 +72,7 @@ pub fn join(campaign: &Campaign, imported: &Imported, frames: &FramesDocument, r
 /// Joins targets in the world with one log, by the key that the campaign states.
 fn with_log(
     campaign: &Campaign,
-    imported: &Imported,
+    imported: &Gathered,
     points: &DataFrame,
     log: Log,
     said: &mut Said,
@@ -146,7 +146,7 @@ fn apart_s(campaign: &Campaign, points: &DataFrame, log: &DataFrame) -> Result<O
 }
 
 /// What the counts of rows say against a join by row, before anything is known of targets and frames.
-pub fn counts(campaign: &Campaign, imported: &Imported, robot: &dyn Robot) -> Result<()> {
+pub fn counts(campaign: &Campaign, imported: &Gathered, robot: &dyn Robot) -> Result<()> {
     if campaign.file.join.by != JoinBy::Row {
         return Ok(());
     }
@@ -159,7 +159,7 @@ pub fn counts(campaign: &Campaign, imported: &Imported, robot: &dyn Robot) -> Re
 
 /// The targets of the robot in the world; targets of poses without a world frame are reported.
 fn targets_in_world(
-    imported: &Imported,
+    imported: &Gathered,
     frames: &FramesDocument,
     robot: &dyn Robot,
     said: &mut Said,
@@ -320,7 +320,7 @@ fn key_rows(frame: &DataFrame, keys: &[&str]) -> Result<Keys> {
 /// A join by row is only allowed where every export that brings targets has as many data rows as the log.
 fn equal_counts(
     campaign: &Campaign,
-    imported: &Imported,
+    imported: &Gathered,
     points: &DataFrame,
     log: &DataFrame,
     name: &str,

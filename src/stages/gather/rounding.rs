@@ -1,10 +1,9 @@
 //! Coordinates that an export rounded away.
 
-use super::points::Point;
 use crate::base::message::Message;
 use crate::campaign::Campaign;
-use crate::import::format::Export;
-use crate::import::format::Format;
+use crate::import::Point;
+use crate::import::format::{Export, Format};
 
 /// With fewer points all may be round by chance.
 const FEWEST: usize = 8;

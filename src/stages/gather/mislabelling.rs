@@ -1,9 +1,9 @@
 //! Points that lie where another one is, and reference targets that drift: told, never dropped.
 
-use super::points::Point;
 use crate::base::message::{Message, Place, Problems, count};
 use crate::base::pose::{Vector, minus, norm};
 use crate::campaign::{Campaign, Fixed};
+use crate::import::Point;
 use std::collections::BTreeMap;
 
 /// Blocks of a recording that are compared for drift; each needs some rows.

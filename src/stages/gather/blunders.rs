@@ -1,10 +1,11 @@
 //! Blunders, found by rule and listed: distances between targets of a rigid part that do not hold.
 
-use super::points::{Point, PointColumns};
+use super::points::PointColumns;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{minus, norm};
 use crate::campaign::{Campaign, Rigid};
 use crate::document::{Refused, Source};
+use crate::import::Point;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Points that were measured together.

@@ -1,0 +1,153 @@
+//! Gather: the exports and logs of a campaign become points and joint values.
+//!
+//! No input is repaired in silence: a row that means "not measured" is refused by rule and listed, anything else that
+//! does not read as stated is an error with its place, and one run reports all of them.
+
+mod blunders;
+mod mislabelling;
+mod points;
+mod rounding;
+
+pub(crate) use points::used_labels;
+
+use crate::base::files;
+use crate::base::message::{Problems, Result};
+use crate::campaign::Campaign;
+use crate::document::{ImportDocument, Source};
+use crate::import::{
+    self, Point,
+    format::{Export, Format, Log},
+    spatialanalyzer,
+};
+use points::PointColumns;
+use polars::prelude::DataFrame;
+
+/// What a campaign's files hold.
+#[derive(Clone, Debug)]
+pub struct Gathered {
+    /// One row per measured point: `export row line label target pose cycle time_s x_mm y_mm z_mm`.
+    pub points: DataFrame,
+    /// Joint values of each log, by its name: `row line pose cycle time_s` and the joints in mm or deg.
+    pub logs: Vec<(String, DataFrame)>,
+    /// What was read and refused.
+    pub document: ImportDocument,
+}
+
+/// Reads all exports and logs of a campaign.
+pub fn gather(campaign: &Campaign) -> Result<Gathered> {
+    let (imported, problems) = recover(campaign);
+    problems.check()?;
+    Ok(imported)
+}
+
+/// Reads what can be read of all exports and logs of a campaign, and tells everything that is wrong with them. Points
+/// with a coordinate that does not read are there without it.
+pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
+    let mut problems = Problems::default();
+    let mut sources = vec![
+        statement("campaign", campaign.file_name(), campaign.text.as_bytes()),
+        statement("robot", campaign.file.robot.get_ref(), campaign.robot_text.as_bytes()),
+    ];
+    let mut columns = PointColumns::default();
+    let mut frames = Vec::new();
+    for (i, export) in campaign.file.exports.iter().enumerate() {
+        if export.file.get_ref().is_empty() {
+            continue;
+        }
+        let read = campaign
+            .resolve(&export.file)
+            .and_then(|path| import::read_export(&path, export.encoding, &export.format, campaign.place(&export.file)));
+        match read {
+            // what it states of itself is told already
+            Ok(_) if !campaign.export_reads(i) => {}
+            Ok((text, bytes)) => {
+                let mut source = statement("export", export.file.get_ref(), &bytes);
+                source.dialect = format!("{}, unit {}", export.format, export.unit.name());
+                problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
+                if let Some(frame) = spatialanalyzer::frame(&text).filter(|_| export.format == Format::SpatialAnalyzer)
+                {
+                    source.dialect.push_str(&format!(", relative to `{frame}`"));
+                    frames.push((campaign.place(&export.file), frame.to_owned()));
+                }
+                sources.push(source);
+            }
+            Err(more) => problems.0.extend(more.0),
+        }
+    }
+    let (mut logs, mut said) = (Vec::new(), Vec::new());
+    for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
+        let read = campaign
+            .resolve(&stated.file)
+            .and_then(|path| import::read_text(&path, stated.encoding, campaign.place(&stated.file)));
+        match read.and_then(|(text, bytes)| {
+            if campaign.lost.touches(&["log"]) {
+                return Ok(None);
+            }
+            let mut source = statement("log", stated.file.get_ref(), &bytes);
+            let table = import::log(campaign.stated(), stated, &text, &mut source)?;
+            Ok(Some((source, table)))
+        }) {
+            Ok(None) => {}
+            Ok(Some((source, (table, more)))) => {
+                sources.push(source);
+                logs.push((stated.name.clone(), table));
+                said.extend(more);
+            }
+            Err(more) => problems.0.extend(more.0),
+        }
+    }
+    problems.0.extend(columns.measured_twice());
+    problems.0.extend(blunders::check(campaign).0);
+    problems.0.extend(mislabelling::check(campaign).0);
+    let mut messages = if campaign.lost.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
+    messages.extend(said);
+    messages.append(&mut columns.remarks);
+    messages.extend(spatialanalyzer::frames_differ(&frames));
+    if problems.0.is_empty() && campaign.lost.is_empty() {
+        match blunders::refuse(campaign, &mut columns, &mut sources) {
+            Ok(said) => messages.splice(0..0, said).for_each(drop),
+            Err(more) => problems.0.extend(more.0),
+        }
+        // of what is left
+        messages.extend(mislabelling::misplaced(campaign, &columns.points));
+        messages.extend(mislabelling::drifting(campaign, &columns.points));
+    }
+    let document = ImportDocument {
+        schema: "etalon/import/1".to_owned(),
+        campaign: campaign.file.name.clone(),
+        sources,
+        messages,
+        unmatched: Vec::new(),
+    };
+    let points = import::points_table(&columns.points).unwrap_or_else(|more| {
+        problems.0.extend(more.0);
+        DataFrame::empty()
+    });
+    (Gathered { points, logs, document }, problems)
+}
+
+/// The points that an export brings if this is its text, before rules about blunders.
+pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
+    let mut columns = PointColumns::default();
+    columns.read(campaign, export, text, &mut statement("export", export.file.get_ref(), b"")).check()?;
+    Ok(columns.points)
+}
+
+/// The table of a log if this is its text.
+pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<DataFrame> {
+    import::log(campaign.stated(), stated, text, &mut statement("log", stated.file.get_ref(), b""))
+        .map(|(table, _)| table)
+}
+
+fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {
+    Source {
+        file: file.to_owned(),
+        sha256: files::sha256(bytes),
+        bytes: bytes.len(),
+        kind: kind.to_owned(),
+        dialect: if kind == "export" || kind == "log" { String::new() } else { "TOML".to_owned() },
+        rows_read: 0,
+        refused: Vec::new(),
+        standstills: Vec::new(),
+    }
+}

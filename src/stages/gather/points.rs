@@ -1,0 +1,140 @@
+//! Points of all exports, and what a campaign states of them.
+
+use crate::base::message::{Message, Place, Problems};
+use crate::base::pattern::matches_pattern;
+use crate::campaign::{Campaign, JoinBy};
+use crate::document::{Refused, Source};
+use crate::import::{self, LabelPattern as Pattern, Point, format::Export};
+
+/// All points of a campaign.
+#[derive(Clone, Debug, Default)]
+pub(super) struct PointColumns {
+    pub points: Vec<Point>,
+    /// Warnings about exports as a whole.
+    pub remarks: Vec<Message>,
+}
+
+impl PointColumns {
+    /// Adds what can be read of the text of an export; gives what is wrong with it.
+    pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &str, source: &mut Source) -> Problems {
+        let file = export.file.get_ref();
+        let (rows, mut problems) = import::point_rows(file, text, &export.format, export.unit);
+        if rows.is_empty() && problems.0.is_empty() {
+            problems.0.push(Message::error(format!("`{file}` holds no points")).hint(
+                "export the points again, or remove this [[export]]; `etalon formats FILE` shows how a text reads",
+            ));
+        }
+        problems = problems.at(&campaign.place(&export.file));
+        self.remarks.extend(super::rounding::coarse(campaign, export, &rows));
+        problems.0.extend(self.add(campaign, export, rows, source).0);
+        problems
+    }
+
+    /// Adds the rows of an export; rows that were not measured go to the source's list of refused ones. Gives what is
+    /// wrong with the rest.
+    fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<Point>, source: &mut Source) -> Problems {
+        let mut problems = Problems::default();
+        let pattern = export.label.as_ref().and_then(|text| {
+            let wrong = |m: Message| problems.0.push(m.at(campaign.place(text)));
+            Pattern::parse(text.get_ref()).map_err(wrong).ok()
+        });
+        source.rows_read = rows.len();
+        // targets that carry a world frame measured once need no pose
+        let world = campaign.file.frame.world.get_ref();
+        let frame_targets = world.targets.as_deref().filter(|_| world.each.is_none()).unwrap_or_default();
+        for (i, row) in rows.into_iter().enumerate() {
+            let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
+            let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
+            if let Some(reason) = reason {
+                source.refused.push(Refused { line: row.line, text: row.text, reason });
+                continue;
+            }
+            let named = pattern.as_ref().and_then(|p| p.read(&row.label)).unwrap_or_default();
+            let target = row.target.clone().or(named.target).or_else(|| export.target.clone());
+            if target.as_ref().is_some_and(|t| t.starts_with(['=', '@', '+', '-'])) {
+                let target = target.unwrap_or_default();
+                let message = Message::error(format!("the target `{target}` would be a formula in a spreadsheet"));
+                let hint = "give it another name, or state a `label` that leaves the first character out";
+                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
+                continue;
+            }
+            let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|_| i as i64 + 1));
+            let unreadable = row.xyz_mm.iter().any(|v| v.is_nan());
+            let in_frame = |t: &String| frame_targets.iter().any(|f| f.get_ref() == t);
+            let placed = pose.is_some() || row.time_s.is_some() || unreadable;
+            if target.is_some() && !placed && !target.as_ref().is_some_and(in_frame) {
+                let message = Message::error("the row names a target but no pose");
+                let hint = "name the pose in the label, or state `pose = \"row\"` for this export";
+                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
+                continue;
+            }
+            self.points.push(Point {
+                export: export.file.get_ref().clone(),
+                row: i as i64 + 1,
+                cycle: row.cycle.or(named.cycle).or(target.as_ref().map(|_| 1)),
+                target,
+                pose,
+                ..row
+            });
+        }
+        problems
+    }
+
+    /// Errors about points that bear the same target, pose and cycle as one before them.
+    pub fn measured_twice(&self) -> Vec<Message> {
+        let mut first = std::collections::BTreeMap::new();
+        let mut errors = Vec::new();
+        for point in &self.points {
+            let (Some(target), Some(pose)) = (&point.target, point.pose) else { continue };
+            let before = *first.entry((target, pose, point.cycle)).or_insert(point);
+            if !std::ptr::eq(before, point) {
+                let cycle = point.cycle.map(|c| format!(", cycle {c}")).unwrap_or_default();
+                let what = format!("target `{target}` is there twice at pose {pose}{cycle}");
+                let hint =
+                    format!("the first is {}:{}; number repeats as cycles, or remove one", before.export, before.line);
+                errors.push(Message::error(what).at(Place::line(&point.export, point.line, &point.text)).hint(hint));
+            }
+        }
+        errors
+    }
+
+    /// Warnings about labels that name no target and that no feature or frame uses.
+    pub fn unused_labels(&self, campaign: &Campaign) -> Vec<Message> {
+        let used = used_labels(campaign);
+        let geometric = campaign.file.geometric.iter().flat_map(|g| g.patterns());
+        let visits = campaign.file.repeatability.iter().flat_map(|r| r.patterns());
+        let forms: Vec<Pattern> = geometric.chain(visits).filter_map(|p| Pattern::parse(p.get_ref()).ok()).collect();
+        // a join by label tells which points are not touched
+        let joined = campaign.file.join.by == JoinBy::Label;
+        let idle = |p: &&Point| {
+            let used = joined || used.iter().any(|u| matches_pattern(u, &p.label));
+            p.target.is_none() && !used && !forms.iter().any(|f| f.read(&p.label).is_some())
+        };
+        let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
+        let Some(first) = idle.first() else { return Vec::new() };
+        let what = format!(
+            "labels that name no target and that no feature or frame uses: {}, the first is `{}`",
+            idle.len(),
+            first.label
+        );
+        vec![
+            Message::warning(what)
+                .at(Place::line(&first.export, first.line, &first.text))
+                .hint("correct the label, or `label` of this export"),
+        ]
+    }
+}
+
+/// Labels that features and the world frame use.
+pub(crate) fn used_labels(campaign: &Campaign) -> Vec<&str> {
+    let world = campaign.file.frame.world.get_ref();
+    let features = campaign.file.features.values().filter_map(|f| f.element()).flat_map(|(_, labels)| labels);
+    let axes = world.x_axis.iter().flatten().chain(world.y_axis.iter().flatten());
+    features
+        .chain(world.origin.iter())
+        .chain(world.towards.iter())
+        .chain(world.targets.iter().flatten())
+        .chain(axes)
+        .map(|l| l.get_ref().as_str())
+        .collect()
+}
