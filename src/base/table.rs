@@ -3,6 +3,7 @@
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::Vector;
 use polars::prelude::*;
+use serde::Serialize;
 use std::io::Cursor;
 use std::path::Path;
 
@@ -78,11 +79,40 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
     })
 }
 
-/// The table as CSV text.
-pub fn to_csv(table: &mut DataFrame) -> Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    CsvWriter::new(&mut bytes).include_header(true).finish(table)?;
-    Ok(bytes)
+/// A cell of a table as CSV.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Cell {
+    Text(String),
+    Whole(i64),
+    Real(f64),
+    Missing(()),
+}
+
+impl From<AnyValue<'_>> for Cell {
+    fn from(value: AnyValue) -> Self {
+        match value {
+            AnyValue::Null => Self::Missing(()),
+            AnyValue::Int64(number) => Self::Whole(number),
+            AnyValue::Float64(number) => Self::Real(number),
+            AnyValue::String(text) => Self::Text(text.to_owned()),
+            other => Self::Text(other.to_string()),
+        }
+    }
+}
+
+/// The table as CSV text; missing values are empty.
+pub fn to_csv(table: &DataFrame) -> Result<Vec<u8>> {
+    let failed = |e: String| Problems::from(Message::error(format!("table: {e}")));
+    let mut writer = ::csv::Writer::from_writer(Vec::new());
+    writer
+        .write_record(table.get_column_names().iter().map(|name| name.as_str()))
+        .map_err(|e| failed(e.to_string()))?;
+    for row in 0..table.height() {
+        let cells = table.columns().iter().map(|column| Ok(Cell::from(column.get(row)?)));
+        writer.serialize(cells.collect::<Result<Vec<Cell>>>()?).map_err(|e| failed(e.to_string()))?;
+    }
+    writer.into_inner().map_err(|e| failed(e.to_string()))
 }
 
 /// The table as Parquet.

@@ -259,13 +259,19 @@ fn by_keys(points: &DataFrame, log: Log, keys: &[&str], said: &mut Said) -> Resu
     let by_row = keys == ["row"];
     let pairs = measured.iter().filter(|_| by_row).filter_map(|(key, rows)| Some((rows, *logged.get(key)?.first()?)));
     contradictions(points, log, pairs.flat_map(|(rows, logged)| rows.iter().map(move |&row| (row, logged))))?;
-    let mut right = log.rows.clone();
-    for column in ["row", "line", "pose", "cycle", "time_s"] {
-        if !keys.contains(&column) && right.column(column).is_ok() {
-            right = right.drop(column)?;
+    let met = measured.iter().filter_map(|(key, rows)| Some((rows, *logged.get(key)?.first()?)));
+    let mut met: Vec<(usize, usize)> = met.flat_map(|(rows, logged)| rows.iter().map(move |&r| (r, logged))).collect();
+    met.sort_unstable();
+    let (here, there): (Vec<IdxSize>, Vec<IdxSize>) =
+        met.into_iter().map(|(row, logged)| (row as IdxSize, logged as IdxSize)).unzip();
+    let mut joined = points.take(&IdxCa::from_vec("i".into(), here))?;
+    let there = IdxCa::from_vec("i".into(), there);
+    for column in log.rows.columns() {
+        if joined.column(column.name()).is_err() {
+            joined.with_column(column.take(&there)?)?;
         }
     }
-    Ok(points.join(&right, keys.iter().copied(), keys.iter().copied(), JoinArgs::new(JoinType::Inner), None)?)
+    Ok(joined)
 }
 
 /// An error where points and the rows of the log that they meet bear different poses or cycles.
