@@ -4,7 +4,7 @@ use super::{Verdict, print_written};
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
 use crate::base::table;
-use crate::document::{CampaignSummary, Characteristics, GeometricDocument, Language, Presentation};
+use crate::document::{AccuracyDocument, CampaignSummary, Characteristics, Language, ParametersDocument, Presentation};
 use crate::report;
 use crate::report::branding;
 use crate::stages::evaluate;
@@ -81,31 +81,30 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
     campaign.report = dressed.over(campaign.report)?;
     let import = document(folder, "import.json")?;
     let (features, frames) = (document(folder, "features.json")?, document(folder, "frames.json")?);
-    let made = match optional("parameters.json") || tested.is_empty() {
-        false => report::test_files(&report::TestReport {
-            campaign: &campaign,
-            import: &import,
-            features: &features,
-            frames: &frames,
-            tested: &tested,
-        })?,
-        true => {
-            let errors = evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?;
-            let geometric: Option<GeometricDocument> =
-                optional("geometric.json").then(|| document(folder, "geometric.json")).transpose()?;
-            report::files(&report::Report {
-                campaign: &campaign,
-                import: &import,
-                features: &features,
-                frames: &frames,
-                parameters: &document(folder, "parameters.json")?,
-                accuracy: &document(folder, "accuracy.json")?,
-                errors: &errors,
-                geometric: geometric.as_ref(),
-                tested: &tested,
-            })?
-        }
+    // a campaign that only tests has no parameters
+    let documents = match optional("parameters.json") || tested.is_empty() {
+        false => None,
+        true => Some((
+            document::<ParametersDocument>(folder, "parameters.json")?,
+            document::<AccuracyDocument>(folder, "accuracy.json")?,
+            evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?,
+            optional("geometric.json").then(|| document(folder, "geometric.json")).transpose()?,
+        )),
     };
+    let identified = documents.as_ref().map(|(parameters, accuracy, errors, geometric)| report::Identified {
+        parameters,
+        accuracy,
+        errors,
+        geometric: geometric.as_ref(),
+    });
+    let made = report::files(&report::Report {
+        campaign: &campaign,
+        import: &import,
+        features: &features,
+        frames: &frames,
+        identified,
+        tested: &tested,
+    })?;
     let write = |(name, bytes): (&str, Vec<u8>)| {
         let path = folder.join(name);
         files::write(&path, &bytes)?;

@@ -1,6 +1,6 @@
 //! Documents to try the report on: a campaign like the thesis', with synthetic errors.
 
-use super::Report;
+use super::{Identified, Report};
 use crate::base::message::{Message, Place};
 use crate::base::noise::Noise;
 use crate::base::pose::{Pose, Vector};
@@ -33,12 +33,13 @@ impl Documents {
             import: &self.import,
             features: &self.features,
             frames: &self.frames,
-            parameters: &self.parameters,
-            accuracy: &self.accuracy,
-            errors: &self.errors,
-            geometric: None,
+            identified: Some(self.identified()),
             tested: &self.tested,
         }
+    }
+
+    pub fn identified(&self) -> Identified<'_> {
+        Identified { parameters: &self.parameters, accuracy: &self.accuracy, errors: &self.errors, geometric: None }
     }
 
     /// A campaign like the thesis': 59 poses on two circles, 5 cycles, errors of table 3.4's size.

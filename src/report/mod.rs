@@ -48,13 +48,13 @@ pub use plan::html as plan_html;
 use crate::base::message::{Message, Result};
 use crate::document::{
     AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
-    ImportDocument, ParametersDocument, PointError, Provenance, WorldFrame,
+    ImportDocument, LimitVerdict, ParametersDocument, PointError, Provenance, WorldFrame,
 };
 use pictures::pictures;
 use serde::Serialize;
 use words::Words;
 
-/// Everything that a report tells.
+/// The documents that a report is made from.
 pub struct Report<'a> {
     /// What the campaign says about itself.
     pub campaign: &'a CampaignSummary,
@@ -64,6 +64,15 @@ pub struct Report<'a> {
     pub features: &'a FeaturesDocument,
     /// Frames made from them.
     pub frames: &'a FramesDocument,
+    /// What was identified; absent where a campaign only tests by ISO 9283.
+    pub identified: Option<Identified<'a>>,
+    /// Characteristics of ISO 9283, where the campaign tests any.
+    pub tested: &'a Characteristics,
+}
+
+/// The documents of an identification.
+#[derive(Clone, Copy)]
+pub struct Identified<'a> {
     /// Identified parameters.
     pub parameters: &'a ParametersDocument,
     /// Errors before and after.
@@ -72,22 +81,26 @@ pub struct Report<'a> {
     pub errors: &'a [PointError],
     /// What geometry alone found, where the campaign asks for it.
     pub geometric: Option<&'a GeometricDocument>,
-    /// Characteristics of ISO 9283, where the campaign tests any.
-    pub tested: &'a Characteristics,
 }
 
-/// What the report of a test by ISO 9283 alone tells.
-pub struct TestReport<'a> {
-    /// What the campaign says about itself.
-    pub campaign: &'a CampaignSummary,
-    /// What was read and refused.
-    pub import: &'a ImportDocument,
-    /// Fitted elements.
-    pub features: &'a FeaturesDocument,
-    /// Frames made from them.
-    pub frames: &'a FramesDocument,
-    /// Its characteristics.
-    pub tested: &'a Characteristics,
+impl<'a> Report<'a> {
+    /// Every warning and error of its documents.
+    fn messages(&self) -> Vec<&'a Message> {
+        let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);
+        let geometric = self.identified.iter().filter_map(|i| i.geometric).flat_map(|g| &g.messages);
+        identified.chain(&self.import.messages).chain(geometric).chain(self.tested.messages()).collect()
+    }
+
+    /// Every limit that the campaign states, judged.
+    fn limits(&self) -> Vec<&'a LimitVerdict> {
+        self.identified.iter().flat_map(|i| &i.accuracy.limits).chain(self.tested.limits()).collect()
+    }
+
+    /// Whether every limit is met, and the result can be that of a robot.
+    pub fn is_met(&self) -> bool {
+        let plausible = self.identified.is_none_or(|i| i.parameters.is_plausible());
+        plausible && self.limits().iter().all(|l| l.met)
+    }
 }
 
 /// What the template sees: documents as they are, and what was computed from them.
@@ -120,7 +133,7 @@ struct Page<'a> {
 /// A file of a report: its name and its bytes.
 pub type File = (&'static str, Vec<u8>);
 
-/// All files of the report of a calibration.
+/// All files of a report.
 pub fn files(report: &Report) -> Result<Vec<File>> {
     Ok(vec![
         ("report.html", html(report)?.into_bytes()),
@@ -130,43 +143,34 @@ pub fn files(report: &Report) -> Result<Vec<File>> {
     ])
 }
 
-/// All files of the report of a test by ISO 9283.
-pub fn test_files(report: &TestReport) -> Result<Vec<File>> {
-    Ok(vec![
-        ("report.html", test_html(report)?.into_bytes()),
-        #[cfg(feature = "pdf")]
-        ("report.pdf", pdf::test_pdf(report)?),
-        ("report.xlsx", workbook::test_workbook(report)?),
-    ])
-}
-
 /// The report as one HTML page.
 pub fn html(report: &Report) -> Result<String> {
     let presentation = &report.campaign.report;
     let words = &Words::of(presentation.language)?;
-    let drawn = pictures(report, words);
+    let Some(identified) = &report.identified else { return test_html(report, words) };
+    let drawn = pictures(report, identified, words);
     let page = Page {
         campaign: report.campaign,
         facts: facts::facts(report.campaign, report.tested, words),
         import: report.import,
         features: report.features,
         world: &report.frames.world,
-        fit: report.parameters,
-        messages: messages(report),
-        verdict: verdict::verdict(report, words),
-        definition: &report.accuracy.definition,
-        sets: tables::sets(report.accuracy, words),
-        poses: tables::poses(report.errors, words),
-        parameters: parameters::rows(&report.parameters.parameters, words),
+        fit: identified.parameters,
+        messages: report.messages(),
+        verdict: verdict::verdict(report, identified, words),
+        definition: &identified.accuracy.definition,
+        sets: tables::sets(identified.accuracy, words),
+        poses: tables::poses(identified.errors, words),
+        parameters: parameters::rows(&identified.parameters.parameters, words),
         parameter_pictures: drawn.parameters,
         pictures: drawn.errors,
         residual_pictures: drawn.residuals,
         observability_pictures: drawn.observability,
-        geometric: report.geometric.map(|g| geometric::section(g, words)),
+        geometric: identified.geometric.map(|g| geometric::section(g, words)),
         iso9283: report.tested.poses.as_ref().map(|i| iso9283::section(i, words)),
         compliance: iso9283::compliance(report.tested.compliance.as_ref(), words),
         streams: report.tested.streams.as_ref().map(|s| streams::sections(s, words)).unwrap_or_default(),
-        undrawn: report.errors.len() - points::drawable(report.errors).len(),
+        undrawn: identified.errors.len() - points::drawable(identified.errors).len(),
     };
     templates::render("report.html", presentation, words, page)
 }
@@ -190,9 +194,8 @@ struct TestPage<'a> {
 }
 
 /// The report of a test by ISO 9283 alone as one HTML page.
-pub fn test_html(report: &TestReport) -> Result<String> {
+fn test_html(report: &Report, words: &Words) -> Result<String> {
     let presentation = &report.campaign.report;
-    let words = &Words::of(presentation.language)?;
     let iso9283::Verdict { class, sentences } = iso9283::verdict(report.tested, words);
     let page = TestPage {
         campaign: report.campaign,
@@ -205,7 +208,7 @@ pub fn test_html(report: &TestReport) -> Result<String> {
             inputs: report.import.inputs(),
             seed: None,
         },
-        messages: test_messages(report),
+        messages: report.messages(),
         class,
         sentences,
         title: iso9283::title(report.tested, words),
@@ -214,14 +217,4 @@ pub fn test_html(report: &TestReport) -> Result<String> {
         streams: report.tested.streams.as_ref().map(|s| streams::sections(s, words)).unwrap_or_default(),
     };
     templates::render("repeatability.html", presentation, words, page)
-}
-
-fn messages<'a>(report: &Report<'a>) -> Vec<&'a Message> {
-    let geometric = report.geometric.iter().flat_map(|g| &g.messages);
-    let all = report.parameters.messages.iter().chain(&report.import.messages);
-    all.chain(geometric).chain(report.tested.messages()).collect()
-}
-
-fn test_messages<'a>(report: &TestReport<'a>) -> Vec<&'a Message> {
-    report.import.messages.iter().chain(report.tested.messages()).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::points::{self, Picture};
 use super::words::Words;
-use super::{Report, arrows, by_pose, correlation, histogram, intervals, map, residuals, singular};
+use super::{Identified, Report, arrows, by_pose, correlation, histogram, intervals, map, residuals, singular};
 use crate::document::PointError;
 
 /// Pictures by section.
@@ -17,8 +17,8 @@ pub(super) struct Pictures {
     pub observability: Vec<Picture>,
 }
 
-pub(super) fn pictures(report: &Report, words: &Words) -> Pictures {
-    let drawable = points::drawable(report.errors);
+pub(super) fn pictures(report: &Report, identified: &Identified, words: &Words) -> Pictures {
+    let drawable = points::drawable(identified.errors);
     let flat = |p: &&PointError| p.at_mm[2] == 0.0 && p.before_mm[2] == 0.0 && p.after_mm[2] == 0.0;
     let planar = report.frames.world.planar || drawable.iter().all(flat);
     let mut errors = Vec::new();
@@ -28,12 +28,12 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Pictures {
         errors.extend(histogram::histogram(&drawable, words));
         errors.extend(by_pose::pictures(&drawable, words));
     }
-    let mut parameters = intervals::pictures(&report.parameters.parameters, words);
-    parameters.extend(correlation::picture(report.parameters, words));
+    let mut parameters = intervals::pictures(&identified.parameters.parameters, words);
+    parameters.extend(correlation::picture(identified.parameters, words));
     Pictures {
         errors,
         parameters,
         residuals: residuals::pictures(&drawable, planar, words),
-        observability: report.parameters.observability.iter().filter_map(|o| singular::picture(o, words)).collect(),
+        observability: identified.parameters.observability.iter().filter_map(|o| singular::picture(o, words)).collect(),
     }
 }

@@ -167,14 +167,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
 #[test]
 fn a_test_report_has_what_the_standard_asks_for() {
     let (documents, tested) = (Documents::demo(), super::demo_iso9283::tested());
-    let report = TestReport {
-        campaign: &documents.campaign,
-        import: &documents.import,
-        features: &documents.features,
-        frames: &documents.frames,
-        tested: &tested,
-    };
-    let page = test_html(&report).unwrap();
+    let page = html(&Report { identified: None, tested: &tested, ..documents.report() }).unwrap();
     for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from ISO 9283", "SHA-256"] {
         assert!(page.contains(what), "{what}");
     }
@@ -188,14 +181,8 @@ fn in_language(language: Language) -> [String; 2] {
     let mut documents = Documents::demo();
     documents.campaign.report.language = language;
     let tested = Characteristics { streams: Some(super::demo_streams::streams()), ..super::demo_iso9283::whole() };
-    let test = TestReport {
-        campaign: &documents.campaign,
-        import: &documents.import,
-        features: &documents.features,
-        frames: &documents.frames,
-        tested: &tested,
-    };
-    [html(&Report { tested: &tested, ..documents.report() }).unwrap(), test_html(&test).unwrap()]
+    let report = Report { tested: &tested, ..documents.report() };
+    [html(&report).unwrap(), html(&Report { identified: None, ..report }).unwrap()]
 }
 
 /// Texts of a section of a page, those left out that are marked as English.
@@ -231,7 +218,7 @@ fn recorded_motions_are_told_in_the_language_of_the_report() {
 fn a_page_speaks_one_language_and_marks_what_is_english() {
     let english = in_language(Language::En);
     for (language, verdict) in
-        [(Language::Fr, "Les deux limites de la campagne"), (Language::De, "Beide Grenzwerte der")]
+        [(Language::Fr, "Les 4 limites de la campagne"), (Language::De, "Alle 4 Grenzwerte der")]
     {
         let pages = in_language(language);
         assert!(pages[0].contains(verdict) && pages[0].contains("<bdi lang=\"en\">Error: measured minus predicted."));

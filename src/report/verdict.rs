@@ -1,8 +1,8 @@
 //! The first thing a reader wants to know: are the limits met, and how much better did the robot get.
 
-use super::Report;
 use super::number::{self, Shown};
 use super::words::Words;
+use super::{Identified, Report};
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, Statistics};
 use serde::Serialize;
 
@@ -37,8 +37,8 @@ pub(super) struct Limit {
     pub met: bool,
 }
 
-pub(super) fn verdict(report: &Report, words: &Words) -> Verdict {
-    let limits = &report.accuracy.limits;
+pub(super) fn verdict(report: &Report, identified: &Identified, words: &Words) -> Verdict {
+    let limits = report.limits();
     let missed = limits.iter().filter(|l| !l.met).count();
     let (class, sentence) = match (limits.len(), missed) {
         (0, _) => ("open", words.say("The campaign states no limits.")),
@@ -49,21 +49,21 @@ pub(super) fn verdict(report: &Report, words: &Words) -> Verdict {
         (n, 1) => ("bad", words.fill("1 of {0} limits of the campaign is not met.", &[&n])),
         (n, m) => ("bad", words.fill("{0} of {1} limits of the campaign are not met.", &[&m, &n])),
     };
-    let termination = report.parameters.solver.termination;
-    let converged = termination.is_success() && report.parameters.is_plausible();
+    let termination = identified.parameters.solver.termination;
+    let converged = termination.is_success() && identified.parameters.is_plausible();
     let alarm = match termination.is_success() {
         true if converged => String::new(),
         true => words.say("These parameters cannot be those of the robot: they must not be loaded."),
         false => words.fill("The identification failed: {0}.", &[&termination]),
     };
-    let set = headline_set(report.accuracy);
+    let set = headline_set(identified.accuracy);
     Verdict {
         class: if converged { class } else { "bad" },
         sentence,
         alarm,
         set: set.map_or_else(String::new, |s| words.say(&s.name)),
         headlines: set.map_or_else(Vec::new, |set| headlines(set, words)),
-        limits: limits.iter().map(limit).collect(),
+        limits: limits.into_iter().map(limit).collect(),
     }
 }
 
@@ -107,34 +107,38 @@ mod tests {
     use super::*;
     use crate::math::solve::Termination;
 
+    fn of(documents: &Documents) -> Verdict {
+        verdict(&documents.report(), &documents.identified(), &Words::default())
+    }
+
     #[test]
     fn limits_are_judged_as_stated() {
         let mut documents = Documents::demo();
-        let good = verdict(&documents.report(), &Words::default());
+        let good = of(&documents);
         assert_eq!((good.class, good.sentence.as_str()), ("good", "Both limits of the campaign are met."));
         documents.accuracy.limits[0].met = false;
-        let bad = verdict(&documents.report(), &Words::default());
+        let bad = of(&documents);
         assert_eq!((bad.class, bad.sentence.as_str()), ("bad", "1 of 2 limits of the campaign is not met."));
         documents.accuracy.limits.clear();
-        assert_eq!(verdict(&documents.report(), &Words::default()).class, "open");
+        assert_eq!(of(&documents).class, "open");
     }
 
     #[test]
     fn a_solver_that_failed_is_never_good() {
         let mut documents = Documents::demo();
         documents.parameters.solver.termination = Termination::LostPatience;
-        let verdict = verdict(&documents.report(), &Words::default());
+        let verdict = of(&documents);
         assert!(verdict.class == "bad" && verdict.alarm.contains("not converged"), "{verdict:?}");
     }
 
     #[test]
     fn headlines_are_from_validation_where_there_is_any() {
         let mut documents = Documents::demo();
-        assert_eq!(verdict(&documents.report(), &Words::default()).set, "validation");
+        assert_eq!(of(&documents).set, "validation");
         documents.accuracy.sets.iter_mut().for_each(|s| s.count *= usize::from(s.name == "calibration"));
-        assert_eq!(verdict(&documents.report(), &Words::default()).set, "calibration");
+        assert_eq!(of(&documents).set, "calibration");
         documents.accuracy.sets.clear();
-        assert!(verdict(&documents.report(), &Words::default()).headlines.is_empty());
+        assert!(of(&documents).headlines.is_empty());
     }
 
     #[test]

@@ -27,6 +27,8 @@ pub struct Outcome {
     pub accuracy: AccuracyDocument,
     /// Characteristics of ISO 9283, where the campaign tests any.
     pub tested: Characteristics,
+    /// Whether every limit is met, and the result can be that of a robot.
+    pub met: bool,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
     /// Files written, in order.
@@ -103,17 +105,20 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
 
     // report and export, from the documents alone
     let summary = summary(campaign)?;
-    let reports = report::files(&report::Report {
+    let report = report::Report {
         campaign: &summary,
         import: &imported.document,
         features: &features,
         frames: &frames,
-        parameters: &parameters,
-        accuracy: &accuracy,
-        errors: &errors,
-        geometric: geometric.as_ref(),
+        identified: Some(report::Identified {
+            parameters: &parameters,
+            accuracy: &accuracy,
+            errors: &errors,
+            geometric: geometric.as_ref(),
+        }),
         tested: &tested,
-    })?;
+    };
+    let (met, reports) = (report.is_met(), report::files(&report)?);
     out.table("points", &mut imported.points)?;
     for (name, log) in &mut imported.logs {
         out.table(&Output::numbered("joints", name, campaign), log)?;
@@ -142,7 +147,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     let messages = imported.document.messages.iter().chain(&parameters.messages);
     let messages = messages.chain(geometric.iter().flat_map(|g| &g.messages));
     let messages = messages.chain(tested.messages()).cloned().collect();
-    Ok(Outcome { written: out.write()?, parameters, accuracy, tested, messages })
+    Ok(Outcome { written: out.write()?, parameters, accuracy, tested, met, messages })
 }
 
 /// What a test by ISO 9283 found, for the one who called it.
@@ -150,6 +155,8 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
 pub struct Tested {
     /// Its characteristics.
     pub found: Characteristics,
+    /// Whether every limit is met.
+    pub met: bool,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
     /// Files written, in order.
@@ -167,13 +174,15 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     let frames = frames::make_frames(campaign, &imported.points, &features, planar)?;
     let found = characteristics::evaluate(campaign, &mut imported, &frames)?;
     let summary = summary(campaign)?;
-    let reports = report::test_files(&report::TestReport {
+    let report = report::Report {
         campaign: &summary,
         import: &imported.document,
         features: &features,
         frames: &frames,
+        identified: None,
         tested: &found,
-    })?;
+    };
+    let (met, reports) = (report.is_met(), report::files(&report)?);
     // an earlier run may have identified
     ["parameters.json", "accuracy.json", "residuals.parquet", "geometric.json"].into_iter().for_each(|n| out.remove(n));
     out.table("points", &mut imported.points)?;
@@ -184,7 +193,7 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     write_tested(&found, &mut out)?;
     add(&mut out, reports);
     let messages = imported.document.messages.iter().chain(found.messages()).cloned().collect();
-    Ok(Tested { written: out.write()?, found, messages })
+    Ok(Tested { written: out.write()?, found, met, messages })
 }
 
 /// The controller formats that the campaign names, or all of them.

@@ -3,6 +3,7 @@
 use super::reports::{column, text_of_pdf, workbook};
 use super::{etalon, text, text_of};
 use crate::scratch::{Scratch, copy_sample};
+use calamine::Data;
 use etalon::document::{Iso9283ComplianceDocument, Iso9283Conformity, Iso9283Document, Iso9283Drift, Iso9283Pose};
 use std::fmt::Write;
 
@@ -281,4 +282,36 @@ fn tests_of_poses_are_compared_over_campaigns() {
     let compared = etalon(first.root(), &["compare", "campaign", second.path().to_str().unwrap(), "--json"]);
     let said = text(&compared.stdout);
     assert!(compared.status.success() && said.contains("AP, pose 2") && said.contains("RP, pose 1"), "{said}");
+}
+
+#[test]
+fn a_missed_limit_of_iso_9283_beside_an_identification_that_meets_its_own_is_missed_in_every_output() {
+    let (scratch, poses) = (copy_sample("prexyt-cmm"), copy_sample("pose-test"));
+    for table in ["poses.csv", "commanded.csv"] {
+        std::fs::copy(poses.path().join(table), scratch.path().join(table)).unwrap();
+    }
+    let tables = "[poses]\nattained = \"poses.csv\"\ncommanded = \"commanded.csv\"\n\n[limits]";
+    scratch.replace("campaign.toml", "[limits]", &format!("{tables}\naccuracy_max_mm = 0.001"));
+    let done = etalon(scratch.root(), &["run", "campaign"]);
+    let shown = text_of(&done);
+    assert_eq!(done.status.code(), Some(1), "{shown}");
+    for part in ["limit position_max_mm: met", "limit orientation_max_deg: met", "limit accuracy_max_mm: NOT MET"] {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
+    let said = "1 of 3 limits of the campaign is not met.";
+    let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+    let verdict = html.split_once("<section id=\"verdict\">").unwrap().1.split_once("</div>").unwrap().0;
+    assert!(verdict.contains("box bad") && verdict.contains(said), "{verdict}");
+    assert!(html.contains("accuracy_max_mm</bdi></th>") && !html.contains("limits of the campaign are met"));
+    if let Some(words) = text_of_pdf(&scratch.path().join("out/report.pdf")) {
+        let first = words.split('\u{c}').next().unwrap();
+        assert!(first.contains(said) && !words.contains("limits of the campaign are met"), "{first}");
+    }
+    let mut book = workbook(&scratch);
+    assert!(column(&mut book, "Summary", "value").contains(&Data::String(said.to_owned())));
+    let verdicts = column(&mut book, "Limits", "verdict");
+    assert_eq!(verdicts, ["met", "met", "not met"].map(|text| Data::String(text.to_owned())));
+    // made again from the documents, it says the same
+    assert!(etalon(scratch.root(), &["report", "campaign/out"]).status.success());
+    assert_eq!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap(), html);
 }

@@ -3,49 +3,49 @@
 use super::paper::{Block, Labels, Paper, Section, Verdict};
 use super::{annex, fit, geometric, iso9283, places, stated};
 use crate::report::words::Words;
-use crate::report::{Report, facts, messages, parameters, pictures, points, tables, verdict};
+use crate::report::{Identified, Report, facts, parameters, pictures, points, tables, verdict};
 
 /// What stands in it, in the order of reading.
-pub(super) fn paper(report: &Report, words: &Words) -> Paper {
-    let inputs = &report.parameters.provenance;
-    let (messages, more) = stated::messages(&messages(report), words);
-    let geometric = report.geometric.and_then(|d| {
+pub(super) fn paper(report: &Report, identified: &Identified, words: &Words) -> Paper {
+    let inputs = &identified.parameters.provenance;
+    let (messages, more) = stated::messages(&report.messages(), words);
+    let geometric = identified.geometric.and_then(|d| {
         Section::of("geometric", words.say("Geometry alone, beside the identification"), geometric::blocks(d, words))
     });
-    let drawn = pictures(report, words);
+    let drawn = pictures(report, identified, words);
     let before = [
         stated::conditions(facts::facts(report.campaign, report.tested, words), words),
-        stated::limits(report.accuracy.limits.iter().chain(report.tested.limits()), words),
+        stated::limits(report.limits(), words),
         messages,
-        Section::of("errors", words.say("Errors before and after"), errors(report, words)),
+        Section::of("errors", words.say("Errors before and after"), errors(identified, words)),
     ];
     let after = [
-        Section::of("parameters", words.say("Parameters"), parameters(report, drawn.parameters, words)),
+        Section::of("parameters", words.say("Parameters"), parameters(identified, drawn.parameters, words)),
         geometric,
         Section::of(
             "fit",
             words.say("Fit and observability"),
-            fit(report, (drawn.residuals, drawn.observability), words),
+            fit(identified, (drawn.residuals, drawn.observability), words),
         ),
-        Section::of("pictures", words.say("Pictures"), drawings(report, drawn.errors, words)),
+        Section::of("pictures", words.say("Pictures"), drawings(identified, drawn.errors, words)),
         places::section(report.features, &report.frames.world, words),
         stated::inputs(report.import, &inputs.inputs, words),
     ];
     Paper {
         title: report.campaign.name.clone(),
-        subtitle: format!("{} {}", words.say("Calibration report of robot"), report.parameters.robot),
+        subtitle: format!("{} {}", words.say("Calibration report of robot"), identified.parameters.robot),
         synthetic: report.campaign.synthetic.clone(),
         date: report.campaign.date.clone(),
         version: inputs.version.clone(),
         labels: Labels::of(&report.campaign.report, words),
-        verdict: judged(verdict::verdict(report, words), words),
+        verdict: judged(verdict::verdict(report, identified, words), words),
         sections: before
             .into_iter()
             .flatten()
             .chain(iso9283::sections(report.tested, words))
             .chain(after.into_iter().flatten())
             .collect(),
-        annexes: [annex::poses(report.errors, words), annex::refused(report.import, words), more]
+        annexes: [annex::poses(identified.errors, words), annex::refused(report.import, words), more]
             .into_iter()
             .flatten()
             .collect(),
@@ -62,7 +62,7 @@ fn judged(verdict: verdict::Verdict, words: &Words) -> Verdict {
     }
 }
 
-fn errors(report: &Report, words: &Words) -> Vec<Block> {
+fn errors(report: &Identified, words: &Words) -> Vec<Block> {
     let sets = tables::sets(report.accuracy, words);
     let mut blocks = vec![Block::note(report.accuracy.definition.clone())];
     if sets.is_empty() {
@@ -80,7 +80,7 @@ fn errors(report: &Report, words: &Words) -> Vec<Block> {
     blocks
 }
 
-fn parameters(report: &Report, drawn: Vec<points::Picture>, words: &Words) -> Vec<Block> {
+fn parameters(report: &Identified, drawn: Vec<points::Picture>, words: &Words) -> Vec<Block> {
     let confounded = report.parameters.parameters.iter().any(|p| !p.confounded_with.is_empty());
     let columns = if confounded { 10 } else { 9 };
     let rows = parameters::rows(&report.parameters.parameters, words).into_iter().map(|p| {
@@ -97,13 +97,13 @@ fn parameters(report: &Report, drawn: Vec<points::Picture>, words: &Words) -> Ve
     blocks
 }
 
-fn fit(report: &Report, (left, told): (Vec<points::Picture>, Vec<points::Picture>), words: &Words) -> Vec<Block> {
+fn fit(report: &Identified, (left, told): (Vec<points::Picture>, Vec<points::Picture>), words: &Words) -> Vec<Block> {
     let mut blocks = fit::blocks(report.parameters, told, words);
     blocks.extend(Block::pictures(left));
     blocks
 }
 
-fn drawings(report: &Report, drawn: Vec<points::Picture>, words: &Words) -> Vec<Block> {
+fn drawings(report: &Identified, drawn: Vec<points::Picture>, words: &Words) -> Vec<Block> {
     let Some(pictures) = Block::pictures(drawn) else {
         return vec![Block::text(words.say("There is no error that could be drawn."))];
     };

@@ -18,9 +18,9 @@ mod test;
 mod tests;
 mod world;
 
+use super::Report;
 use super::templates::TYPESET;
 use super::words::Words;
-use super::{Report, TestReport};
 use crate::base::message::{Message, Result};
 use crate::document::{Characteristics, CompareDocument, Presentation};
 use crate::report::branding::logo_file;
@@ -43,27 +43,30 @@ struct Attachment {
     text: String,
 }
 
-/// The report of a calibration.
+/// The report of a campaign.
 pub fn pdf(report: &Report) -> Result<Vec<u8>> {
-    let mut attachments = vec![
-        attachment("parameters.json", "data", "Identified parameters, covariance, provenance", report.parameters)?,
-        attachment("accuracy.json", "data", "Errors before and after", report.accuracy)?,
-        attachment("campaign.json", "source", "What the campaign states", report.campaign)?,
-    ];
-    if let Some(document) = report.geometric {
-        attachments.push(attachment("geometric.json", "data", "Geometric calibration", document)?);
+    let presentation = &report.campaign.report;
+    let words = &Words::of(presentation.language)?;
+    let mut attachments = Vec::new();
+    if let Some(i) = &report.identified {
+        attachments.push(attachment(
+            "parameters.json",
+            "data",
+            "Identified parameters, covariance, provenance",
+            i.parameters,
+        )?);
+        attachments.push(attachment("accuracy.json", "data", "Errors before and after", i.accuracy)?);
+        if let Some(document) = i.geometric {
+            attachments.push(attachment("geometric.json", "data", "Geometric calibration", document)?);
+        }
     }
     attachments.extend(tested(report.tested)?);
-    let presentation = &report.campaign.report;
-    typeset(&calibration::paper(report, &Words::of(presentation.language)?), &attachments, presentation)
-}
-
-/// The report of a test by ISO 9283 alone.
-pub fn test_pdf(report: &TestReport) -> Result<Vec<u8>> {
-    let mut attachments = tested(report.tested)?;
     attachments.push(attachment("campaign.json", "source", "What the campaign states", report.campaign)?);
-    let presentation = &report.campaign.report;
-    typeset(&test::paper(report, &Words::of(presentation.language)?), &attachments, presentation)
+    let paper = match &report.identified {
+        Some(identified) => calibration::paper(report, identified, words),
+        None => test::paper(report, words),
+    };
+    typeset(&paper, &attachments, presentation)
 }
 
 /// The report of a comparison of campaigns.

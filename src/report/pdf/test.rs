@@ -3,15 +3,15 @@
 use super::paper::{Labels, Paper, Verdict};
 use super::{annex, iso9283, places, stated};
 use crate::report::words::Words;
-use crate::report::{TestReport, facts, test_messages};
+use crate::report::{Report, facts};
 
 /// What stands in it, in the order of reading.
-pub(super) fn paper(report: &TestReport, words: &Words) -> Paper {
+pub(super) fn paper(report: &Report, words: &Words) -> Paper {
     let found = crate::report::iso9283::verdict(report.tested, words);
-    let (messages, more) = stated::messages(&test_messages(report), words);
+    let (messages, more) = stated::messages(&report.messages(), words);
     let before = [
         stated::conditions(facts::facts(report.campaign, report.tested, words), words),
-        stated::limits(report.tested.limits(), words),
+        stated::limits(report.limits(), words),
         messages,
     ];
     let after = [

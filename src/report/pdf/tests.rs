@@ -26,7 +26,7 @@ fn the_demo_is_typeset_and_its_bytes_are_the_same_twice() {
     assert!(pdf.starts_with(b"%PDF-1.7") && pdf == typeset_of(&documents));
     if let Some(folder) = std::env::var_os("ETALON_REPORT_DEMO") {
         let folder = std::path::PathBuf::from(folder);
-        let paper = calibration::paper(&documents.report(), &Words::default());
+        let paper = calibration::paper(&documents.report(), &documents.identified(), &Words::default());
         std::fs::write(folder.join("report.pdf"), pdf).unwrap();
         std::fs::write(folder.join("report.json"), serde_json::to_vec(&paper).unwrap()).unwrap();
     }

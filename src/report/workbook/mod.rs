@@ -16,32 +16,27 @@ mod tests;
 pub(super) use tests::only_texts_and_numbers;
 
 use super::words::Words;
-use super::{Report, TestReport, messages, test_messages, verdict};
+use super::{Identified, Report, verdict};
 use crate::base::message::Result;
 use crate::document::{Characteristics, CompareDocument, Presentation};
 
-/// All tables of a calibration as a workbook (.xlsx).
+/// All tables of a report as a workbook (.xlsx).
 pub fn workbook(report: &Report) -> Result<Vec<u8>> {
     let words = &Words::of(report.campaign.report.language)?;
-    let mut sheets = vec![summary::calibration(report, words), summary::limits(&limits(report))];
-    sheets.extend(accuracy::sheets(report.accuracy, report.errors));
+    let first = match &report.identified {
+        Some(identified) => summary::calibration(report, identified, words),
+        None => summary::test(report, words),
+    };
+    let mut sheets = vec![first, summary::limits(&report.limits())];
+    sheets.extend(report.identified.iter().flat_map(|i| accuracy::sheets(i.accuracy, i.errors)));
     sheets.extend(tested(report.tested));
-    sheets.extend(parameters::sheets(report.parameters));
-    sheets.extend(report.geometric.iter().flat_map(|d| geometric::sheets(d)));
+    sheets.extend(report.identified.iter().flat_map(|i| parameters::sheets(i.parameters)));
+    sheets.extend(report.identified.iter().filter_map(|i| i.geometric).flat_map(geometric::sheets));
     sheets.extend(places::sheets(report.features, &report.frames.world));
-    sheets.extend(import::sheets(report.import, &report.parameters.provenance.inputs));
-    sheets.push(summary::messages(&messages(report)));
-    sheet::write(&report.campaign.name, &sheets)
-}
-
-/// All tables of a test by ISO 9283 as a workbook (.xlsx).
-pub fn test_workbook(report: &TestReport) -> Result<Vec<u8>> {
-    let words = &Words::of(report.campaign.report.language)?;
-    let mut sheets = vec![summary::test(report, words), summary::limits(&report.tested.limits().collect::<Vec<_>>())];
-    sheets.extend(tested(report.tested));
-    sheets.extend(places::sheets(report.features, &report.frames.world));
-    sheets.extend(import::sheets(report.import, &report.import.inputs()));
-    sheets.push(summary::messages(&test_messages(report)));
+    let read = report.import.inputs();
+    let inputs = report.identified.map_or(&read, |i| &i.parameters.provenance.inputs);
+    sheets.extend(import::sheets(report.import, inputs));
+    sheets.push(summary::messages(&report.messages()));
     sheet::write(&report.campaign.name, &sheets)
 }
 
@@ -49,10 +44,6 @@ pub fn test_workbook(report: &TestReport) -> Result<Vec<u8>> {
 pub(super) fn compare_workbook(document: &CompareDocument, presentation: &Presentation) -> Result<Vec<u8>> {
     let words = &Words::of(presentation.language)?;
     sheet::write(&words.say("What changed"), &compare::sheets(document, words))
-}
-
-fn limits<'a>(report: &Report<'a>) -> Vec<&'a crate::document::LimitVerdict> {
-    report.accuracy.limits.iter().chain(report.tested.limits()).collect()
 }
 
 fn tested(found: &Characteristics) -> Vec<sheet::Sheet> {

@@ -1,7 +1,7 @@
 //! The first sheet (what was measured, and the verdict), limits, and messages.
 
 use super::sheet::{Cell, Sheet};
-use super::{Report, TestReport, verdict};
+use super::{Identified, Report, verdict};
 use crate::base::message::{Message, Severity};
 use crate::document::{CampaignSummary, Characteristics, LimitVerdict};
 use crate::report::facts::facts;
@@ -11,16 +11,16 @@ use crate::report::words::Words;
 /// What is told, what is said, and its unit.
 type Line = (String, Cell, &'static str);
 
-pub(super) fn calibration(report: &Report, words: &Words) -> Sheet {
-    let verdict = verdict::verdict(report, words);
-    let (residuals, solver) = (&report.parameters.residuals, &report.parameters.solver);
+pub(super) fn calibration(report: &Report, identified: &Identified, words: &Words) -> Sheet {
+    let verdict = verdict::verdict(report, identified, words);
+    let (residuals, solver) = (&identified.parameters.residuals, &identified.parameters.solver);
     let steps = words.fill("{0}, {1} iterations;", &[&solver.method, &solver.iterations]);
-    let condition = report.parameters.observability.as_ref().map(|o| o.condition);
+    let condition = identified.parameters.observability.as_ref().map(|o| o.condition);
     let mut lines = vec![line(words.say("verdict"), verdict.sentence), line(words.say("alarm"), verdict.alarm)];
-    lines.push(line(words.say("model of the robot"), report.parameters.robot.as_str()));
+    lines.push(line(words.say("model of the robot"), identified.parameters.robot.as_str()));
     lines.extend(stated(report.campaign, report.tested, words));
     lines.extend([
-        line(words.say("definition of errors"), report.accuracy.definition.as_str()),
+        line(words.say("definition of errors"), identified.accuracy.definition.as_str()),
         line(words.say("residuals"), residuals.count),
         line(words.say("residuals, RMS"), residuals.rms),
         line(words.say("residuals, max"), residuals.max),
@@ -29,12 +29,12 @@ pub(super) fn calibration(report: &Report, words: &Words) -> Sheet {
         line(words.say("uncertainties enlarged"), residuals.uncertainties_enlarged_by),
         line(words.say("condition"), condition),
         line(words.say("Solver"), format!("{steps} {}", solver.meaning)),
-        line(words.say("written by"), format!("etalon {}", report.parameters.provenance.version)),
+        line(words.say("written by"), format!("etalon {}", identified.parameters.provenance.version)),
     ]);
     sheet(lines)
 }
 
-pub(super) fn test(report: &TestReport, words: &Words) -> Sheet {
+pub(super) fn test(report: &Report, words: &Words) -> Sheet {
     let tested = report.tested;
     let mut lines = vec![line(words.say("verdict"), iso9283::verdict(tested, words).sentences.join(" "))];
     lines.extend(stated(report.campaign, tested, words));
