@@ -1,4 +1,4 @@
-//! The command line: what README.md shows is what the program prints, and every command does what it says.
+//! The command line: what README.md and docs/ show is what the program prints, and every command does what it says.
 
 mod compare;
 mod fit;
@@ -17,7 +17,7 @@ use std::process::{Command, Output};
 
 #[test]
 fn transcripts() {
-    trycmd::TestCases::new().case("README.md");
+    trycmd::TestCases::new().case("README.md").case("docs/*.md");
 }
 
 fn etalon(folder: &Path, arguments: &[&str]) -> Output {
