@@ -46,30 +46,120 @@ pub(crate) fn meaning(key: &str) -> Option<(String, f64)> {
     Some((format!("{name}_{}", quantity.unit()), factor(unit, quantity)?))
 }
 
-/// Reads a log: `row line pose cycle time_s label` where stated, and the joints in mm or deg; and what is to be said of
-/// it. Where the campaign states when the robot stands, one row for each standstill with `from_s` and `to_s`.
-pub(crate) fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<(DataFrame, Vec<Message>)> {
-    let Columns { rows, lines, columns, said } = logs::columns(stated, log, text, source)?;
-    let count = rows.len();
-    let mut table = vec![Column::new("row".into(), rows.clone()), Column::new("line".into(), lines)];
-    if log.pose.is_some() {
-        table.push(Column::new("pose".into(), rows.clone()));
+/// Joint values of a log, row by row.
+#[derive(Clone, Debug, Default)]
+pub struct JointLog {
+    /// As the campaign calls the log.
+    pub name: String,
+    /// Its file, as the campaign names it.
+    pub file: String,
+    /// Columns of its table, in their order: `row line pose cycle time_s label` where stated, and the joints.
+    pub columns: Vec<String>,
+    /// The columns among them that are joints, in mm or deg.
+    pub joints: Vec<String>,
+    /// In the order of the file.
+    pub rows: Vec<LogRow>,
+}
+
+/// A row of a log, or a standstill of the robot.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LogRow {
+    /// Number among the data rows, from 1.
+    pub row: i64,
+    /// Line of the file, from 1.
+    pub line: usize,
+    /// Number of the pose.
+    pub pose: Option<i64>,
+    /// Number of the repeat.
+    pub cycle: Option<i64>,
+    /// Time; of a standstill its middle.
+    pub time_s: Option<f64>,
+    /// Beginning and end of a standstill.
+    pub standing_s: Option<[f64; 2]>,
+    /// Label of the point that the robot touches.
+    pub label: Option<String>,
+    /// Assembly mode, +1 or -1.
+    pub assembly: Option<f64>,
+    /// Joint values, in the order of the log's joints.
+    pub joints: Vec<f64>,
+}
+
+impl JointLog {
+    /// Whether the log has this column.
+    pub fn has(&self, column: &str) -> bool {
+        self.columns.iter().any(|c| c == column)
     }
-    if let Some(period_s) = log.period_s {
-        table.push(Column::new("time_s".into(), rows.iter().map(|r| (r - 1) as f64 * period_s).collect::<Vec<_>>()));
-    }
-    for (name, values) in columns {
-        table.push(match values {
-            Values::Text(texts) => Column::new(name.as_str().into(), texts),
-            Values::Real(values) if name == "pose" || name == "cycle" => {
-                Column::new(name.as_str().into(), values.iter().map(|v| *v as i64).collect::<Vec<_>>())
+
+    /// The log as a table.
+    pub fn table(&self) -> Result<DataFrame> {
+        let column = |name: &String| {
+            let whole = |f: fn(&LogRow) -> Option<i64>| -> Column {
+                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
+            };
+            let real = |f: &dyn Fn(&LogRow) -> Option<f64>| -> Column {
+                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
+            };
+            match (name.as_str(), self.joints.iter().position(|joint| joint == name)) {
+                (_, Some(k)) => real(&|r| r.joints.get(k).copied()),
+                ("row", _) => whole(|r| Some(r.row)),
+                ("line", _) => whole(|r| Some(r.line as i64)),
+                ("pose", _) => whole(|r| r.pose),
+                ("cycle", _) => whole(|r| r.cycle),
+                ("time_s", _) => real(&|r| r.time_s),
+                ("from_s", _) => real(&|r| Some(r.standing_s?[0])),
+                ("to_s", _) => real(&|r| Some(r.standing_s?[1])),
+                (ASSEMBLY, _) => real(&|r| r.assembly),
+                _ => {
+                    Column::new(name.as_str().into(), self.rows.iter().map(|r| r.label.as_deref()).collect::<Vec<_>>())
+                }
             }
-            Values::Real(values) => Column::new(name.as_str().into(), values),
-        });
+        };
+        Ok(DataFrame::new(self.rows.len(), self.columns.iter().map(column).collect())?)
     }
-    let table = DataFrame::new(count, table)?;
+}
+
+/// Reads a log, and gives what is to be said of it. Where the campaign states when the robot stands, each standstill is one
+/// row.
+pub fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<(JointLog, Vec<Message>)> {
+    let Columns { rows, lines, columns, said } = logs::columns(stated, log, text, source)?;
+    let mut read = JointLog { name: log.name.clone(), file: log.file.get_ref().clone(), ..JointLog::default() };
+    let mut names = vec!["row", "line"];
+    names.extend(log.pose.map(|_| "pose"));
+    names.extend(log.period_s.map(|_| "time_s"));
+    read.columns = names.into_iter().map(str::to_owned).chain(columns.iter().map(|(name, _)| name.clone())).collect();
+    read.rows = rows
+        .iter()
+        .zip(lines)
+        .map(|(&row, line)| LogRow {
+            row,
+            line: line as usize,
+            pose: log.pose.map(|_| row),
+            time_s: log.period_s.map(|period_s| (row - 1) as f64 * period_s),
+            ..LogRow::default()
+        })
+        .collect();
+    for (name, values) in columns {
+        let values = match values {
+            Values::Text(texts) => {
+                read.rows.iter_mut().zip(texts).for_each(|(row, text)| row.label = Some(text));
+                continue;
+            }
+            Values::Real(values) => values,
+        };
+        let set: fn(&mut LogRow, f64) = match name.as_str() {
+            "pose" => |row, v| row.pose = Some(v as i64),
+            "cycle" => |row, v| row.cycle = Some(v as i64),
+            "time_s" => |row, v| row.time_s = Some(v),
+            ASSEMBLY => |row, v| row.assembly = Some(v),
+            _ => {
+                read.joints.push(name);
+                |row, v| row.joints.push(v)
+            }
+        };
+        read.rows.iter_mut().zip(values).for_each(|(row, value)| set(row, value));
+    }
     Ok(match &log.standstill {
-        Some(still) => (standstill::reduce(stated, log, still, &table, source)?, said),
-        None => (table, said),
+        Some(still) => (standstill::reduce(stated, log, still, read, source)?, said),
+        None => (read, said),
     })
 }

@@ -36,9 +36,9 @@ pub use cloud::{Cloud, cloud};
 pub use formats::{propose, propose_file};
 pub(crate) use label::Pattern as LabelPattern;
 pub use log::is_joint_column;
+pub use log::{JointLog, LogRow};
 pub(crate) use log::{is_common_column, meaning as log_column, read as log};
-pub use points::Point;
-pub(crate) use points::table as points_table;
+pub use points::{Point, table};
 pub use tables::observations::observations;
 
 use crate::base::files;

@@ -35,8 +35,8 @@ pub struct Point {
     pub refused: Option<String>,
 }
 
-/// The points as a table.
-pub(crate) fn table(points: &[Point]) -> Result<DataFrame> {
+/// Points as a table: `export row line label target pose cycle time_s x_mm y_mm z_mm`, and what few files say.
+pub fn table(points: &[Point]) -> Result<DataFrame> {
     let p = points;
     let strings = |name: &str, f: &dyn Fn(&Point) -> Option<&str>| -> Column {
         Series::new(name.into(), p.iter().map(f).collect::<Vec<_>>()).into()

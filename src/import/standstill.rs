@@ -5,11 +5,11 @@
 //! stretches that share a sample are.
 
 use crate::base::message::{Message, Place, Result, Stated};
-use crate::base::table;
+use crate::base::table::{ASSEMBLY, LABEL};
 use crate::document::{Source, StandingInterval, StandingJoint};
 use crate::import::format::Log;
 use crate::import::format::Standstill;
-use polars::prelude::{Column, DataFrame};
+use crate::import::log::{JointLog, LogRow};
 use std::collections::VecDeque;
 
 /// A joint: its values, and how far they may lie apart where it stands, in the same unit.
@@ -92,43 +92,21 @@ impl Range {
     }
 }
 
-/// The log with one row for each interval in which the robot stands: mean joint values, and `from_s`, `to_s`.
+/// The log with one row for each interval in which the robot stands: mean joint values.
 ///
 /// Pose, cycle, label and assembly mode must not change within an interval.
 pub(super) fn reduce(
     stated: Stated,
     log: &Log,
     still: &Standstill,
-    table: &DataFrame,
+    read: JointLog,
     source: &mut Source,
-) -> Result<DataFrame> {
+) -> Result<JointLog> {
     let place = || stated.place(&log.file);
-    let limits = [Some(still.at_least_s), still.within_deg, still.within_mm];
-    if limits.into_iter().flatten().any(|limit| limit <= 0.0 || !limit.is_finite()) {
-        let message = Message::error("the limits of [log.standstill] must be positive").at(place());
-        return Err(message.hint("they are what the robot does while it stands, as its encoders show it").into());
-    }
-    let Ok(times_s) = table::numbers(table, "time_s") else {
-        let message = Message::error("[log.standstill] needs the times of the rows").at(place());
-        return Err(message.hint("state `time_s`, `time_ms` or `time_ns` in `columns`, or `period_s`").into());
-    };
-    if let Some(i) = times_s.windows(2).position(|pair| pair[1] <= pair[0]) {
-        let message = Message::error(format!("times of log `{}` do not increase at its row {}", log.name, i + 2));
-        return Err(message.at(place()).hint("sort the log by time, and remove rows with equal times").into());
-    }
-    let is_joint = |name: &str| name.ends_with("_deg") || name.ends_with("_mm");
-    let names: Vec<String> = table.get_column_names().iter().map(|name| name.to_string()).collect();
-    let mut joints = Vec::new();
-    for name in names.iter().filter(|name| is_joint(name)) {
-        let (key, within) =
-            if name.ends_with("_deg") { ("within_deg", still.within_deg) } else { ("within_mm", still.within_mm) };
-        let Some(within) = within else {
-            let message = Message::error(format!("[log.standstill] does not say when `{name}` stands")).at(place());
-            return Err(message.hint(format!("add `{key}`: the largest movement that is none")).into());
-        };
-        joints.push((name, within, table::numbers(table, name)?));
-    }
-    let watched: Vec<Watched> = joints.iter().map(|(_, within, values)| Watched { values, within: *within }).collect();
+    let (times_s, within) = limits(log, still, &read).map_err(|message| message.at(place()))?;
+    let values: Vec<Vec<f64>> =
+        (0..read.joints.len()).map(|k| read.rows.iter().map(|row| row.joints[k]).collect()).collect();
+    let watched: Vec<Watched> = values.iter().zip(within).map(|(values, within)| Watched { values, within }).collect();
     let found = standing(&times_s, &watched, still.at_least_s);
     if found.is_empty() {
         let longest = stretches(times_s.len(), &watched).into_iter().map(|(a, b)| times_s[b] - times_s[a]);
@@ -139,53 +117,77 @@ pub(super) fn reduce(
             format!("the longest it stands within these limits is {longest:.3} s: check `at_least_s` and the limits");
         return Err(message.at(place()).hint(hint).into());
     }
-    let lines = table::integers(table, "line")?;
-    let mut columns = vec![
-        Column::new("row".into(), (1..=found.len() as i64).collect::<Vec<_>>()),
-        Column::new("line".into(), found.iter().map(|&(first, _)| lines[first]).collect::<Vec<_>>()),
-        Column::new("time_s".into(), found.iter().map(|&(a, b)| 0.5 * (times_s[a] + times_s[b])).collect::<Vec<_>>()),
-        Column::new("from_s".into(), found.iter().map(|&(first, _)| times_s[first]).collect::<Vec<_>>()),
-        Column::new("to_s".into(), found.iter().map(|&(_, last)| times_s[last]).collect::<Vec<_>>()),
-    ];
-    for name in names.iter().filter(|name| !is_joint(name) && !["row", "line", "time_s"].contains(&name.as_str())) {
-        if name == "pose" && log.pose.is_some() {
-            columns.push(Column::new("pose".into(), (1..=found.len() as i64).collect::<Vec<_>>()));
-            continue;
-        }
-        let texts = table::texts(table, name)?;
-        for &(first, last) in &found {
-            if let Some(i) = (first..=last).find(|&i| texts[i] != texts[first]) {
-                let what = format!("`{name}` goes from {} to {} while the robot stands", texts[first], texts[i]);
-                let place = Place { line: Some(lines[i] as usize), ..Place::file(log.file.get_ref()) };
-                let message = Message::error(what).at(place);
-                return Err(message
-                    .hint("a standing robot is at one pose: leave the column out, or lower the limits")
-                    .into());
-            }
-        }
-        let column = table.column(name)?.as_materialized_series();
-        let firsts: Vec<u32> = found.iter().map(|&(first, _)| first as u32).collect();
-        columns.push(column.take_slice(&firsts)?.into());
-    }
-    let mut intervals: Vec<StandingInterval> = found
-        .iter()
-        .map(|&(first, last)| StandingInterval {
-            line: lines[first] as usize,
-            from_s: times_s[first],
-            to_s: times_s[last],
-            samples: last + 1 - first,
-            joints: Vec::new(),
-        })
-        .collect();
-    for (name, _, values) in &joints {
-        for (interval, &(first, last)) in intervals.iter_mut().zip(&found) {
-            interval.joints.push(spread(name, &values[first..=last]));
-        }
-        let means = |k: usize| intervals[k].joints.last().map_or(f64::NAN, |joint| joint.mean);
-        columns.push(Column::new(name.as_str().into(), (0..found.len()).map(means).collect::<Vec<_>>()));
+    let mut rows = Vec::with_capacity(found.len());
+    let mut intervals = Vec::with_capacity(found.len());
+    for (number, &(first, last)) in (1..).zip(&found) {
+        let within = &read.rows[first..=last];
+        unchanged(log, within)?;
+        let joint = |(name, values): (&String, &Vec<f64>)| spread(name, &values[first..=last]);
+        let joints: Vec<StandingJoint> = read.joints.iter().zip(&values).map(joint).collect();
+        let [from_s, to_s] = [times_s[first], times_s[last]];
+        rows.push(LogRow {
+            row: number,
+            pose: log.pose.map(|_| number).or(within[0].pose),
+            time_s: Some(0.5 * (from_s + to_s)),
+            standing_s: Some([from_s, to_s]),
+            joints: joints.iter().map(|joint| joint.mean).collect(),
+            ..within[0].clone()
+        });
+        intervals.push(StandingInterval { line: within[0].line, from_s, to_s, samples: within.len(), joints });
     }
     source.standstills = intervals;
-    Ok(DataFrame::new(found.len(), columns)?)
+    let others =
+        read.columns.iter().filter(|c| !["row", "line", "time_s"].contains(&c.as_str()) && !read.joints.contains(c));
+    let columns = ["row", "line", "time_s", "from_s", "to_s"].into_iter().map(str::to_owned);
+    let columns = columns.chain(others.cloned()).chain(read.joints.iter().cloned()).collect();
+    Ok(JointLog { columns, rows, ..read })
+}
+
+/// Times of the rows, and how far each joint may move while it stands; or what is wrong with the statement.
+fn limits(log: &Log, still: &Standstill, read: &JointLog) -> std::result::Result<(Vec<f64>, Vec<f64>), Message> {
+    let limits = [Some(still.at_least_s), still.within_deg, still.within_mm];
+    if limits.into_iter().flatten().any(|limit| limit <= 0.0 || !limit.is_finite()) {
+        let message = Message::error("the limits of [log.standstill] must be positive");
+        return Err(message.hint("they are what the robot does while it stands, as its encoders show it"));
+    }
+    let Some(times_s) = read.rows.iter().map(|row| row.time_s).collect::<Option<Vec<f64>>>() else {
+        let message = Message::error("[log.standstill] needs the times of the rows");
+        return Err(message.hint("state `time_s`, `time_ms` or `time_ns` in `columns`, or `period_s`"));
+    };
+    if let Some(i) = times_s.windows(2).position(|pair| pair[1] <= pair[0]) {
+        let message = Message::error(format!("times of log `{}` do not increase at its row {}", log.name, i + 2));
+        return Err(message.hint("sort the log by time, and remove rows with equal times"));
+    }
+    let within = |name: &String| {
+        let (key, within) =
+            if name.ends_with("_deg") { ("within_deg", still.within_deg) } else { ("within_mm", still.within_mm) };
+        within.ok_or_else(|| {
+            let message = Message::error(format!("[log.standstill] does not say when `{name}` stands"));
+            message.hint(format!("add `{key}`: the largest movement that is none"))
+        })
+    };
+    Ok((times_s, read.joints.iter().map(within).collect::<std::result::Result<_, _>>()?))
+}
+
+/// An error if what a standing robot is at changes.
+fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
+    let whole = |n: Option<i64>| n.map_or_else(String::new, |n| n.to_string());
+    let of: [(&str, &dyn Fn(&LogRow) -> String); 4] = [
+        (ASSEMBLY, &|row| row.assembly.map_or_else(String::new, |v| format!("{v:.1}"))),
+        ("cycle", &|row| whole(row.cycle)),
+        (LABEL, &|row| row.label.clone().unwrap_or_default()),
+        ("pose", &|row| whole(row.pose)),
+    ];
+    for (name, value) in of.into_iter().filter(|(name, _)| *name != "pose" || log.pose.is_none()) {
+        let first = value(&rows[0]);
+        if let Some(row) = rows.iter().find(|row| value(row) != first) {
+            let what = format!("`{name}` goes from {first} to {} while the robot stands", value(row));
+            let place = Place { line: Some(row.line), ..Place::file(log.file.get_ref()) };
+            let hint = "a standing robot is at one pose: leave the column out, or lower the limits";
+            return Err(Message::error(what).at(place).hint(hint).into());
+        }
+    }
+    Ok(())
 }
 
 /// Mean, standard deviation (n - 1) and range of a joint while it stands.

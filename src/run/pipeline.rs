@@ -4,6 +4,7 @@ use crate::base::message::{Message, Place, Problems, Result};
 use crate::campaign::Campaign;
 use crate::document::*;
 use crate::export;
+use crate::import;
 use crate::math::identify::{self, Identification, Observation};
 use crate::math::robots::Robot;
 use crate::report;
@@ -119,9 +120,9 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         tested: &tested,
     };
     let (met, reports) = (report.is_met(), report::files(&report)?);
-    out.table("points", &mut imported.points)?;
-    for (name, log) in &mut imported.logs {
-        out.table(&Output::numbered("joints", name, campaign), log)?;
+    out.table("points", &mut import::table(&imported.points)?)?;
+    for log in &imported.logs {
+        out.table(&Output::numbered("joints", &log.name, campaign), &mut log.table()?)?;
     }
     out.json("campaign.json", &summary)?;
     out.json("import.json", &imported.document)?;
@@ -185,7 +186,7 @@ pub fn test(campaign: &Campaign) -> Result<Tested> {
     let (met, reports) = (report.is_met(), report::files(&report)?);
     // an earlier run may have identified
     ["parameters.json", "accuracy.json", "residuals.parquet", "geometric.json"].into_iter().for_each(|n| out.remove(n));
-    out.table("points", &mut imported.points)?;
+    out.table("points", &mut import::table(&imported.points)?)?;
     out.json("campaign.json", &summary)?;
     out.json("import.json", &imported.document)?;
     out.json("features.json", &features)?;

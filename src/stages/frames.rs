@@ -3,11 +3,10 @@
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pattern::matches_pattern;
 use crate::base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
-use crate::base::table;
 use crate::campaign::{Campaign, WorldDefinition};
 use crate::document::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
+use crate::import::Point;
 use crate::math::fit;
-use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
@@ -15,8 +14,8 @@ use toml::Spanned;
 type Key = (i64, i64);
 
 /// Fits the features of a campaign to the points that bear their labels.
-pub fn fit_features(campaign: &Campaign, points: &DataFrame) -> Result<FeaturesDocument> {
-    let labelled = Labelled::new(points)?;
+pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
+    let labelled = Labelled(points);
     let (mut features, mut messages, mut problems) = (Vec::new(), Vec::new(), Problems::default());
     for (name, definition) in &campaign.file.features {
         let Some((element, labels)) = definition.element() else { continue };
@@ -77,7 +76,7 @@ const OFF_AXIS: f64 = 0.01;
 /// Makes the world frame of a campaign; `planar` for robots that move in its xy plane.
 pub fn make_frames(
     campaign: &Campaign,
-    points: &DataFrame,
+    points: &[Point],
     features: &FeaturesDocument,
     planar: bool,
 ) -> Result<FramesDocument> {
@@ -100,11 +99,11 @@ pub fn make_frames(
 /// xy plane, origin and one axis, each projected into the plane (thesis 3.4.1).
 fn from_plane(
     campaign: &Campaign,
-    points: &DataFrame,
+    points: &[Point],
     features: &FeaturesDocument,
     world: &WorldDefinition,
 ) -> Result<WorldFrame> {
-    let labelled = Labelled::new(points)?;
+    let labelled = Labelled(points);
     let feature = |name: &str| features.features.iter().find(|f| f.name == name);
     let wrong = |what: &str| Message::error(what.to_owned()).at(campaign.place(&campaign.file.frame.world));
     let plane_name = world.plane.as_ref().ok_or_else(|| wrong("the world frame has no plane"))?;
@@ -174,25 +173,19 @@ fn three_two_one(p: &[Vector]) -> Option<Pose> {
 }
 
 /// The frame that targets carry: their mean places in it, and each pose as the best fit to those places.
-fn from_targets(
-    campaign: &Campaign,
-    points: &DataFrame,
-    targets: &[Spanned<String>],
-    each: bool,
-) -> Result<WorldFrame> {
+fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String>], each: bool) -> Result<WorldFrame> {
     let names: Vec<&str> = targets.iter().map(|t| t.get_ref().as_str()).collect();
     let wrong = |what: String| Message::error(what).at(campaign.place(&campaign.file.frame.world));
     if names.len() < 3 {
         return Err(wrong("a frame needs three targets or more".to_owned()).into());
     }
     let seen = if each {
-        measured(points, &names)?
+        measured(points, &names)
     } else {
         // measured once or often, with or without a pose: the mean of all points of that name
-        let (labelled, targets) = (Labelled::new(points)?, table::texts(points, "target")?);
         let of = |name: &&str| {
-            let bears = |i: &usize| targets[*i] == *name || labelled.labels[*i] == *name;
-            centroid(&(0..targets.len()).filter(bears).map(|i| labelled.xyz[i]).collect::<Vec<_>>())
+            let bears = |p: &&Point| p.target.as_deref() == Some(*name) || p.label == *name;
+            centroid(&points.iter().filter(bears).map(|p| p.xyz_mm).collect::<Vec<_>>())
         };
         BTreeMap::from([((0, 0), names.iter().map(of).collect())])
     };
@@ -235,32 +228,23 @@ fn from_targets(
 }
 
 /// Where each of the named targets was, by pose and cycle.
-fn measured(points: &DataFrame, names: &[&str]) -> Result<BTreeMap<Key, Vec<Option<Vector>>>> {
-    let (targets, xyz) = (table::texts(points, "target")?, table::coordinates(points)?);
-    let (poses, cycles) = (table::optional_integers(points, "pose")?, table::optional_integers(points, "cycle")?);
+fn measured(points: &[Point], names: &[&str]) -> BTreeMap<Key, Vec<Option<Vector>>> {
     let mut seen: BTreeMap<Key, Vec<Option<Vector>>> = BTreeMap::new();
-    for (i, target) in targets.iter().enumerate() {
-        let (Some(k), Some(pose)) = (names.iter().position(|n| n == target), poses[i]) else { continue };
-        let key = (pose, cycles[i].unwrap_or(1));
-        seen.entry(key).or_insert_with(|| vec![None; names.len()])[k] = Some(xyz[i]);
+    for point in points {
+        let target = names.iter().position(|n| Some(*n) == point.target.as_deref());
+        let (Some(k), Some(pose)) = (target, point.pose) else { continue };
+        let key = (pose, point.cycle.unwrap_or(1));
+        seen.entry(key).or_insert_with(|| vec![None; names.len()])[k] = Some(point.xyz_mm);
     }
-    Ok(seen)
+    seen
 }
 
 /// Points by label.
-struct Labelled {
-    labels: Vec<String>,
-    xyz: Vec<Vector>,
-}
+struct Labelled<'a>(&'a [Point]);
 
-impl Labelled {
-    fn new(points: &DataFrame) -> Result<Self> {
-        Ok(Self { labels: table::texts(points, "label")?, xyz: table::coordinates(points)? })
-    }
-
+impl Labelled<'_> {
     /// All points whose label is, or matches, `name`.
     fn points(&self, name: &str) -> Vec<Vector> {
-        let bears = |(label, p): (&String, &Vector)| matches_pattern(name, label).then_some(*p);
-        self.labels.iter().zip(&self.xyz).filter_map(bears).collect()
+        self.0.iter().filter(|p| matches_pattern(name, &p.label)).map(|p| p.xyz_mm).collect()
     }
 }

@@ -3,10 +3,8 @@
 use crate::base::message::{Message, Result};
 use crate::base::pattern::matches_pattern;
 use crate::base::pose::Vector;
-use crate::base::table;
 use crate::campaign::Campaign;
-use crate::import::LabelPattern;
-use polars::prelude::DataFrame;
+use crate::import::{LabelPattern, Point};
 use std::collections::BTreeMap;
 use toml::Spanned;
 
@@ -17,14 +15,13 @@ pub(crate) type Step = BTreeMap<(i64, i64, String), Vec<Vector>>;
 #[derive(Clone, Debug)]
 pub(crate) struct Steps<'a> {
     pub campaign: &'a Campaign,
-    labels: Vec<String>,
-    xyz: Vec<Vector>,
+    points: &'a [Point],
 }
 
 impl<'a> Steps<'a> {
-    /// Of a table of points.
-    pub fn new(campaign: &'a Campaign, points: &DataFrame) -> Result<Self> {
-        Ok(Self { campaign, labels: table::texts(points, "label")?, xyz: table::coordinates(points)? })
+    /// Of these points.
+    pub fn new(campaign: &'a Campaign, points: &'a [Point]) -> Self {
+        Self { campaign, points }
     }
 
     /// Points whose labels have the form of `pattern`.
@@ -32,10 +29,10 @@ impl<'a> Steps<'a> {
         let place = || self.campaign.place(pattern);
         let form = LabelPattern::parse(pattern.get_ref()).map_err(|m| m.at(place()))?;
         let mut step = Step::new();
-        for (label, p) in self.labels.iter().zip(&self.xyz) {
-            let Some(named) = form.read(label) else { continue };
+        for point in self.points {
+            let Some(named) = form.read(&point.label) else { continue };
             let key = (named.cycle.unwrap_or(1), named.pose.unwrap_or(1), named.target.unwrap_or_default());
-            step.entry(key).or_default().push(*p);
+            step.entry(key).or_default().push(point.xyz_mm);
         }
         if step.is_empty() {
             let what = format!("no point bears a label of the form `{}`", pattern.get_ref());
@@ -47,7 +44,7 @@ impl<'a> Steps<'a> {
     /// Points whose label is, or matches, one of `names`.
     pub fn named<'n>(&self, names: impl IntoIterator<Item = &'n Spanned<String>>) -> Vec<Vector> {
         let names: Vec<&str> = names.into_iter().map(|n| n.get_ref().as_str()).collect();
-        let bears = |label: &String| names.iter().any(|name| matches_pattern(name, label));
-        self.labels.iter().zip(&self.xyz).filter(|(label, _)| bears(label)).map(|(_, p)| *p).collect()
+        let bears = |p: &&Point| names.iter().any(|name| matches_pattern(name, &p.label));
+        self.points.iter().filter(bears).map(|p| p.xyz_mm).collect()
     }
 }

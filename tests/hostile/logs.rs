@@ -25,7 +25,7 @@ fn read(text: &str, stated: &str) -> Result<Gathered, String> {
 }
 
 fn column(imported: &Gathered, name: &str) -> Vec<f64> {
-    table::numbers(&imported.logs[0].1, name).unwrap()
+    table::numbers(&imported.logs[0].table().unwrap(), name).unwrap()
 }
 
 fn refused(text: &str, stated: &str, parts: &[&str]) {
@@ -94,7 +94,7 @@ fn a_counter_that_falls_by_more_than_numbers_hold_is_told() {
     // found by random damage: the step was negated
     let stated = "format = \"kuka_rsi\"\ncolumns = { time_ms = \"IPOC\", a_deg = \"A1\" }";
     let found = read("IPOC,A1\n1e308,1.5\n8,1.5\n", stated).unwrap();
-    assert_eq!(found.logs[0].1.height(), 2);
+    assert_eq!(found.logs[0].rows.len(), 2);
 }
 
 #[test]

@@ -92,7 +92,7 @@ fn trap_7_the_origin_counts_as_not_measured_unless_the_campaign_says_otherwise()
     let refused = |missing: &str| {
         let imported = campaign(&export(missing), &files).1.unwrap();
         let source = imported.document.sources.into_iter().find(|s| s.kind == "export").unwrap();
-        (imported.points.height(), source.refused.into_iter().map(|r| r.reason).collect::<Vec<_>>())
+        (imported.points.len(), source.refused.into_iter().map(|r| r.reason).collect::<Vec<_>>())
     };
     assert_eq!(refused(""), (1, vec!["not measured: 0 0 0".to_owned()]));
     assert_eq!(refused(", missing = [\"\"]"), (2, Vec::new()));

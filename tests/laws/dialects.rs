@@ -188,7 +188,7 @@ fn every_dialect_reads_back_bit_for_bit() {
         let rpy = truth.export_T_world.rpy_deg.map(f64::to_radians);
         let placed = Pose::from_xyz_rpy(truth.export_T_world.xyz_mm, rpy);
 
-        let table = &imported.logs[0].1;
+        let table = &imported.logs[0].table().unwrap();
         let column = |name| table::numbers(table, name).unwrap();
         let joints = [column("rho1_mm"), column("rho2_mm"), column("rho3_mm")];
         // 8 corners, and 17 positions with three orientations each
@@ -200,7 +200,7 @@ fn every_dialect_reads_back_bit_for_bit() {
             assert_eq!(joint[6].to_bits(), written(expected, log_mm, digits).to_bits(), "{name}");
         }
 
-        let points = &imported.points;
+        let points = &etalon::import::table(&imported.points).unwrap();
         let targets = table::texts(points, "target").unwrap();
         let (p, c) =
             (table::optional_integers(points, "pose").unwrap(), table::optional_integers(points, "cycle").unwrap());
@@ -251,7 +251,7 @@ fn joints_in_radians_read_back_to_1e_12_deg() {
     simulate(&campaign, &Truth::read(&scratch.path().join("truth.toml")).unwrap()).unwrap();
     let imported = gather(&campaign).unwrap();
     for (name, expected) in [("q1_deg", 10.0), ("q2_deg", -20.123456), ("q4_deg", 40.5), ("q6_deg", -179.9)] {
-        let read = table::numbers(&imported.logs[0].1, name).unwrap();
+        let read = table::numbers(&imported.logs[0].table().unwrap(), name).unwrap();
         assert!((read[0] - expected).abs() < 1e-12, "{name}: {}", read[0]);
     }
 }
@@ -298,7 +298,7 @@ fn logged(log: &str) -> etalon::stages::gather::Gathered {
 
 #[test]
 fn logs_of_controllers_read_back_what_simulate_wrote() {
-    let plain = &logged(LOG).logs[0].1;
+    let plain = &logged(LOG).logs[0].table().unwrap();
     let joints = |table: &polars::prelude::DataFrame| {
         ["rho1_mm", "rho2_mm", "rho3_mm"].map(|name| table::numbers(table, name).unwrap())
     };
@@ -308,7 +308,8 @@ fn logs_of_controllers_read_back_what_simulate_wrote() {
         ("kuka_rsi", "time_ms = \"IPOC\", rho3_mm = \"A\", rho2_mm = \"B\", rho1_mm = \"C\""),
         ("ros", "time_ns = \"%time\", rho1_m = \"c\", rho2_m = \"b\", rho3_m = \"a\""),
     ] {
-        let table = &logged(&format!("format = \"{format}\"\ncolumns = {{ {common}, {columns} }}")).logs[0].1;
+        let table =
+            &logged(&format!("format = \"{format}\"\ncolumns = {{ {common}, {columns} }}")).logs[0].table().unwrap();
         for (read, meant) in joints(table).iter().zip(joints(plain)) {
             assert!(read.iter().zip(&meant).all(|(r, m)| (r - m).abs() < 1e-9), "{format}");
         }
@@ -318,7 +319,7 @@ fn logs_of_controllers_read_back_what_simulate_wrote() {
     // a count is the nearest to the value, whatever order the arrays stand in
     let counts = "format = \"galil\"\ncolumns = { pose = \"pose\", cycle = \"run\", rho1_mm = { name = \"z\", per_count = 0.0005 }, \
                   rho2_mm = { name = \"a\", per_count = -0.001, zero_count = 1000 }, rho3_mm = { name = \"m\", per_count = 0.01 } }";
-    let table = &logged(counts).logs[0].1;
+    let table = &logged(counts).logs[0].table().unwrap();
     for ((read, meant), per_count) in joints(table).iter().zip(joints(plain)).zip([0.0005f64, 0.001, 0.01]) {
         assert!(read.iter().zip(&meant).all(|(r, m)| (r - m).abs() <= 0.5 * per_count + 1e-9), "{per_count}");
         assert!(read.iter().all(|r| ((r / per_count).round() - r / per_count).abs() < 1e-6), "{per_count}");

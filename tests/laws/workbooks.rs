@@ -2,7 +2,6 @@
 //! openpyxl 3.1 wrote them, and as LibreOffice Calc 7.4 saved that file again (strings shared, formulas with their value).
 
 use crate::scratch::copy_sample;
-use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::import::propose_file;
 use etalon::stages::gather::gather;
@@ -26,11 +25,8 @@ fn read(program: &str) -> Result<Read, String> {
     );
     scratch.replace("campaign.toml", "[feature.rails]", &stated);
     let imported = gather(&Campaign::read(&scratch.path()).unwrap()).map_err(|e| e.to_string())?;
-    let labels = table::texts(&imported.points, "label").unwrap();
-    let exports = table::texts(&imported.points, "export").unwrap();
-    let xyz = table::coordinates(&imported.points).unwrap();
-    let rows = labels.into_iter().zip(xyz).zip(exports);
-    let points = rows.filter(|(_, export)| export.ends_with(".xlsx")).map(|(point, _)| point).collect();
+    let of_workbook = imported.points.into_iter().filter(|p| p.export.ends_with(".xlsx"));
+    let points = of_workbook.map(|p| (p.label, p.xyz_mm)).collect();
     let source = imported.document.sources.iter().find(|s| s.file.ends_with(".xlsx")).unwrap();
     Ok((points, source.refused.iter().map(|r| r.line).collect()))
 }

@@ -17,8 +17,8 @@ fn read(log: &str) -> Result<(DataFrame, ImportDocument), String> {
     );
     std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
     let campaign = Campaign::read(&scratch.path()).unwrap_or_else(|e| panic!("{e}"));
-    let mut imported = gather(&campaign).map_err(|e| e.to_string())?;
-    Ok((imported.logs.remove(0).1, imported.document))
+    let imported = gather(&campaign).map_err(|e| e.to_string())?;
+    Ok((imported.logs[0].table().unwrap(), imported.document))
 }
 
 /// What is said against a log, which must hold all these parts.

@@ -3,7 +3,6 @@
 
 use crate::scratch::copy_sample;
 use etalon::base::pose::Vector;
-use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::document::Source;
 use etalon::import::format::Decimal;
@@ -25,8 +24,7 @@ fn read(file: &str, format: &str, unit: &str) -> Result<(Vec<(String, Vector)>, 
     std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
     let campaign = Campaign::read(&scratch.path()).unwrap_or_else(|e| panic!("{e}"));
     let imported = gather(&campaign).map_err(|e| e.to_string())?;
-    let labels = table::texts(&imported.points, "label").unwrap();
-    let points = labels.into_iter().zip(table::coordinates(&imported.points).unwrap()).collect();
+    let points = imported.points.into_iter().map(|p| (p.label, p.xyz_mm)).collect();
     Ok((points, imported.document.sources.into_iter().find(|s| s.kind == "export").unwrap()))
 }
 

@@ -12,6 +12,7 @@ use crate::base::pattern::matches_pattern;
 use crate::base::pose::Pose;
 use crate::base::table;
 use crate::campaign::Campaign;
+use crate::import::Point;
 use crate::math::robots::Robot;
 use crate::stages::frames;
 use crate::stages::gather::{self, Gathered};
@@ -19,7 +20,6 @@ use crate::stages::geometric;
 use crate::stages::iso9283::characteristics;
 use crate::stages::iso9283::repeatability;
 use crate::stages::join;
-use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 
 /// Checks what the stages cannot: statements, files, labels, targets and names. Gives what was imported, with warnings, or
@@ -35,16 +35,11 @@ pub fn check(campaign: &Campaign) -> Result<Gathered> {
 /// A stage is tried on what is left of its input; where what it needs is wrong already, it is left out.
 pub fn everything(campaign: &Campaign) -> (Gathered, Problems) {
     let mut found = find(campaign);
-    let (points, unreadable) = match readable(&found.imported.points) {
-        Ok(parted) => parted,
-        Err(more) => {
-            found.problems.0.extend(more.0);
-            return (found.imported, found.problems);
-        }
-    };
-    let labels = table::texts(&points, "label").unwrap_or_default();
-    let borne = |name: &str| labels.iter().any(|label| matches_pattern(name, label));
-    let touched = |name: &str| unreadable.iter().any(|label| matches_pattern(name, label));
+    // what reads, and what has a coordinate that does not
+    let (points, unreadable): (Vec<Point>, Vec<Point>) =
+        found.imported.points.iter().cloned().partition(|p| p.xyz_mm.iter().all(|v| v.is_finite()));
+    let borne = |name: &str| points.iter().any(|p| matches_pattern(name, &p.label));
+    let touched = |name: &str| unreadable.iter().any(|p| matches_pattern(name, &p.label));
     // features whose points all read
     let mut whole = campaign.clone();
     whole.file.features.retain(|_, feature| {
@@ -71,7 +66,7 @@ pub fn everything(campaign: &Campaign) -> (Gathered, Problems) {
     if !campaign.identifies() {
         return (found.imported, found.problems);
     }
-    let mut poses = poses(&points).unwrap_or_default();
+    let mut poses: BTreeSet<i64> = points.iter().filter_map(|p| p.pose).collect();
     if let (None, Some(robot), true) = (&world, &found.robot, found.read) {
         found
             .problems
@@ -150,17 +145,4 @@ fn find(campaign: &Campaign) -> Found {
         read &= problems.0.len() == before;
     }
     Found { imported, problems, read, named, robot }
-}
-
-/// The points whose coordinates read, and the labels of the others.
-fn readable(points: &DataFrame) -> Result<(DataFrame, BTreeSet<String>)> {
-    let whole: Vec<bool> = table::coordinates(points)?.iter().map(|p| p.iter().all(|v| v.is_finite())).collect();
-    let labels = table::texts(points, "label")?;
-    let unreadable = labels.into_iter().zip(&whole).filter(|(_, whole)| !**whole).map(|(label, _)| label).collect();
-    Ok((points.filter(&BooleanChunked::from_slice("whole".into(), &whole))?, unreadable))
-}
-
-/// Poses of the points that name one.
-fn poses(points: &DataFrame) -> Result<BTreeSet<i64>> {
-    Ok(table::optional_integers(points, "pose")?.into_iter().flatten().collect())
 }

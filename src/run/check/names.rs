@@ -2,7 +2,6 @@
 
 use crate::base::message::{Message, Problems};
 use crate::base::pattern::matches_pattern;
-use crate::base::table;
 use crate::campaign::{Campaign, JoinBy};
 use crate::import;
 use crate::import::format::Export;
@@ -15,13 +14,11 @@ use toml::Spanned;
 
 /// Labels and features that nothing bears. Where some exports are not read, they may bear them: then it is a warning.
 pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, problems: &mut Problems) {
-    let all = table::texts(&imported.points, "label").unwrap_or_default();
-    let of = table::texts(&imported.points, "target").unwrap_or_default();
+    let points = &imported.points;
     // nobody means a label that names a target at a pose
-    let plain: BTreeSet<&str> =
-        all.iter().zip(&of).filter(|(_, target)| target.is_empty()).map(|(label, _)| label.as_str()).collect();
-    let labels: BTreeSet<String> = all.iter().cloned().collect();
-    let targets: BTreeSet<String> = of.into_iter().collect();
+    let plain: BTreeSet<&str> = points.iter().filter(|p| p.target.is_none()).map(|p| p.label.as_str()).collect();
+    let labels: BTreeSet<String> = points.iter().map(|p| p.label.clone()).collect();
+    let targets: BTreeSet<String> = points.iter().map(|p| p.target.clone().unwrap_or_default()).collect();
     let file = &campaign.file;
     let mut open: Vec<String> = Vec::new();
     let mut want = |name: &Spanned<String>, among: &[&BTreeSet<String>], what: &str| {
@@ -158,8 +155,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
     if campaign.file.join.by == JoinBy::Label {
         return;
     }
-    let mut measured: BTreeSet<String> =
-        table::texts(&imported.points, "target").unwrap_or_default().into_iter().collect();
+    let mut measured: BTreeSet<String> = imported.points.iter().filter_map(|p| p.target.clone()).collect();
     measured.remove("");
     // those that [join] names are told with the labels
     let stated = campaign.file.join.targets.as_ref();
@@ -180,9 +176,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
 fn other_form(campaign: &Campaign, export: &Export, imported: &Gathered) -> Option<Message> {
     let form = export.label.as_ref()?;
     let pattern = import::LabelPattern::parse(form.get_ref()).ok()?;
-    let (files, labels) =
-        (table::texts(&imported.points, "export").ok()?, table::texts(&imported.points, "label").ok()?);
-    let mut own = files.iter().zip(&labels).filter(|(file, _)| *file == export.file.get_ref()).map(|(_, label)| label);
+    let mut own = imported.points.iter().filter(|p| p.export == *export.file.get_ref()).map(|p| p.label.as_str());
     let first = own.next()?;
     if pattern.read(first).is_some() || own.any(|label| pattern.read(label).is_some()) {
         return None;

@@ -15,20 +15,19 @@ use crate::base::message::{Problems, Result};
 use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Source};
 use crate::import::{
-    self, Point,
+    self, JointLog, Point,
     format::{Export, Format, Log},
     spatialanalyzer,
 };
 use points::PointColumns;
-use polars::prelude::DataFrame;
 
 /// What a campaign's files hold.
 #[derive(Clone, Debug)]
 pub struct Gathered {
-    /// One row per measured point: `export row line label target pose cycle time_s x_mm y_mm z_mm`.
-    pub points: DataFrame,
-    /// Joint values of each log, by its name: `row line pose cycle time_s` and the joints in mm or deg.
-    pub logs: Vec<(String, DataFrame)>,
+    /// Every measured point.
+    pub points: Vec<Point>,
+    /// Joint values of each log.
+    pub logs: Vec<JointLog>,
     /// What was read and refused.
     pub document: ImportDocument,
 }
@@ -90,7 +89,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Ok(None) => {}
             Ok(Some((source, (table, more)))) => {
                 sources.push(source);
-                logs.push((stated.name.clone(), table));
+                logs.push(table);
                 said.extend(more);
             }
             Err(more) => problems.0.extend(more.0),
@@ -119,11 +118,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         messages,
         unmatched: Vec::new(),
     };
-    let points = import::points_table(&columns.points).unwrap_or_else(|more| {
-        problems.0.extend(more.0);
-        DataFrame::empty()
-    });
-    (Gathered { points, logs, document }, problems)
+    (Gathered { points: columns.points, logs, document }, problems)
 }
 
 /// The points that an export brings if this is its text, before rules about blunders.
@@ -134,7 +129,7 @@ pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Res
 }
 
 /// The table of a log if this is its text.
-pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<DataFrame> {
+pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<JointLog> {
     import::log(campaign.stated(), stated, text, &mut statement("log", stated.file.get_ref(), b""))
         .map(|(table, _)| table)
 }

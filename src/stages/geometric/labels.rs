@@ -3,11 +3,11 @@
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::{Vector, centroid};
 use crate::campaign::{Campaign, GeometricDefinition};
+use crate::import::Point;
 use crate::math::geometric::{
     BaseMeasurements, LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned,
 };
 use crate::stages::steps::{Step, Steps};
-use polars::prelude::DataFrame;
 use std::collections::BTreeSet;
 use toml::Spanned;
 
@@ -23,8 +23,8 @@ pub struct Gathered {
 }
 
 /// Finds the points of every step by their labels; everything that is missing is said at once.
-pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &DataFrame) -> Result<Gathered> {
-    let all = Steps::new(campaign, points)?;
+pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[Point]) -> Result<Gathered> {
+    let all = Steps::new(campaign, points);
     let mut problems = Problems::default();
     let mut step = |pattern: &Spanned<String>| {
         all.of(pattern).unwrap_or_else(|more| {

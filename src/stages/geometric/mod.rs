@@ -9,19 +9,19 @@ use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 use crate::campaign::{BallDefinition, Campaign, GeometricDefinition};
 use crate::document::*;
+use crate::import::Point;
 use crate::iso9283::repeatability::pose_repeatability;
 use crate::math::geometric::{self, Geometry, Repeated, Scatter, Uncertain, Workspace, scale_bar};
 use crate::math::identify::Identification;
 use crate::math::robots::{Prexyt, Robot};
 use crate::stages::evaluate::Sets;
-use polars::prelude::DataFrame;
 
 /// Finds the robot by geometry alone, and sets it beside what was identified from the same campaign; `None` where the
 /// campaign has no `[geometric]`.
 pub fn calibrate(
     campaign: &Campaign,
     robot: &dyn Robot,
-    points: &DataFrame,
+    points: &[Point],
     sets: &Sets,
     identified: &Identification,
 ) -> Result<Option<GeometricDocument>> {

@@ -5,6 +5,7 @@ use crate::base::pose::{Pose, Vector};
 use crate::campaign::{Campaign, RepeatabilityDefinition};
 use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit, Source};
 use crate::import;
+use crate::import::Point;
 use crate::import::tables::coordinates::{ANGLES, in_file, spatial};
 use crate::import::tables::recording::commanded_poses;
 use crate::import::tables::visits::{PoseVisits, Visit, Visits, from_pose};
@@ -13,7 +14,6 @@ use crate::stages::iso9283::COVERAGE_FACTOR;
 use crate::stages::iso9283::pose::{self, Settings};
 use crate::stages::steps::{Step, Steps};
 use crate::stages::table_file::TableFile;
-use polars::prelude::DataFrame;
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
@@ -21,7 +21,7 @@ use toml::Spanned;
 pub fn evaluate(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
-    points: &DataFrame,
+    points: &[Point],
     frames: &FramesDocument,
     settings: &Settings,
 ) -> Result<(Iso9283Document, Vec<Source>)> {
@@ -69,10 +69,10 @@ pub struct Gathered {
 pub fn gather(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
-    points: &DataFrame,
+    points: &[Point],
     export_T_world: &Pose,
 ) -> Result<Gathered> {
-    let steps = Steps::new(campaign, points)?;
+    let steps = Steps::new(campaign, points);
     let mut problems = statements(campaign, definition);
     let mut step = |pattern| steps.of(pattern).map_err(|more| problems.0.extend(more.0)).ok();
     let (visits, homings) = (step(&definition.label), definition.homing.as_ref().map(&mut step));

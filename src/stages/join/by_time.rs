@@ -1,10 +1,10 @@
 //! Points meet the log by the clock: with the nearest row, with the standstill they fall into, or between two rows.
 
-use super::unmatched::Rows;
-use super::{Log, Said, contradictions};
+use super::unmatched::At;
+use super::{Row, Said, Target, contradictions};
 use crate::base::message::{Message, Problems, Result, count};
-use crate::base::table::{self, ASSEMBLY};
-use polars::prelude::*;
+use crate::document::Unmatched;
+use crate::import::JointLog;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How times meet.
@@ -27,10 +27,9 @@ struct Met {
 
 /// Joins each point with what the log says of its time; where no label names a pose, the log's row becomes the pose, or
 /// between rows the number of the time.
-pub(super) fn by_time(points: &DataFrame, log: Log, clocks: Clocks, said: &mut Said) -> Result<DataFrame> {
-    let name = log.name;
-    let stated_s = table::numbers(points, "time_s")?;
-    let times = nanoseconds(&stated_s, clocks.offset_s, "the export")?;
+pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, said: &mut Said) -> Result<Vec<Row>> {
+    let name = &log.name;
+    let times = nanoseconds(targets.iter().map(|t| t.point.time_s), clocks.offset_s, "the export")?;
     let spans = spans(log)?;
     let tolerance_ns = (clocks.tolerance_s * 1e9).round() as i64;
     let met: Vec<Option<Met>> = times
@@ -42,24 +41,24 @@ pub(super) fn by_time(points: &DataFrame, log: Log, clocks: Clocks, said: &mut S
             let before = spans.partition_point(|s| s.1 < t.saturating_sub(tolerance_ns));
             spans.partition_point(|s| s.0 <= t.saturating_add(tolerance_ns)).saturating_sub(before)
         };
-        report_several(points, &times, &within, clocks, name, said)?;
+        report_several(targets, &times, &within, clocks, name, said);
     }
-    report_alone(points, &met, clocks, name, said)?;
+    report_alone(targets, &met, clocks, name, said);
     let used: BTreeSet<usize> =
         met.iter().flatten().flat_map(|m| [Some(m.row), m.other.map(|(row, _)| row)]).flatten().collect();
-    report_idle(log, &used, clocks, said)?;
-    refuse_twice(points, &times, &met, clocks, log)?;
+    report_idle(log, &used, clocks, said);
+    refuse_twice(targets, &times, &met, clocks, log)?;
     if !clocks.interpolate {
-        contradictions(points, log, met.iter().enumerate().filter_map(|(i, met)| Some((i, met.as_ref()?.row))))?;
+        let pairs = targets.iter().zip(&met).filter_map(|(t, met)| Some((t.point, &log.rows[met.as_ref()?.row])));
+        contradictions(log, pairs)?;
     }
-    joined(points, log, &times, &met, clocks.interpolate)
+    Ok(joined(targets, log, &times, &met, clocks.interpolate))
 }
 
 /// First and last time of each row of the log in nanoseconds: the same, but for standstills.
-fn spans(log: Log) -> Result<Vec<(i64, i64)>> {
-    let (from, to) = if log.rows.column("from_s").is_ok() { ("from_s", "to_s") } else { ("time_s", "time_s") };
-    let from = nanoseconds(&table::numbers(log.rows, from)?, 0.0, "the log")?;
-    let to = nanoseconds(&table::numbers(log.rows, to)?, 0.0, "the log")?;
+fn spans(log: &JointLog) -> Result<Vec<(i64, i64)>> {
+    let span = |end: usize| log.rows.iter().map(move |row| row.standing_s.map(|s| s[end]).or(row.time_s));
+    let (from, to) = (nanoseconds(span(0), 0.0, "the log")?, nanoseconds(span(1), 0.0, "the log")?);
     if let Some(i) = from.windows(2).position(|w| w[1] <= w[0]) {
         let what = format!("times of log `{}` do not increase at its row {}", log.name, i + 2);
         return Err(Message::error(what).hint("sort the log by time, and remove rows with equal times").into());
@@ -67,13 +66,13 @@ fn spans(log: Log) -> Result<Vec<(i64, i64)>> {
     Ok(from.into_iter().zip(to).collect())
 }
 
-fn nanoseconds(times_s: &[f64], offset_s: f64, whose: &str) -> Result<Vec<i64>> {
-    if times_s.iter().any(|t| !t.is_finite()) {
-        return Err(Message::error(format!("{whose} has rows without a time"))
+fn nanoseconds(times_s: impl Iterator<Item = Option<f64>>, offset_s: f64, whose: &str) -> Result<Vec<i64>> {
+    let whole = |t: Option<f64>| t.filter(|t| t.is_finite()).map(|t| ((t - offset_s) * 1e9).round() as i64);
+    times_s.map(whole).collect::<Option<_>>().ok_or_else(|| {
+        Message::error(format!("{whose} has rows without a time"))
             .hint("a join by time needs `time_s` in the columns of exports and log")
-            .into());
-    }
-    Ok(times_s.iter().map(|t| ((t - offset_s) * 1e9).round() as i64).collect())
+            .into()
+    })
 }
 
 /// How far a time is from a row.
@@ -108,21 +107,24 @@ fn at(t: f64) -> String {
     format!("{t} s")
 }
 
+fn unmatched(target: &Target, reason: &str) -> Unmatched {
+    At::point(target.point).unmatched(at(target.point.time_s.unwrap_or(f64::NAN)), reason)
+}
+
 /// Points that could have met several rows.
 fn report_several(
-    points: &DataFrame,
+    targets: &[Target],
     times: &[i64],
     within: &dyn Fn(i64) -> usize,
     clocks: Clocks,
     name: &str,
     said: &mut Said,
-) -> Result<()> {
-    let (stated_s, places) = (table::numbers(points, "time_s")?, Rows::points(points)?);
+) {
     let tolerance_s = clocks.tolerance_s;
     let several: Vec<(usize, usize)> =
         times.iter().map(|&t| within(t)).enumerate().filter(|(_, rows)| *rows > 1).collect();
     if several.is_empty() {
-        return Ok(());
+        return;
     }
     let what = format!(
         "{} with several rows of log `{name}` within {tolerance_s} s: the nearest counts",
@@ -131,14 +133,12 @@ fn report_several(
     said.messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
     said.unmatched.extend(several.into_iter().map(|(i, rows)| {
         let reason = format!("{rows} rows of log `{name}` are within {tolerance_s} s: the nearest counts");
-        places.unmatched(i, at(stated_s[i]), &reason)
+        unmatched(&targets[i], &reason)
     }));
-    Ok(())
 }
 
 /// Points that met no row.
-fn report_alone(points: &DataFrame, met: &[Option<Met>], clocks: Clocks, name: &str, said: &mut Said) -> Result<()> {
-    let (stated_s, places) = (table::numbers(points, "time_s")?, Rows::points(points)?);
+fn report_alone(targets: &[Target], met: &[Option<Met>], clocks: Clocks, name: &str, said: &mut Said) {
     let reason = match clocks.interpolate {
         true => format!("no rows of log `{name}` before and after it are within {} s", clocks.tolerance_s),
         false => format!("no row of log `{name}` is within {} s", clocks.tolerance_s),
@@ -149,83 +149,61 @@ fn report_alone(points: &DataFrame, met: &[Option<Met>], clocks: Clocks, name: &
         let what = format!("{points} without a row of log `{name}` within {} s", clocks.tolerance_s);
         said.messages.push(Message::warning(what));
     }
-    said.unmatched.extend(alone.into_iter().map(|i| places.unmatched(i, at(stated_s[i]), &reason)));
-    Ok(())
+    said.unmatched.extend(alone.into_iter().map(|i| unmatched(&targets[i], &reason)));
 }
 
 /// Rows of the log that no point met; between the rows of a log that runs on there are many.
-fn report_idle(log: Log, used: &BTreeSet<usize>, clocks: Clocks, said: &mut Said) -> Result<()> {
-    let (times_s, places) = (table::numbers(log.rows, "time_s")?, Rows::log(log.rows, log.file)?);
-    let idle: Vec<usize> = (0..times_s.len()).filter(|i| !used.contains(i)).collect();
+fn report_idle(log: &JointLog, used: &BTreeSet<usize>, clocks: Clocks, said: &mut Said) {
+    let idle: Vec<usize> = (0..log.rows.len()).filter(|i| !used.contains(i)).collect();
     if idle.is_empty() || clocks.interpolate {
-        return Ok(());
+        return;
     }
     let what = format!("{} of log `{}` without a measured point", count(idle.len(), "row"), log.name);
     said.messages.push(Message::warning(what));
     let reason = "no measured point is nearest to it";
-    said.unmatched.extend(idle.into_iter().map(|i| places.unmatched(i, at(times_s[i]), reason)));
-    Ok(())
+    let row = |i: usize| At::log(log, &log.rows[i]).unmatched(at(log.rows[i].time_s.unwrap_or(f64::NAN)), reason);
+    said.unmatched.extend(idle.into_iter().map(row));
 }
 
 /// An error about points of one target that met the same row, or between rows have the same time.
-fn refuse_twice(points: &DataFrame, times: &[i64], met: &[Option<Met>], clocks: Clocks, log: Log) -> Result<()> {
-    let (targets, places) = (table::texts(points, "target")?, Rows::points(points)?);
-    let numbers = table::integers(log.rows, "row")?;
+fn refuse_twice(targets: &[Target], times: &[i64], met: &[Option<Met>], clocks: Clocks, log: &JointLog) -> Result<()> {
     let mut used: BTreeMap<(i64, &str), Vec<usize>> = BTreeMap::new();
     for (i, met) in met.iter().enumerate() {
         let Some(met) = met else { continue };
-        let key = if clocks.interpolate { times[i] } else { numbers[met.row] };
-        used.entry((key, targets[i].as_str())).or_default().push(i);
+        let key = if clocks.interpolate { times[i] } else { log.rows[met.row].row };
+        used.entry((key, targets[i].point.target.as_deref().unwrap_or_default())).or_default().push(i);
     }
     let errors = used.iter().filter(|(_, points)| points.len() > 1).map(|((key, target), points)| {
-        let lines: Vec<String> = points.iter().map(|&i| places.line(i).to_string()).collect();
-        let (n, lines, name) = (points.len(), lines.join(", "), log.name);
+        let lines: Vec<String> = points.iter().map(|&i| targets[i].point.line.to_string()).collect();
+        let (n, lines, name) = (points.len(), lines.join(", "), &log.name);
         let what = match clocks.interpolate {
             true => format!("{n} points of target `{target}` have the same time (lines {lines})"),
             false => format!("row {key} of log `{name}` is nearest to {n} points of target `{target}` (lines {lines})"),
         };
         let message = Message::error(what).hint("lower `tolerance_s`, or check `clock_offset_s`");
-        message.at(places.place(points[points.len() - 1]))
+        message.at(At::point(targets[points[points.len() - 1]].point).place())
     });
     Problems(errors.collect()).check().map(|_| ())
 }
 
-/// The points that met something, with the columns of the log.
-fn joined(points: &DataFrame, log: Log, times: &[i64], met: &[Option<Met>], interpolated: bool) -> Result<DataFrame> {
-    let kept: Vec<(usize, Met)> = met.iter().enumerate().filter_map(|(i, met)| met.map(|met| (i, met))).collect();
-    let mut order: Vec<usize> = (0..kept.len()).collect();
-    order.sort_by_key(|&k| times[kept[k].0]);
-    let kept: Vec<(usize, Met)> = order.into_iter().map(|k| kept[k]).collect();
-    let taken: Vec<IdxSize> = kept.iter().map(|(i, _)| *i as IdxSize).collect();
-    let mut joined = points.take(&IdxCa::from_vec("i".into(), taken))?;
-    let numbers = table::integers(log.rows, "row")?;
+/// The targets that met something, in the order of their times, with the joint values of the log.
+fn joined(targets: &[Target], log: &JointLog, times: &[i64], met: &[Option<Met>], interpolated: bool) -> Vec<Row> {
+    let mut kept: Vec<(usize, Met)> = met.iter().enumerate().filter_map(|(i, met)| met.map(|met| (i, met))).collect();
+    kept.sort_by_key(|(i, _)| times[*i]);
     let distinct: BTreeSet<i64> = kept.iter().map(|(i, _)| times[*i]).collect();
     let rank: BTreeMap<i64, i64> = distinct.into_iter().zip(1..).collect();
-    let poses = table::optional_integers(&joined, "pose")?;
-    let own = |(i, met): &(usize, Met)| if interpolated { rank[&times[*i]] } else { numbers[met.row] };
-    let pose: Vec<Option<i64>> = poses.iter().zip(&kept).map(|(pose, kept)| pose.or(Some(own(kept)))).collect();
-    joined.with_column(Column::new("pose".into(), pose))?;
-    for column in log.rows.columns() {
-        let column_name = column.name().as_str();
-        if ["row", "line", "pose", "cycle", "time_s", "from_s", "to_s"].contains(&column_name) {
-            continue;
-        }
-        let rows: Vec<IdxSize> = kept.iter().map(|(_, met)| met.row as IdxSize).collect();
-        let nearer = column.take(&IdxCa::from_vec("i".into(), rows))?;
-        if !column.dtype().is_float() || column_name == ASSEMBLY || !interpolated {
-            joined.with_column(nearer)?;
-            continue;
-        }
-        let all = table::numbers(log.rows, column_name)?;
-        let turns = column_name.ends_with("_deg");
-        let value = |(_, met): &(usize, Met)| {
-            let Some((other, share)) = met.other else { return all[met.row] };
-            let step = all[other] - all[met.row];
+    let row = |(i, met): (usize, Met)| {
+        let nearer = &log.rows[met.row];
+        let mut row = Row::of(&targets[i], nearer);
+        row.pose = row.pose.or(Some(if interpolated { rank[&times[i]] } else { nearer.row }));
+        let Some((other, share)) = met.other else { return row };
+        for ((value, other), name) in row.joints.iter_mut().zip(&log.rows[other].joints).zip(&log.joints) {
+            let step = other - *value;
             // from 179.9 to -179.9 degrees it is a fifth of a degree; no joint turns so far from one row to the next
-            let step = if turns && step.abs() > 270.0 { step - 360.0 * step.signum() } else { step };
-            all[met.row] + share * step
-        };
-        joined.with_column(Column::new(column_name.into(), kept.iter().map(value).collect::<Vec<f64>>()))?;
-    }
-    Ok(joined)
+            let turned = name.ends_with("_deg") && step.abs() > 270.0;
+            *value += share * if turned { step - 360.0 * step.signum() } else { step };
+        }
+        row
+    };
+    kept.into_iter().map(row).collect()
 }

@@ -1,0 +1,87 @@
+//! Points and rows of the log with equal keys.
+
+use super::unmatched::At;
+use super::{Row, Said, Target, contradictions};
+use crate::base::message::{Message, Problems, Result, count};
+use crate::document::Unmatched;
+use crate::import::JointLog;
+use std::collections::BTreeMap;
+
+/// Indices of rows by their key.
+type Keys = BTreeMap<Vec<i64>, Vec<usize>>;
+
+/// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a warning.
+pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], said: &mut Said) -> Result<Vec<Row>> {
+    let number = |key: &str, row: i64, pose: Option<i64>, cycle: Option<i64>| match key {
+        "row" => Some(row),
+        "pose" => pose,
+        _ => cycle,
+    };
+    let measured = collected(keys, targets, |t: &Target, key| number(key, t.point.row, t.point.pose, t.point.cycle))?;
+    let logged = collected(keys, &log.rows, |row, key| number(key, row.row, row.pose, row.cycle))?;
+    let name = &log.name;
+    let twice = logged.iter().filter(|(_, rows)| rows.len() > 1).map(|(key, rows)| {
+        let at: Vec<String> = rows.iter().map(|&row| log.rows[row].line.to_string()).collect();
+        format!("{} in lines {}", in_words(keys, key), at.join(", "))
+    });
+    let twice: Vec<String> = twice.collect();
+    if !twice.is_empty() {
+        let what = format!("log `{name}` has {} more than once: {}", count(twice.len(), "key"), twice.join("; "));
+        return Err(Message::error(what).hint("add `cycle` to the key, or remove the rows that do not count").into());
+    }
+    let mut report = |one: &str,
+                      many: &str,
+                      at: &dyn Fn(usize, String, &str) -> Unmatched,
+                      here: &Keys,
+                      there: &Keys,
+                      reason: &str| {
+        let alone: Vec<&Vec<i64>> = here.keys().filter(|key| !there.contains_key(*key)).collect();
+        let what = if alone.len() == 1 { one } else { many };
+        if !alone.is_empty() {
+            let shown: Vec<String> = alone.iter().take(8).map(|k| format!("{k:?}")).collect();
+            let more = if alone.len() > 8 { ", ... (all are in import.json)" } else { "" };
+            let text = format!(
+                "{} {what} `{name}` without a partner ({}): {}{more}",
+                alone.len(),
+                keys.join(", "),
+                shown.join(", ")
+            );
+            said.messages.push(Message::warning(text));
+        }
+        for key in alone {
+            said.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), reason)));
+        }
+    };
+    let point = |i: usize, key, reason: &str| At::point(targets[i].point).unmatched(key, reason);
+    let lone = format!("no row of log `{name}` has this key");
+    report("measured key is beside log", "measured keys are beside log", &point, &measured, &logged, &lone);
+    let row = |i: usize, key, reason: &str| At::log(log, &log.rows[i]).unmatched(key, reason);
+    report("key of log", "keys of log", &row, &logged, &measured, "no measured point has this key");
+    let met = measured.iter().filter_map(|(key, rows)| Some((rows, &log.rows[*logged.get(key)?.first()?])));
+    let pairs = met.flat_map(|(rows, met)| rows.iter().map(move |&i| (&targets[i], met)));
+    if keys == ["row"] {
+        contradictions(log, pairs.clone().map(|(target, met)| (target.point, met)))?;
+    }
+    Ok(pairs.map(|(target, met)| Row::of(target, met)).collect())
+}
+
+/// Rows by their keys, which all must have.
+fn collected<T>(keys: &[&str], rows: &[T], number: impl Fn(&T, &str) -> Option<i64>) -> Result<Keys> {
+    let mut all = Keys::new();
+    for key in keys {
+        if rows.iter().any(|row| number(row, key).is_none()) {
+            let message = Message::error(format!("the join needs `{key}`, which some rows do not have"));
+            let hint = "name it in `label` of the exports and in `columns` of the log, or change `by` in [join]";
+            return Err(Problems::from(message.hint(hint)));
+        }
+    }
+    for (i, row) in rows.iter().enumerate() {
+        all.entry(keys.iter().filter_map(|key| number(row, key)).collect()).or_default().push(i);
+    }
+    Ok(all)
+}
+
+/// A key in words: `pose 3, cycle 1`.
+fn in_words(names: &[&str], key: &[i64]) -> String {
+    names.iter().zip(key).map(|(name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(", ")
+}
