@@ -3,7 +3,7 @@
 use super::lost::Lost;
 use super::toml_problems::{self, Recovered};
 use crate::base::message::{Message, Place, Problems, Result};
-use crate::math::robots::{FiveBar, Parameter, Prexyt, Quantity, Reach, Robot, Role, Serial, SerialJoint};
+use crate::math::robots::{FiveBar, Limits, Parameter, Prexyt, Quantity, Robot, Role, Serial, SerialJoint};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -88,10 +88,10 @@ pub struct ReachDefinition {
 }
 
 impl ReachDefinition {
-    fn build(&self) -> Reach {
-        let none = Reach::default();
+    fn build(&self) -> Limits {
+        let none = Limits::default();
         let limits = |given: Option<[f64; 2]>, none: [f64; 2]| given.map_or(none, |l| l.map(f64::to_radians));
-        Reach {
+        Limits {
             limits_rad: [limits(self.theta1_deg, none.limits_rad[0]), limits(self.theta2_deg, none.limits_rad[1])],
             clearance_mm: self.clearance_mm,
             type1_margin_rad: self.type1_margin_deg.map_or(none.type1_margin_rad, f64::to_radians),
@@ -178,7 +178,7 @@ impl RobotFile {
                 self.nominal_of(&robot).map(|nominal| Box::new(robot.with_nominal(&nominal)) as Box<dyn Robot>)
             }
             Model::FiveBar => {
-                let robot = FiveBar::default().with_reach(self.reach.build());
+                let robot = FiveBar::default().with_limits(self.reach.build());
                 self.nominal_of(&robot).map(|nominal| Box::new(robot.with_nominal(&nominal)) as Box<dyn Robot>)
             }
             Model::Serial => self.serial(targets).and_then(|robot| {

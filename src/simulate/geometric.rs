@@ -18,13 +18,13 @@ pub(super) fn points(
 ) -> Vec<(String, Vector)> {
     let (truth, definition) = (scene.truth, &scene.campaign.file.geometric);
     let here = truth.geometric_export.as_ref() == Some(export.file.get_ref());
-    let (true, Some(setup), Some(definition), Some(planar)) =
-        (here, &truth.geometric, definition, scene.robot.planar())
+    let (true, Some(setup), Some(definition), Some(table)) =
+        (here, &truth.geometric, definition, scene.robot.rail_table())
     else {
         return Vec::new();
     };
     let mut homing = Noise::new(truth.seed, HOMING);
-    let found = setup.measure(planar, &scene.values, &mut homing, &mut measure);
+    let found = setup.measure(table, &scene.values, &mut homing, &mut measure);
     let (bars, balls) = (setup.bars(&mut measure), setup.balls(&mut measure));
     geometric::labelled(definition, &Gathered { robot: found, bars, balls })
 }
@@ -32,8 +32,8 @@ pub(super) fn points(
 /// Refuses a truth that its campaign cannot name.
 pub(super) fn check(scene: &Scene) -> Result<()> {
     let definition = scene.campaign.file.geometric.as_ref();
-    let planar = scene.robot.planar();
-    if scene.truth.geometric.is_some() && (definition.is_none() || planar.is_none()) {
+    let table = scene.robot.rail_table();
+    if scene.truth.geometric.is_some() && (definition.is_none() || table.is_none()) {
         return Err(Message::error("the truth has [geometric], the campaign has not, or is of no PreXYT")
             .hint("state [geometric] in campaign.toml: it names the labels")
             .into());

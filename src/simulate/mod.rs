@@ -57,7 +57,8 @@ impl Scene<'_> {
     /// Refuses poses that the robot file says the robot cannot go to; all are told.
     fn check_reach(&self) -> Result<()> {
         let nominal = self.robot.nominal();
-        let beyond = (1..).zip(&self.joints).filter_map(|(pose, q)| Some((pose, self.robot.beyond(&nominal, q)?)));
+        let beyond =
+            (1..).zip(&self.joints).filter_map(|(pose, q)| Some((pose, self.robot.limit_violation(&nominal, q)?)));
         let told = |(pose, why): (usize, String)| {
             let message = Message::error(format!("pose {pose} is out of reach: {why}"));
             message.hint("correct the pose in the truth, or [reach] in robot.toml")
@@ -83,7 +84,7 @@ impl Scene<'_> {
         let stated = self.campaign.file.contact.map_or(0.0, |c| c.standard_uncertainty_mm());
         let sigma_mm = self.truth.contact_um.map_or(stated, |um| um / 1000.0);
         let found = at.map(|v| v + contact.gaussian(sigma_mm));
-        self.robot.reach(&self.values, &self.joints[pose], found).ok_or_else(|| {
+        self.robot.inverse(&self.values, &self.joints[pose], found).ok_or_else(|| {
             Message::error(format!("pose {}: the true robot does not reach its point {at:?} mm", turn.pose)).into()
         })
     }

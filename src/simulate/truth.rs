@@ -169,8 +169,8 @@ impl Truth {
                 all.push(q.iter().enumerate().map(inward).collect());
             }
             for circle in &poses.circles {
-                let planar = robot
-                    .planar()
+                let platform = robot
+                    .platform()
                     .ok_or_else(|| Message::error("`circles` are for planar robots").hint("use `joints`"))?;
                 for i in 0..circle.count {
                     let angle = std::f64::consts::TAU * i as f64 / circle.count as f64;
@@ -182,7 +182,7 @@ impl Truth {
                             theta_rad: theta.to_radians(),
                         };
                         // what a controller logs: rounded to 0.1 um
-                        let q = planar.inverse(&robot.nominal(), pose);
+                        let q = platform.joints_at(&robot.nominal(), pose);
                         all.push(q.iter().map(|q| (q * 1e4).round() / 1e4).collect());
                     }
                 }

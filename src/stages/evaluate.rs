@@ -52,13 +52,13 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
     let mut all = Vec::new();
     for (name, observations) in [("calibration", &sets.calibration), ("validation", &sets.validation)] {
         for o in observations {
-            match robot.planar() {
-                Some(planar) => {
+            match robot.platform() {
+                Some(platform) => {
                     let [Some(k), Some(l)] = o.targets[..] else { continue };
-                    let (k, l) = ([k[0], k[1]], [l[0], l[1]]);
-                    let error = |p: &[f64]| planar.pose_residual(p, &o.joints, k, l).map(|r| -r);
+                    let pair = [[k[0], k[1]], [l[0], l[1]]];
+                    let error = |p: &[f64]| platform.pose_error(p, &o.joints, pair).map(|r| -r);
                     let (b, a) = (error(before), error(after));
-                    let at = planar.measured(after, k, l);
+                    let at = platform.measured_pose(after, pair);
                     all.push(PointError {
                         set: name.to_owned(),
                         pose: o.pose,
@@ -135,7 +135,7 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
         })?;
         verdicts.push(LimitVerdict { name: name.to_owned(), unit, limit, value, met: value <= limit });
     }
-    let point = if robot.planar().is_some() {
+    let point = if robot.platform().is_some() {
         "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints; \
          positions are those of C in the base frame"
     } else {

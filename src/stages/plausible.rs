@@ -80,7 +80,7 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
 
 /// The distance of K and L where it came out negative: each was measured where the other is.
 fn exchanged<'r>(robot: &'r dyn Robot, values: &[f64]) -> Option<(&'r Parameter, f64)> {
-    let i = robot.planar().and(robot.index("l_kl"))?;
+    let i = robot.platform()?.target_distance();
     let p = &robot.parameters()[i];
     (values[i] * p.nominal < 0.0).then_some((p, values[i]))
 }

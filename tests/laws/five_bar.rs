@@ -5,7 +5,7 @@ use etalon::base::noise::Noise;
 use etalon::math::identify::{
     Identification, Observation, ResidualKind, Settings, fit_frames, identify, identify_from,
 };
-use etalon::math::robots::{FiveBar, Reach, Robot, WORKING_MODES};
+use etalon::math::robots::{FiveBar, Limits, Robot, WORKING_MODES};
 
 /// "Actual" column of table 4.1, in the order of eq. 4.24.
 pub fn truth() -> Vec<f64> {
@@ -29,11 +29,11 @@ pub fn truth() -> Vec<f64> {
 /// The nominal robot with limits: a proximal link does not cross the other arm's distal link, 5 degrees away from
 /// singularities of type 1, 25 from type 2.
 pub fn robot() -> FiveBar {
-    FiveBar::default().with_reach(Reach {
+    FiveBar::default().with_limits(Limits {
         clearance_mm: Some(0.0),
         type1_margin_rad: 5f64.to_radians(),
         type2_margin_rad: 25f64.to_radians(),
-        ..Reach::default()
+        ..Limits::default()
     })
 }
 

@@ -32,7 +32,7 @@ fn periphery(robot: &FiveBar) -> Vec<Observation> {
     let nominal = robot.nominal();
     let mut all = Vec::new();
     for (pose, (_, _, p)) in holes().into_iter().filter(|(i, j, _)| outer(*i) || outer(*j)).enumerate() {
-        let reached = robot.configurations(&nominal, [p[0], p[1], 0.0]);
+        let reached = robot.inverse_all(&nominal, [p[0], p[1], 0.0]).unwrap();
         for (mode, joints) in reached.into_iter().enumerate() {
             let targets = vec![Some([p[0], p[1], 0.0])];
             all.push(Observation { pose: pose as i64, cycle: mode as i64 + 1, joints, targets });
@@ -315,7 +315,7 @@ fn study(robot: &FiveBar, positions: &[[f64; 2]], seeds: u64) -> (f64, f64) {
     let mut everywhere = Vec::new();
     for (_, _, p) in holes() {
         let at = [p[0], p[1], 0.0];
-        let reached = robot.configurations(&truth, at).into_iter();
+        let reached = robot.inverse_all(&truth, at).unwrap().into_iter();
         everywhere.extend(reached.map(|joints| Observation { pose: 0, cycle: 0, joints, targets: vec![Some(at)] }));
     }
     let trial = |seed: u64| {

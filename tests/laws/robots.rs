@@ -1,7 +1,7 @@
 //! Every model: direct(inverse(pose)) = pose, and Jacobian = numeric derivative.
 
 use etalon::base::pose::{Pose, minus, norm};
-use etalon::math::robots::{FiveBar, PlanarPose, Prexyt, Robot, Serial, SerialJoint};
+use etalon::math::robots::{FiveBar, PlanarPose, Platform, Prexyt, Robot, Serial, SerialJoint};
 
 /// Parameters away from nominal, so that no term of a model is multiplied by zero or one.
 fn disturbed(robot: &dyn Robot) -> Vec<f64> {
@@ -91,7 +91,7 @@ fn jacobian_of_pose_residuals() {
     let robot = Prexyt::new(true);
     let p = disturbed(&robot);
     let (q, k, l) = ([80.0, 120.0, 170.0], [150.0, 130.0], [290.0, 160.0]);
-    let (by_parameters, by_balls) = robot.pose_residual_jacobians(&p, &q, k, l);
+    let (by_parameters, by_balls) = robot.pose_error_jacobians(&p, &q, [k, l]);
     let h = 1e-5;
     for j in 0..p.len() {
         let shifted = |s: f64| {

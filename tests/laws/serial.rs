@@ -84,7 +84,8 @@ fn what_the_robot_file_states_is_kept_where_held_and_only_a_start_where_not() {
     ] {
         let mut nominal = arm.nominal();
         stated.iter().for_each(|(name, off)| nominal[place(name)] = truth[place(name)] + off);
-        let arm = arm.serial().unwrap().clone().with_nominal(&nominal);
+        let mut arm = robot(2);
+        arm.definition_mut().set_nominal(&nominal);
         let hold: Vec<String> = hold.into_iter().map(str::to_owned).collect();
         let settings = Settings {
             kind: ResidualKind::Targets,
@@ -92,7 +93,7 @@ fn what_the_robot_file_states_is_kept_where_held_and_only_a_start_where_not() {
             common_uncertainty_mm: None,
             hold,
         };
-        let found = identify(&arm, &observations, &settings).unwrap();
+        let found = identify(arm.as_ref(), &observations, &settings).unwrap();
         for (name, off) in stated.iter().filter(|s| s.1 == 0.0) {
             assert_eq!(found.values[place(name)], truth[place(name)] + off, "{name}");
         }

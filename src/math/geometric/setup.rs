@@ -1,9 +1,9 @@
-//! Where the balls, the shaft and the carriages of a PreXYT are, for campaigns with a known truth.
+//! Where the balls, the shaft and the carriages of a table on rails are, for campaigns with a known truth.
 
 use super::{LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned};
 use crate::base::noise::Noise;
 use crate::base::pose::Vector;
-use crate::math::robots::{PlanarPose, Prexyt, Robot};
+use crate::math::robots::{PlanarPose, RailTable};
 use serde::Deserialize;
 
 /// Balls and probed points, and the displacements at which they are measured. Places are in the world, lengths in mm.
@@ -137,7 +137,7 @@ impl Setup {
     /// and ball R are not of the robot, and left empty.
     pub fn measure(
         &self,
-        robot: &Prexyt,
+        robot: &dyn RailTable,
         parameters: &[f64],
         homing: &mut Noise,
         mut measure: impl FnMut(Vector) -> Vector,
@@ -167,15 +167,19 @@ impl Setup {
             found.base.arc.push(measure(on_shaft([0.0, 0.0, rho3], along, across, height)));
         }
         let balls = |rho: [f64; 3]| {
-            let [k, l] = robot.balls(parameters, &rho);
-            [k, l].map(|[x, y]| [x, y, self.turn.target_height_mm])
+            [0, 1].map(|target| {
+                let [x, y, _] = robot.position(parameters, &rho, target);
+                [x, y, self.turn.target_height_mm]
+            })
         };
         let turn = self.turn;
         for i in 0..turn.count {
             let part = 2.0 * i as f64 / turn.count.saturating_sub(1).max(1) as f64 - 1.0;
             let theta_rad = part * turn.theta_deg.to_radians();
             let command = PlanarPose { x_mm: turn.at_mm[0], y_mm: turn.at_mm[1], theta_rad };
-            let rho = robot.inverse(&robot.nominal(), command);
+            let rho = robot.joints_at(&robot.nominal(), command);
+            let &[rho1, rho2, rho3] = &rho[..] else { continue };
+            let rho = [rho1, rho2, rho3];
             let [k, l] = balls(rho);
             let c = robot.centre(parameters, &rho);
             let i = [c[0] + turn.ball_mm[0], c[1] + turn.ball_mm[1], turn.ball_mm[2]];

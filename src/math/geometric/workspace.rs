@@ -1,14 +1,14 @@
 //! What the platform's centre C reaches (thesis 2.2.2).
 
-use crate::math::robots::{PlanarPose, Prexyt, Robot};
+use crate::math::robots::{PlanarPose, RailTable};
 
 /// A polygon, its corners counterclockwise; empty where nothing is reached.
 pub type Polygon = Vec<[f64; 2]>;
 
-/// A PreXYT with the travel of its actuators.
-#[derive(Clone, Copy, Debug)]
+/// A robot with the travel of its actuators.
+#[derive(Clone, Copy)]
 pub struct Workspace<'a> {
-    robot: &'a Prexyt,
+    robot: &'a dyn RailTable,
     parameters: &'a [f64],
     travel_mm: [f64; 3],
 }
@@ -18,13 +18,13 @@ const FAR_MM: f64 = 1e4;
 
 impl<'a> Workspace<'a> {
     /// That of a robot with these parameters; `None` where the travel of its actuators is not stated.
-    pub fn new(robot: &'a Prexyt, parameters: &'a [f64]) -> Option<Self> {
+    pub fn new(robot: &'a dyn RailTable, parameters: &'a [f64]) -> Option<Self> {
         Some(Self { robot, parameters, travel_mm: robot.travel_mm()? })
     }
 
     /// Whether the actuators reach a pose of the platform in the base frame.
     pub fn contains(&self, pose: PlanarPose) -> bool {
-        self.robot.beyond(self.parameters, &self.robot.inverse(self.parameters, pose)).is_none()
+        self.robot.limit_violation(self.parameters, &self.robot.joints_at(self.parameters, pose)).is_none()
     }
 
     /// Positions reached with the orientation `theta_rad`, in the base frame (mm).
@@ -42,7 +42,7 @@ impl<'a> Workspace<'a> {
     /// What is left of a polygon within the travel of every actuator: at one orientation, displacements are linear in
     /// x and y.
     fn cut(&self, mut polygon: Polygon, theta_rad: f64) -> Polygon {
-        let at = |x_mm: f64, y_mm: f64| self.robot.inverse(self.parameters, PlanarPose { x_mm, y_mm, theta_rad });
+        let at = |x_mm: f64, y_mm: f64| self.robot.joints_at(self.parameters, PlanarPose { x_mm, y_mm, theta_rad });
         let (origin, along_x, along_y) = (at(0.0, 0.0), at(1e3, 0.0), at(0.0, 1e3));
         for (i, end) in self.travel_mm.into_iter().enumerate() {
             let (a, b) = ((along_x[i] - origin[i]) / 1e3, (along_y[i] - origin[i]) / 1e3);
@@ -79,6 +79,7 @@ pub fn area_mm2(polygon: &[[f64; 2]]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::robots::{Prexyt, Robot};
 
     const TRAVEL_MM: [f64; 3] = [170.0, 300.0, 300.0];
 

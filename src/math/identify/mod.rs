@@ -163,8 +163,11 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
         }
     }
     let held = |name: &str| settings.hold.iter().any(|pattern| matches_pattern(pattern, name));
-    let unseen = |name: &str| settings.kind == ResidualKind::Pose && name == "l_kl";
-    Ok((0..robot.parameters().len())
-        .filter(|&i| !held(&robot.parameters()[i].name) && !unseen(&robot.parameters()[i].name))
-        .collect())
+    let unseen = unseen_by(robot, settings.kind);
+    Ok((0..robot.parameters().len()).filter(|&i| !held(&robot.parameters()[i].name) && unseen != Some(i)).collect())
+}
+
+/// The parameter that residuals of this kind do not show: of a pose, the distance of its two targets.
+fn unseen_by(robot: &dyn Robot, kind: ResidualKind) -> Option<usize> {
+    (kind == ResidualKind::Pose).then(|| robot.platform().map(|platform| platform.target_distance()))?
 }

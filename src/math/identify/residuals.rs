@@ -3,7 +3,7 @@
 use super::common::Common;
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
-use crate::math::robots::{Prexyt, Robot};
+use crate::math::robots::{Platform, Robot};
 use crate::math::solve::{Problem, Solution};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -25,7 +25,7 @@ pub(super) struct Residuals<'a> {
     pub robot: &'a dyn Robot,
     pub free: Vec<usize>,
     observations: &'a [Observation],
-    planar: Option<&'a Prexyt>,
+    platform: Option<&'a dyn Platform>,
     /// what makes residuals independent that are not
     common: Option<Common>,
     /// residuals are divided by this
@@ -47,23 +47,23 @@ impl<'a> Residuals<'a> {
         if free.is_empty() {
             return Err(Message::error("no parameter is left to identify").hint("hold fewer parameters").into());
         }
-        let planar = match settings.kind {
+        let platform = match settings.kind {
             ResidualKind::Targets => None,
-            ResidualKind::Pose => Some(robot.planar().ok_or_else(|| {
+            ResidualKind::Pose => Some(robot.platform().ok_or_else(|| {
                 Message::error(format!("`residuals = \"pose\"` is for planar robots, not for `{}`", robot.model()))
                     .hint("use `residuals = \"targets\"`")
             })?),
         };
         let rows = observations.iter().map(|o| {
             let measured = o.targets.iter().flatten().count();
-            if planar.is_some() { 3 * usize::from(measured == 2) } else { robot.dimension() * measured }
+            if platform.is_some() { 3 * usize::from(measured == 2) } else { robot.dimension() * measured }
         });
-        let unit = if planar.is_some() { 1.0 } else { settings.standard_uncertainty_mm.unwrap_or(1.0) };
+        let unit = if platform.is_some() { 1.0 } else { settings.standard_uncertainty_mm.unwrap_or(1.0) };
         Ok(Self {
             robot,
             free: free.to_vec(),
             observations,
-            planar,
+            platform,
             common: Common::new(observations, settings, robot.dimension()),
             unit,
             stated_noise: settings.standard_uncertainty_mm.map(|u| u / unit),
@@ -121,11 +121,11 @@ impl<'a> Residuals<'a> {
         parts
     }
 
-    /// For pose residuals: sensitivity of each residual to the coordinates of K and L, three rows of four per pose.
-    pub fn ball_sensitivities(&self, x: &[f64]) -> Option<Vec<[[f64; 4]; 3]>> {
-        let planar = self.planar?;
+    /// For pose residuals: sensitivity of each residual to the coordinates of both targets, three rows of four per pose.
+    pub fn target_sensitivities(&self, x: &[f64]) -> Option<Vec<[[f64; 4]; 3]>> {
+        let platform = self.platform?;
         let all = self.all(x);
-        let of = |o: &Observation| balls(o).map(|[k, l]| planar.pose_residual_jacobians(&all, &o.joints, k, l).1);
+        let of = |o: &Observation| both(o).map(|pair| platform.pose_error_jacobians(&all, &o.joints, pair).1);
         Some(self.observations.iter().filter_map(of).collect())
     }
 
@@ -136,10 +136,10 @@ impl<'a> Residuals<'a> {
         self.chunks(r, 1).into_par_iter().for_each(|(observations, mut r)| {
             let mut predicted = vec![0.0; dimension * self.robot.targets().len()];
             for o in observations {
-                if let Some(planar) = self.planar {
-                    if let Some([k, l]) = balls(o) {
+                if let Some(platform) = self.platform {
+                    if let Some(pair) = both(o) {
                         let (here, rest) = r.split_at_mut(3);
-                        here.copy_from_slice(&planar.pose_residual(&all, &o.joints, k, l));
+                        here.copy_from_slice(&platform.pose_error(&all, &o.joints, pair));
                         r = rest;
                     }
                     continue;
@@ -171,10 +171,10 @@ impl<'a> Residuals<'a> {
                 }
             };
             for o in observations {
-                if let Some(planar) = self.planar {
-                    if let Some([k, l]) = balls(o) {
+                if let Some(platform) = self.platform {
+                    if let Some(pair) = both(o) {
                         let (here, rest) = out.split_at_mut(3 * free.len());
-                        take(&planar.pose_residual_jacobians(&all, &o.joints, k, l).0, here);
+                        take(&platform.pose_error_jacobians(&all, &o.joints, pair).0, here);
                         out = rest;
                     }
                     continue;
@@ -192,8 +192,8 @@ impl<'a> Residuals<'a> {
     }
 }
 
-/// K and L in the plane, where both were measured.
-fn balls(o: &Observation) -> Option<[[f64; 2]; 2]> {
+/// Both targets in the plane, where both were measured.
+fn both(o: &Observation) -> Option<[[f64; 2]; 2]> {
     match o.targets[..] {
         [Some(k), Some(l)] => Some([[k[0], k[1]], [l[0], l[1]]]),
         _ => None,

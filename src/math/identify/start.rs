@@ -1,4 +1,4 @@
-//! Starting values: a tracker stands anywhere, so base and targets of a serial arm are found, not assumed.
+//! Starting values: a tracker stands anywhere, so base and targets of an arm are found, not assumed.
 //!
 //! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube, and the nominal one,
 //! are tried in closed form, the best few refined on a subset of the poses, and the best of those taken.
@@ -8,7 +8,7 @@ use super::residuals::Residuals;
 use super::{Observation, ResidualKind, Settings};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Pose, centroid, minus, norm};
-use crate::math::robots::{Robot, Role, Serial};
+use crate::math::robots::{FreeBase, Robot, Role};
 use crate::math::solve::{self, Factor, Options};
 use std::f64::consts::FRAC_PI_2;
 
@@ -17,18 +17,16 @@ const REFINED: usize = 4;
 /// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by millimetres.
 const UNEXPLAINED: f64 = 0.1;
 
-/// Starting values of all parameters: nominal, for serial arms with those of base and targets that are `wanted` found
+/// Starting values of all parameters: nominal, for robots with a free base with those of base and targets that are `wanted` found
 /// from the observations.
 pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[usize]) -> Result<Vec<f64>> {
     let nominal = robot.nominal();
-    let Some(serial) = robot.serial() else { return Ok(nominal) };
+    let Some(arm) = robot.free_base() else { return Ok(nominal) };
     let places: Vec<usize> = wanted.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
     let step = observations.len().div_ceil(SUBSET);
     let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
-    let mut candidates: Vec<(f64, Vec<f64>)> = rotations(&nominal, &places)
-        .iter()
-        .filter_map(|r| linear_start(serial, &subset, &nominal, &places, *r))
-        .collect();
+    let mut candidates: Vec<(f64, Vec<f64>)> =
+        rotations(&nominal, &places).iter().filter_map(|r| linear_start(arm, &subset, &nominal, &places, *r)).collect();
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
     let settings = Settings {
         kind: ResidualKind::Targets,
@@ -115,7 +113,7 @@ fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
 /// With the rotation of the base given by its angles: p = b + R (R_i r_k + t_i) is linear in the place b of the base and
 /// the targets r_k; those of them not in `places` keep their nominal values. Gives the cost and all parameters.
 fn linear_start(
-    serial: &Serial,
+    arm: &dyn FreeBase,
     subset: &[Observation],
     nominal: &[f64],
     places: &[usize],
@@ -127,10 +125,10 @@ fn linear_start(
     let free: Vec<usize> = places.iter().copied().filter(|i| !(3..6).contains(i)).collect();
     let (mut a, mut b) = (Vec::new(), Vec::new());
     for o in subset {
-        let flange = serial.direct(&values, &o.joints);
+        let flange = arm.flange(&values, &o.joints);
         for (k, measured) in o.targets.iter().enumerate() {
             let Some(measured) = measured else { continue };
-            let place = serial.target_place(k);
+            let place = arm.target_place(k);
             for (i, p) in measured.iter().enumerate() {
                 let coefficient = |j: usize| match j {
                     0..3 => f64::from(u8::from(i == j)),

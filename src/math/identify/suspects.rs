@@ -1,7 +1,7 @@
 //! Measurements that look mislabelled or wrong: what a fit leaves of them in which outliers pull less.
 
 use super::residuals::Residuals;
-use super::{Identification, Observation, ResidualKind, Settings};
+use super::{Identification, Observation, ResidualKind, Settings, unseen_by};
 use crate::base::message::Message;
 use crate::base::pose::{minus, norm};
 use crate::math::robots::{Robot, Role};
@@ -28,7 +28,7 @@ pub fn suspects(
     found: &Identification,
 ) -> Option<Message> {
     let mut free = found.free.clone();
-    free.extend(robot.index("l_kl").filter(|i| settings.kind == ResidualKind::Pose && !free.contains(i)));
+    free.extend(unseen_by(robot, settings.kind).filter(|i| !found.free.contains(i)));
     let values = robust(robot, observations, &free, &found.values)?;
     // the worst repeat of each target of each pose
     let mut worst: BTreeMap<(i64, usize), (f64, i64)> = BTreeMap::new();

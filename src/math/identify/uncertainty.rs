@@ -215,7 +215,7 @@ fn by_pose(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option
 /// Covariance of unweighted pose residuals whose noise comes from the balls: A⁻¹ (Σ Jᵀ S Sᵀ J u²) A⁻¹ with A = JᵀJ; and
 /// the least chi-square that the linear model reaches with the residuals weighted by (S Sᵀ u²)⁻¹.
 fn pose_covariance(problem: &Residuals, solution: &Solution, jacobian: &[f64], u: f64) -> Option<(Vec<f64>, f64)> {
-    let sensitivities = problem.ball_sensitivities(&solution.x)?;
+    let sensitivities = problem.target_sensitivities(&solution.x)?;
     let n = solution.x.len();
     let inverse = DMatrix::from_row_slice(n, n, &solution.covariance()?);
     let mut middle = DMatrix::zeros(n, n);

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 pub struct Candidates {
     /// In the order of the table; those of one pose stand together.
     pub observations: Vec<Observation>,
-    /// Tells which are left out because they are out of reach with nominal parameters ([`Robot::beyond`]).
+    /// Tells which are left out because they are out of reach with nominal parameters ([`Robot::limit_violation`]).
     pub beyond: Option<Message>,
 }
 
@@ -25,7 +25,7 @@ pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates
     let mut beyond = Vec::new();
     let mut by_pose: BTreeMap<i64, Vec<Observation>> = BTreeMap::new();
     for o in all {
-        match robot.beyond(&nominal, &o.joints) {
+        match robot.limit_violation(&nominal, &o.joints) {
             Some(why) => beyond.push(format!("pose {} ({why})", o.pose)),
             None => by_pose.entry(o.pose).or_default().push(o),
         }
@@ -99,7 +99,7 @@ fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[i64]) -> Result
     let nominal = robot.nominal();
     let mut all = Vec::new();
     for (&pose, position) in poses.iter().zip(table::coordinates(table)?) {
-        for joints in robot.configurations(&nominal, position) {
+        for joints in robot.inverse_all(&nominal, position).unwrap_or_default() {
             all.push(Observation { pose, cycle: 1, joints, targets: vec![Some(position); robot.targets().len()] });
         }
     }

@@ -93,11 +93,10 @@ pub struct Definition {
 }
 
 impl Definition {
-    /// The same definition with other nominal values.
-    pub fn with_nominal(mut self, values: &[f64]) -> Self {
+    /// Takes other nominal values.
+    pub fn set_nominal(&mut self, values: &[f64]) {
         for (parameter, value) in self.parameters.iter_mut().zip(values) {
             parameter.nominal = *value;
         }
-        self
     }
 }

@@ -5,18 +5,15 @@
 
 mod definition;
 mod five_bar;
-mod five_bar_reach;
 mod prexyt;
 mod serial;
-mod serial_chain;
 
 pub use definition::{Definition, Joint, Parameter, Quantity, Role};
-pub use five_bar::{FiveBar, Linkage, WORKING_MODES};
-pub use five_bar_reach::{Configuration, Reach, SingularityDistance};
-pub use prexyt::{PlanarPose, Prexyt};
+pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
+pub use prexyt::Prexyt;
 pub use serial::{Serial, SerialJoint};
 
-use crate::base::pose::Vector;
+use crate::base::pose::{Pose, Vector};
 
 /// A robot whose targets are seen by a measuring system.
 pub trait Robot: Send + Sync {
@@ -25,6 +22,18 @@ pub trait Robot: Send + Sync {
 
     /// Parameters, joints and targets.
     fn definition(&self) -> &Definition;
+
+    /// The same, to be changed.
+    fn definition_mut(&mut self) -> &mut Definition;
+
+    /// The same robot with other nominal values.
+    fn with_nominal(mut self, values: &[f64]) -> Self
+    where
+        Self: Sized,
+    {
+        self.definition_mut().set_nominal(values);
+        self
+    }
 
     /// The parameters, in the order in which every slice of parameters comes.
     fn parameters(&self) -> &[Parameter] {
@@ -56,33 +65,39 @@ pub trait Robot: Send + Sync {
         false
     }
 
-    /// Joint values of every way to bring the only target to a position in the world, where the model knows.
-    fn configurations(&self, _parameters: &[f64], _position: Vector) -> Vec<Vec<f64>> {
-        Vec::new()
-    }
-
-    /// Joint values (and the assembly mode behind them) that bring the only target to a position in the world, the way that
-    /// is nearest to the joint values `near`; `None` where it is out of reach or the model does not know.
-    fn reach(&self, _parameters: &[f64], _near: &[f64], _position: Vector) -> Option<Vec<f64>> {
+    /// Joint values (and the assembly mode behind them) of every way to bring the only target to a position in the world;
+    /// `None` for models whose inverse does not hold everywhere.
+    fn inverse_all(&self, _parameters: &[f64], _position: Vector) -> Option<Vec<Vec<f64>>> {
         None
     }
 
-    /// Why the robot cannot go to joint values (and the assembly mode behind them), where limits are stated and they are beyond.
-    fn beyond(&self, _parameters: &[f64], _joints: &[f64]) -> Option<String> {
+    /// Of [`Self::inverse_all`] the way that is nearest to the joint values `near`, whatever its limits; `None` where the
+    /// position is out of reach.
+    fn inverse(&self, _parameters: &[f64], _near: &[f64], _position: Vector) -> Option<Vec<f64>> {
         None
     }
 
-    /// The planar model, for robots that have one: pose residuals (eq. 3.26) and orientation errors need it.
-    fn planar(&self) -> Option<&Prexyt> {
+    /// Which limit that the robot file states joint values (and the assembly mode behind them) violate, if one.
+    fn limit_violation(&self, _parameters: &[f64], _joints: &[f64]) -> Option<String> {
         None
     }
 
-    /// The serial model, for robots that are serial: base and targets are searched from anywhere.
-    fn serial(&self) -> Option<&Serial> {
+    /// Robots whose platform has a pose in the plane that two targets show.
+    fn platform(&self) -> Option<&dyn Platform> {
         None
     }
 
-    /// What to measure so that these parameters can be told apart, where the model knows.
+    /// Robots that the geometric method calibrates.
+    fn rail_table(&self) -> Option<&dyn RailTable> {
+        None
+    }
+
+    /// Robots in space whose base is anywhere in the world.
+    fn free_base(&self) -> Option<&dyn FreeBase> {
+        None
+    }
+
+    /// What to measure so that these parameters become separately identifiable, where a model has an answer.
     fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
         None
     }
@@ -106,4 +121,70 @@ pub trait Robot: Send + Sync {
         p[..d].copy_from_slice(&all[target * d..][..d]);
         p
     }
+}
+
+/// Position (mm) and orientation (rad) in the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarPose<T = f64> {
+    /// x in millimetres.
+    pub x_mm: T,
+    /// y in millimetres.
+    pub y_mm: T,
+    /// Orientation in radians.
+    pub theta_rad: T,
+}
+
+/// A platform that moves in the plane: its pose in the base frame follows from the joints, and from its two targets.
+pub trait Platform: Robot {
+    /// Pose at joint values.
+    fn pose(&self, parameters: &[f64], joints: &[f64]) -> PlanarPose;
+
+    /// Joint values for a pose, whatever their limits.
+    fn joints_at(&self, parameters: &[f64], pose: PlanarPose) -> Vec<f64>;
+
+    /// A point of the world in the base frame.
+    fn in_base(&self, parameters: &[f64], world: [f64; 2]) -> [f64; 2];
+
+    /// Pose as the two targets show it.
+    fn measured_pose(&self, parameters: &[f64], targets: [[f64; 2]; 2]) -> PlanarPose;
+
+    /// Estimated minus measured pose (mm, mm, rad).
+    fn pose_error(&self, parameters: &[f64], joints: &[f64], targets: [[f64; 2]; 2]) -> [f64; 3];
+
+    /// Derivatives of [`Self::pose_error`]: by the parameters (3 rows of all parameters) and by the coordinates of the
+    /// targets (3 rows of 4).
+    fn pose_error_jacobians(
+        &self,
+        parameters: &[f64],
+        joints: &[f64],
+        targets: [[f64; 2]; 2],
+    ) -> (Vec<f64>, [[f64; 4]; 3]);
+
+    /// Index of the parameter that is the distance of the two targets: no pose shows it.
+    fn target_distance(&self) -> usize;
+}
+
+/// A platform on carriages that run on rails, as the geometric method calibrates it (thesis, chapter 2).
+pub trait RailTable: Platform {
+    /// How far each actuator goes from zero, where that is stated.
+    fn travel_mm(&self) -> Option<[f64; 3]>;
+
+    /// How far a carriage travels along x and y for each millimetre commanded: actuator 1, 2 or 3.
+    fn travel(&self, parameters: &[f64], actuator: usize) -> [f64; 2];
+
+    /// Axes of revolute joints 2 and 3 in the world.
+    fn pivots(&self, parameters: &[f64], joints: &[f64; 3]) -> [[f64; 2]; 2];
+
+    /// Centre C of the platform in the world.
+    fn centre(&self, parameters: &[f64], joints: &[f64; 3]) -> [f64; 2];
+}
+
+/// A robot in space whose base and targets are found from the observations: its first six parameters are `base_x`,
+/// `base_y`, `base_z`, `base_rx`, `base_ry`, `base_rz`, and each target has three, its place on the flange.
+pub trait FreeBase: Robot {
+    /// Pose of the flange in the world.
+    fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose;
+
+    /// Index of the first parameter of a target.
+    fn target_place(&self, target: usize) -> usize;
 }

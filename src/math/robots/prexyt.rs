@@ -3,19 +3,8 @@
 //! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
 //! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
 
-use super::{Definition, Joint, Parameter, Quantity, Robot, Role};
+use super::{Definition, Joint, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot, Role};
 use crate::base::scalar::{Dual, Scalar, constants, duals};
-
-/// Position (mm) and orientation (rad) in the plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanarPose<T = f64> {
-    /// x in millimetres.
-    pub x_mm: T,
-    /// y in millimetres.
-    pub y_mm: T,
-    /// Orientation in radians.
-    pub theta_rad: T,
-}
 
 const PARAMETERS: usize = 16;
 /// Names, quantities, roles and nominal values (thesis, table 3.3; l_kl is twice the nominal x_C).
@@ -68,21 +57,10 @@ impl Prexyt {
         Self { definition: Definition { parameters, joints: joints.into(), targets }, full, travel_mm: None }
     }
 
-    /// The same robot with other nominal values, names of targets kept.
-    pub fn with_nominal(mut self, values: &[f64]) -> Self {
-        self.definition = self.definition.with_nominal(values);
-        self
-    }
-
     /// The same robot with actuators that go from zero to these displacements.
     pub fn with_travel(mut self, travel_mm: [f64; 3]) -> Self {
         self.travel_mm = Some(travel_mm);
         self
-    }
-
-    /// How far each actuator goes from zero, where that is stated.
-    pub fn travel_mm(&self) -> Option<[f64; 3]> {
-        self.travel_mm
     }
 
     /// delta and d of the reduced model (section 3.4, below eq. 3.10).
@@ -117,30 +95,6 @@ impl Prexyt {
         let reach3 = p[12] * rho[2];
         let second = [T::from(0.0), p[11] * rho[1]];
         [second, [s - reach3 * sin_beta - d3 * beta.tan(), reach3 * cos_beta + d3]]
-    }
-
-    /// Axes of revolute joints 2 and 3 in the world.
-    pub fn pivots(&self, p: &[f64], rho: &[f64; 3]) -> [[f64; 2]; 2] {
-        self.revolutes(p, rho).map(|[x, y]| [x + p[8], y + p[9]])
-    }
-
-    /// Centre C of the platform in the world.
-    pub fn centre(&self, p: &[f64], rho: &[f64; 3]) -> [f64; 2] {
-        let pose = self.direct(p, rho);
-        [pose.x_mm + p[8], pose.y_mm + p[9]]
-    }
-
-    /// How far a carriage travels for each millimetre commanded, along x and y: actuator 1, 2 or 3 (eq. 3.7). Without
-    /// alpha, actuator 1 travels delta along x: what C shows of it.
-    pub fn travel(&self, p: &[f64], actuator: usize) -> [f64; 2] {
-        match actuator {
-            1 => {
-                let (sin, cos) = p.get(14).filter(|_| self.full).map_or((0.0, 1.0), |alpha| alpha.sin_cos());
-                [p[10] * cos, p[10] * sin]
-            }
-            2 => [0.0, p[11]],
-            _ => [-p[12] * p[0].sin(), p[12] * p[0].cos()],
-        }
     }
 
     /// Inverse kinematics: actuator values for a pose of the platform in the base frame (eq. 3.12 to 3.14).
@@ -183,22 +137,6 @@ impl Prexyt {
         let (estimated, measured) = (self.direct(p, rho), self.measured(p, k, l));
         [estimated.x_mm - measured.x_mm, estimated.y_mm - measured.y_mm, wrap(estimated.theta_rad - measured.theta_rad)]
     }
-
-    /// Derivatives of [`Self::pose_residual`]: by the parameters (3 rows of all parameters) and by the coordinates
-    /// of K and L (3 rows of 4).
-    pub fn pose_residual_jacobians(
-        &self,
-        p: &[f64],
-        rho: &[f64],
-        k: [f64; 2],
-        l: [f64; 2],
-    ) -> (Vec<f64>, [[f64; 4]; 3]) {
-        let by_parameters =
-            self.pose_residual(&duals::<PARAMETERS>(p), &constants(rho), k.map(Dual::from), l.map(Dual::from));
-        let balls = duals::<4>(&[k[0], k[1], l[0], l[1]]);
-        let by_balls = self.pose_residual(&constants(p), &constants(rho), [balls[0], balls[1]], [balls[2], balls[3]]);
-        (by_parameters.iter().flat_map(|r| &r.gradient[..p.len()]).copied().collect(), by_balls.map(|r| r.gradient))
-    }
 }
 
 /// An angle difference brought to (−π, π], derivative kept.
@@ -214,6 +152,9 @@ impl Robot for Prexyt {
     fn definition(&self) -> &Definition {
         &self.definition
     }
+    fn definition_mut(&mut self) -> &mut Definition {
+        &mut self.definition
+    }
     fn dimension(&self) -> usize {
         2
     }
@@ -226,18 +167,74 @@ impl Robot for Prexyt {
             row.copy_from_slice(&value.gradient[..parameters.len()]);
         }
     }
-    fn beyond(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
+    fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
         let ends = self.travel_mm?;
         let off = |(_, (rho, end)): &(usize, (&f64, f64))| !(0.0..=*end).contains(*rho);
         let (i, (rho, end)) = joints.iter().zip(ends).enumerate().find(off)?;
         Some(format!("rho{} = {rho} mm, its travel is 0 to {end} mm", i + 1))
     }
-    fn planar(&self) -> Option<&Prexyt> {
+    fn platform(&self) -> Option<&dyn Platform> {
+        Some(self)
+    }
+    fn rail_table(&self) -> Option<&dyn RailTable> {
         Some(self)
     }
     fn remedy(&self, names: &[&str]) -> Option<&'static str> {
-        // d and x_c act along x and x': only different |theta| tell them apart
+        // d and x_c act along x and x': only different |theta| separate them
         (names.contains(&"x_c") && (names.contains(&"d") || names.contains(&"d1")))
             .then_some("measure poses with different |theta|, e.g. 0 and the largest the table reaches")
+    }
+}
+
+impl Platform for Prexyt {
+    fn pose(&self, p: &[f64], joints: &[f64]) -> PlanarPose {
+        self.direct(p, joints)
+    }
+    fn joints_at(&self, p: &[f64], pose: PlanarPose) -> Vec<f64> {
+        self.inverse(p, pose).to_vec()
+    }
+    fn in_base(&self, p: &[f64], [x, y]: [f64; 2]) -> [f64; 2] {
+        [x - p[8], y - p[9]]
+    }
+    fn measured_pose(&self, p: &[f64], [k, l]: [[f64; 2]; 2]) -> PlanarPose {
+        self.measured(p, k, l)
+    }
+    fn pose_error(&self, p: &[f64], joints: &[f64], [k, l]: [[f64; 2]; 2]) -> [f64; 3] {
+        self.pose_residual(p, joints, k, l)
+    }
+    fn pose_error_jacobians(&self, p: &[f64], joints: &[f64], [k, l]: [[f64; 2]; 2]) -> (Vec<f64>, [[f64; 4]; 3]) {
+        let by_parameters =
+            self.pose_residual(&duals::<PARAMETERS>(p), &constants(joints), k.map(Dual::from), l.map(Dual::from));
+        let balls = duals::<4>(&[k[0], k[1], l[0], l[1]]);
+        let by_balls =
+            self.pose_residual(&constants(p), &constants(joints), [balls[0], balls[1]], [balls[2], balls[3]]);
+        (by_parameters.iter().flat_map(|r| &r.gradient[..p.len()]).copied().collect(), by_balls.map(|r| r.gradient))
+    }
+    fn target_distance(&self) -> usize {
+        13
+    }
+}
+
+impl RailTable for Prexyt {
+    fn travel_mm(&self) -> Option<[f64; 3]> {
+        self.travel_mm
+    }
+    fn pivots(&self, p: &[f64], rho: &[f64; 3]) -> [[f64; 2]; 2] {
+        self.revolutes(p, rho).map(|[x, y]| [x + p[8], y + p[9]])
+    }
+    fn centre(&self, p: &[f64], rho: &[f64; 3]) -> [f64; 2] {
+        let pose = self.direct(p, rho);
+        [pose.x_mm + p[8], pose.y_mm + p[9]]
+    }
+    // eq. 3.7; without alpha, actuator 1 travels delta along x: what C shows of it
+    fn travel(&self, p: &[f64], actuator: usize) -> [f64; 2] {
+        match actuator {
+            1 => {
+                let (sin, cos) = p.get(14).filter(|_| self.full).map_or((0.0, 1.0), |alpha| alpha.sin_cos());
+                [p[10] * cos, p[10] * sin]
+            }
+            2 => [0.0, p[11]],
+            _ => [-p[12] * p[0].sin(), p[12] * p[0].cos()],
+        }
     }
 }

@@ -1,9 +1,13 @@
 //! Serial arms: modified Denavit-Hartenberg parameters (Craig 1986) with Hayati's angle for near-parallel axes
 //! (Hayati & Mirmirani 1985), joint offsets and gains, optionally bending under gravity and coupling of the wrist.
+//!
+//! A chain is a sequence of elementary motions, each linear in the parameters once the joints are known. Position and
+//! Jacobian come from the same sequence: the derivative by a rotation is axis × lever, by a translation the axis (Corke,
+//! "A simple and systematic approach to assigning Denavit–Hartenberg parameters", 2007).
 
-use super::serial_chain::{Chain, Motion, velocity};
-use super::{Definition, Joint, Parameter, Quantity, Robot, Role};
-use crate::base::pose::{Pose, Vector, cross, dot, minus, unit};
+use super::{Definition, FreeBase, Joint, Parameter, Quantity, Robot, Role};
+use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use crate::base::scalar::Scalar;
 use crate::math::solve;
 
 /// Nominal modified Denavit-Hartenberg parameters of one joint: Rx(alpha) Tx(a) [Ry(beta)] Rz(theta + q) Tz(d).
@@ -113,27 +117,11 @@ impl Serial {
         }
     }
 
-    /// The same arm with other nominal values.
-    pub fn with_nominal(mut self, values: &[f64]) -> Self {
-        self.definition = self.definition.with_nominal(values);
-        self
-    }
-
     /// The same arm with base_rx, base_ry, base_rz counted after a turn of the world about its y axis, so that a base
     /// whose x axis stands upright in the world is not at the singularity of the three angles.
     pub fn with_base_turn_y(mut self, angle_rad: f64) -> Self {
         self.base_turn_y_rad = angle_rad;
         self
-    }
-
-    /// The turn of [`Self::with_base_turn_y`].
-    pub fn base_turn_y_rad(&self) -> f64 {
-        self.base_turn_y_rad
-    }
-
-    /// Index of the first parameter of a target.
-    pub fn target_place(&self, target: usize) -> usize {
-        6 + 3 * target
     }
 
     /// The motions from the world to the flange at joint values `q` (rad or mm).
@@ -202,7 +190,7 @@ impl Serial {
     }
 
     /// The generic form of [`Robot::positions`]: positions of all targets in the world.
-    pub fn target_positions<T: crate::base::scalar::Scalar>(&self, parameters: &[T], q: &[f64]) -> Vec<Vector<T>> {
+    pub fn target_positions<T: Scalar>(&self, parameters: &[T], q: &[f64]) -> Vec<Vector<T>> {
         let flange = self.chain(q).flange(parameters);
         (0..self.targets().len())
             .map(|k| {
@@ -228,8 +216,7 @@ impl Serial {
             let b: Vec<f64> = gap.iter().chain(&small.map(|v| v * 1000.0)).copied().collect();
             let mut a = vec![0.0; 6 * q.len()];
             for (j, place) in self.places.iter().enumerate() {
-                let has_gain =
-                    |s: &&super::serial_chain::Step| chain.terms[s.terms.clone()].iter().any(|t| t.0 == place.gain);
+                let has_gain = |s: &&Step| chain.terms[s.terms.clone()].iter().any(|t| t.0 == place.gain);
                 let k = chain.steps.iter().position(|s| has_gain(&s))?;
                 let linear = velocity(chain.steps[k].motion, axes[k], reached.translation_mm);
                 let angular = if matches!(chain.steps[k].motion, Motion::Turn(_)) { axes[k].0 } else { [0.0; 3] };
@@ -248,7 +235,7 @@ impl Serial {
             }
         }
         let reached = self.direct(parameters, &q);
-        let off = crate::base::pose::norm(minus(world_T_flange.translation_mm, reached.translation_mm));
+        let off = norm(minus(world_T_flange.translation_mm, reached.translation_mm));
         let turned = world_T_flange.inverse().then(&reached).angle_rad();
         (off < 1e-9 && turned < 1e-12).then_some(q)
     }
@@ -260,6 +247,9 @@ impl Robot for Serial {
     }
     fn definition(&self) -> &Definition {
         &self.definition
+    }
+    fn definition_mut(&mut self) -> &mut Definition {
+        &mut self.definition
     }
     fn dimension(&self) -> usize {
         3
@@ -295,7 +285,89 @@ impl Robot for Serial {
             }
         }
     }
-    fn serial(&self) -> Option<&Serial> {
+    fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)
+    }
+}
+
+impl FreeBase for Serial {
+    fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose {
+        self.direct(parameters, joints)
+    }
+    fn target_place(&self, target: usize) -> usize {
+        6 + 3 * target
+    }
+}
+
+/// A rotation about, or a translation along, an axis of the moving frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Motion {
+    /// Rotation about axis 0, 1 or 2, in radians.
+    Turn(usize),
+    /// Translation along axis 0, 1 or 2, in millimetres.
+    Shift(usize),
+}
+
+/// One motion by `constant` + Σ coefficient · parameter.
+#[derive(Clone, Debug)]
+struct Step {
+    motion: Motion,
+    constant: f64,
+    /// Range of this step in [`Chain::terms`].
+    terms: std::ops::Range<usize>,
+}
+
+/// The motions from the world to the flange for one set of joint values.
+#[derive(Clone, Debug, Default)]
+struct Chain {
+    steps: Vec<Step>,
+    /// (parameter, coefficient)
+    terms: Vec<(usize, f64)>,
+}
+
+impl Chain {
+    /// Adds a motion by `constant` + Σ coefficient · parameter.
+    fn push(&mut self, motion: Motion, constant: f64, terms: impl IntoIterator<Item = (usize, f64)>) {
+        let first = self.terms.len();
+        self.terms.extend(terms);
+        self.steps.push(Step { motion, constant, terms: first..self.terms.len() });
+    }
+
+    /// Amount of a step.
+    fn amount<T: Scalar>(&self, step: &Step, p: &[T]) -> T {
+        let start = T::from(step.constant);
+        self.terms[step.terms.clone()].iter().fold(start, |sum, &(i, c)| sum + p[i] * c)
+    }
+
+    /// Pose of the flange in the world.
+    fn flange<T: Scalar>(&self, p: &[T]) -> Pose<T> {
+        self.steps.iter().fold(Pose::identity(), |pose, step| advance(pose, step.motion, self.amount(step, p)))
+    }
+
+    /// Pose of the flange, and of each step its axis in the world with a point on it before the motion.
+    fn trace(&self, p: &[f64], axes: &mut Vec<(Vector, Vector)>) -> Pose {
+        axes.clear();
+        self.steps.iter().fold(Pose::identity(), |pose, step| {
+            let (Motion::Turn(axis) | Motion::Shift(axis)) = step.motion;
+            axes.push((pose.axis(axis), pose.translation_mm));
+            advance(pose, step.motion, self.amount(step, p))
+        })
+    }
+}
+
+fn advance<T: Scalar>(pose: Pose<T>, motion: Motion, amount: T) -> Pose<T> {
+    match motion {
+        Motion::Turn(0) => pose.turn_x(amount),
+        Motion::Turn(1) => pose.turn_y(amount),
+        Motion::Turn(_) => pose.turn_z(amount),
+        Motion::Shift(axis) => pose.shift(axis, amount),
+    }
+}
+
+/// Velocity of a point of the flange when a step moves by one.
+fn velocity(motion: Motion, (axis, origin): (Vector, Vector), point: Vector) -> Vector {
+    match motion {
+        Motion::Turn(_) => cross(axis, minus(point, origin)),
+        Motion::Shift(_) => axis,
     }
 }

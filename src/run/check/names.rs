@@ -95,7 +95,7 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
         }
     }
     let drawn = campaign.file.geometric.as_ref().is_some_and(|g| g.workspace.is_some());
-    if drawn && robot.planar().is_some_and(|planar| planar.travel_mm().is_none()) {
+    if drawn && robot.rail_table().is_some_and(|table| table.travel_mm().is_none()) {
         let message = Message::error("the workspace needs the travel of the actuators");
         let message = message.at(campaign.place_of(&["geometric", "workspace"]));
         problems.0.push(message.hint("state [reach] with `travel_mm = [..., ..., ...]` in robot.toml"));

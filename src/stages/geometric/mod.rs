@@ -13,7 +13,7 @@ use crate::import::Point;
 use crate::iso9283::repeatability::pose_repeatability;
 use crate::math::geometric::{self, Geometry, Repeated, Scatter, Uncertain, Workspace, scale_bar};
 use crate::math::identify::Identification;
-use crate::math::robots::{Prexyt, Robot};
+use crate::math::robots::{RailTable, Robot};
 use crate::stages::evaluate::Sets;
 
 /// Finds the robot by geometry alone, and sets it beside what was identified from the same campaign; `None` where the
@@ -26,7 +26,8 @@ pub fn calibrate(
     identified: &Identification,
 ) -> Result<Option<GeometricDocument>> {
     let Some(definition) = &campaign.file.geometric else { return Ok(None) };
-    let planar = robot.planar().filter(|r| r.model() == "prexyt").ok_or_else(|| {
+    // the model before its reduction has no d and delta of which geometry alone gives a value
+    let table = robot.rail_table().filter(|r| r.index("d").is_some()).ok_or_else(|| {
         Message::error("[geometric] is the geometric calibration of a PreXYT").expected("a robot with model `prexyt`")
     })?;
     let Gathered { robot: measured, bars, balls } = gather(campaign, definition, points)?;
@@ -34,7 +35,7 @@ pub fn calibrate(
     let quantities = quantities(&found);
     let value = |name: &str| quantities.iter().find(|q| q.0 == name).map(|q| q.1.value);
     let with = |set: &dyn Fn(&str) -> Option<f64>| -> Vec<f64> {
-        planar.parameters().iter().map(|p| set(&p.name).unwrap_or(p.nominal)).collect()
+        table.parameters().iter().map(|p| set(&p.name).unwrap_or(p.nominal)).collect()
     };
     // all are judged in the base frame that was found first (thesis 2.7)
     let before = with(&|name| value(name).filter(|_| name == "x_o" || name == "y_o"));
@@ -42,7 +43,7 @@ pub fn calibrate(
         "beta" | "gamma" | "epsilon_theta" => Some(0.0),
         _ => value(name),
     });
-    let tables = tables::tables(campaign, definition, planar, sets, [&before, &geometric, &identified.values])?;
+    let tables = tables::tables(campaign, definition, table, sets, [&before, &geometric, &identified.values])?;
     let methods = tables::methods(&tables);
     let mut steps = vec![step("plane of the rails", &found.base.plane.scatter, None)];
     steps.push(step("arc of ball N about O", &found.base.arc.scatter, Some(found.base.arc.coverage_deg)));
@@ -76,7 +77,7 @@ pub fn calibrate(
                      more than the instrument states, theirs. Errors are means of measured minus predicted pose, before \
                      and geometric in the base frame found geometrically"
             .to_owned(),
-        quantities: quantities.iter().map(|q| quantity(q, &found, planar, identified)).collect(),
+        quantities: quantities.iter().map(|q| quantity(q, &found, robot, identified)).collect(),
         covariance: covariance(&quantities, &found),
         messages: steps.iter().filter_map(scatter_message).collect(),
         leads: leads(definition, &found),
@@ -85,7 +86,7 @@ pub fn calibrate(
         balls: balls?,
         tables,
         methods,
-        workspace: workspace(definition, planar, &geometric),
+        workspace: workspace(definition, table, &geometric),
     }))
 }
 
@@ -103,7 +104,7 @@ fn quantities(found: &Geometry) -> Vec<Quantity<'_>> {
     all
 }
 
-fn quantity(q: &Quantity, found: &Geometry, robot: &Prexyt, identified: &Identification) -> GeometricQuantity {
+fn quantity(q: &Quantity, found: &Geometry, robot: &dyn Robot, identified: &Identification) -> GeometricQuantity {
     let &(name, x, repeated) = q;
     let i = robot.index(name).unwrap_or_default();
     let parameter = &robot.parameters()[i];
@@ -191,7 +192,7 @@ fn leads(definition: &GeometricDefinition, found: &Geometry) -> Vec<LeadResult> 
     (1..=3).filter_map(result).collect()
 }
 
-fn workspace(definition: &GeometricDefinition, robot: &Prexyt, parameters: &[f64]) -> Vec<Region> {
+fn workspace(definition: &GeometricDefinition, robot: &dyn RailTable, parameters: &[f64]) -> Vec<Region> {
     let (Some(wanted), Some(reached)) = (definition.workspace, Workspace::new(robot, parameters)) else {
         return Vec::new();
     };

@@ -5,7 +5,7 @@ use crate::campaign::{Campaign, GeometricDefinition, Selection};
 use crate::document::{MeanError, MethodErrors, PoseRow, PoseTable};
 use crate::math::geometric::mean_and_deviation;
 use crate::math::identify::Observation;
-use crate::math::robots::{Prexyt, Robot};
+use crate::math::robots::Platform;
 use crate::stages::evaluate::Sets;
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 pub(super) fn tables(
     campaign: &Campaign,
     definition: &GeometricDefinition,
-    robot: &Prexyt,
+    robot: &dyn Platform,
     sets: &Sets,
     parameters: [&[f64]; 3],
 ) -> Result<Vec<PoseTable>> {
@@ -38,12 +38,12 @@ pub(super) fn tables(
 }
 
 /// Mean errors of one pose; `None` where K and L were never measured together.
-fn row(robot: &Prexyt, pose: i64, observed: &[&Observation], parameters: [&[f64]; 3]) -> Option<PoseRow> {
+fn row(robot: &dyn Platform, pose: i64, observed: &[&Observation], parameters: [&[f64]; 3]) -> Option<PoseRow> {
     let errors = |p: &[f64]| -> Vec<[f64; 3]> {
         let error = |o: &&Observation| {
             let [Some(k), Some(l)] = o.targets[..] else { return None };
             // estimated minus measured, turned round
-            Some(robot.pose_residual(p, &o.joints, [k[0], k[1]], [l[0], l[1]]).map(|r| -r))
+            Some(robot.pose_error(p, &o.joints, [[k[0], k[1]], [l[0], l[1]]]).map(|r| -r))
         };
         observed.iter().filter_map(error).collect()
     };
@@ -56,7 +56,7 @@ fn row(robot: &Prexyt, pose: i64, observed: &[&Observation], parameters: [&[f64]
         Some((mean, x.1.max(y.1), all.len()))
     };
     let [before, geometric, identified] = parameters;
-    let command = robot.direct(&robot.nominal(), &observed.first()?.joints);
+    let command = robot.pose(&robot.nominal(), &observed.first()?.joints);
     let (geometric, standard_deviation_mm, count) = mean(geometric)?;
     Some(PoseRow {
         pose,

@@ -13,7 +13,7 @@ const ASSEMBLY: &str = "assembly";
 /// Fills in joint values of every place, and which places are not reached and why. Models without an inverse that holds
 /// everywhere are refused.
 pub fn reach(document: &mut Iso9283PlanDocument, robot: &dyn Robot) -> Result<()> {
-    if robot.planar().is_none() && !robot.has_assembly_modes() {
+    if robot.platform().is_none() && robot.inverse_all(&robot.nominal(), [0.0; 3]).is_none() {
         let message =
             Message::error(format!("what a robot of model `{}` reaches its file does not state", robot.model()));
         return Err(message.hint("leave --robot out, and try the places on the robot at low speed").into());
@@ -44,20 +44,21 @@ pub fn reach(document: &mut Iso9283PlanDocument, robot: &dyn Robot) -> Result<()
 
 /// Joint values of every way to a place that is within the limits.
 fn ways(robot: &dyn Robot, point: &BTreeMap<String, f64>) -> Vec<Vec<f64>> {
-    match robot.planar() {
-        Some(_) => platform(robot, point).filter(|q| robot.beyond(&robot.nominal(), q).is_none()).into_iter().collect(),
-        None => robot.configurations(&robot.nominal(), position(point)),
+    let within = |q: &Vec<f64>| robot.limit_violation(&robot.nominal(), q).is_none();
+    match robot.platform() {
+        Some(_) => at_pose(robot, point).filter(within).into_iter().collect(),
+        None => robot.inverse_all(&robot.nominal(), position(point)).unwrap_or_default(),
     }
 }
 
-/// Actuator values that bring the platform of a planar table to a place, wherever the actuators end.
-fn platform(robot: &dyn Robot, point: &BTreeMap<String, f64>) -> Option<Vec<f64>> {
-    let (planar, parameters) = (robot.planar()?, robot.nominal());
-    let at = |name: &str| robot.index(name).map_or(0.0, |i| parameters[i]);
+/// Joint values that bring a platform to a place, whatever their limits.
+fn at_pose(robot: &dyn Robot, point: &BTreeMap<String, f64>) -> Option<Vec<f64>> {
+    let (platform, parameters) = (robot.platform()?, robot.nominal());
     let [x, y, _] = position(point);
+    let [x_mm, y_mm] = platform.in_base(&parameters, [x, y]);
     let theta_rad = point.get("c_deg").copied().unwrap_or_default().to_radians();
-    let q = planar.inverse(&parameters, PlanarPose { x_mm: x - at("x_o"), y_mm: y - at("y_o"), theta_rad });
-    q.iter().all(|v| v.is_finite()).then(|| q.to_vec())
+    let q = platform.joints_at(&parameters, PlanarPose { x_mm, y_mm, theta_rad });
+    q.iter().all(|v| v.is_finite()).then_some(q)
 }
 
 fn position(point: &BTreeMap<String, f64>) -> Vector {
@@ -65,8 +66,8 @@ fn position(point: &BTreeMap<String, f64>) -> Vector {
 }
 
 fn reason(robot: &dyn Robot, point: &BTreeMap<String, f64>) -> String {
-    let beyond = platform(robot, point).and_then(|q| robot.beyond(&robot.nominal(), &q));
-    beyond.unwrap_or_else(|| "no working mode reaches it within the limits".to_owned())
+    let violation = at_pose(robot, point).and_then(|q| robot.limit_violation(&robot.nominal(), &q));
+    violation.unwrap_or_else(|| "no working mode reaches it within the limits".to_owned())
 }
 
 /// Joint values along a list without leaving the working mode: of all ways to begin the one that misses least.
