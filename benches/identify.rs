@@ -30,15 +30,16 @@ fn main() {
     let mut joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");
     let observations =
         Observation::from_table(robot.as_ref(), &joined.observations[0].1, &mut Vec::new()).expect("observations");
-    let (calibration, validation) = campaign.selections().expect("selections");
+    let stated = campaign.file.identify.as_ref().expect("[identify]");
+    let selections = campaign.selections(stated).expect("selections");
     let poses = evaluate::poses(&observations);
-    let sets = evaluate::split(&observations, &poses, &calibration, validation.as_ref());
+    let sets = evaluate::split(&observations, &poses, &selections);
     let folder = tempfile::tempdir().expect("folder");
     let csv = folder.path().join("observations.csv");
     std::fs::write(&csv, table::to_csv(&mut joined.observations[0].1).expect("csv")).expect("csv");
 
     for (what, extra) in [("45 parameters", 6), ("39 parameters", 0)] {
-        let mut settings: Settings = campaign.settings();
+        let mut settings: Settings = campaign.settings(stated);
         if extra == 0 {
             settings.hold = vec!["compliance_*".into(), "coupling_*".into()];
         }

@@ -1,28 +1,20 @@
 //! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
 
 mod geometric;
+mod iso9283;
 mod join;
-mod lost;
 mod paths;
-mod poses;
-mod repeatability;
-mod report;
 mod robot_file;
 mod selection;
-mod stream;
-mod toml_problems;
+mod toml_file;
 mod types;
-mod unknown;
 
 pub use geometric::*;
+pub use iso9283::*;
 pub use join::{ClockOffset, Join, JoinBy};
-pub use lost::Lost;
-pub use poses::{ComplianceDefinition, PosesDefinition};
-pub use repeatability::RepeatabilityDefinition;
-pub use report::ReportDefinition;
 pub use robot_file::RobotFile;
-pub use selection::Selection;
-pub use stream::StreamDefinition;
+pub use selection::{Selection, Selections};
+pub use toml_file::UnreadKeys;
 pub use types::*;
 
 use crate::base::files;
@@ -32,8 +24,8 @@ use crate::math::robots::Robot;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
-use toml_problems::Recovered;
-pub(crate) use toml_problems::parse;
+use toml_file::Recovered;
+pub(crate) use toml_file::parse;
 
 /// A campaign with the folder it lives in and the text it was read from.
 #[derive(Clone, Debug)]
@@ -50,8 +42,8 @@ pub struct Campaign {
     pub text: String,
     /// Text of the robot file.
     pub robot_text: String,
-    /// What of `campaign.toml` did not read; nothing is, where it was read as a whole.
-    pub lost: Lost,
+    /// What of `campaign.toml` did not read.
+    pub unread: UnreadKeys,
 }
 
 impl Campaign {
@@ -73,16 +65,20 @@ impl Campaign {
         let text = files::read_text(&path)?;
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
-        let Recovered { value, mut problems, lost } =
-            toml_problems::recover::<CampaignFile>(&name, &text, types::defaults(&text));
+        let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
         let Some(file) = value else { return Ok((None, problems)) };
+        for key in missing_keys(&text) {
+            problems.0.push(toml_file::missing(&name, &text, &(0..0), key, &[]));
+            unread.add(vec![key.to_owned()]);
+        }
+        problems.0.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
         let here = Place::span(name.as_str(), &text, file.robot.span());
         let read = paths::resolve(&folder, file.robot.get_ref())
             .map_err(Problems::from)
             .and_then(|path| Ok((path.display().to_string(), files::read_text(&path)?)));
         let (robot, more, robot_text) = match read {
             // told with the campaign
-            _ if lost.touches(&["robot"]) => (None, Problems::default(), String::new()),
+            _ if unread.affects(&["robot"]) => (None, Problems::default(), String::new()),
             Ok((robot_name, robot_text)) => {
                 let (robot, more) = RobotFile::recover(&robot_name, &robot_text);
                 (robot, more, robot_text)
@@ -91,7 +87,7 @@ impl Campaign {
         };
         problems.0.extend(more.0);
         let robot = robot.unwrap_or_else(RobotFile::unreadable);
-        Ok((Some(Self { file, robot, folder, path: name, text, robot_text, lost }), problems))
+        Ok((Some(Self { file, robot, folder, path: name, text, robot_text, unread }), problems))
     }
 
     /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.
@@ -104,17 +100,17 @@ impl Campaign {
         self.resolve(&self.file.output)
     }
 
-    /// Whether parameters are identified; a campaign may be a test by ISO 9283 alone.
+    /// Whether parameters are identified, even if `[identify]` itself does not read; a campaign may be a test by ISO 9283 alone.
     pub fn identifies(&self) -> bool {
-        types::identifies(&self.text)
+        self.file.identify.is_some() || self.unread.affects(&["identify"])
     }
 
-    /// The environment variable that the campaign's data hang on, if it is not set: such a campaign is skipped.
+    /// The environment variable that the campaign's data depend on, if it is not set.
     pub fn missing_variable(&self) -> Option<String> {
         self.file.inputs().find_map(|f| paths::missing_variable(f.get_ref()))
     }
 
-    /// Where a value stands in `campaign.toml`.
+    /// The place of a value in `campaign.toml`.
     pub fn place<T>(&self, value: &Spanned<T>) -> Place {
         self.stated().place(value)
     }
@@ -124,25 +120,24 @@ impl Campaign {
         Stated { name: &self.path, text: &self.text }
     }
 
-    /// Where the value of a key stands in `campaign.toml`, given by the keys that lead to it; the file where it does not.
+    /// The place of a key's value in `campaign.toml`, given by the keys that lead to it; the file where there is none.
     pub fn place_of(&self, path: &[&str]) -> Place {
-        let span = toml_problems::find(&self.text, path);
+        let span = toml_file::find(&self.text, path);
         span.map_or_else(|| Place::file(self.path.as_str()), |span| Place::span(self.path.as_str(), &self.text, span))
     }
 
-    /// `campaign.toml`, without the folder: documents are the same wherever the folder stands.
+    /// `campaign.toml`, without the folder: documents do not depend on where the folder is.
     pub fn file_name(&self) -> &str {
         self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path)
     }
 
-    /// Whether all that an export states reads; a unit that does not is no matter for labels.
+    /// Whether all that an export states reads, except its unit, which labels do not need.
     pub fn export_reads(&self, index: usize) -> bool {
-        !self.lost.touches_beside(&["export", &index.to_string()], "unit")
+        !self.unread.affects_except(&["export", &index.to_string()], "unit")
     }
 
-    /// What the campaign identifies from which residuals.
-    pub fn settings(&self) -> Settings {
-        let identify = &self.file.identify;
+    /// Settings of the identification.
+    pub fn settings(&self, identify: &Identify) -> Settings {
         let instrument = self.file.instrument.standard_uncertainty_mm();
         let contact = self.file.contact.as_ref().map(Contact::standard_uncertainty_mm);
         Settings {
@@ -153,27 +148,43 @@ impl Campaign {
         }
     }
 
-    /// Targets that become observations: those that `[join]` names, or all that the robot has.
-    pub fn targets(&self) -> Vec<String> {
-        self.file.join.targets.iter().flatten().map(|t| t.get_ref().clone()).collect()
+    /// The place of the world frame's definition.
+    pub fn world_place(&self) -> Place {
+        self.place_of(&["frame", "world"])
     }
 
     /// The robot that the campaign measured.
     pub fn build_robot(&self) -> Result<Box<dyn Robot>> {
         // an arm whose targets did not read has some, and a test needs none
-        let unread = self.lost.touches(&["join", "targets"]) || !self.identifies();
-        let targets = if unread { vec!["target".to_owned()] } else { self.targets() };
+        let unread = self.unread.affects(&["join", "targets"]) || !self.identifies();
+        let targets = match unread {
+            true => vec!["target".to_owned()],
+            false => self.file.join_targets().map(|t| t.get_ref().clone()).collect(),
+        };
         self.robot.build(&targets).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
     }
 
-    /// Which poses are for what: `calibration` and `validation`.
-    pub fn selections(&self) -> Result<(Selection, Option<Selection>)> {
+    /// The poses of `calibration` and `validation`.
+    pub fn selections(&self, identify: &Identify) -> Result<Selections> {
         let parse = |text: &Spanned<String>| {
             Selection::parse(text.get_ref()).map_err(|m| Problems::from(m.at(self.place(text))))
         };
-        let identify = &self.file.identify;
-        Ok((parse(&identify.calibration)?, identify.validation.as_ref().map(parse).transpose()?))
+        let calibration = parse(&identify.calibration)?;
+        Ok(Selections { calibration, validation: identify.validation.as_ref().map(parse).transpose()? })
     }
+}
+
+/// Keys of `campaign.toml` that this campaign needs and does not state: a test by ISO 9283 needs less than an identification.
+fn missing_keys(text: &str) -> Vec<&'static str> {
+    let stated = |key: &&str| toml_file::find(text, &[key]).is_some();
+    let tests = ["repeatability", "poses", "stream", "compliance"].iter().any(stated);
+    let identifies = !tests || ["log", "join", "identify", "geometric"].iter().any(stated);
+    let needed: &[&str] = match identifies {
+        true => &["export", "log", "join", "frame", "identify"],
+        false if stated(&"repeatability") => &["export"],
+        false => &[],
+    };
+    needed.iter().copied().filter(|key| !stated(key)).collect()
 }
 
 /// Reads a robot file on its own.
@@ -189,5 +200,5 @@ pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
         parameters: BTreeMap<String, f64>,
     }
     let text = files::read_text(path)?;
-    Ok(toml_problems::parse::<Parameters>(&path.display().to_string(), &text)?.parameters)
+    Ok(toml_file::parse::<Parameters>(&path.display().to_string(), &text)?.parameters)
 }

@@ -1,7 +1,6 @@
 //! The keys of `robot.toml`, and the robot they describe.
 
-use super::lost::Lost;
-use super::toml_problems::{self, Recovered};
+use super::toml_file::{self, Recovered, UnreadKeys};
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::math::robots::{FiveBar, Limits, Parameter, Prexyt, Quantity, Robot, Role, Serial, SerialJoint};
 use serde::Deserialize;
@@ -45,7 +44,7 @@ pub struct RobotFile {
     source: (String, String),
     /// What of the file did not read.
     #[serde(skip)]
-    lost: Lost,
+    unread: UnreadKeys,
     /// It only stands for a file that does not read.
     #[serde(skip)]
     unreadable: bool,
@@ -127,8 +126,8 @@ const FIVE_BAR_ONLY: [&str; 5] = ["theta1_deg", "theta2_deg", "clearance_mm", "t
 impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
     pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
-        let Recovered { value, problems, lost } = toml_problems::recover::<Self>(name, text, "");
-        (value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), lost, ..robot }), problems)
+        let Recovered { value, problems, unread } = toml_file::recover::<Self>(name, text);
+        (value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), unread, ..robot }), problems)
     }
 
     /// Stands for a file that does not read, which is told already: no robot can be built of it.
@@ -144,7 +143,7 @@ impl RobotFile {
             reach: ReachDefinition::default(),
             base_turn_y_deg: 0.0,
             source: Default::default(),
-            lost: Lost::default(),
+            unread: UnreadKeys::default(),
             unreadable: true,
         }
     }
@@ -152,7 +151,7 @@ impl RobotFile {
     /// Where the value of a key stands, if it does.
     fn stated(&self, path: &[&str]) -> Option<Place> {
         let (name, text) = &self.source;
-        Some(Place::span(name.as_str(), text, toml_problems::find(text, path)?))
+        Some(Place::span(name.as_str(), text, toml_file::find(text, path)?))
     }
 
     /// The place of a key; the file where the key is not there.
@@ -163,8 +162,8 @@ impl RobotFile {
     /// The robot with these targets (serial arms; others have their own).
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
         // what did not read is told already
-        let stray = ["alpha_deg", "a_mm", "theta_deg", "d_mm"].iter().any(|key| self.lost.touches(&[key]));
-        if self.unreadable || self.lost.whole("model") || self.lost.whole("joint") || stray {
+        let stray = ["alpha_deg", "a_mm", "theta_deg", "d_mm"].iter().any(|key| self.unread.affects(&[key]));
+        if self.unreadable || self.unread.affects_entry("model") || self.unread.affects_entry("joint") || stray {
             return Err(Problems::default());
         }
         let mut problems = self.odd_keys();
@@ -290,12 +289,13 @@ impl RobotFile {
     /// An error about geometry that the file does not state: the model's own is that of one machine, not of this one.
     fn unstated(&self, robot: &dyn Robot) -> Option<Message> {
         // an arm states its geometry joint by joint
-        if self.model == Model::Serial || self.lost.holds(&["nominal".to_owned()]) {
+        if self.model == Model::Serial || self.unread.contains(&["nominal".to_owned()]) {
             return None;
         }
         let own = |p: &&Parameter| p.role == Role::Robot && p.quantity != Quantity::Ratio && p.nominal != 0.0;
         let names: Vec<&str> = robot.parameters().iter().filter(own).map(|p| p.name.as_str()).collect();
-        let names = names.into_iter().filter(|n| !self.nominal.contains_key(*n) && !self.lost.touches(&["nominal", n]));
+        let names =
+            names.into_iter().filter(|n| !self.nominal.contains_key(*n) && !self.unread.affects(&["nominal", n]));
         let names: Vec<String> = names.map(|n| format!("`{n}`")).collect();
         if names.is_empty() {
             return None;

@@ -16,6 +16,28 @@ pub enum Selection {
     Rest,
 }
 
+/// The poses of an identification.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Selections {
+    /// Poses to identify on.
+    pub calibration: Selection,
+    /// Poses to test on.
+    pub validation: Option<Selection>,
+}
+
+impl Selections {
+    /// Whether the pose with this number and index is for calibration.
+    pub fn calibrates(&self, pose: i64, index: usize) -> bool {
+        self.calibration.contains(pose, index, false)
+    }
+
+    /// Whether the pose is for validation.
+    pub fn validates(&self, pose: i64, index: usize) -> bool {
+        let calibrates = self.calibrates(pose, index);
+        self.validation.as_ref().is_some_and(|validation| validation.contains(pose, index, calibrates))
+    }
+}
+
 impl Selection {
     /// Reads a selection.
     pub fn parse(text: &str) -> Result<Self, Message> {
@@ -42,7 +64,7 @@ impl Selection {
         ranges.filter(|r| r.iter().all(|(from, to)| from <= to)).map(Self::Ranges).ok_or_else(wrong)
     }
 
-    /// Whether the pose with this number and index is in; `taken` tells whether the calibration has it.
+    /// Whether the pose with this number and index is in; `taken`: the calibration has it.
     pub fn contains(&self, pose: i64, index: usize, taken: bool) -> bool {
         match self {
             Self::Ranges(ranges) => ranges.iter().any(|&(from, to)| (from..=to).contains(&pose)),

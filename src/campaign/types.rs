@@ -1,7 +1,7 @@
 //! The keys of `campaign.toml`.
 
-use super::Join;
-use super::toml_problems::find;
+use super::{Join, JoinBy};
+use crate::document::{Conditions, Language};
 use crate::import::format::{Export, Log};
 use crate::math::identify::ResidualKind;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
@@ -9,38 +9,6 @@ use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::fmt;
 use toml::Spanned;
-
-macro_rules! not_identified {
-    () => {
-        r#"
-    log = []
-    join = { by = ["pose", "cycle"] }
-    frame = { world = { as_exported = true } }
-    identify = { calibration = "" }
-"#
-    };
-}
-/// What a campaign that identifies nothing need not state.
-const NOT_IDENTIFIED: &str = not_identified!();
-/// What one that has no labels either need not state.
-const NOT_LABELLED: &str = concat!("export = []", not_identified!());
-/// Sections of tests by ISO 9283.
-const TESTS: [&str; 4] = ["repeatability", "poses", "stream", "compliance"];
-
-/// What this `campaign.toml` need not state, and its values.
-pub(super) fn defaults(text: &str) -> &'static str {
-    match (identifies(text), find(text, &["repeatability"]).is_some()) {
-        (true, _) => "",
-        (false, true) => NOT_IDENTIFIED,
-        (false, false) => NOT_LABELLED,
-    }
-}
-
-/// Whether parameters are identified: always, but where a test by ISO 9283 is stated and nothing that only identifying needs.
-pub(super) fn identifies(text: &str) -> bool {
-    let stated = |key: &str| find(text, &[key]).is_some();
-    !TESTS.into_iter().any(stated) || ["log", "join", "identify", "geometric"].into_iter().any(stated)
-}
 
 /// `campaign.toml`.
 #[derive(Clone, Debug, Deserialize)]
@@ -65,14 +33,14 @@ pub struct CampaignFile {
     pub temperature_c: Option<f64>,
     /// What a test report asks for beside that.
     #[serde(default)]
-    pub conditions: crate::document::Conditions,
+    pub conditions: Conditions,
     /// What was measured with.
     pub instrument: Instrument,
     /// How well the robot finds a measured point again. Stated where points are measured once and touched often: the
     /// instrument's error of a point is then common to all its observations.
     pub contact: Option<Contact>,
     /// Files of the measuring system.
-    #[serde(rename = "export")]
+    #[serde(default, rename = "export")]
     pub exports: Vec<Export>,
     /// Targets whose distances cannot change.
     #[serde(default, rename = "rigid")]
@@ -81,17 +49,17 @@ pub struct CampaignFile {
     #[serde(default)]
     pub fixed: Vec<Fixed>,
     /// Files of the controller. The first is used to identify, others are compared with it.
-    #[serde(rename = "log", deserialize_with = "one_or_many")]
+    #[serde(default, rename = "log", deserialize_with = "one_or_many")]
     pub logs: Vec<Log>,
     /// How measurements meet joint values.
-    pub join: Join,
+    pub join: Option<Join>,
     /// Elements to fit.
     #[serde(default, rename = "feature")]
     pub features: BTreeMap<String, FeatureDefinition>,
-    /// Frames.
-    pub frame: Frames,
-    /// What is identified.
-    pub identify: Identify,
+    /// Frames; without them the coordinates of the exports are those of the world.
+    pub frame: Option<Frames>,
+    /// What is identified; nothing where the campaign is a test by ISO 9283 alone.
+    pub identify: Option<Identify>,
     /// What geometry alone shall find (thesis, chapter 2).
     pub geometric: Option<super::GeometricDefinition>,
     /// Poses that are visited again and again (thesis 2.4).
@@ -108,12 +76,27 @@ pub struct CampaignFile {
     pub limits: Limits,
     /// How the report is dressed.
     #[serde(default)]
-    pub report: super::ReportDefinition,
+    pub report: ReportDefinition,
     /// Controller files to write.
     pub controllers: Option<Vec<Spanned<String>>>,
 }
 
 impl CampaignFile {
+    /// The definition of the world frame.
+    pub fn world(&self) -> Option<&WorldDefinition> {
+        Some(&self.frame.as_ref()?.world)
+    }
+
+    /// The key of the join.
+    pub fn join_by(&self) -> Option<JoinBy> {
+        Some(self.join.as_ref()?.by)
+    }
+
+    /// Targets that `[join]` names; none where it names none.
+    pub fn join_targets(&self) -> impl Iterator<Item = &Spanned<String>> + Clone {
+        self.join.iter().flat_map(|join| join.targets.iter().flatten())
+    }
+
     /// Every file of measurements, and of what they are compared with, that the campaign names.
     pub fn inputs(&self) -> impl Iterator<Item = &Spanned<String>> {
         let measured = self.exports.iter().map(|e| &e.file).chain(self.logs.iter().map(|l| &l.file));
@@ -214,7 +197,7 @@ impl FeatureDefinition {
 #[serde(deny_unknown_fields)]
 pub struct Frames {
     /// The frame in which observations are expressed.
-    pub world: Spanned<WorldDefinition>,
+    pub world: WorldDefinition,
 }
 
 /// The world frame: from plane, origin and axis; or from targets; or that of the export.
@@ -238,6 +221,14 @@ pub struct WorldDefinition {
     /// The coordinates of the export are those of the world.
     #[serde(default)]
     pub as_exported: bool,
+}
+
+impl WorldDefinition {
+    /// Labels and features that give the origin and the axes.
+    pub fn names(&self) -> impl Iterator<Item = &Spanned<String>> {
+        let axes = self.x_axis.iter().flatten().chain(self.y_axis.iter().flatten());
+        self.origin.iter().chain(&self.towards).chain(axes)
+    }
 }
 
 /// A frame that is measured again at every pose.
@@ -298,6 +289,18 @@ impl Limits {
             ("accuracy_max_mm", self.accuracy_max_mm),
         ]
     }
+}
+
+/// Language, logo and templates of the report.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct ReportDefinition {
+    /// Language of the report.
+    pub language: Language,
+    /// The laboratory's logo, SVG or PNG.
+    pub logo: Option<Spanned<String>>,
+    /// Folder of templates that replace the built-in ones of the same name.
+    pub templates: Option<Spanned<String>>,
 }
 
 /// A table, or an array of tables.

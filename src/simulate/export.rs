@@ -54,7 +54,7 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
         }
         Format::SpatialAnalyzer => spatialanalyzer(&rows, export.unit.name(), decimals),
         Format::Delimited(dialect) => {
-            let offset_s = scene.campaign.file.join.stated_offset_s().unwrap_or(0.0);
+            let offset_s = scene.campaign.file.join.as_ref().and_then(|join| join.stated_offset_s()).unwrap_or(0.0);
             delimited(&rows, export, dialect, scene.truth, offset_s).map_err(|m| m.at(place()))?
         }
     };

@@ -54,7 +54,7 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
     let line = |fields: &[String]| text::line(fields, log.delimiter(), None);
     let mut all = if log.header { line(&header)? } else { String::new() };
     // a join by pose alone wants one row for all rounds
-    let once = scene.campaign.file.join.by == JoinBy::Pose;
+    let once = scene.campaign.file.join_by() == Some(JoinBy::Pose);
     let mut contact = Noise::new(scene.truth.seed, CONTACT);
     for turn in scene.turns(if once { 1 } else { scene.truth.cycles }) {
         let joints = scene.encoders(turn, &mut contact)?;
@@ -67,7 +67,7 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
 
 /// An error about a log that rows of standing poses, ten seconds apart, are not.
 fn writable(scene: &Scene, log: &Log) -> Result<()> {
-    let timed = scene.campaign.file.join.by == JoinBy::Time;
+    let timed = scene.campaign.file.join_by() == Some(JoinBy::Time);
     let what = if log.format == LogFormat::TwinCat {
         "a TwinCAT export"
     } else if log.standstill.is_some() {

@@ -3,7 +3,7 @@
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Vector, minus, norm};
 use crate::base::table::{self, XYZ};
-use crate::campaign::{Limits, Selection};
+use crate::campaign::{Limits, Selections};
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, PointError, Statistics};
 use crate::math::fit;
 use crate::math::identify::Observation;
@@ -26,21 +26,15 @@ pub fn poses(observations: &[Observation]) -> BTreeSet<i64> {
 }
 
 /// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log that is identified.
-pub fn split(
-    observations: &[Observation],
-    poses: &BTreeSet<i64>,
-    calibration: &Selection,
-    validation: Option<&Selection>,
-) -> Sets {
+pub fn split(observations: &[Observation], poses: &BTreeSet<i64>, selections: &Selections) -> Sets {
     let index = |pose: i64| poses.range(..pose).count();
     let mut sets = Sets::default();
     for o in observations {
         let i = index(o.pose);
-        let taken = calibration.contains(o.pose, i, false);
-        if taken {
+        if selections.calibrates(o.pose, i) {
             sets.calibration.push(o.clone());
         }
-        if validation.is_some_and(|v| v.contains(o.pose, i, taken)) {
+        if selections.validates(o.pose, i) {
             sets.validation.push(o.clone());
         }
     }

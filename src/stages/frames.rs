@@ -80,10 +80,12 @@ pub fn make_frames(
     features: &FeaturesDocument,
     planar: bool,
 ) -> Result<FramesDocument> {
-    let world = campaign.file.frame.world.get_ref();
-    let world = match (&world.targets, world.as_exported) {
-        (Some(targets), _) => from_targets(campaign, points, targets, world.each.is_some())?,
-        (None, true) => WorldFrame {
+    let world = match campaign.file.world().filter(|world| !world.as_exported) {
+        Some(WorldDefinition { targets: Some(targets), each, .. }) => {
+            from_targets(campaign, points, targets, each.is_some())?
+        }
+        Some(world) => from_plane(campaign, points, features, world)?,
+        None => WorldFrame {
             definition: "the coordinates of the exports are those of the world".to_owned(),
             planar: false,
             poses: vec![FramePose { pose: None, cycle: None, export_T_world: Pose::identity() }],
@@ -91,7 +93,6 @@ pub fn make_frames(
             max_mm: None,
             reference_mm: Vec::new(),
         },
-        (None, false) => from_plane(campaign, points, features, world)?,
     };
     Ok(FramesDocument { schema: "etalon/frames/1".to_owned(), world: WorldFrame { planar, ..world } })
 }
@@ -105,7 +106,7 @@ fn from_plane(
 ) -> Result<WorldFrame> {
     let labelled = Labelled(points);
     let feature = |name: &str| features.features.iter().find(|f| f.name == name);
-    let wrong = |what: &str| Message::error(what.to_owned()).at(campaign.place(&campaign.file.frame.world));
+    let wrong = |what: &str| Message::error(what.to_owned()).at(campaign.world_place());
     let plane_name = world.plane.as_ref().ok_or_else(|| wrong("the world frame has no plane"))?;
     let plane = feature(plane_name.get_ref()).ok_or_else(|| wrong("the plane of the world frame is no feature"))?;
     let normal = plane.direction;
@@ -175,7 +176,7 @@ fn three_two_one(p: &[Vector]) -> Option<Pose> {
 /// The frame that targets carry: their mean places in it, and each pose as the best fit to those places.
 fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String>], each: bool) -> Result<WorldFrame> {
     let names: Vec<&str> = targets.iter().map(|t| t.get_ref().as_str()).collect();
-    let wrong = |what: String| Message::error(what).at(campaign.place(&campaign.file.frame.world));
+    let wrong = |what: String| Message::error(what).at(campaign.world_place());
     if names.len() < 3 {
         return Err(wrong("a frame needs three targets or more".to_owned()).into());
     }

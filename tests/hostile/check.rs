@@ -65,14 +65,14 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
         "type1_margin_deg = 5.0",
         &["`type1_margin_deg` means nothing for this model", "five_bar"],
     );
-    broken("robot.toml", "l_kl = 146.0", "l_kl = nan", &["`nan` is no measured value", "robot.toml:"]);
+    broken("robot.toml", "l_kl = 146.0", "l_kl = nan", &["`nan` is not a measured value", "robot.toml:"]);
     let campaign = |from: &str, to: &str, parts: &[&str]| broken("campaign.toml", from, to, parts);
     campaign(
         "coverage_factor = 2",
         "coverage_factor = 0",
         &["`coverage_factor` must be positive", "campaign.toml:8:19"],
     );
-    campaign("position_max_mm = 0.044", "position_max_mm = inf", &["`inf` is no measured value", "campaign.toml:"]);
+    campaign("position_max_mm = 0.044", "position_max_mm = inf", &["`inf` is not a measured value", "campaign.toml:"]);
     campaign("towards = \"rail3_a\"", "towards = \"rail3_a\"\neach = \"pose\"", &["`each` means nothing"]);
     campaign(
         "\"cycle\"]",

@@ -133,5 +133,5 @@ fn geometry_of_the_robot_is_never_filled_in() {
 fn a_key_of_the_top_level_in_a_section_is_told_where_it_stands() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "coverage_factor = 2", "coverage_factor = 2\ntemperature_c = 20.0");
-    assert_eq!(errors(&refused(&scratch, &["unknown key `temperature_c`", "stands at the top"])), 1);
+    assert_eq!(errors(&refused(&scratch, &["unknown key `temperature_c`", "belongs at the top"])), 1);
 }

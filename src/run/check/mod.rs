@@ -47,8 +47,8 @@ pub fn everything(campaign: &Campaign) -> (Gathered, Problems) {
         labels.iter().all(|label| borne(label.get_ref()) && !touched(label.get_ref()))
     });
     let mut world = None;
-    let lost = &campaign.lost;
-    if lost.touches(&["export"]) {
+    let unread = &campaign.unread;
+    if unread.affects(&["export"]) {
         // in which unit, or which points there are, is not known
         return (found.imported, found.problems);
     }
@@ -84,7 +84,7 @@ pub fn everything(campaign: &Campaign) -> (Gathered, Problems) {
         }
     }
     // a join by time may find no pose before the log is read
-    if !lost.touches(&["identify"]) && (found.read || !poses.is_empty()) {
+    if !unread.affects(&["identify"]) && (found.read || !poses.is_empty()) {
         found.problems.0.extend(selections(campaign, &poses).err().into_iter().flat_map(|p| p.0));
     }
     (found.imported, found.problems)
@@ -108,8 +108,8 @@ fn find(campaign: &Campaign) -> Found {
     let before = problems.0.len();
     statements::frames(campaign, &mut problems);
     let (imported, more) = gather::recover(campaign);
-    let lost = &campaign.lost;
-    let whole = |keys: &[&str]| !keys.iter().any(|key| lost.touches(&[key]));
+    let unread = &campaign.unread;
+    let whole = |keys: &[&str]| !keys.iter().any(|key| unread.affects(&[key]));
     let mut read = more.0.is_empty() && whole(&["export", "log", "join"]);
     // a label that nothing bears may be borne by a file that is not there
     let opened = imported.document.sources.iter().filter(|s| s.kind == "export" && s.rows_read > 0).count();

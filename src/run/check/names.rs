@@ -40,25 +40,20 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
         }
     }
     let features: BTreeSet<String> = file.features.keys().cloned().collect();
-    let world = file.frame.world.get_ref();
-    if let (Some(name), false) = (&world.plane, campaign.lost.touches(&["feature"])) {
-        want(name, &[&features], "feature is called");
-    }
-    for name in world
-        .origin
-        .iter()
-        .chain(&world.towards)
-        .chain(world.x_axis.iter().flatten())
-        .chain(world.y_axis.iter().flatten())
-    {
-        want(name, &[&labels, &features], "point or feature is called");
-    }
-    for name in world.targets.iter().flatten() {
-        let among: &[&BTreeSet<String>] = if world.each.is_some() { &[&targets] } else { &[&targets, &labels] };
-        want(name, among, "export brings the target");
+    if let Some(world) = file.world() {
+        if let (Some(name), false) = (&world.plane, campaign.unread.affects(&["feature"])) {
+            want(name, &[&features], "feature is called");
+        }
+        for name in world.names() {
+            want(name, &[&labels, &features], "point or feature is called");
+        }
+        for name in world.targets.iter().flatten() {
+            let among: &[&BTreeSet<String>] = if world.each.is_some() { &[&targets] } else { &[&targets, &labels] };
+            want(name, among, "export brings the target");
+        }
     }
     let rigid = file.rigid.iter().flat_map(|r| &r.targets).chain(file.fixed.iter().flat_map(|f| &f.targets));
-    for name in rigid.chain(file.join.targets.iter().flatten()) {
+    for name in rigid.chain(file.join_targets()) {
         want(name, &[&targets], "export brings the target");
     }
     if !open.is_empty() {
@@ -73,20 +68,20 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
 /// What the robot needs of the campaign.
 pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
-    for pattern in &campaign.file.identify.hold {
+    for pattern in campaign.file.identify.iter().flat_map(|identify| &identify.hold) {
         if !names().any(|name| matches_pattern(pattern.get_ref(), name)) {
             let message = Message::error(format!("`{}` is no parameter of this robot", pattern.get_ref()));
             problems.0.push(message.at(campaign.place(pattern)).hint_names(pattern.get_ref(), names()));
         }
     }
-    for target in campaign.file.join.targets.iter().flatten() {
+    for target in campaign.file.join_targets() {
         if !robot.targets().contains(target.get_ref()) {
             let what = format!("`{}` is no target of this robot", target.get_ref());
             let message = Message::error(what).at(campaign.place(target));
             problems.0.push(message.hint_names(target.get_ref(), robot.targets().iter().map(String::as_str)));
         }
     }
-    if let Some(targets) = &campaign.file.join.targets {
+    if let Some(targets) = campaign.file.join.as_ref().and_then(|join| join.targets.as_ref()) {
         let named = |name: &&String| targets.iter().any(|t| t.get_ref() == *name);
         for target in robot.targets().iter().filter(|t| !named(t)) {
             let message = Message::error(format!("`targets` leaves out `{target}`"));
@@ -133,7 +128,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
             let hint = format!("its joints are {}, in these units or others", columns.join(", "));
             problems.0.push(message.at(campaign.place(key)).hint(hint));
         }
-        if campaign.lost.touches(&["log"]) {
+        if campaign.unread.affects(&["log"]) {
             continue;
         }
         for joint in robot.joints() {
@@ -152,14 +147,13 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
 /// Targets of the robot that nobody measured.
 pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathered, problems: &mut Problems) {
     // what the log says it touches need not be called as the robot's target
-    if campaign.file.join.by == JoinBy::Label {
+    if campaign.file.join_by() == Some(JoinBy::Label) {
         return;
     }
     let mut measured: BTreeSet<String> = imported.points.iter().filter_map(|p| p.target.clone()).collect();
     measured.remove("");
     // those that [join] names are told with the labels
-    let stated = campaign.file.join.targets.as_ref();
-    let told = |target: &String| stated.is_some_and(|all| all.iter().any(|t| t.get_ref() == target));
+    let told = |target: &String| campaign.file.join_targets().any(|t| t.get_ref() == target);
     let mut missing = robot.targets().iter().filter(|t| !measured.contains(*t) && !told(t)).peekable();
     let odd: Vec<Message> = campaign.file.exports.iter().filter_map(|e| other_form(campaign, e, imported)).collect();
     if missing.peek().is_some() && !odd.is_empty() {

@@ -2,7 +2,7 @@
 
 use crate::base::message::{Message, Problems, Result, count};
 use crate::base::table::LABEL;
-use crate::campaign::{Campaign, ClockOffset, JoinBy, Selection};
+use crate::campaign::{Campaign, ClockOffset, Join, JoinBy, Selection};
 use crate::export;
 use crate::import::format::Export;
 use crate::import::format::Format;
@@ -16,9 +16,9 @@ use toml::Spanned;
 /// All statements but those on features and frames.
 pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
-    let lost = &campaign.lost;
-    if let (Err(more), false) = (campaign.selections(), !campaign.identifies() || lost.touches(&["identify"])) {
-        problems.0.extend(more.0);
+    let unread = &campaign.unread;
+    if let Some(identify) = file.identify.as_ref().filter(|_| !unread.affects(&["identify"])) {
+        problems.0.extend(campaign.selections(identify).err().unwrap_or_default().0);
     }
     for name in file.controllers.iter().flatten() {
         if export::by_name(name.get_ref()).is_none() {
@@ -34,7 +34,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     if let Some(contact) = &file.contact {
         stated.push(("contact", "repeatability_um", contact.repeatability_um));
         stated.push(("contact", "coverage_factor", contact.coverage_factor));
-        if file.identify.residuals == ResidualKind::Pose {
+        if file.identify.as_ref().is_some_and(|identify| identify.residuals == ResidualKind::Pose) {
             let message = Message::error("[contact] is for residuals of targets").at(campaign.place_of(&["contact"]));
             problems.0.push(message.hint("state `residuals = \"targets\"`, or leave [contact] out"));
         }
@@ -69,10 +69,10 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         }
     }
     output(campaign, problems);
-    if !lost.touches(&["join"]) {
-        join(campaign, problems);
+    if let Some(definition) = file.join.as_ref().filter(|_| !unread.affects(&["join"])) {
+        join(campaign, definition, problems);
     }
-    let targets: Vec<_> = file.join.targets.iter().flatten().collect();
+    let targets: Vec<_> = file.join_targets().collect();
     for (i, target) in targets.iter().enumerate() {
         if targets[..i].iter().any(|t| t.get_ref() == target.get_ref()) {
             let message = Message::error(format!("target `{}` is there twice", target.get_ref()));
@@ -83,11 +83,10 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
 }
 
 /// What a join by time needs, and what means nothing for another.
-fn join(campaign: &Campaign, problems: &mut Problems) {
+fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
     let file = &campaign.file;
-    let by_time = file.join.by == JoinBy::Time;
-    let clocks =
-        [("clock_offset_s", file.join.clock_offset_s.is_some()), ("tolerance_s", file.join.tolerance_s.is_some())];
+    let by_time = join.by == JoinBy::Time;
+    let clocks = [("clock_offset_s", join.clock_offset_s.is_some()), ("tolerance_s", join.tolerance_s.is_some())];
     if by_time && clocks.iter().any(|(_, stated)| !stated) {
         problems.0.push(
             Message::error("a join by time needs the offset of the clocks and a tolerance")
@@ -97,9 +96,9 @@ fn join(campaign: &Campaign, problems: &mut Problems) {
                 ),
         );
     }
-    let estimated = file.join.clock_offset_s == Some(ClockOffset::Standstills);
-    for log in file.logs.iter().filter(|_| !campaign.lost.touches(&["log"]) && by_time) {
-        let what = match (estimated, file.join.interpolate, log.standstill.is_some()) {
+    let estimated = join.clock_offset_s == Some(ClockOffset::Standstills);
+    for log in file.logs.iter().filter(|_| !campaign.unread.affects(&["log"]) && by_time) {
+        let what = match (estimated, join.interpolate, log.standstill.is_some()) {
             (true, _, false) => "the offset of the clocks cannot come from standstills of a log that states none",
             (_, true, true) => "between standstills there is nothing to interpolate",
             _ => continue,
@@ -112,18 +111,18 @@ fn join(campaign: &Campaign, problems: &mut Problems) {
         };
         problems.0.push(message.hint(hint));
     }
-    let beside = [clocks[0], clocks[1], ("interpolate", file.join.interpolate)];
+    let beside = [clocks[0], clocks[1], ("interpolate", join.interpolate)];
     for (key, _) in beside.iter().filter(|(_, stated)| *stated && !by_time) {
         let message = Message::error(format!("`{key}` means nothing for this join"));
         problems.0.push(message.at(campaign.place_of(&["join", key])).hint("it belongs to `by = \"time\"`"));
     }
-    if file.join.tolerance_s.is_some_and(|t| t < 0.0) {
+    if join.tolerance_s.is_some_and(|t| t < 0.0) {
         let message = Message::error("`tolerance_s` must not be negative");
         problems.0.push(message.at(campaign.place_of(&["join", "tolerance_s"])));
     }
-    for log in file.logs.iter().filter(|_| !campaign.lost.touches(&["log"])) {
+    for log in file.logs.iter().filter(|_| !campaign.unread.affects(&["log"])) {
         let column = log.columns.keys().find(|key| key.get_ref() == LABEL);
-        match (column, file.join.by == JoinBy::Label) {
+        match (column, join.by == JoinBy::Label) {
             (None, true) => problems.0.push(
                 Message::error(format!("a join by label needs the label of the point in log `{}`", log.name))
                     .at(campaign.place_of(&["join", "by"]))
@@ -172,24 +171,22 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
 
 /// Errors where a selection or a table takes none of these poses, or calibration and validation share some.
 pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
-    // what does not read is told with the statements
-    let Ok((calibration, validation)) = campaign.selections() else { return Ok(()) };
-    let identify = &campaign.file.identify;
+    let Some(identify) = &campaign.file.identify else { return Ok(()) };
+    // what does not read is reported with the statements
+    let Ok(selections) = campaign.selections(identify) else { return Ok(()) };
     let mut problems = Problems::default();
-    let taken = |i: usize, pose: i64| calibration.contains(pose, i, false);
     let numbered = || poses.iter().copied().enumerate();
-    if !numbered().any(|(i, pose)| taken(i, pose)) {
+    if !numbered().any(|(i, pose)| selections.calibrates(pose, i)) {
         let message = Message::error("`calibration` selects no pose that was measured");
         problems.0.push(message.at(campaign.place(&identify.calibration)).hint(measured(poses)));
     }
-    if let (Some(validation), Some(text)) = (&validation, &identify.validation) {
-        let tests = |i: usize, pose: i64| validation.contains(pose, i, taken(i, pose));
-        if !numbered().any(|(i, pose)| tests(i, pose)) {
+    if let Some(text) = &identify.validation {
+        if !numbered().any(|(i, pose)| selections.validates(pose, i)) {
             let message = Message::error("`validation` selects no pose that was measured");
             problems.0.push(message.at(campaign.place(text)).hint(measured(poses)));
         }
         let shared: Vec<String> = numbered()
-            .filter(|&(i, pose)| taken(i, pose) && tests(i, pose) && *validation != Selection::Rest)
+            .filter(|&(i, pose)| selections.calibrates(pose, i) && selections.validates(pose, i))
             .map(|(_, pose)| pose.to_string())
             .collect();
         if !shared.is_empty() {
@@ -200,8 +197,8 @@ pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
             problems.0.push(message.hint("`validation = \"rest\"` takes all that calibration does not"));
         }
     }
-    let tests = |i: usize, pose: i64| validation.as_ref().is_some_and(|v| v.contains(pose, i, taken(i, pose)));
-    let used: Vec<i64> = numbered().filter(|&(i, pose)| taken(i, pose) || tests(i, pose)).map(|(_, p)| p).collect();
+    let in_use = |&(i, pose): &(usize, i64)| selections.calibrates(pose, i) || selections.validates(pose, i);
+    let used: Vec<i64> = numbered().filter(in_use).map(|(_, pose)| pose).collect();
     for table in campaign.file.geometric.iter().flat_map(|g| &g.table) {
         let found = match Selection::parse(table.poses.get_ref()) {
             Ok(selection) if used.iter().enumerate().any(|(i, &pose)| selection.contains(pose, i, false)) => continue,
@@ -229,7 +226,7 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     for (name, feature) in &file.features {
         let Some((_, labels)) = feature.element() else {
-            if campaign.lost.touches(&["feature", name]) {
+            if campaign.unread.affects(&["feature", name]) {
                 continue;
             }
             problems.0.push(
@@ -246,21 +243,21 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
             }
         }
     }
-    if campaign.lost.touches(&["frame"]) {
+    if campaign.unread.affects(&["frame"]) {
         return;
     }
-    let world = file.frame.world.get_ref();
+    let Some(world) = file.world() else { return };
     let ways = [world.plane.is_some(), world.targets.is_some(), world.as_exported];
     if ways.iter().filter(|w| **w).count() != 1 {
         problems.0.push(
             Message::error("the world frame must be defined in exactly one way")
-                .at(campaign.place(&file.frame.world))
+                .at(campaign.world_place())
                 .expected("`plane` with `origin` and an axis, or `targets`, or `as_exported = true`"),
         );
     } else if world.plane.is_some() {
         if world.each.is_some() {
             let message = Message::error("`each` means nothing for a world frame from a plane");
-            problems.0.push(message.at(campaign.place(&file.frame.world)).hint("it belongs to `targets`"));
+            problems.0.push(message.at(campaign.world_place()).hint("it belongs to `targets`"));
         }
         for ends in world.x_axis.iter().chain(&world.y_axis) {
             let directed = match &ends[..] {
@@ -268,7 +265,7 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
                 ends => ends.len() == 2,
             };
             if !directed {
-                let place = ends.first().map_or_else(|| campaign.place(&file.frame.world), |end| campaign.place(end));
+                let place = ends.first().map_or_else(|| campaign.world_place(), |end| campaign.place(end));
                 let message = Message::error("the axis of the world frame has no direction").at(place);
                 problems.0.push(message.expected("two labels, from and to, or one feature with a direction"));
             }
@@ -279,7 +276,7 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
                 Message::error(
                     "a world frame from a plane needs `origin`, one of `x_axis` and `y_axis`, and `towards`",
                 )
-                .at(campaign.place(&file.frame.world))
+                .at(campaign.world_place())
                 .hint("`towards` names a label on the positive side of the other axis: it decides which way z points"),
             );
         }
@@ -289,7 +286,7 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
         let idle = idle.chain([("each", world.each.is_some() && world.as_exported)]);
         for (key, _) in idle.filter(|(_, stated)| *stated) {
             let message = Message::error(format!("`{key}` means nothing for this world frame"));
-            problems.0.push(message.at(campaign.place(&file.frame.world)));
+            problems.0.push(message.at(campaign.world_place()));
         }
     }
 }

@@ -79,7 +79,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             .resolve(&stated.file)
             .and_then(|path| import::read_text(&path, stated.encoding, campaign.place(&stated.file)));
         match read.and_then(|(text, bytes)| {
-            if campaign.lost.touches(&["log"]) {
+            if campaign.unread.affects(&["log"]) {
                 return Ok(None);
             }
             let mut source = statement("log", stated.file.get_ref(), &bytes);
@@ -98,11 +98,11 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     problems.0.extend(columns.measured_twice());
     problems.0.extend(blunders::check(campaign).0);
     problems.0.extend(mislabelling::check(campaign).0);
-    let mut messages = if campaign.lost.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
+    let mut messages = if campaign.unread.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
     messages.extend(said);
     messages.append(&mut columns.remarks);
     messages.extend(spatialanalyzer::frames_differ(&frames));
-    if problems.0.is_empty() && campaign.lost.is_empty() {
+    if problems.0.is_empty() && campaign.unread.is_empty() {
         match blunders::refuse(campaign, &mut columns, &mut sources) {
             Ok(said) => messages.splice(0..0, said).for_each(drop),
             Err(more) => problems.0.extend(more.0),

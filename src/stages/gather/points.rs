@@ -40,8 +40,8 @@ impl PointColumns {
         });
         source.rows_read = rows.len();
         // targets that carry a world frame measured once need no pose
-        let world = campaign.file.frame.world.get_ref();
-        let frame_targets = world.targets.as_deref().filter(|_| world.each.is_none()).unwrap_or_default();
+        let world = campaign.file.world().filter(|world| world.each.is_none());
+        let frame_targets = world.and_then(|world| world.targets.as_deref()).unwrap_or_default();
         for (i, row) in rows.into_iter().enumerate() {
             let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
             let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
@@ -105,7 +105,7 @@ impl PointColumns {
         let visits = campaign.file.repeatability.iter().flat_map(|r| r.patterns());
         let forms: Vec<Pattern> = geometric.chain(visits).filter_map(|p| Pattern::parse(p.get_ref()).ok()).collect();
         // a join by label tells which points are not touched
-        let joined = campaign.file.join.by == JoinBy::Label;
+        let joined = campaign.file.join_by() == Some(JoinBy::Label);
         let idle = |p: &&Point| {
             let used = joined || used.iter().any(|u| matches_pattern(u, &p.label));
             p.target.is_none() && !used && !forms.iter().any(|f| f.read(&p.label).is_some())
@@ -127,14 +127,7 @@ impl PointColumns {
 
 /// Labels that features and the world frame use.
 pub(crate) fn used_labels(campaign: &Campaign) -> Vec<&str> {
-    let world = campaign.file.frame.world.get_ref();
     let features = campaign.file.features.values().filter_map(|f| f.element()).flat_map(|(_, labels)| labels);
-    let axes = world.x_axis.iter().flatten().chain(world.y_axis.iter().flatten());
-    features
-        .chain(world.origin.iter())
-        .chain(world.towards.iter())
-        .chain(world.targets.iter().flatten())
-        .chain(axes)
-        .map(|l| l.get_ref().as_str())
-        .collect()
+    let framed = campaign.file.world().into_iter().flat_map(|world| world.names().chain(world.targets.iter().flatten()));
+    features.chain(framed).map(|l| l.get_ref().as_str()).collect()
 }

@@ -2,7 +2,7 @@
 
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::{Vector, centroid};
-use crate::campaign::{Campaign, GeometricDefinition};
+use crate::campaign::{Campaign, GeometricDefinition, WorldDefinition};
 use crate::import::Point;
 use crate::math::geometric::{
     BaseMeasurements, LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned,
@@ -158,14 +158,18 @@ pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(S
 impl Steps<'_> {
     /// Rails and ball R: those of the world frame.
     fn base(&self) -> Result<BaseMeasurements> {
-        let world = self.campaign.file.frame.world.get_ref();
         let wrong = || {
             Message::error("the geometric calibration needs a world frame from the rails and ball R")
-                .at(self.campaign.place(&self.campaign.file.frame.world))
+                .at(self.campaign.world_place())
                 .expected("`plane`, `origin`, `y_axis = [origin, other end]` and `towards`, as in the thesis' 3.4.1")
         };
-        let (Some(plane), Some(origin), Some(ends), Some(towards)) =
-            (&world.plane, &world.origin, &world.y_axis, &world.towards)
+        let Some(WorldDefinition {
+            plane: Some(plane),
+            origin: Some(origin),
+            y_axis: Some(ends),
+            towards: Some(towards),
+            ..
+        }) = self.campaign.file.world()
         else {
             return Err(wrong().into());
         };

@@ -27,7 +27,7 @@ pub fn evaluate(
 ) -> Result<(Iso9283Document, Vec<Source>)> {
     let [frame] = &frames.world.poses[..] else {
         let message = Message::error("[repeatability] needs a world frame that is measured once");
-        return Err(message.at(campaign.place(&campaign.file.frame.world)).into());
+        return Err(message.at(campaign.world_place()).into());
     };
     let gathered = gather(campaign, definition, points, &frame.export_T_world)?;
     let mut document = pose::evaluate(&gathered.visits, settings)?;

@@ -6,10 +6,10 @@ mod by_time;
 pub mod clock;
 mod unmatched;
 
-use crate::base::message::{Message, Problems, Result, count};
+use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::{Pose, Vector};
 use crate::base::table;
-use crate::campaign::{Campaign, ClockOffset, JoinBy};
+use crate::campaign::{Campaign, ClockOffset, Join, JoinBy};
 use crate::document::{FramesDocument, Unmatched};
 use crate::import::{JointLog, LogRow, Point};
 use crate::math::robots::Robot;
@@ -73,13 +73,16 @@ impl Row {
 
 /// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
 pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
+    let Some(definition) = &campaign.file.join else {
+        return Err(Message::error("a join needs [join]").at(Place::file(campaign.path.as_str())).into());
+    };
     let (mut said, mut problems) = (Said::default(), Problems::default());
     let targets = targets_in_world(imported, frames, robot, &mut said);
     let mut observations = Vec::new();
     for log in &imported.logs {
-        let joined = match campaign.file.join.by {
+        let joined = match definition.by {
             JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot, &mut said),
-            _ => with_log(campaign, imported, &targets, log, &mut said),
+            _ => with_log(campaign, definition, imported, &targets, log, &mut said),
         };
         match joined.and_then(|rows| tidy(rows, log, robot)) {
             Ok(table) => {
@@ -98,12 +101,13 @@ pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, r
 /// Joins targets in the world with one log, by the key that the campaign states.
 fn with_log(
     campaign: &Campaign,
+    join: &Join,
     imported: &Gathered,
     targets: &[Target],
     log: &JointLog,
     said: &mut Said,
 ) -> Result<Vec<Row>> {
-    let joined = match campaign.file.join.by {
+    let joined = match join.by {
         JoinBy::PoseAndCycle => by_key(targets, log, &["pose", "cycle"], said)?,
         JoinBy::Pose => by_key(targets, log, &["pose"], said)?,
         JoinBy::Row => {
@@ -111,8 +115,7 @@ fn with_log(
             by_key(targets, log, &["row"], said)?
         }
         JoinBy::Time => {
-            let join = &campaign.file.join;
-            let offset_s = offset_s(campaign, targets, log, said)?;
+            let offset_s = offset_s(campaign, join, targets, log, said)?;
             let tolerance_s = join.tolerance_s.unwrap_or(0.0);
             by_time(targets, log, Clocks { offset_s, tolerance_s, interpolate: join.interpolate }, said)?
         }
@@ -121,8 +124,8 @@ fn with_log(
     };
     if joined.is_empty() {
         let message = Message::error(format!("no measured point has a partner in log `{}`", log.name));
-        if campaign.file.join.by == JoinBy::Time {
-            let apart = apart_s(campaign, targets, log).map_or_else(String::new, |s| format!(" are {s:.3} s apart"));
+        if join.by == JoinBy::Time {
+            let apart = apart_s(join, targets, log).map_or_else(String::new, |s| format!(" are {s:.3} s apart"));
             let hint = format!(
                 "with this `clock_offset_s` the two nearest times{apart}: check its value and sign; it is the time of the \
                  measurement minus that of the log"
@@ -136,8 +139,7 @@ fn with_log(
 }
 
 /// The offset of the clocks: as stated, or from the standstills of the log, which is said.
-fn offset_s(campaign: &Campaign, targets: &[Target], log: &JointLog, said: &mut Said) -> Result<f64> {
-    let join = &campaign.file.join;
+fn offset_s(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, said: &mut Said) -> Result<f64> {
     if join.clock_offset_s != Some(ClockOffset::Standstills) {
         return Ok(join.stated_offset_s().unwrap_or(0.0));
     }
@@ -157,8 +159,8 @@ fn offset_s(campaign: &Campaign, targets: &[Target], log: &JointLog, said: &mut 
 }
 
 /// The smallest difference of the times of a point and of a row of the log, clocks set by the campaign's offset.
-fn apart_s(campaign: &Campaign, targets: &[Target], log: &JointLog) -> Option<f64> {
-    let offset_s = campaign.file.join.stated_offset_s().unwrap_or(0.0);
+fn apart_s(join: &Join, targets: &[Target], log: &JointLog) -> Option<f64> {
+    let offset_s = join.stated_offset_s().unwrap_or(0.0);
     let mut logged: Vec<f64> = log.rows.iter().filter_map(|row| row.time_s).collect();
     logged.sort_by(f64::total_cmp);
     let nearest = |time_s: f64| {
@@ -171,7 +173,7 @@ fn apart_s(campaign: &Campaign, targets: &[Target], log: &JointLog) -> Option<f6
 
 /// What the counts of rows say against a join by row, before anything is known of targets and frames.
 pub fn counts(campaign: &Campaign, imported: &Gathered, robot: &dyn Robot) -> Result<()> {
-    if campaign.file.join.by != JoinBy::Row {
+    if campaign.file.join_by() != Some(JoinBy::Row) {
         return Ok(());
     }
     let points = || imported.points.iter().filter(|p| p.target.as_ref().is_some_and(|t| robot.targets().contains(t)));

@@ -1,9 +1,7 @@
-//! All problems of a TOML file at once: an entry that does not fit is reported and taken away, one that is missing is
-//! reported and filled in, and the rest is read again.
+//! All problems of a TOML file at once: an entry that does not fit is reported and removed, a missing one is reported and
+//! filled in, and the rest is read again.
 
-use super::lost::Lost;
-use super::unknown::{self, Unknown};
-use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::message::{Message, Place, Problems, Result, nearest};
 use serde::de::DeserializeOwned;
 use std::ops::Range;
 use toml::Spanned;
@@ -11,37 +9,74 @@ use toml::de::{DeTable, DeValue, Deserializer, Error};
 
 /// What is left of a file.
 pub(super) struct Recovered<T> {
-    /// The value; none where the file is no TOML.
+    /// The value; none where the file is not TOML.
     pub value: Option<T>,
     /// What does not fit.
     pub problems: Problems,
-    /// Where that is in the value.
-    pub lost: Lost,
+    /// Where that is in the file.
+    pub unread: UnreadKeys,
+}
+
+/// Entries of a TOML file that did not read, each by the keys that lead to it; a number counts tables of an array. Their
+/// absence from the value means nothing.
+#[derive(Clone, Debug, Default)]
+pub struct UnreadKeys(Vec<Vec<String>>);
+
+impl UnreadKeys {
+    /// Adds an entry.
+    pub(super) fn add(&mut self, path: Vec<String>) {
+        self.0.push(path);
+    }
+
+    /// Whether exactly this entry is among them.
+    pub(super) fn contains(&self, path: &[String]) -> bool {
+        self.0.iter().any(|keys| keys == path)
+    }
+
+    /// Whether something at, above or below these keys did not read.
+    pub fn affects(&self, path: &[&str]) -> bool {
+        self.0.iter().any(|keys| meet(keys, path))
+    }
+
+    /// The same, except for keys of this name.
+    pub fn affects_except(&self, path: &[&str], key: &str) -> bool {
+        self.0.iter().any(|keys| meet(keys, path) && keys.last().is_none_or(|last| last != key))
+    }
+
+    /// Whether the entry itself, or an element of it, did not read.
+    pub fn affects_entry(&self, key: &str) -> bool {
+        self.0.iter().any(|keys| keys.len() <= 2 && keys.first().is_some_and(|first| first == key))
+    }
+
+    /// Whether everything read.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+/// Whether one path leads to the other.
+fn meet(keys: &[String], path: &[&str]) -> bool {
+    keys.iter().zip(path).all(|(a, b)| a == b)
 }
 
 /// Reads `text` as a `T`, or reports everything in it that does not fit.
 pub(crate) fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
-    let Recovered { value, problems, .. } = recover(file, text, "");
+    let Recovered { value, problems, .. } = recover(file, text);
     value.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
-/// The same, with the value that is left. Keys of the file itself that are missing are taken from the text `defaults`.
-pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, defaults: &'static str) -> Recovered<T> {
+/// The same, with the value that is left.
+pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str) -> Recovered<T> {
     let (mut root, errors) = DeTable::parse_recoverable(text);
-    let mut lost = Lost::default();
+    let mut unread = UnreadKeys::default();
     if !errors.is_empty() {
-        return Recovered { value: None, problems: syntax(file, text, &errors), lost };
-    }
-    for (key, value) in DeTable::parse_recoverable(defaults).0.into_inner() {
-        if !root.get_ref().contains_key(key.get_ref().as_ref()) {
-            root.get_mut().insert(key, value);
-        }
+        return Recovered { value: None, problems: syntax(file, text, &errors), unread };
     }
     let mut odd = Vec::new();
     root.get_ref().values().for_each(|value| not_finite(value, &mut odd));
     let mut problems = Problems::default();
     problems.0.extend(odd.into_iter().map(|span| {
-        let what = format!("`{}` is no measured value", text.get(span.clone()).unwrap_or(""));
+        let what = format!("`{}` is not a measured value", text.get(span.clone()).unwrap_or(""));
         Message::error(what).at(Place::span(file, text, span)).expected("a finite number")
     }));
     let mut unknown: Vec<Unknown> = Vec::new();
@@ -60,10 +95,10 @@ pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, defaults: &'s
                 break None;
             }
             // what was taken away, or stands in a table that is filled in itself, is told already
-            if !lost.holds(&path) && span.start <= text.len() {
+            if !unread.contains(&path) && span.start <= text.len() {
                 problems.0.push(missing(file, text, &span, &key, &section));
             }
-            lost.add(path.clone());
+            unread.add(path.clone());
             let at = text.len() + 1 + 2 * filled.len();
             filled.push(Placeholder { path, span: at..at + 1, tries: TRIES.iter() });
             filled.last_mut()
@@ -79,7 +114,7 @@ pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, defaults: &'s
                 }
                 None => problems.0.push(wrong(file, text, &error)),
             }
-            lost.add(path);
+            unread.add(path);
             continue;
         } else {
             filled.iter_mut().find(|p| p.span == span)
@@ -88,10 +123,10 @@ pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, defaults: &'s
             break None;
         }
     };
-    meant.into_iter().for_each(|path| lost.add(path));
-    problems.0.extend(unknown::messages::<T>(file, text, unknown));
+    meant.into_iter().for_each(|path| unread.add(path));
+    problems.0.extend(unknown_keys::<T>(file, text, unknown));
     problems.0.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
-    Recovered { value, problems, lost }
+    Recovered { value, problems, unread }
 }
 
 /// Values to fill in for what is missing, of every kind and of every choice that has no default: one of them fits.
@@ -151,7 +186,7 @@ fn within(value: &Spanned<DeValue>, span: &Range<usize>) -> Option<Vec<String>> 
     }
 }
 
-/// Where `value` holds a number that is not finite: TOML knows `nan` and `inf`, a measurement does not.
+/// Where `value` holds a number that is not finite: TOML has `nan` and `inf`, a measurement does not.
 fn not_finite(value: &Spanned<DeValue>, odd: &mut Vec<Range<usize>>) {
     match value.get_ref() {
         DeValue::Float(number) if number.as_str().contains(['n', 'i']) => odd.push(value.span()),
@@ -161,7 +196,7 @@ fn not_finite(value: &Spanned<DeValue>, odd: &mut Vec<Range<usize>>) {
     }
 }
 
-/// Where the value of a key stands, given by the keys that lead to it; a number among them counts tables of an array.
+/// The span of the value of a key, given by the keys that lead to it; a number among them counts tables of an array.
 pub(super) fn find(text: &str, path: &[&str]) -> Option<Range<usize>> {
     let (root, _) = DeTable::parse_recoverable(text);
     let (first, rest) = path.split_first()?;
@@ -221,13 +256,13 @@ fn covers(outer: &Range<usize>, span: &Range<usize>) -> bool {
 }
 
 /// The text between `start` and the next backtick in the message.
-pub(super) fn quoted(error: &Error, start: &str) -> Option<String> {
+fn quoted(error: &Error, start: &str) -> Option<String> {
     let (_, rest) = error.message().split_once(start)?;
     Some(rest.split('`').next().unwrap_or("").to_owned())
 }
 
-/// That a key of a section is not there.
-fn missing(file: &str, text: &str, span: &Range<usize>, key: &str, section: &[String]) -> Message {
+/// That a key of a section is missing.
+pub(super) fn missing(file: &str, text: &str, span: &Range<usize>, key: &str, section: &[String]) -> Message {
     let name = section.iter().rfind(|key| key.parse::<usize>().is_err());
     let of = name.map(|s| format!(" in `{s}`")).unwrap_or_default();
     let place = if section.is_empty() { Place::file(file) } else { Place::span(file, text, span.clone()) };
@@ -261,7 +296,7 @@ fn wrong(file: &str, text: &str, error: &Error) -> Message {
     }
 }
 
-/// Errors of a file that is no TOML. Keys that are there twice are one error: mostly, the head of a table is not there.
+/// Errors of a file that is not TOML. Duplicate keys are one error: mostly, the head of a table is missing.
 fn syntax(file: &str, text: &str, errors: &[Error]) -> Problems {
     let (twice, others): (Vec<&Error>, Vec<&Error>) =
         errors.iter().partition(|e| e.message().contains("duplicate key"));
@@ -270,10 +305,73 @@ fn syntax(file: &str, text: &str, errors: &[Error]) -> Problems {
         let hint = "a table among several begins with its head in double brackets, like `[[joint]]`: is one missing before it?";
         let more = if twice.len() > 1 { format!(", and {} keys after it", twice.len() - 1) } else { String::new() };
         let message = wrong(file, text, first).hint(hint);
-        problems.push(Message { what: format!("the key stands in this table twice{more}"), ..message });
+        problems.push(Message { what: format!("this table has the key twice{more}"), ..message });
     }
     problems.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
     Problems(problems)
+}
+
+/// A key that a section does not have.
+struct Unknown {
+    key: String,
+    section: Vec<String>,
+    span: Range<usize>,
+    known: Vec<String>,
+}
+
+impl Unknown {
+    /// The unknown key at `path` that the error is about, if it is.
+    fn of(error: &Error, path: &[String], span: Range<usize>) -> Option<Self> {
+        let key = quoted(error, "unknown field `")?;
+        let (_, section) = path.split_last()?;
+        Some(Self { key, section: section.to_vec(), span, known: known(error) })
+    }
+
+    /// The entry that the key may be meant as.
+    fn meant(&self) -> Option<Vec<String>> {
+        let name = nearest(&self.key, self.known.iter().map(String::as_str))?;
+        Some([&self.section[..], &[name.to_owned()]].concat())
+    }
+
+    /// Whether the key is like none of those that are known here.
+    fn stray(&self) -> bool {
+        self.meant().is_none()
+    }
+}
+
+/// Names between backticks after "expected".
+fn known(error: &Error) -> Vec<String> {
+    let expected = error.message().split("expected").nth(1).unwrap_or("");
+    expected.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+/// Keys of the top level of a `T`.
+fn top_level<T: DeserializeOwned>() -> Vec<String> {
+    let mut odd = DeTable::new();
+    odd.insert(Spanned::new(0..0, "?".into()), Spanned::new(0..0, DeValue::Boolean(true)));
+    T::deserialize(Deserializer::from(Spanned::new(0..0, odd))).err().map(|e| known(&e)).unwrap_or_default()
+}
+
+/// One error for each unknown key; for several of one section that are like no key of it, one error in all.
+fn unknown_keys<T: DeserializeOwned>(file: &str, text: &str, mut unknown: Vec<Unknown>) -> Vec<Message> {
+    let top = top_level::<T>();
+    unknown.sort_by_key(|key| key.span.start);
+    let groups = unknown.chunk_by(|a, b| a.section == b.section && a.stray() && b.stray());
+    let message = |group: &[Unknown]| {
+        let first = group.first()?;
+        let names: Vec<String> = group.iter().map(|key| format!("`{}`", key.key)).collect();
+        let s = if names.len() > 1 { "s" } else { "" };
+        let message = Message::error(format!("unknown key{s} {}", names.join(", ")));
+        let message = message.at(Place::span(file, text, first.span.clone()));
+        Some(if first.stray() && !first.section.is_empty() && top.contains(&first.key) {
+            message.hint(format!("`{}` belongs at the top, before the first section", first.key))
+        } else if names.len() > 1 {
+            message.hint("is the head of their table missing, like `[section]` or `[[joint]]`?")
+        } else {
+            message.hint_names(&first.key, first.known.iter().map(String::as_str))
+        })
+    };
+    groups.filter_map(message).collect()
 }
 
 #[cfg(test)]

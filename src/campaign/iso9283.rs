@@ -1,10 +1,67 @@
-//! `[[stream]]`: a recorded motion that ISO 9283 is told of.
+//! `[repeatability]`, `[poses]`, `[compliance]` and `[[stream]]`: tests of ISO 9283.
 
 use super::Campaign;
 use crate::base::message::{Message, Problems};
 use crate::import::format::{Format, Unit};
 use serde::Deserialize;
 use toml::Spanned;
+
+/// Poses that are visited again and again along one trajectory.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RepeatabilityDefinition {
+    /// Labels of the visits, e.g. `P{pose}-{cycle}`. Visits of one pose in one cycle bear the same label, in their order.
+    pub label: Spanned<String>,
+    /// Poses in the order of one cycle; the pose before says how one was approached.
+    pub trajectory: Spanned<Vec<i64>>,
+    /// Four poses whose mean positions should lie in a plane.
+    pub coplanar: Option<Spanned<[i64; 4]>>,
+    /// Labels of the measurements at the home position, each after homing, e.g. `home-{cycle}`.
+    pub homing: Option<Spanned<String>>,
+    /// Commanded poses in the world frame: `pose,x_mm,y_mm[,z_mm]`; without z all is in the plane. Without the file there is
+    /// no accuracy, distance or drift.
+    pub commanded: Option<Spanned<String>>,
+    /// Cycles of one set of a drift test.
+    pub drift_set: Option<Spanned<usize>>,
+}
+
+impl RepeatabilityDefinition {
+    /// Every pattern of labels.
+    pub fn patterns(&self) -> impl Iterator<Item = &Spanned<String>> {
+        std::iter::once(&self.label).chain(&self.homing)
+    }
+}
+
+/// Attained and commanded poses. All tables are in one frame of their own.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PosesDefinition {
+    /// Attained poses: `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]`.
+    pub attained: Spanned<String>,
+    /// Commanded poses: the same coordinates without `cycle`.
+    pub commanded: Spanned<String>,
+    /// Reference targets that stand still, measured from time to time: `cycle,target,x_mm,y_mm[,z_mm]`.
+    pub reference: Option<Spanned<String>>,
+    /// Cycles of one set of a drift test.
+    pub drift_set: Option<Spanned<usize>>,
+    /// Order of the rotations a, b, c, e.g. `Rz(c) Ry(b) Rx(a)`.
+    pub rotation_order: Option<String>,
+    /// Seed of the bootstrap intervals.
+    #[serde(default = "seed")]
+    pub seed: u64,
+}
+
+fn seed() -> u64 {
+    1
+}
+
+/// A loaded robot.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ComplianceDefinition {
+    /// `direction,cycle,force_n,x_mm,y_mm[,z_mm]`, in each direction and cycle a row of force 0.
+    pub file: Spanned<String>,
+}
 
 /// A recorded motion. Recording, path and commanded poses are in one frame: that of the recording.
 #[derive(Clone, Debug, Deserialize)]
