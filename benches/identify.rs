@@ -8,7 +8,7 @@
 use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::math::identify::{Observation, Settings, identify};
-use etalon::run::check::check;
+use etalon::run::check::{Prepared, check};
 use etalon::stages::evaluate;
 use etalon::stages::frames;
 use etalon::stages::join;
@@ -23,8 +23,7 @@ fn main() {
         println!("skipped: {name} is not set");
         return;
     }
-    let imported = check(&campaign).expect("import");
-    let robot = campaign.build_robot().expect("robot");
+    let Prepared { gathered: imported, robot, .. } = check(&campaign).expect("import");
     let features = frames::fit_features(&campaign, &imported.points).expect("features");
     let frames = frames::make_frames(&campaign, &imported.points, &features, false).expect("frames");
     let mut joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");

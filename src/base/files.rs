@@ -3,12 +3,29 @@
 use crate::base::message::{Message, Result};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::io::Write;
+use std::fs::File;
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
+
+/// Opens a file for reading.
+pub fn open(path: &Path) -> std::io::Result<File> {
+    #[cfg(test)]
+    OPENED.with_borrow_mut(|opened| opened.push(path.to_owned()));
+    File::open(path)
+}
+
+#[cfg(test)]
+thread_local! {
+    /// Every file that was opened on this thread, in order.
+    pub(crate) static OPENED: std::cell::RefCell<Vec<PathBuf>> = const { std::cell::RefCell::new(Vec::new()) };
+}
 
 /// The bytes of a file.
 pub fn read(path: &Path) -> Result<Vec<u8>> {
-    std::fs::read(path).map_err(|e| Message::error(format!("cannot read `{}`: {e}", path.display())).into())
+    let mut bytes = Vec::new();
+    let read = open(path).and_then(|mut file| file.read_to_end(&mut bytes));
+    read.map_err(|e| Message::error(format!("cannot read `{}`: {e}", path.display())))?;
+    Ok(bytes)
 }
 
 /// The text of a file, which must be UTF-8; a byte-order mark is dropped.

@@ -214,9 +214,12 @@ impl Problems {
     pub fn check(self) -> std::result::Result<Vec<Message>, Self> {
         if self.0.iter().any(|m| m.severity == Severity::Error) { Err(self) } else { Ok(self.0) }
     }
-}
 
-impl Problems {
+    /// The value of a result; its problems are added to these.
+    pub fn keep<T>(&mut self, result: Result<T>) -> Option<T> {
+        result.map_err(|more| self.0.extend(more.0)).ok()
+    }
+
     /// The same messages about this file and its text, where they name no other file: the line that they name is shown.
     pub fn in_text(mut self, file: &str, text: &str) -> Self {
         for message in &mut self.0 {

@@ -53,7 +53,7 @@ fn find(path: &Path) -> (Option<ImportDocument>, Problems) {
         Err(problems) => return (None, problems),
     };
     let Some(campaign) = campaign else { return (None, problems) };
-    let (imported, more) = everything(&campaign);
+    let (inputs, more) = everything(&campaign);
     problems.0.extend(more.0);
-    (Some(imported.document), problems)
+    (Some(inputs), problems)
 }

@@ -9,7 +9,7 @@ use super::{Verdict, print, say};
 use crate::base::message::{Message, Problems};
 use crate::document::{Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose};
 use crate::run::output;
-use crate::stages::iso9283::pose::Settings;
+use crate::stages::iso9283::pose::{DRAWS, Settings};
 use crate::stages::iso9283::pose_tables::PoseTables;
 pub(super) use compliance::as_text as compliance_as_text;
 use plan::PlanOptions;
@@ -105,6 +105,7 @@ impl Iso9283 {
             drift_set: self.drift_set,
             rotation_order: self.rotation_order.clone(),
             seed: self.seed,
+            draws: DRAWS,
             ap_limit_mm: self.ap_limit_mm,
             rp_limit_mm: self.rp_limit_mm,
         })?;

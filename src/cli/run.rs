@@ -4,7 +4,8 @@ use super::{Verdict, print, say};
 use crate::base::message::Message;
 use crate::campaign::Campaign;
 use crate::document::{AccuracySet, Characteristics, LimitVerdict};
-use crate::run::pipeline;
+use crate::run::output::to_json;
+use crate::run::pipeline::{self, Outcome};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -47,52 +48,31 @@ impl Run {
             say(format_args!("skipped: {} needs data below ${name}, which is not set", campaign.path));
             return Ok(Verdict::Met);
         }
-        if !campaign.identifies() {
-            return self.test(&campaign);
-        }
-        let outcome = pipeline::run(&campaign)?;
-        for message in &outcome.messages {
+        let Outcome { identified, tested, met, messages, .. } = pipeline::run(&campaign)?;
+        for message in &messages {
             say(format_args!("{message}\n"));
         }
         if self.json {
-            print(crate::run::output::to_json(&outcome.accuracy)?)?;
-        } else {
-            let mut text = format!("{}\n", campaign.file.name);
-            for set in &outcome.accuracy.sets {
-                text.push_str(&summary(set));
-            }
-            for limit in &outcome.accuracy.limits {
-                text.push_str(&verdict(limit));
-            }
-            text.push_str(&characteristics(&outcome.tested));
-            let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
-            print(text)?;
-        }
-        if !outcome.parameters.is_plausible() {
-            say("no controller file is written: this result cannot be the robot");
-        }
-        Ok(if outcome.met { Verdict::Met } else { Verdict::LimitNotMet })
-    }
-
-    /// A campaign that is a test by ISO 9283.
-    fn test(&self, campaign: &Campaign) -> anyhow::Result<Verdict> {
-        let tested = pipeline::test(campaign)?;
-        for message in &tested.messages {
-            say(format_args!("{message}\n"));
-        }
-        let found = &tested.found;
-        if self.json {
-            print(match (&found.poses, &found.streams, &found.compliance) {
-                (Some(poses), ..) => crate::run::output::to_json(poses)?,
-                (None, Some(streams), _) => crate::run::output::to_json(streams)?,
-                (None, None, compliance) => crate::run::output::to_json(compliance)?,
+            print(match (&identified, &tested.poses, &tested.streams) {
+                (Some(found), ..) => to_json(&found.accuracy)?,
+                (None, Some(poses), _) => to_json(poses)?,
+                (None, None, Some(streams)) => to_json(streams)?,
+                (None, None, None) => to_json(&tested.compliance)?,
             })?;
         } else {
-            let mut text = format!("{}\n{}", campaign.file.name, characteristics(found));
+            let mut text = format!("{}\n", campaign.file.name);
+            if let Some(found) = &identified {
+                found.accuracy.sets.iter().for_each(|set| text.push_str(&summary(set)));
+                found.accuracy.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
+            }
+            text.push_str(&characteristics(&tested));
             let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
             print(text)?;
         }
-        Ok(if tested.met { Verdict::Met } else { Verdict::LimitNotMet })
+        if identified.is_some_and(|found| !found.parameters.is_plausible()) {
+            say("no controller file is written: this result cannot be the robot");
+        }
+        Ok(if met { Verdict::Met } else { Verdict::LimitNotMet })
     }
 }
 

@@ -175,7 +175,7 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>> {
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         return Err(message.hint(beside(path.parent().unwrap_or(Path::new("")), &name)).into());
     }
-    let file = std::fs::File::open(path);
+    let file = files::open(path);
     let file = file.map_err(|e| Message::error(format!("cannot read `{}`: {e}", path.display())))?;
     Ok(bounded::read(file).map_err(|mut message| {
         message.what = format!("`{}`: {}", path.display(), message.what);

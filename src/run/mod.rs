@@ -1,6 +1,8 @@
 //! A campaign from its files to its output folder.
 
 pub mod check;
+mod names;
 pub mod output;
 pub mod pipeline;
-pub mod summary;
+mod statements;
+mod summary;

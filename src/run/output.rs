@@ -4,6 +4,12 @@ use crate::base::files;
 use crate::base::message::{Message, Result};
 use crate::base::table;
 use crate::campaign::Campaign;
+use crate::import;
+use crate::report;
+use crate::stages::evaluate;
+use crate::stages::gather::Gathered;
+use crate::stages::identification::Identified;
+use crate::stages::join::Joined;
 use polars::prelude::DataFrame;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -63,15 +69,46 @@ impl Output {
         Ok(())
     }
 
-    /// Adds a table as CSV.
-    pub fn csv(&mut self, stem: &str, table: &mut DataFrame) -> Result<()> {
-        let bytes = table::to_csv(table)?;
-        self.bytes(&format!("{stem}.csv"), bytes);
+    /// Adds the tables of points and joint values.
+    pub fn gathered(&mut self, campaign: &Campaign, gathered: &Gathered) -> Result<()> {
+        self.table("points", &mut import::table(&gathered.points)?)?;
+        for log in &gathered.logs {
+            self.table(&Self::numbered("joints", &log.name, campaign), &mut log.table()?)?;
+        }
         Ok(())
     }
 
+    /// Adds the observations of each log, as Parquet and as CSV.
+    pub fn observations(&mut self, campaign: &Campaign, joined: Option<Joined>) -> Result<()> {
+        for (name, mut observations) in joined.into_iter().flat_map(|joined| joined.observations) {
+            let stem = Self::numbered("observations", &name, campaign);
+            self.table(&stem, &mut observations)?;
+            let bytes = table::to_csv(&mut observations)?;
+            self.bytes(&format!("{stem}.csv"), bytes);
+        }
+        Ok(())
+    }
+
+    /// Adds parameters and errors, or removes those of an earlier run.
+    pub fn identified(&mut self, found: Option<&Identified>) -> Result<()> {
+        self.optional("parameters.json", found.map(|found| &found.parameters))?;
+        match found {
+            Some(found) => self.table("residuals", &mut evaluate::to_table(&found.errors)?)?,
+            None => self.remove("residuals.parquet"),
+        }
+        self.optional("accuracy.json", found.map(|found| &found.accuracy))
+    }
+
+    /// Adds the files of a report; a program without PDF leaves none of an earlier run.
+    pub fn reports(&mut self, files: Vec<report::File>) {
+        if !cfg!(feature = "pdf") {
+            self.remove("report.pdf");
+        }
+        files.into_iter().for_each(|(name, bytes)| self.bytes(name, bytes));
+    }
+
     /// `stem`, or `stem-name` where the campaign has several logs and this is not the first.
-    pub fn numbered(stem: &str, name: &str, campaign: &Campaign) -> String {
+    fn numbered(stem: &str, name: &str, campaign: &Campaign) -> String {
         let first = campaign.file.logs.first().is_some_and(|log| log.name == name);
         if first { stem.to_owned() } else { format!("{stem}-{name}") }
     }

@@ -1,34 +1,27 @@
 //! The hallway: every stage is a function from the documents before it to the document after it.
 
-use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::message::{Message, Problems, Result};
 use crate::campaign::Campaign;
-use crate::document::*;
+use crate::document::Characteristics;
 use crate::export;
-use crate::import;
-use crate::math::identify::{self, Identification, Observation};
-use crate::math::robots::Robot;
 use crate::report;
-use crate::run::check::{check, selections};
+use crate::run::check::{Prepared, check};
 use crate::run::output::Output;
 use crate::run::summary::summary;
-use crate::stages::evaluate::{self, Sets};
 use crate::stages::frames;
 use crate::stages::geometric;
+use crate::stages::identification::{Identified, identify};
 use crate::stages::iso9283::characteristics;
 use crate::stages::join;
-use crate::stages::parameters::parameters_document;
-use crate::stages::plausible::doubts;
 
 /// What a run found, for the one who called it.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// Identified parameters.
-    pub parameters: ParametersDocument,
-    /// Errors before and after.
-    pub accuracy: AccuracyDocument,
+    /// Parameters and errors, where the campaign identifies any.
+    pub identified: Option<Identified>,
     /// Characteristics of ISO 9283, where the campaign tests any.
     pub tested: Characteristics,
-    /// Whether every limit is met, and the result can be that of a robot.
+    /// Whether every limit is met, and the result can be the robot's.
     pub met: bool,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
@@ -37,164 +30,88 @@ pub struct Outcome {
 }
 
 /// Runs a campaign from its exports to the report. Nothing is written before all of it is computed.
-/// Where a stage fails, the warnings of those before it come first: they may tell why.
+/// Where a stage fails, the warnings of those before it come first: they may say why.
 pub fn run(campaign: &Campaign) -> Result<Outcome> {
-    if !campaign.identifies() {
-        let message = Message::error("the campaign identifies nothing").at(Place::file(campaign.path.as_str()));
-        return Err(message.expected("[log], [join], [frame] and [identify]").into());
-    }
     let mut warnings = Vec::new();
     stages(campaign, &mut warnings).map_err(|problems| {
-        let told = |message: &Message| problems.0.contains(message);
-        Problems(warnings.iter().filter(|m| !told(m)).chain(&problems.0).cloned().collect())
+        let repeated = |message: &Message| problems.0.contains(message);
+        Problems(warnings.iter().filter(|m| !repeated(m)).chain(&problems.0).cloned().collect())
     })
 }
 
 fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     let mut out = Output::new(campaign.output()?);
 
-    // import: exports and logs become points and joint values
-    let mut imported = check(campaign)?;
-    warnings.clone_from(&imported.document.messages);
-    let robot = campaign.build_robot()?;
+    // gather: exports and logs become points and joint values
+    let Prepared { mut gathered, robot, tests, geometric: measured, presentation } = check(campaign)?;
+    warnings.clone_from(&gathered.document.messages);
 
     // fit: points become features
-    let features = frames::fit_features(campaign, &imported.points)?;
+    let features = frames::fit_features(campaign, &gathered.points)?;
 
     // frames: features and targets become the world
-    let frames = frames::make_frames(campaign, &imported.points, &features, robot.dimension() == 2)?;
+    let frames = frames::make_frames(campaign, &gathered.points, &features, robot.dimension() == 2)?;
 
-    // tests: visits of poses, recorded motions and loads become characteristics of ISO 9283
-    let tested = characteristics::evaluate(campaign, &mut imported, &frames)?;
+    // tests: attained poses, recorded motions and loads become characteristics of ISO 9283
+    let tested = characteristics::evaluate(campaign, &tests, &gathered, &frames)?;
+    gathered.document.sources.extend(tests.sources);
+    gathered.document.messages.extend(features.messages.clone());
 
-    // join: measurements meet joint values
-    let joined = join::join(campaign, &imported, &frames, robot.as_ref())?;
-    imported.document.messages.extend(features.messages.clone());
-    imported.document.messages.extend(joined.messages.clone());
-    imported.document.unmatched = joined.unmatched;
-    warnings.clone_from(&imported.document.messages);
+    let (mut joined, mut identified, mut geometric) = (None, None, None);
+    if let Some(stated) = &campaign.file.identify {
+        // join: measurements meet joint values
+        let observed = joined.insert(join::join(campaign, &gathered, &frames, robot.as_ref())?);
+        gathered.document.messages.append(&mut observed.messages);
+        gathered.document.unmatched = std::mem::take(&mut observed.unmatched);
+        warnings.clone_from(&gathered.document.messages);
 
-    // identify: observations become parameters
-    let (calibration, validation) = campaign.selections()?;
-    let mut messages = Vec::new();
-    let observations = Observation::from_table(robot.as_ref(), &joined.observations[0].1, &mut messages)?;
-    let poses = evaluate::poses(&observations);
-    let sets = evaluate::split(&observations, &poses, &calibration, validation.as_ref());
-    selections(campaign, &poses)?;
-    let settings = campaign.settings();
-    let before = identify::fit_frames(robot.as_ref(), &sets.calibration, &settings)?;
-    let mut found = identify::identify_from(robot.as_ref(), &sets.calibration, &settings, &before)?;
-    for (name, table) in joined.observations.iter().skip(1) {
-        let observations = Observation::from_table(robot.as_ref(), table, &mut messages)?;
-        let others = evaluate::split(&observations, &poses, &calibration, validation.as_ref());
-        let used = campaign.file.logs[0].name.as_str();
-        let theirs = identify::identify(robot.as_ref(), &others.calibration, &settings)?;
-        let (this, that) = ((used, &sets, &found), (name.as_str(), &others, &theirs));
-        let said = [compare_logs(robot.as_ref(), this, that, used), compare_logs(robot.as_ref(), that, this, used)];
-        found.warnings.extend(said.into_iter().flatten());
+        // identify: observations become parameters, and errors before and after
+        let inputs = gathered.document.inputs();
+        let found = identified.insert(identify(campaign, stated, robot.as_ref(), observed, &inputs)?);
+
+        // geometry: balls, a shaft and an arm give the same parameters without a model
+        geometric = geometric::calibrate(campaign, robot.as_ref(), measured, found)?;
     }
-    found.warnings.splice(0..0, messages);
-    // evaluate: errors before and after
-    let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
-    let doubts = doubts(robot.as_ref(), &sets.calibration, &settings, &found, &errors);
-    found.warnings.splice(0..0, doubts);
-    let parameters = parameters_document(robot.as_ref(), &settings, &before, &found, &imported.document.inputs());
-    let accuracy = evaluate::evaluate(robot.as_ref(), &errors, &campaign.file.limits)?;
-
-    // geometry: what balls, a shaft and an arm tell, side by side with that
-    let geometric = geometric::calibrate(campaign, robot.as_ref(), &imported.points, &sets, &found)?;
 
     // report and export, from the documents alone
-    let summary = summary(campaign)?;
+    let summary = summary(campaign, presentation);
     let report = report::Report {
         campaign: &summary,
-        import: &imported.document,
+        import: &gathered.document,
         features: &features,
         frames: &frames,
-        identified: Some(report::Identified {
-            parameters: &parameters,
-            accuracy: &accuracy,
-            errors: &errors,
+        identified: identified.as_ref().map(|found| report::Identified {
+            parameters: &found.parameters,
+            accuracy: &found.accuracy,
+            errors: &found.errors,
             geometric: geometric.as_ref(),
         }),
         tested: &tested,
     };
     let (met, reports) = (report.is_met(), report::files(&report)?);
-    out.table("points", &mut import::table(&imported.points)?)?;
-    for log in &imported.logs {
-        out.table(&Output::numbered("joints", &log.name, campaign), &mut log.table()?)?;
-    }
+    out.gathered(campaign, &gathered)?;
     out.json("campaign.json", &summary)?;
-    out.json("import.json", &imported.document)?;
+    out.json("import.json", &gathered.document)?;
     out.json("features.json", &features)?;
     out.json("frames.json", &frames)?;
-    for (name, mut observations) in joined.observations {
-        let stem = Output::numbered("observations", &name, campaign);
-        out.table(&stem, &mut observations)?;
-        out.csv(&stem, &mut observations)?;
-    }
-    out.json("parameters.json", &parameters)?;
-    out.table("residuals", &mut evaluate::to_table(&errors)?)?;
-    out.json("accuracy.json", &accuracy)?;
+    out.observations(campaign, joined)?;
+    out.identified(identified.as_ref())?;
     out.optional("geometric.json", geometric.as_ref())?;
-    write_tested(&tested, &mut out)?;
+    out.optional("iso9283.json", tested.poses.as_ref())?;
+    out.optional("iso9283-streams.json", tested.streams.as_ref())?;
+    out.optional("iso9283-compliance.json", tested.compliance.as_ref())?;
     for exporter in exporters(campaign) {
-        match parameters.is_plausible() {
-            true => out.bytes(exporter.file_name(), exporter.write(&parameters)?),
-            false => out.remove(exporter.file_name()),
+        match identified.as_ref().filter(|found| found.parameters.is_plausible()) {
+            Some(found) => out.bytes(exporter.file_name(), exporter.write(&found.parameters)?),
+            None => out.remove(exporter.file_name()),
         }
     }
-    add(&mut out, reports);
-    let messages = imported.document.messages.iter().chain(&parameters.messages);
-    let messages = messages.chain(geometric.iter().flat_map(|g| &g.messages));
-    let messages = messages.chain(tested.messages()).cloned().collect();
-    Ok(Outcome { written: out.write()?, parameters, accuracy, tested, met, messages })
-}
-
-/// What a test by ISO 9283 found, for the one who called it.
-#[derive(Clone, Debug)]
-pub struct Tested {
-    /// Its characteristics.
-    pub found: Characteristics,
-    /// Whether every limit is met.
-    pub met: bool,
-    /// Everything that the report warns of.
-    pub messages: Vec<Message>,
-    /// Files written, in order.
-    pub written: Vec<String>,
-}
-
-/// Runs a campaign that identifies nothing ([`Campaign::identifies`]): import, features and frames as ever, then its tests by
-/// ISO 9283. Nothing is written before all of it is computed.
-pub fn test(campaign: &Campaign) -> Result<Tested> {
-    let mut out = Output::new(campaign.output()?);
-    let mut imported = check(campaign)?;
-    let features = frames::fit_features(campaign, &imported.points)?;
-    imported.document.messages.extend(features.messages.clone());
-    let planar = campaign.build_robot()?.dimension() == 2;
-    let frames = frames::make_frames(campaign, &imported.points, &features, planar)?;
-    let found = characteristics::evaluate(campaign, &mut imported, &frames)?;
-    let summary = summary(campaign)?;
-    let report = report::Report {
-        campaign: &summary,
-        import: &imported.document,
-        features: &features,
-        frames: &frames,
-        identified: None,
-        tested: &found,
-    };
-    let (met, reports) = (report.is_met(), report::files(&report)?);
-    // an earlier run may have identified
-    ["parameters.json", "accuracy.json", "residuals.parquet", "geometric.json"].into_iter().for_each(|n| out.remove(n));
-    out.table("points", &mut import::table(&imported.points)?)?;
-    out.json("campaign.json", &summary)?;
-    out.json("import.json", &imported.document)?;
-    out.json("features.json", &features)?;
-    out.json("frames.json", &frames)?;
-    write_tested(&found, &mut out)?;
-    add(&mut out, reports);
-    let messages = imported.document.messages.iter().chain(found.messages()).cloned().collect();
-    Ok(Tested { written: out.write()?, found, met, messages })
+    out.reports(reports);
+    let messages = gathered.document.messages.into_iter();
+    let messages = messages.chain(identified.iter().flat_map(|found| &found.parameters.messages).cloned());
+    let messages = messages.chain(geometric.into_iter().flat_map(|g| g.messages));
+    let messages = messages.chain(tested.messages().cloned()).collect();
+    Ok(Outcome { written: out.write()?, identified, tested, met, messages })
 }
 
 /// The controller formats that the campaign names, or all of them.
@@ -205,41 +122,70 @@ fn exporters(campaign: &Campaign) -> Vec<&'static dyn export::Exporter> {
     }
 }
 
-/// Adds the files of a report; a program without PDF leaves none of an earlier run.
-fn add(out: &mut Output, reports: Vec<report::File>) {
-    if !cfg!(feature = "pdf") {
-        out.remove("report.pdf");
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::files::{self, OPENED};
+    use std::path::{Path, PathBuf};
+
+    /// A copy of a sample in a folder of its own, with more in its `campaign.toml`, and other files.
+    fn copy(sample: &str, more: &str, others: &[(&str, &str)]) -> tempfile::TempDir {
+        fn copy_all(from: &Path, to: &Path) {
+            for entry in std::fs::read_dir(from).unwrap().flatten() {
+                let (path, to) = (entry.path(), to.join(entry.file_name()));
+                match path.is_dir() {
+                    true if path.ends_with("out") => {}
+                    true => copy_all(&path, &to),
+                    false => files::write(&to, &std::fs::read(&path).unwrap()).unwrap(),
+                }
+            }
+        }
+        let folder = tempfile::tempdir().unwrap();
+        copy_all(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(sample), folder.path());
+        let text = std::fs::read_to_string(folder.path().join("campaign.toml")).unwrap();
+        std::fs::write(folder.path().join("campaign.toml"), text + more).unwrap();
+        for (name, text) in others {
+            std::fs::write(folder.path().join(name), text).unwrap();
+        }
+        folder
     }
-    reports.into_iter().for_each(|(name, bytes)| out.bytes(name, bytes));
-}
 
-/// Adds the documents of tests by ISO 9283 to the output folder; one that an earlier run left goes.
-fn write_tested(found: &Characteristics, out: &mut Output) -> Result<()> {
-    out.optional("iso9283.json", found.poses.as_ref())?;
-    out.optional("iso9283-streams.json", found.streams.as_ref())?;
-    out.optional("iso9283-compliance.json", found.compliance.as_ref())
-}
-
-/// A log by its name, its observations and what they identify.
-type Logged<'a> = (&'a str, &'a Sets, &'a Identification);
-
-/// Says so when residuals with one log correlate with its difference from another; `used` is the campaign's choice.
-fn compare_logs(robot: &dyn Robot, this: Logged, that: Logged, used: &str) -> Option<Message> {
-    let (name, here, found) = this;
-    let (other, there, others) = that;
-    let compared = identify::compare_logs(robot, &found.values, &here.calibration, &there.calibration)?;
-    if compared.correlation <= 0.3 {
-        return None;
+    #[test]
+    fn a_run_opens_every_input_once() {
+        let stream = "\n[[stream]]\nname = \"s\"\nfile = \"s.csv\"\ncommanded = \"s_poses.csv\"\n\
+            [compliance]\nfile = \"load.csv\"\n[report]\nlogo = \"logo.svg\"\n";
+        let moved = |i: i32| if (40..60).contains(&i) { i - 40 } else { 20 * i32::from(i >= 60) };
+        let recording: String = (0..100).map(|i| format!("{},{},0,0\n", f64::from(i) / 20.0, moved(i))).collect();
+        let recording = format!("time_s,x_mm,y_mm,z_mm\n{recording}");
+        let load = "direction,cycle,force_n,x_mm,y_mm,z_mm\n+x,1,0,0,0,0\n+x,1,10,0.1,0,0\n+x,1,20,0.2,0,0\n";
+        let others = [
+            ("s.csv", recording.as_str()),
+            ("s_poses.csv", "pose,x_mm,y_mm,z_mm\n1,0,0,0\n2,20,0,0\n"),
+            ("load.csv", load),
+            (
+                "logo.svg",
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1 1\"><rect width=\"1\" height=\"1\"/></svg>",
+            ),
+        ];
+        for (sample, more, others) in
+            [("prexyt-geometric", stream, &others[..]), ("prexyt-repeatability", "", &[]), ("pose-test", "", &[])]
+        {
+            let folder = copy(sample, more, others);
+            OPENED.take();
+            let campaign = Campaign::read(folder.path()).unwrap();
+            run(&campaign).unwrap();
+            let file = &campaign.file;
+            let mut inputs: Vec<PathBuf> = file
+                .inputs()
+                .chain([&file.robot])
+                .chain(&file.report.logo)
+                .map(|f| campaign.resolve(f).unwrap())
+                .collect();
+            inputs.push(folder.path().join("campaign.toml"));
+            inputs.sort();
+            let mut opened = OPENED.take();
+            opened.sort();
+            assert_eq!(opened, inputs, "{sample}");
+        }
     }
-    let what = format!(
-        "with log `{name}`, residuals correlate with the difference of the two logs, r = {:.2}: their root mean square \
-         is {:.3} mm, with log `{other}` {:.3} mm",
-        compared.correlation, found.rms, others.rms
-    );
-    let hint = if name == used {
-        format!("identify with log `{other}`: name it first")
-    } else {
-        format!("log `{other}` is the one to use, as this campaign does")
-    };
-    Some(Message::warning(what).hint(hint))
 }

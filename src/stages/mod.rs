@@ -4,6 +4,7 @@ pub mod evaluate;
 pub mod frames;
 pub mod gather;
 pub mod geometric;
+pub mod identification;
 pub mod iso9283;
 pub mod join;
 pub mod parameters;

@@ -1,4 +1,4 @@
-//! A table that a command is given, or a campaign names.
+//! A table that a command is given, or a campaign names: every one is read here.
 
 use crate::base::files;
 use crate::base::message::{Problems, Result};
@@ -24,32 +24,6 @@ impl TableFile {
         Self::read_with(path, import::observations)
     }
 
-    /// A table that a campaign names, read by `table`, and what the list of inputs says of it: its kind and what it holds.
-    pub fn of_campaign(
-        campaign: &Campaign,
-        file: &Spanned<String>,
-        (kind, holds): (&str, &str),
-        table: impl FnOnce(&str, &str) -> Result<DataFrame>,
-    ) -> Result<(Self, Source)> {
-        let here = campaign.place(file);
-        let path = campaign.resolve(file)?;
-        let bytes = files::read(&path).map_err(|more| more.at(&here))?;
-        let (sha256, size) = (files::sha256(&bytes), bytes.len());
-        let text = files::text(&path, bytes).map_err(|more| more.at(&here))?;
-        let table = Self::of(&path, text, table).map_err(|more| more.at(&here))?;
-        let source = Source {
-            file: file.get_ref().clone(),
-            sha256,
-            bytes: size,
-            kind: kind.to_owned(),
-            dialect: holds.to_owned(),
-            rows_read: table.table.height(),
-            refused: Vec::new(),
-            standstills: Vec::new(),
-        };
-        Ok((table, source))
-    }
-
     /// A text of another form, which `table` makes a table of, given the file's name and the text.
     pub fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         Self::of(path, files::read_text(path)?, table)
@@ -72,7 +46,7 @@ impl TableFile {
         Ok(targets)
     }
 
-    /// The table with the name of its file.
+    /// The table with the name of its file, for messages.
     pub fn named(&self) -> (&str, &DataFrame) {
         (&self.name, &self.table)
     }
@@ -80,5 +54,46 @@ impl TableFile {
     /// Problems of the table, with the lines they are about.
     pub fn place(&self, problems: Problems) -> Problems {
         problems.in_text(&self.name, &self.text)
+    }
+}
+
+/// Reads the tables that a campaign names, and lists them as its inputs.
+#[derive(Debug)]
+pub(crate) struct CampaignTables<'a> {
+    pub campaign: &'a Campaign,
+    pub sources: Vec<Source>,
+}
+
+impl CampaignTables<'_> {
+    /// A table; `holds` is what the list of inputs says of it.
+    pub fn read(&mut self, file: &Spanned<String>, holds: &str) -> Result<TableFile> {
+        self.read_with(file, "table", holds, import::observations)
+    }
+
+    /// A table of another kind, which `table` makes of the file's name and text.
+    pub fn read_with(
+        &mut self,
+        file: &Spanned<String>,
+        kind: &str,
+        holds: &str,
+        table: impl FnOnce(&str, &str) -> Result<DataFrame>,
+    ) -> Result<TableFile> {
+        let here = self.campaign.place(file);
+        let path = self.campaign.resolve(file)?;
+        let bytes = files::read(&path).map_err(|more| more.at(&here))?;
+        let (sha256, size) = (files::sha256(&bytes), bytes.len());
+        let text = files::text(&path, bytes).map_err(|more| more.at(&here))?;
+        let table = TableFile::of(&path, text, table).map_err(|more| more.at(&here))?;
+        self.sources.push(Source {
+            file: file.get_ref().clone(),
+            sha256,
+            bytes: size,
+            kind: kind.to_owned(),
+            dialect: holds.to_owned(),
+            rows_read: table.table.height(),
+            refused: Vec::new(),
+            standstills: Vec::new(),
+        });
+        Ok(table)
     }
 }

@@ -208,7 +208,7 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
     for (from, to, part) in [
         ("homing = ", "drift_set = 10\nhoming = ", "`drift_set` needs commanded poses"),
         ("repeatability_max_mm", "accuracy_max_mm", "needs [repeatability] with `commanded`, or [poses]"),
-        ("[limits]", "[poses]\nattained = \"a.csv\"\ncommanded = \"b.csv\"\n[limits]", "both tell of visited poses"),
+        ("[limits]", "[poses]\nattained = \"a.csv\"\ncommanded = \"b.csv\"\n[limits]", "both state attained poses"),
     ] {
         let scratch = copy_sample("prexyt-repeatability");
         scratch.replace("campaign.toml", from, to);

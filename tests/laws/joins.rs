@@ -58,8 +58,12 @@ fn run(scratch: &Scratch) -> Result<Outcome, Problems> {
 fn by_time_with_the_stated_offset() {
     let outcome =
         run(&timed("by = \"time\"\nclock_offset_s = 1000.0\ntolerance_s = 1.0", 1000.0, None, false)).unwrap();
-    assert_eq!(outcome.accuracy.sets[0].poses, 8);
-    assert!(outcome.accuracy.sets[1].errors[0].after.max < 1e-9, "{:?}", outcome.accuracy.sets);
+    assert_eq!(outcome.identified.as_ref().unwrap().accuracy.sets[0].poses, 8);
+    assert!(
+        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
+        "{:?}",
+        outcome.identified.as_ref().unwrap().accuracy.sets
+    );
 }
 
 #[test]
@@ -78,7 +82,7 @@ fn points_without_a_log_row_are_counted() {
     let said =
         outcome.messages.iter().any(|m| m.what.contains("2 measured points without a row of log `log` within 1 s"));
     assert!(said, "{:?}", outcome.messages);
-    assert_eq!(outcome.accuracy.sets[1].poses, 50);
+    assert_eq!(outcome.identified.as_ref().unwrap().accuracy.sets[1].poses, 50);
 }
 
 #[test]

@@ -175,8 +175,12 @@ fn a_log_recorded_while_moving_calibrates_by_the_means_of_its_standstills() {
     let measured: Rows = stands.iter().zip(&poses).map(|((a, b), q)| (0.4 * a + 0.6 * b, *q)).collect();
     campaign(&scratch, &rows, &measured, STANDSTILL, &format!("clock_offset_s = {CLOCK_S}\ntolerance_s = 0"));
     let outcome = run(&scratch).unwrap();
-    assert_eq!(outcome.accuracy.sets[1].poses, 51);
-    assert!(outcome.accuracy.sets[1].errors[0].after.max < 1e-9, "{:?}", outcome.accuracy.sets);
+    assert_eq!(outcome.identified.as_ref().unwrap().accuracy.sets[1].poses, 51);
+    assert!(
+        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
+        "{:?}",
+        outcome.identified.as_ref().unwrap().accuracy.sets
+    );
     let document = document(&scratch);
     let log = document.sources.iter().find(|s| s.kind == "log").unwrap();
     assert_eq!((log.rows_read, log.standstills.len()), (rows.len(), 59));
@@ -196,7 +200,11 @@ fn the_spread_of_a_standstill_is_told_and_its_mean_counts() {
     campaign(&scratch, &rows, &measured, STANDSTILL, &format!("clock_offset_s = {CLOCK_S}\ntolerance_s = 0"));
     let outcome = run(&scratch).unwrap();
     // 0.001 mm of scatter, in the mean of 41 to 71 samples
-    assert!(outcome.accuracy.sets[1].errors[0].after.max < 0.001, "{:?}", outcome.accuracy.sets);
+    assert!(
+        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 0.001,
+        "{:?}",
+        outcome.identified.as_ref().unwrap().accuracy.sets
+    );
     let document = document(&scratch);
     let log = document.sources.iter().find(|s| s.kind == "log").unwrap();
     assert_eq!(log.standstills.len(), 59);
@@ -220,7 +228,11 @@ fn the_offset_of_the_clocks_comes_from_the_standstills_and_is_said() {
     let measured: Rows = stands.iter().zip(&poses).enumerate().map(|(i, (stand, q))| (early(i, *stand), *q)).collect();
     campaign(&scratch, &rows, &measured, STANDSTILL, "clock_offset_s = \"standstills\"\ntolerance_s = 0");
     let outcome = run(&scratch).unwrap();
-    assert!(outcome.accuracy.sets[1].errors[0].after.max < 1e-9, "{:?}", outcome.accuracy.sets);
+    assert!(
+        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
+        "{:?}",
+        outcome.identified.as_ref().unwrap().accuracy.sets
+    );
     let said = outcome.messages.iter().find(|m| m.what.contains("is set by its 59 standstills")).unwrap();
     assert!(said.what.contains(&format!("offset {CLOCK_S:.3} s, at most 0.100 s off")), "{said}");
     // early and late alone: a whole move later they fit as well
@@ -279,8 +291,16 @@ fn between_two_rows_joints_that_move_evenly_are_exact() {
     let join = format!("clock_offset_s = {CLOCK_S}\ntolerance_s = 2.0\ninterpolate = true");
     campaign(&scratch, &rows, &measured, "", &join);
     let outcome = run(&scratch).unwrap();
-    assert_eq!(outcome.accuracy.sets[0].poses + outcome.accuracy.sets[1].poses, 59);
-    assert!(outcome.accuracy.sets[1].errors[0].after.max < 1e-9, "{:?}", outcome.accuracy.sets);
+    assert_eq!(
+        outcome.identified.as_ref().unwrap().accuracy.sets[0].poses
+            + outcome.identified.as_ref().unwrap().accuracy.sets[1].poses,
+        59
+    );
+    assert!(
+        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
+        "{:?}",
+        outcome.identified.as_ref().unwrap().accuracy.sets
+    );
     // a tolerance below the distance to the farther row leaves points alone; on a row there is none
     let tight = copy_sample("prexyt-cmm");
     campaign(&tight, &rows, &measured, "", &join.replace("2.0", "1.2"));

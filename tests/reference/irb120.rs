@@ -19,14 +19,22 @@ fn run(hold: &str) -> Option<(Outcome, ImportDocument)> {
 
 /// (mean, rms) of position errors on the test poses, before and after.
 fn test_errors(outcome: &Outcome) -> [(f64, f64); 2] {
-    let set = &outcome.accuracy.sets[1];
+    let set = &outcome.identified.as_ref().unwrap().accuracy.sets[1];
     assert_eq!((set.name.as_str(), set.poses, set.count), ("validation", 294, 882));
     let position = &set.errors[0];
     [(position.before.mean, position.before.rms), (position.after.mean, position.after.rms)]
 }
 
 fn identified(outcome: &Outcome) -> usize {
-    outcome.parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count()
+    outcome
+        .identified
+        .as_ref()
+        .unwrap()
+        .parameters
+        .parameters
+        .iter()
+        .filter(|p| p.status == ParameterStatus::Identified)
+        .count()
 }
 
 #[test]
@@ -69,6 +77,9 @@ fn with_bending_and_coupling() {
     assert!(after.0 <= 0.122 && after.1 <= 0.137, "{after:?}");
     // what base and targets take up is named: four of joint 1, two of joint 6
     let held: Vec<&str> = outcome
+        .identified
+        .as_ref()
+        .unwrap()
         .parameters
         .parameters
         .iter()
@@ -77,7 +88,7 @@ fn with_bending_and_coupling() {
         .collect();
     assert_eq!(held, ["alpha_1", "a_1", "theta_1", "d_1", "theta_6", "d_6"]);
     // the rank is plain: six singular values are rounding, and of columns of length 1 the squares add up to their number
-    let o = outcome.parameters.observability.as_ref().unwrap();
+    let o = outcome.identified.as_ref().unwrap().parameters.observability.as_ref().unwrap();
     let [told, untold] = [&o.singular_values, &o.held_singular_values];
     assert!(untold.len() == 6 && untold.iter().all(|s| s.value < o.rank_cut * told[0].value), "{untold:?}");
     assert!((told.iter().map(|s| s.value.powi(2)).sum::<f64>() - 45.0).abs() < 1e-9);

@@ -128,6 +128,7 @@ impl PointColumns {
 /// Labels that features and the world frame use.
 pub(crate) fn used_labels(campaign: &Campaign) -> Vec<&str> {
     let features = campaign.file.features.values().filter_map(|f| f.element()).flat_map(|(_, labels)| labels);
-    let framed = campaign.file.world().into_iter().flat_map(|world| world.names().chain(world.targets.iter().flatten()));
+    let framed =
+        campaign.file.world().into_iter().flat_map(|world| world.names().chain(world.targets.iter().flatten()));
     features.chain(framed).map(|l| l.get_ref().as_str()).collect()
 }

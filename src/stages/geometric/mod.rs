@@ -9,28 +9,27 @@ use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 use crate::campaign::{BallDefinition, Campaign, GeometricDefinition};
 use crate::document::*;
-use crate::import::Point;
 use crate::iso9283::repeatability::pose_repeatability;
 use crate::math::geometric::{self, Geometry, Repeated, Scatter, Uncertain, Workspace, scale_bar};
 use crate::math::identify::Identification;
 use crate::math::robots::{RailTable, Robot};
-use crate::stages::evaluate::Sets;
+use crate::stages::identification::Identified;
 
 /// Finds the robot by geometry alone, and sets it beside what was identified from the same campaign; `None` where the
 /// campaign has no `[geometric]`.
 pub fn calibrate(
     campaign: &Campaign,
     robot: &dyn Robot,
-    points: &[Point],
-    sets: &Sets,
-    identified: &Identification,
+    measured: Option<Gathered>,
+    identified: &Identified,
 ) -> Result<Option<GeometricDocument>> {
-    let Some(definition) = &campaign.file.geometric else { return Ok(None) };
+    let (Some(definition), Some(measured)) = (&campaign.file.geometric, measured) else { return Ok(None) };
+    let Identified { sets, found: identified, .. } = identified;
     // the model before its reduction has no d and delta of which geometry alone gives a value
     let table = robot.rail_table().filter(|r| r.index("d").is_some()).ok_or_else(|| {
         Message::error("[geometric] is the geometric calibration of a PreXYT").expected("a robot with model `prexyt`")
     })?;
-    let Gathered { robot: measured, bars, balls } = gather(campaign, definition, points)?;
+    let Gathered { robot: measured, bars, balls } = measured;
     let found = geometric::determine(&measured, campaign.file.instrument.standard_uncertainty_mm())?;
     let quantities = quantities(&found);
     let value = |name: &str| quantities.iter().find(|q| q.0 == name).map(|q| q.1.value);

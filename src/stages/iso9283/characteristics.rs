@@ -1,46 +1,104 @@
-//! What a campaign tests by ISO 9283: poses, recorded motions, a loaded robot.
+//! Tests of a campaign by ISO 9283: poses, recorded motions, a loaded robot.
 
 use crate::base::message::{Message, Problems, Result};
-use crate::campaign::{Campaign, ComplianceDefinition, PosesDefinition};
+use crate::base::pose::Pose;
+use crate::campaign::{Campaign, PosesDefinition};
 use crate::document::*;
-use crate::import;
 use crate::stages::gather::Gathered;
 use crate::stages::iso9283::COVERAGE_FACTOR;
 use crate::stages::iso9283::load;
-use crate::stages::iso9283::pose::Settings;
-use crate::stages::iso9283::pose_tables::PoseTables;
-use crate::stages::iso9283::repeatability;
+use crate::stages::iso9283::pose::{DRAWS, Settings};
+use crate::stages::iso9283::pose_tables::{PoseTables, Ready};
+use crate::stages::iso9283::repeatability::{self, Commanded};
 use crate::stages::iso9283::streams;
-use crate::stages::table_file::TableFile;
+use crate::stages::table_file::CampaignTables;
 use toml::Spanned;
 
 /// Seed of the bootstrap where the campaign states none: intervals are the same on every run.
 const SEED: u64 = 1;
 
-/// Evaluates all tests of a campaign; files that they are in become sources of `imported`.
-pub fn evaluate(campaign: &Campaign, imported: &mut Gathered, frames: &FramesDocument) -> Result<Characteristics> {
-    let (mut found, mut sources) = (Characteristics::default(), Vec::new());
-    if let Some((document, more)) = poses(campaign, imported, frames)? {
-        found.poses = Some(Iso9283Document { limits: limits(campaign, &document.poses)?, ..document });
-        sources.extend(more);
-    }
-    if let Some((document, more)) = streams::evaluate_all(campaign)? {
-        found.streams = Some(document);
-        sources.extend(more);
-    }
-    if let Some((document, source)) = compliance(campaign)? {
-        found.compliance = Some(document);
-        sources.push(source);
-    }
-    imported.document.sources.extend(sources);
-    Ok(found)
+/// Tables and recordings of the tests of a campaign, read once.
+#[derive(Clone, Debug, Default)]
+pub struct TestData {
+    /// `[poses]`.
+    poses: Option<Ready>,
+    /// `commanded` of `[repeatability]`.
+    commanded: Option<Commanded>,
+    /// `[[stream]]`, in their order.
+    streams: Vec<streams::Ready>,
+    /// `[compliance]`, evaluated.
+    compliance: Option<Iso9283ComplianceDocument>,
+    /// The files.
+    pub sources: Vec<Source>,
 }
 
-/// Everything that is wrong with the tables of these tests and with what is stated of them. Labels are not looked at.
-pub fn problems(campaign: &Campaign) -> Problems {
+/// Reads the tables and recordings of all tests, and reports everything that is wrong with them and with what is stated of
+/// them. Labels are not looked at.
+pub fn read(campaign: &Campaign) -> (TestData, Problems) {
+    let file = &campaign.file;
+    let mut problems = drift_sets(campaign);
+    let mut files = CampaignTables { campaign, sources: Vec::new() };
+    let mut data = TestData::default();
+    if let Some(commanded) = file.repeatability.as_ref().and_then(|labelled| labelled.commanded.as_ref()) {
+        data.commanded = problems.keep(Commanded::read(&mut files, commanded));
+    }
+    // a file that is not named is reported already
+    let named = |definition: &&PosesDefinition| {
+        ![&definition.attained, &definition.commanded].into_iter().any(|file| file.get_ref().is_empty())
+    };
+    if let Some(definition) = file.poses.as_ref().filter(named) {
+        data.poses = problems.keep(read_poses(&mut files, definition));
+    }
+    let (streams, more) = streams::read(&mut files);
+    problems.0.extend(more.0);
+    data.streams = streams;
+    if let Some(definition) = file.compliance.as_ref().filter(|definition| !definition.file.get_ref().is_empty()) {
+        let table = files.read(&definition.file, "static compliance");
+        let found = table.and_then(|table| load::evaluate(table.named()).map_err(|p| table.place(p)));
+        data.compliance = problems.keep(found);
+    }
+    data.sources = files.sources;
+    (data, problems)
+}
+
+/// Evaluates all tests of a campaign.
+pub fn evaluate(
+    campaign: &Campaign,
+    data: &TestData,
+    gathered: &Gathered,
+    frames: &FramesDocument,
+) -> Result<Characteristics> {
+    let settings = settings(campaign);
+    let mut poses = match (&data.poses, &campaign.file.poses, &campaign.file.repeatability) {
+        (Some(attained), Some(definition), _) => Some(of_tables(attained, definition, settings)?),
+        (None, _, Some(labelled)) => {
+            let drift_set = labelled.drift_set.as_ref().map(|set| *set.get_ref());
+            let settings = Settings { drift_set, ..settings };
+            let commanded = data.commanded.as_ref();
+            Some(repeatability::evaluate(campaign, labelled, &gathered.points, commanded, frames, &settings)?)
+        }
+        _ => None,
+    };
+    if let Some(document) = &mut poses {
+        document.limits = limits(campaign, &document.poses)?;
+    }
+    let streams = streams::evaluate_all(campaign, &data.streams)?;
+    Ok(Characteristics { poses, streams, compliance: data.compliance.clone() })
+}
+
+/// Everything that is wrong with the labels of `[repeatability]`; where the world is does not matter to them.
+pub fn label_problems(campaign: &Campaign, data: &TestData, gathered: &Gathered) -> Problems {
+    let Some(labelled) = &campaign.file.repeatability else { return Problems::default() };
+    let commanded = data.commanded.as_ref();
+    let found = repeatability::gather(campaign, labelled, &gathered.points, commanded, &Pose::identity());
+    found.err().unwrap_or_default()
+}
+
+/// Statements on drift that mean nothing.
+fn drift_sets(campaign: &Campaign) -> Problems {
     let file = &campaign.file;
     let mut problems = Problems::default();
-    let mut set = |size: &Option<Spanned<usize>>, commanded: bool| {
+    let mut check = |size: &Option<Spanned<usize>>, commanded: bool| {
         let Some(size) = size else { return };
         if *size.get_ref() < 2 {
             problems.0.push(Message::error("`drift_set` must be at least 2").at(campaign.place(size)));
@@ -51,89 +109,60 @@ pub fn problems(campaign: &Campaign) -> Problems {
         }
     };
     if let Some(labelled) = &file.repeatability {
-        set(&labelled.drift_set, labelled.commanded.is_some());
+        check(&labelled.drift_set, labelled.commanded.is_some());
     }
     if let Some(definition) = &file.poses {
-        set(&definition.drift_set, true);
+        check(&definition.drift_set, true);
         if file.repeatability.is_some() {
-            let message = Message::error("[poses] and [repeatability] both tell of visited poses");
+            let message = Message::error("[poses] and [repeatability] both state attained poses");
             let hint = "state the one that the measurements are in: labels, or a table";
             problems.0.push(message.at(campaign.place(&definition.attained)).hint(hint));
         }
-        problems.0.extend(table_problems(campaign, definition).0);
     }
-    problems.0.extend(streams::read(campaign).err().into_iter().flat_map(|p| p.0));
-    problems.0.extend(compliance(campaign).err().into_iter().flat_map(|p| p.0));
     problems
 }
 
-/// What is wrong with the tables of [poses]; a file that is not named is told already.
-fn table_problems(campaign: &Campaign, definition: &PosesDefinition) -> Problems {
-    if [&definition.attained, &definition.commanded].into_iter().any(|file| file.get_ref().is_empty()) {
-        return Problems::default();
-    }
-    let tested = of_tables(campaign, definition).and_then(|(found, _)| limits(campaign, &found.poses));
-    tested.err().unwrap_or_default()
-}
-
-/// Visited poses: of labels, or of tables.
-fn poses(
-    campaign: &Campaign,
-    imported: &Gathered,
-    frames: &FramesDocument,
-) -> Result<Option<(Iso9283Document, Vec<Source>)>> {
-    match (&campaign.file.poses, &campaign.file.repeatability) {
-        (Some(tables), _) => of_tables(campaign, tables).map(Some),
-        (None, Some(labelled)) => {
-            let drift_set = labelled.drift_set.as_ref().map(|s| *s.get_ref());
-            let settings = Settings { drift_set, ..settings(campaign) };
-            repeatability::evaluate(campaign, labelled, &imported.points, frames, &settings).map(Some)
-        }
-        (None, None) => Ok(None),
-    }
-}
-
-fn of_tables(campaign: &Campaign, definition: &PosesDefinition) -> Result<(Iso9283Document, Vec<Source>)> {
-    let (tables, sources) = PoseTables::of_campaign(campaign, definition)?;
-    let visits = tables.visits(definition.rotation_order.as_deref())?;
-    // a set of one cycle is told of by itself
+/// The attained poses of `[poses]`, and whether they can be evaluated and judged.
+fn read_poses(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Ready> {
+    let campaign = files.campaign;
+    let attained = PoseTables::of_campaign(files, definition)?.visits(definition.rotation_order.as_deref())?;
+    // a set of one cycle is an error of its own
     if let Some(set) = definition.drift_set.as_ref().filter(|set| *set.get_ref() > 1) {
-        visits.drifts(*set.get_ref()).map_err(|more| more.at(&campaign.place(set)))?;
+        attained.drifts(*set.get_ref()).map_err(|more| more.at(&campaign.place(set)))?;
     }
-    let mut document = visits.evaluate(&Settings {
-        drift_set: definition.drift_set.as_ref().map(|s| *s.get_ref()),
+    let found = of_tables(&attained, definition, Settings { draws: 0, ..settings(campaign) })?;
+    limits(campaign, &found.poses)?;
+    Ok(attained)
+}
+
+fn of_tables(attained: &Ready, definition: &PosesDefinition, settings: Settings) -> Result<Iso9283Document> {
+    let mut document = attained.evaluate(&Settings {
+        drift_set: definition.drift_set.as_ref().map(|set| *set.get_ref()),
         rotation_order: definition.rotation_order.clone(),
         seed: definition.seed,
-        ..settings(campaign)
+        ..settings
     })?;
     document
         .conventions
         .push(format!("the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the frame of the tables"));
-    document.visits = visits.told();
-    Ok((document, sources))
+    document.visits = attained.told();
+    Ok(document)
 }
 
-/// What the campaign states for either.
+/// What the campaign states for all tests of poses.
 fn settings(campaign: &Campaign) -> Settings {
     Settings {
         expanded_uncertainty_mm: Some(COVERAGE_FACTOR * campaign.file.instrument.standard_uncertainty_mm()),
         drift_set: None,
         rotation_order: None,
         seed: SEED,
+        draws: DRAWS,
         ap_limit_mm: campaign.file.limits.accuracy_max_mm,
         rp_limit_mm: campaign.file.limits.repeatability_max_mm,
     }
 }
 
-fn compliance(campaign: &Campaign) -> Result<Option<(Iso9283ComplianceDocument, Source)>> {
-    let named = |d: &&ComplianceDefinition| !d.file.get_ref().is_empty();
-    let Some(definition) = campaign.file.compliance.as_ref().filter(named) else { return Ok(None) };
-    let kind = ("table", "static compliance");
-    let (table, source) = TableFile::of_campaign(campaign, &definition.file, kind, import::observations)?;
-    Ok(Some((load::evaluate(table.named()).map_err(|p| table.place(p))?, source)))
-}
-
-/// Limits of the largest values; what the intervals prove of each pose stands with the pose.
+/// Limits of the largest values; each pose has its own conformity.
 fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
     let limits = &campaign.file.limits;
     // or the pose that has none
@@ -149,8 +178,7 @@ fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
     for (name, limit, value) in stated {
         let Some(limit) = limit else { continue };
         let value = value.map_err(|pose| {
-            let message =
-                Message::error(format!("the limit `{name}` cannot be judged: pose {pose} tells no such value"));
+            let message = Message::error(format!("the limit `{name}` cannot be judged: pose {pose} has no such value"));
             message.at(campaign.place_of(&["limits", name])).hint("visit every pose twice or more, and command it")
         })?;
         judged.push(LimitVerdict { name: name.to_owned(), unit: "mm".to_owned(), limit, value, met: value <= limit });

@@ -2,13 +2,12 @@
 //! targets that stand still.
 
 use crate::base::message::{Problems, Result};
-use crate::campaign::{Campaign, PosesDefinition};
-use crate::document::{Iso9283Document, Iso9283Visit, Source};
-use crate::import;
+use crate::campaign::PosesDefinition;
+use crate::document::{Iso9283Document, Iso9283Visit};
 use crate::import::tables::reference_targets::{CarriedBack, carry_back};
 use crate::import::tables::visits::Visits;
 use crate::stages::iso9283::pose::{self, Settings};
-use crate::stages::table_file::TableFile;
+use crate::stages::table_file::{CampaignTables, TableFile};
 use std::path::Path;
 use toml::Spanned;
 
@@ -19,7 +18,8 @@ pub(crate) struct PoseTables {
     reference: Option<TableFile>,
 }
 
-/// Their visits, carried back where reference targets are among them.
+/// Their visits, compensated for the drift of the set-up where reference targets are among them.
+#[derive(Clone, Debug)]
 pub(crate) struct Ready {
     visits: Visits,
     carried: CarriedBack,
@@ -35,30 +35,18 @@ impl PoseTables {
         })
     }
 
-    /// Those of a campaign, and which files they are; everything that does not read is told.
-    pub fn of_campaign(campaign: &Campaign, definition: &PosesDefinition) -> Result<(Self, Vec<Source>)> {
-        let (mut problems, mut sources) = (Problems::default(), Vec::new());
-        let mut read = |file: &Spanned<String>, holds: &str| match TableFile::of_campaign(
-            campaign,
-            file,
-            ("table", holds),
-            import::observations,
-        ) {
-            Ok((table, source)) => {
-                sources.push(source);
-                Some(table)
-            }
-            Err(more) => {
-                problems.0.extend(more.0);
-                None
-            }
+    /// Those of a campaign; everything that does not read is reported.
+    pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
+        let mut problems = Problems::default();
+        let mut read = |file: &Spanned<String>, holds: &str| {
+            files.read(file, holds).map_err(|more| problems.0.extend(more.0)).ok()
         };
         let attained = read(&definition.attained, "attained poses");
         let commanded = read(&definition.commanded, "commanded poses");
         let reference = definition.reference.as_ref().map(|file| read(file, "reference targets"));
         let (Some(attained), Some(commanded)) = (attained, commanded) else { return Err(problems) };
         problems.check()?;
-        Ok((Self { attained, commanded, reference: reference.flatten() }, sources))
+        Ok(Self { attained, commanded, reference: reference.flatten() })
     }
 
     /// The visits that they tell, with everything that is wrong with them at its line.

@@ -3,8 +3,7 @@
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::{Pose, Vector};
 use crate::campaign::{Campaign, RepeatabilityDefinition};
-use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit, Source};
-use crate::import;
+use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
 use crate::import::Point;
 use crate::import::tables::coordinates::{ANGLES, in_file, spatial};
 use crate::import::tables::recording::commanded_poses;
@@ -13,7 +12,7 @@ use crate::iso9283::coplanarity::from_the_others;
 use crate::stages::iso9283::COVERAGE_FACTOR;
 use crate::stages::iso9283::pose::{self, Settings};
 use crate::stages::steps::{Step, Steps};
-use crate::stages::table_file::TableFile;
+use crate::stages::table_file::{CampaignTables, TableFile};
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
@@ -22,14 +21,15 @@ pub fn evaluate(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
     points: &[Point],
+    commanded: Option<&Commanded>,
     frames: &FramesDocument,
     settings: &Settings,
-) -> Result<(Iso9283Document, Vec<Source>)> {
+) -> Result<Iso9283Document> {
     let [frame] = &frames.world.poses[..] else {
         let message = Message::error("[repeatability] needs a world frame that is measured once");
         return Err(message.at(campaign.world_place()).into());
     };
-    let gathered = gather(campaign, definition, points, &frame.export_T_world)?;
+    let gathered = gather(campaign, definition, points, commanded, &frame.export_T_world)?;
     let mut document = pose::evaluate(&gathered.visits, settings)?;
     document.conventions.push(format!(
         "approach: the pose before in the trajectory; the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the world \
@@ -49,7 +49,7 @@ pub fn evaluate(
     }
     document.coplanarity_of_four = out_of_plane(campaign, definition, &gathered.in_order)?;
     document.visits = gathered.in_order;
-    Ok((document, gathered.sources))
+    Ok(document)
 }
 
 /// What the labels of a campaign bring.
@@ -61,8 +61,6 @@ pub struct Gathered {
     pub homings: Option<Visits>,
     /// The visits of the trajectory in the order of recording.
     pub in_order: Vec<Iso9283Visit>,
-    /// Files beside the exports.
-    pub sources: Vec<Source>,
 }
 
 /// Finds the visits by their labels; everything that is missing is said at once.
@@ -70,6 +68,7 @@ pub fn gather(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
     points: &[Point],
+    commanded: Option<&Commanded>,
     export_T_world: &Pose,
 ) -> Result<Gathered> {
     let steps = Steps::new(campaign, points);
@@ -81,8 +80,6 @@ pub fn gather(
     let in_order = visits.map_or_else(Vec::new, |step| {
         in_order(campaign, definition, step, &world_T_export, &mut warnings, &mut problems)
     });
-    let commanded = definition.commanded.as_ref().map(|file| Commanded::read(campaign, file));
-    let commanded = commanded.and_then(|read| read.map_err(|more| problems.0.extend(more.0)).ok());
     problems.check()?;
     let homings = homings.flatten().map(|step| {
         let homed = |((cycle, _, _), points): ((i64, i64, String), Vec<_>)| {
@@ -92,36 +89,27 @@ pub fn gather(
         by_pose(&step.into_iter().flat_map(homed).collect::<Vec<_>>(), Vec::new())
     });
     let (mut visits, mut homings) = (by_pose(&in_order, warnings), homings);
-    let mut sources = Vec::new();
     if let Some(commanded) = commanded {
         commanded.give_to(&mut visits)?;
         if let Some(set) = definition.drift_set.as_ref().filter(|set| *set.get_ref() > 1) {
             pose::drifts(&visits, Some(*set.get_ref())).map_err(|more| more.at(&campaign.place(set)))?;
         }
         homings.iter_mut().filter(|_| !commanded.spatial).for_each(flatten);
-        sources.push(commanded.source);
     }
-    Ok(Gathered { visits, homings, in_order, sources })
-}
-
-/// What is wrong with the commanded positions alone, whatever the labels bring.
-pub fn commanded_problems(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Problems {
-    let read = definition.commanded.as_ref().map(|file| Commanded::read(campaign, file));
-    read.and_then(Result::err).unwrap_or_default()
+    Ok(Gathered { visits, homings, in_order })
 }
 
 /// Commanded positions of the campaign's poses, in its world frame.
-struct Commanded {
+#[derive(Clone, Debug)]
+pub struct Commanded {
     table: TableFile,
-    source: Source,
     poses: Vec<(i64, Vector)>,
     spatial: bool,
 }
 
 impl Commanded {
-    fn read(campaign: &Campaign, file: &Spanned<String>) -> Result<Self> {
-        let kind = ("table", "commanded poses");
-        let (table, source) = TableFile::of_campaign(campaign, file, kind, import::observations)?;
+    pub(super) fn read(files: &mut CampaignTables, file: &Spanned<String>) -> Result<Self> {
+        let table = files.read(file, "commanded poses")?;
         if let Some(name) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
             let message = Message::error(format!("`{name}` is commanded, but labels bring positions alone"));
             let hint = "leave the column out, or give attained poses with angles as a table: [poses]";
@@ -129,7 +117,7 @@ impl Commanded {
         }
         let poses = commanded_poses(table.named()).map_err(|p| table.place(p))?;
         let spatial = spatial(&table.table)?;
-        Ok(Self { table, source, poses, spatial })
+        Ok(Self { table, poses, spatial })
     }
 
     /// Every visited pose must be commanded. Where no z is, the visits lose theirs.

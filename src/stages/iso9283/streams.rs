@@ -2,11 +2,11 @@
 
 use crate::base::message::{Message, Problems, Result};
 use crate::campaign::{Campaign, StreamDefinition};
-use crate::document::{Iso9283NamedStream, Iso9283StreamsDocument, Source};
+use crate::document::{Iso9283NamedStream, Iso9283StreamsDocument};
 use crate::import;
 use crate::import::tables::recording::{Recording, commanded_path, commanded_poses};
 use crate::stages::iso9283::motion::{Settings, Stated, evaluate};
-use crate::stages::table_file::TableFile;
+use crate::stages::table_file::{CampaignTables, TableFile};
 use std::collections::BTreeSet;
 use toml::Spanned;
 
@@ -18,11 +18,11 @@ const SEED: u64 = 1;
 pub struct Ready {
     recording: Recording,
     settings: Settings,
-    sources: Vec<Source>,
 }
 
-/// Reads all recordings with what they are compared with; tells everything that is wrong with them.
-pub fn read(campaign: &Campaign) -> Result<Vec<Ready>> {
+/// Reads all recordings with what they are compared with; reports everything that is wrong with them.
+pub(super) fn read(files: &mut CampaignTables) -> (Vec<Ready>, Problems) {
+    let campaign = files.campaign;
     let mut problems = Problems::default();
     let mut names = BTreeSet::new();
     let mut all = Vec::new();
@@ -37,24 +37,22 @@ pub fn read(campaign: &Campaign) -> Result<Vec<Ready>> {
         }
         match wrong.0.is_empty() {
             false => problems.0.extend(wrong.0),
-            true => match ready(campaign, stream) {
+            true => match ready(files, stream) {
                 Ok(ready) => all.push(ready),
                 Err(more) => problems.0.extend(more.0),
             },
         }
     }
-    problems.check()?;
-    Ok(all)
+    (all, problems)
 }
 
-/// Evaluates all recordings, and says which files they were; `None` where the campaign has no `[[stream]]`.
-pub fn evaluate_all(campaign: &Campaign) -> Result<Option<(Iso9283StreamsDocument, Vec<Source>)>> {
+/// Evaluates all recordings; `None` where the campaign has no `[[stream]]`.
+pub(super) fn evaluate_all(campaign: &Campaign, ready: &[Ready]) -> Result<Option<Iso9283StreamsDocument>> {
     if campaign.file.streams.is_empty() {
         return Ok(None);
     }
-    let mut sources = Vec::new();
     let mut streams = Vec::new();
-    for (definition, ready) in campaign.file.streams.iter().zip(read(campaign)?) {
+    for (definition, ready) in campaign.file.streams.iter().zip(ready) {
         let found = evaluate(&ready.recording, &ready.settings);
         streams.push(Iso9283NamedStream {
             name: definition.name.get_ref().clone(),
@@ -62,21 +60,17 @@ pub fn evaluate_all(campaign: &Campaign) -> Result<Option<(Iso9283StreamsDocumen
             band_mm: definition.band_mm,
             stream: found.map_err(|more| more.at(&campaign.place(&definition.file)))?,
         });
-        sources.extend(ready.sources);
     }
-    Ok(Some((Iso9283StreamsDocument { schema: "etalon/iso9283-streams/1".to_owned(), streams }, sources)))
+    Ok(Some(Iso9283StreamsDocument { schema: "etalon/iso9283-streams/1".to_owned(), streams }))
 }
 
-fn ready(campaign: &Campaign, stream: &StreamDefinition) -> Result<Ready> {
-    let mut sources = Vec::new();
+fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready> {
     let mut file = |file: &Spanned<String>, what: &str, recorded: bool| -> Result<TableFile> {
         let read = |file: &str, text: &str| match (&stream.format, stream.unit) {
             (Some(format), Some(unit)) if recorded => import::recorded_points(file, text, format, unit),
             _ => import::observations(file, text),
         };
-        let (table, source) = TableFile::of_campaign(campaign, file, ("stream", what), read)?;
-        sources.push(source);
-        Ok(table)
+        files.read_with(file, "stream", what, read)
     };
     let recorded = file(&stream.file, "recorded motion", true)?;
     let recording = Recording::from_table(recorded.named(), stream.rate_hz).map_err(|p| recorded.place(p))?;
@@ -95,10 +89,10 @@ fn ready(campaign: &Campaign, stream: &StreamDefinition) -> Result<Ready> {
         }
     };
     let settings = stated(stream).settings(poses, path, SEED);
-    Ok(Ready { recording, settings, sources })
+    Ok(Ready { recording, settings })
 }
 
-/// What holds for a motion that no campaign knows, too.
+/// What the campaign states of a motion.
 fn stated(stream: &StreamDefinition) -> Stated<'_> {
     Stated {
         rate_hz: stream.rate_hz,

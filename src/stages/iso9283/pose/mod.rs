@@ -33,6 +33,8 @@ pub struct Settings {
     pub rotation_order: Option<String>,
     /// Seed of the bootstrap.
     pub seed: u64,
+    /// Simulated tests behind an interval, [`DRAWS`]; without any there are no intervals.
+    pub draws: usize,
     /// Limit of AP, for conformity.
     pub ap_limit_mm: Option<f64>,
     /// Limit of RP likewise.
@@ -42,7 +44,7 @@ pub struct Settings {
 /// Cycles that the standard asks for (read).
 const CYCLES: usize = 30;
 /// Simulated tests behind an interval.
-const DRAWS: usize = 2000;
+pub const DRAWS: usize = 2000;
 
 /// All characteristics that the visits tell. Of several robots it is the first by name, and what exchanging them does.
 pub fn evaluate(all: &Visits, settings: &Settings) -> Result<Iso9283Document> {
@@ -163,10 +165,10 @@ fn poses(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
             pose.rp_x_mm = Some(found.axis_mm[0]);
             pose.rp_y_mm = Some(found.axis_mm[1]);
             pose.rp_z_mm = visits.spatial.then_some(found.axis_mm[2]);
-            if n >= 3 {
+            if n >= 3 && settings.draws > 0 {
                 let bootstrap = match bootstraps.entry(n) {
                     Entry::Occupied(shared) => shared.into_mut(),
-                    Entry::Vacant(place) => place.insert(Bootstrap::new(n, DRAWS, settings.seed)?),
+                    Entry::Vacant(place) => place.insert(Bootstrap::new(n, settings.draws, settings.seed)?),
                 };
                 if let Some(accuracy) = &accuracy {
                     pose.ap_interval = Some(stated(bootstrap.accuracy(&positions, accuracy)?));

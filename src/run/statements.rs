@@ -1,14 +1,13 @@
 //! Statements of a campaign that contradict each other or mean nothing, whatever the files hold.
 
-use crate::base::message::{Message, Problems, Result, count};
+use crate::base::message::{Message, Problems};
 use crate::base::table::LABEL;
-use crate::campaign::{Campaign, ClockOffset, Join, JoinBy, Selection};
+use crate::campaign::{Campaign, ClockOffset, Join, JoinBy};
 use crate::export;
 use crate::import::format::Export;
 use crate::import::format::Format;
 use crate::import::format::Role;
 use crate::math::identify::ResidualKind;
-use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::{Component, Path, PathBuf};
 use toml::Spanned;
@@ -169,58 +168,6 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
     }
 }
 
-/// Errors where a selection or a table takes none of these poses, or calibration and validation share some.
-pub fn selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
-    let Some(identify) = &campaign.file.identify else { return Ok(()) };
-    // what does not read is reported with the statements
-    let Ok(selections) = campaign.selections(identify) else { return Ok(()) };
-    let mut problems = Problems::default();
-    let numbered = || poses.iter().copied().enumerate();
-    if !numbered().any(|(i, pose)| selections.calibrates(pose, i)) {
-        let message = Message::error("`calibration` selects no pose that was measured");
-        problems.0.push(message.at(campaign.place(&identify.calibration)).hint(measured(poses)));
-    }
-    if let Some(text) = &identify.validation {
-        if !numbered().any(|(i, pose)| selections.validates(pose, i)) {
-            let message = Message::error("`validation` selects no pose that was measured");
-            problems.0.push(message.at(campaign.place(text)).hint(measured(poses)));
-        }
-        let shared: Vec<String> = numbered()
-            .filter(|&(i, pose)| selections.calibrates(pose, i) && selections.validates(pose, i))
-            .map(|(_, pose)| pose.to_string())
-            .collect();
-        if !shared.is_empty() {
-            let shown = shared.iter().take(20).cloned().collect::<Vec<_>>().join(", ");
-            let more = if shared.len() > 20 { ", ..." } else { "" };
-            let what = format!("poses in both calibration and validation: {shown}{more}");
-            let message = Message::error(what).at(campaign.place(text));
-            problems.0.push(message.hint("`validation = \"rest\"` takes all that calibration does not"));
-        }
-    }
-    let in_use = |&(i, pose): &(usize, i64)| selections.calibrates(pose, i) || selections.validates(pose, i);
-    let used: Vec<i64> = numbered().filter(in_use).map(|(_, pose)| pose).collect();
-    for table in campaign.file.geometric.iter().flat_map(|g| &g.table) {
-        let found = match Selection::parse(table.poses.get_ref()) {
-            Ok(selection) if used.iter().enumerate().any(|(i, &pose)| selection.contains(pose, i, false)) => continue,
-            Ok(_) => Message::error(format!("the table `{}` has no pose that was measured", table.title))
-                .hint("a table shows poses of `calibration` and `validation`"),
-            Err(message) => message,
-        };
-        problems.0.push(found.at(campaign.place(&table.poses)));
-    }
-    problems.check().map(|_| ())
-}
-
-/// Which poses there are to select from.
-fn measured(poses: &BTreeSet<i64>) -> String {
-    match (poses.first(), poses.last()) {
-        (Some(first), Some(last)) => {
-            format!("{} are measured and joined, from {first} to {last}", count(poses.len(), "pose"))
-        }
-        _ => "no pose is measured and joined".to_owned(),
-    }
-}
-
 /// Features and the world frame: whether each is stated in one way.
 pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
@@ -287,6 +234,27 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
         for (key, _) in idle.filter(|(_, stated)| *stated) {
             let message = Message::error(format!("`{key}` means nothing for this world frame"));
             problems.0.push(message.at(campaign.world_place()));
+        }
+    }
+}
+
+/// Numbers of `[conditions]` that mean nothing.
+pub(super) fn conditions(campaign: &Campaign, problems: &mut Problems) {
+    let conditions = &campaign.file.conditions;
+    let mut wrong = |key: &str, must: &str| {
+        let message = Message::error(format!("`{key}` must {must}"));
+        problems.0.push(message.at(campaign.place_of(&["conditions", key])));
+    };
+    for (key, value) in conditions.positive() {
+        if value <= 0.0 {
+            wrong(key, "be positive");
+        } else if key == "humidity_percent" && value > 100.0 {
+            wrong(key, "be at most 100");
+        }
+    }
+    for (key, value) in conditions.not_negative() {
+        if value < 0.0 {
+            wrong(key, "not be negative");
         }
     }
 }
