@@ -1,7 +1,7 @@
 //! What geometry alone found, beside the identification of the same campaign.
 
-use super::Vector;
 use crate::base::message::Message;
+use crate::base::pose::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,0 +1,379 @@
+//! `etalon plan`
+
+use super::report::Dressed;
+use super::table_file::TableFile;
+use super::{Verdict, print, say};
+use crate::base::files;
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::table::ASSEMBLY;
+use crate::campaign::{RobotFile, read_robot, read_true_parameters};
+use crate::document::*;
+use crate::export;
+use crate::math::identify::{Observation, ResidualKind, Settings};
+use crate::math::plan::candidates::{self, Candidates};
+use crate::math::plan::{Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, study};
+use crate::math::robots::{Parameter, Robot};
+use crate::report;
+use crate::run::output;
+use crate::simulate::true_values;
+use crate::stages::parameters::observability_summary;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Identifications of a simulated calibration, whose mean counts (section 4.6).
+const STUDY_RUNS: u64 = 5;
+/// Such means, whose errors' medians are told: one alone scatters by a third.
+const STUDY_DRAWS: u64 = 20;
+
+/// Choose the poses to measure among candidates, and prove how far they are from the best
+#[derive(Debug, clap::Args)]
+pub struct Plan {
+    /// Robot file
+    #[arg(long)]
+    robot: PathBuf,
+    /// Candidates: CSV with pose and one column per joint with its unit [and target, assembly]; or pose,x_mm,y_mm for
+    /// robots that find their own working modes. Rows of one pose are measured together
+    #[arg(long)]
+    candidates: PathBuf,
+    /// How many poses to choose
+    #[arg(long, value_name = "N")]
+    positions: usize,
+    /// What to maximise: an observability index, or D-, A-, E- or I-optimality
+    #[arg(long, value_enum, default_value = "O1", ignore_case = true)]
+    index: Criterion,
+    /// Choose configuration by configuration instead of pose by pose
+    #[arg(long)]
+    single: bool,
+    /// All rows of a pose come together (the default)
+    #[arg(long, conflicts_with = "single")]
+    grouped: bool,
+    /// Poses from which the thesis' way starts; by default two that are far apart
+    #[arg(long, value_name = "POSES", value_delimiter = ',')]
+    start: Vec<i64>,
+    /// Poses to compare the plan with
+    #[arg(long, value_name = "POSES", value_delimiter = ',')]
+    compare: Vec<i64>,
+    /// Random starts of the exchange
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    starts: u64,
+    /// Nodes that branch and bound may look at to close the gap
+    #[arg(long, value_name = "N", default_value_t = 2000)]
+    nodes: usize,
+    /// Seed of the random starts
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Standard uncertainty (k = 1) of one coordinate in micrometres, for predicted uncertainties
+    #[arg(long, value_name = "UM")]
+    standard_uncertainty_um: Option<f64>,
+    /// Hold a parameter at its nominal value; `*` stands for any text; may be repeated
+    #[arg(long, value_name = "NAME")]
+    hold: Vec<String>,
+    /// Write the chosen configurations to a CSV file
+    #[arg(long, value_name = "FILE")]
+    poses: Option<PathBuf>,
+    /// Write the chosen configurations as targets of a controller: `.json` or `.h` (C header)
+    #[arg(long, value_name = "FILE")]
+    targets: Option<PathBuf>,
+    /// Write a report with pictures
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
+    #[command(flatten)]
+    dressed: Dressed,
+    /// Simulate a calibration with the chosen poses, of a robot with the [parameters] of this TOML file
+    #[arg(long, value_name = "FILE", requires = "standard_uncertainty_um")]
+    truth: Option<PathBuf>,
+    /// Positions over which errors of that simulation are told, in the form of the candidates; by default the candidates
+    #[arg(long, value_name = "FILE", requires = "truth")]
+    workspace: Option<PathBuf>,
+    /// Print plan.json instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+impl Plan {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        if self.standard_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
+            return Err(Problems::from(Message::error("--standard-uncertainty-um must be positive")).into());
+        }
+        let robot_file = read_robot(&self.robot)?;
+        let (robot, Candidates { observations, beyond }) = read(&robot_file, &self.candidates)?;
+        let settings = Settings {
+            kind: ResidualKind::Targets,
+            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
+            common_uncertainty_mm: None,
+            hold: self.hold.clone(),
+        };
+        let request = Request {
+            positions: self.positions,
+            criterion: self.index,
+            single: self.single,
+            start: self.start.clone(),
+            starts: self.starts,
+            seed: self.seed,
+            nodes: self.nodes,
+        };
+        let planned = plan(robot.as_ref(), &observations, &settings, &request)
+            .map_err(|more| Problems(beyond.iter().cloned().chain(more.0).collect()))?;
+        let study = self.study(robot.as_ref(), &robot_file, (&observations, &planned), &settings)?;
+        let mut document = self.document(robot.as_ref(), &observations, &planned, study)?;
+        document.messages.splice(0..0, beyond);
+        if let Some(path) = &self.poses {
+            files::write(path, csv(robot.as_ref(), &document).as_bytes())?;
+        }
+        if let Some(path) = &self.targets {
+            files::write(path, &export::targets(&document, &path.display().to_string())?)?;
+        }
+        if let Some(path) = &self.report {
+            files::write(path, report::plan_html(&document, &self.dressed.over(Presentation::default())?)?.as_bytes())?;
+        }
+        if self.json {
+            print(output::to_json(&document)?)?;
+        } else {
+            for message in &document.messages {
+                say(format_args!("{message}\n"));
+            }
+            print(as_text(&document))?;
+        }
+        Ok(Verdict::Met)
+    }
+
+    /// A simulated calibration, where a truth is stated.
+    fn study(
+        &self,
+        robot: &dyn Robot,
+        robot_file: &RobotFile,
+        (observations, planned): (&[Observation], &Planned),
+        settings: &Settings,
+    ) -> anyhow::Result<Option<StudyDocument>> {
+        let (Some(path), Some(noise_um)) = (&self.truth, self.standard_uncertainty_um) else { return Ok(None) };
+        let truth = true_values(robot, &read_true_parameters(path)?)?;
+        let elsewhere = self.workspace.as_ref().map(|path| read(robot_file, path)).transpose()?;
+        let everywhere = elsewhere.as_ref().map_or(observations, |(_, all)| &all.observations);
+        let setting = Setting { truth, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.seed };
+        let studies = study(robot, planned, observations, everywhere, settings, &setting)?;
+        Ok(study_document(robot, &studies, &setting.truth, noise_um, everywhere.len()))
+    }
+}
+
+/// The robot with the targets that a table of candidates names, and its configurations.
+fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot>, Candidates)> {
+    let file = TableFile::read(path)?;
+    let here = |problems: Problems| file.place(problems);
+    let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };
+    let robot = robot_file.build(&targets).map_err(here)?;
+    let mut found = candidates::configurations(robot.as_ref(), &file.table).map_err(here)?;
+    found.beyond = found.beyond.map(|message| message.at(Place::file(file.name.as_str())));
+    Ok((robot, found))
+}
+
+impl Plan {
+    fn document(
+        &self,
+        robot: &dyn Robot,
+        observations: &[Observation],
+        planned: &Planned,
+        study: Option<StudyDocument>,
+    ) -> anyhow::Result<PlanDocument> {
+        let pose = |c: usize| observations[planned.members[c][0]].pose;
+        let configuration = |k: &usize| joint_values(robot, &observations[*k]);
+        let chosen = planned.chosen.iter().map(|&c| PlannedPose {
+            pose: pose(c),
+            configurations: planned.members[c].iter().map(configuration).collect(),
+        });
+        let paths = [&self.robot, &self.candidates].into_iter().chain(&self.truth).chain(&self.workspace);
+        let inputs = files::sha256_of(paths)?;
+        let compared = (!self.compare.is_empty()).then(|| {
+            let value = index_of(planned, observations, self.index, &self.compare);
+            let better_by_percent = 100.0 * (planned.index / value - 1.0);
+            ComparedPoses { poses: self.compare.clone(), value, better_by_percent }
+        });
+        let percent = |bound: Option<f64>| bound.map(|b| (100.0 * (1.0 - planned.index / b)).max(0.0));
+        let below = planned.at_most_below_percent();
+        let curve = planned.curve.iter().map(|s| CurvePoint {
+            positions: s.positions,
+            configurations: s.configurations,
+            value: s.index,
+            condition: s.condition,
+        });
+        let mut messages = planned.sensitivity.messages.clone();
+        messages.extend(planned.prediction.messages.clone());
+        Ok(PlanDocument {
+            schema: "etalon/plan/1".to_owned(),
+            robot: robot.model().to_owned(),
+            index: format!("{:?}", self.index),
+            definition: self.index.definition().to_owned(),
+            grouped: !self.single,
+            candidates: planned.members.len(),
+            configurations: observations.len(),
+            chosen: chosen.collect(),
+            value: planned.index,
+            bound: planned.bound,
+            at_most_below_percent: below,
+            // up to rounding
+            proven_optimal: below.is_some_and(|b| b < 1e-6),
+            at_most_below_percent_by_relaxation: percent(planned.relaxation_bound),
+            nodes: planned.nodes,
+            greedy: GreedySummary {
+                poses: planned.greedy.iter().map(|&c| pose(c)).collect(),
+                value: planned.greedy_index,
+                curve: curve.collect(),
+                knee_configurations: planned.knee().map(|k| k.configurations),
+            },
+            compared,
+            observability: planned.prediction.observability.as_ref().map(|o| observability_summary(robot, o)),
+            parameters: parameters(robot, planned, self.standard_uncertainty_um.is_some()),
+            workspace: self
+                .standard_uncertainty_um
+                .map(|_| WorkspaceUncertainty { rms_mm: planned.workspace.0, max_mm: planned.workspace.1 }),
+            places: places(robot, observations, planned),
+            study,
+            messages,
+            provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: Some(self.seed) },
+        })
+    }
+}
+
+/// Where the candidates are.
+fn places(robot: &dyn Robot, observations: &[Observation], planned: &Planned) -> Vec<CandidatePlace> {
+    let nominal = robot.nominal();
+    let place = |(c, members): (usize, &Vec<usize>)| {
+        let first = &observations[members[0]];
+        CandidatePlace {
+            pose: first.pose,
+            at_mm: robot.position(&nominal, &first.joints, 0),
+            configurations: members.len(),
+            chosen: planned.chosen.contains(&c),
+        }
+    };
+    planned.members.iter().enumerate().map(place).collect()
+}
+
+/// Studies for increasing numbers of positions as one document; the last has all of them.
+fn study_document(
+    robot: &dyn Robot,
+    studies: &[Study],
+    truth: &[f64],
+    noise_um: f64,
+    configurations: usize,
+) -> Option<StudyDocument> {
+    let last = studies.last()?;
+    let parameter = |(i, p): (usize, &Parameter)| StudiedParameter {
+        name: p.name.clone(),
+        unit: p.quantity.unit().to_owned(),
+        nominal: p.quantity.outward(p.nominal),
+        actual: p.quantity.outward(truth[i]),
+        identified: p.quantity.outward(last.identified[i]),
+    };
+    let step = |s: &Study| StudyStep {
+        positions: s.positions,
+        configurations: s.configurations,
+        rms_before_mm: s.rms_mm.0,
+        max_before_mm: s.max_mm.0,
+        rms_mm: s.rms_mm.1,
+        max_mm: s.max_mm.1,
+    };
+    let place =
+        |p: &PlaceError| StudiedPlace { pose: p.pose, at_mm: p.at_mm, max_before_mm: p.before_mm, max_mm: p.after_mm };
+    Some(StudyDocument {
+        runs: STUDY_RUNS,
+        draws: STUDY_DRAWS,
+        noise_um,
+        configurations,
+        parameters: robot.parameters().iter().enumerate().map(parameter).collect(),
+        steps: studies.iter().map(step).collect(),
+        places: last.places.iter().map(place).collect(),
+    })
+}
+
+fn parameters(robot: &dyn Robot, planned: &Planned, stated: bool) -> Vec<PlannedParameter> {
+    let (free, n) = (&planned.sensitivity.free, planned.sensitivity.free.len());
+    let held = planned.sensitivity.groups.iter().map(|g| g.with.iter().chain([&g.held]).copied().collect::<Vec<_>>());
+    let sets: Vec<Vec<usize>> = held.chain(planned.prediction.weak.iter().map(|w| w.parameters.clone())).collect();
+    let parameter = |(i, p): (usize, &Parameter)| {
+        let place = free.iter().position(|&f| f == i);
+        let uncertainty = place.filter(|_| stated).map(|k| planned.prediction.covariance[k * n + k].sqrt());
+        let mut others: Vec<usize> =
+            sets.iter().filter(|s| s.contains(&i)).flatten().copied().filter(|&j| j != i).collect();
+        others.sort_unstable();
+        others.dedup();
+        PlannedParameter {
+            name: p.name.clone(),
+            unit: p.quantity.unit().to_owned(),
+            identifiable: place.is_some(),
+            standard_uncertainty: uncertainty.map(|u| p.quantity.outward(u)),
+            confounded_with: others.into_iter().map(|j| robot.parameters()[j].name.clone()).collect(),
+        }
+    };
+    robot.parameters().iter().enumerate().map(parameter).collect()
+}
+
+fn joint_values(robot: &dyn Robot, o: &Observation) -> BTreeMap<String, f64> {
+    let joints = robot.joints().iter().zip(&o.joints).map(|(j, q)| (j.column(), j.quantity.outward(*q)));
+    let mode = robot.has_assembly_modes().then(|| o.joints.last().map(|m| (ASSEMBLY.to_owned(), *m))).flatten();
+    joints.chain(mode).collect()
+}
+
+/// The chosen configurations as a table: candidates again, or targets of a controller.
+fn csv(robot: &dyn Robot, document: &PlanDocument) -> String {
+    let mut columns: Vec<String> = robot.joints().iter().map(|j| j.column()).collect();
+    columns.extend(robot.has_assembly_modes().then(|| ASSEMBLY.to_owned()));
+    let mut text = format!("pose,{}\n", columns.join(","));
+    for planned in &document.chosen {
+        for configuration in &planned.configurations {
+            let cells: Vec<String> = columns.iter().filter_map(|c| Some(configuration.get(c)?.to_string())).collect();
+            let _ = writeln!(text, "{},{}", planned.pose, cells.join(","));
+        }
+    }
+    text
+}
+
+/// What a terminal shows.
+fn as_text(document: &PlanDocument) -> String {
+    let list = |poses: &[i64]| poses.iter().map(i64::to_string).collect::<Vec<_>>().join(", ");
+    let chosen: Vec<i64> = document.chosen.iter().map(|p| p.pose).collect();
+    let count: usize = document.chosen.iter().map(|p| p.configurations.len()).sum();
+    let mut text = format!("poses: {} ({count} configurations)\n", list(&chosen));
+    let _ = writeln!(text, "{} = {:.6} ({})", document.index, document.value, document.definition);
+    let _ = match document.at_most_below_percent {
+        _ if document.proven_optimal => {
+            writeln!(
+                text,
+                "proven: no other choice of {} of {} candidates is better",
+                chosen.len(),
+                document.candidates
+            )
+        }
+        Some(below) => writeln!(
+            text,
+            "at most {below:.2} % below the best possible choice of {} of {} candidates",
+            chosen.len(),
+            document.candidates
+        ),
+        None => writeln!(text, "no bound is known for this index: another choice may be better"),
+    };
+    let greedy = &document.greedy;
+    let _ =
+        writeln!(text, "one after the other: {} = {:.6}, poses {}", document.index, greedy.value, list(&greedy.poses));
+    if let Some(c) = &document.compared {
+        let _ = writeln!(
+            text,
+            "poses {}: {} = {:.6}; the plan is {:.1} % better",
+            list(&c.poses),
+            document.index,
+            c.value,
+            c.better_by_percent
+        );
+    }
+    if let Some(o) = &document.observability {
+        let _ = writeln!(text, "condition {:.1}", o.condition);
+    }
+    if let Some(w) = &document.workspace {
+        let _ = writeln!(text, "predicted uncertainty of position: rms {:.4} mm, max {:.4} mm", w.rms_mm, w.max_mm);
+        for p in &document.parameters {
+            let u = p.standard_uncertainty.map_or("not told".to_owned(), |u| format!("{u:.2e}"));
+            let _ = writeln!(text, "  {:<16} {u:>10} {}", p.name, p.unit);
+        }
+    }
+    text
+}

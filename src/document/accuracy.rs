@@ -1,0 +1,101 @@
+//! `accuracy.json`: errors before and after calibration, and limits.
+
+use crate::base::pose::Vector;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Errors before and after, on calibration and validation poses apart.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AccuracyDocument {
+    /// `etalon/accuracy/1`
+    pub schema: String,
+    /// What "before" and "error" mean here, in words.
+    pub definition: String,
+    /// One per set of poses: `calibration`, `validation`.
+    pub sets: Vec<AccuracySet>,
+    /// Limits that the campaign states, and whether they are met.
+    pub limits: Vec<LimitVerdict>,
+}
+
+/// Errors over one set of poses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AccuracySet {
+    /// `calibration` or `validation`.
+    pub name: String,
+    /// Poses in it.
+    pub poses: usize,
+    /// Points or poses whose errors are counted.
+    pub count: usize,
+    /// One per quantity: position, x, y, z, orientation.
+    pub errors: Vec<ErrorStatistics>,
+}
+
+/// Statistics of one error before and after.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ErrorStatistics {
+    /// `position`, `x`, `y`, `z` or `orientation`.
+    pub quantity: String,
+    /// `mm` or `deg`.
+    pub unit: String,
+    /// With nominal parameters and only base and targets fitted.
+    pub before: Statistics,
+    /// With the identified parameters.
+    pub after: Statistics,
+}
+
+/// Statistics of errors by size.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Statistics {
+    /// Mean size.
+    pub mean: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// 95 % of the errors are at most this.
+    pub p95: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+/// One limit of the campaign.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LimitVerdict {
+    /// Name of the limit in the campaign.
+    pub name: String,
+    /// Unit of both numbers.
+    pub unit: String,
+    /// What the campaign allows.
+    pub limit: f64,
+    /// What was reached, on the validation poses if there are any.
+    pub value: f64,
+    /// Whether the value is within the limit.
+    pub met: bool,
+}
+
+/// One error, before or after: what the pictures of a report show.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointError {
+    /// `calibration` or `validation`.
+    pub set: String,
+    /// Pose number.
+    pub pose: i64,
+    /// Cycle number.
+    pub cycle: i64,
+    /// Target, or `C` for the centre of a planar platform.
+    pub target: String,
+    /// Where it was measured: a target in the world, or `C` in the base frame with the identified parameters.
+    pub at_mm: Vector,
+    /// Measured minus predicted, before.
+    pub before_mm: Vector,
+    /// Measured minus predicted, after.
+    pub after_mm: Vector,
+    /// Orientation error before, where there is one.
+    pub before_deg: Option<f64>,
+    /// Orientation error after.
+    pub after_deg: Option<f64>,
+}

@@ -1,0 +1,139 @@
+//! `campaign.json`: what the campaign states about itself, the conditions of a test, and the presentation of the report.
+
+use crate::base::pose::Vector;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// What the campaign says about itself, for the head of a report.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CampaignSummary {
+    /// Name of the campaign.
+    pub name: String,
+    /// Name of the robot, where its file states one.
+    #[serde(default)]
+    pub robot: Option<String>,
+    /// Whether its data are synthetic, and what that means; absent for measured data.
+    pub synthetic: Option<String>,
+    /// Remarks.
+    pub notes: Option<String>,
+    /// Date as stated.
+    pub date: Option<String>,
+    /// Operator as stated.
+    pub operator: Option<String>,
+    /// Measuring instrument.
+    pub instrument: Option<String>,
+    /// Expanded uncertainty of one coordinate.
+    pub expanded_uncertainty_um: Option<f64>,
+    /// Its coverage factor.
+    pub coverage_factor: Option<f64>,
+    /// How well the robot finds a measured point again, where stated.
+    pub contact: Option<ContactSummary>,
+    /// Temperature during the campaign.
+    pub temperature_c: Option<f64>,
+    /// Conditions of a test.
+    #[serde(default)]
+    pub conditions: Conditions,
+    /// How the report is dressed.
+    #[serde(default)]
+    pub report: Presentation,
+}
+
+/// How well the robot finds a measured point again.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ContactSummary {
+    /// Half width of what one coordinate repeats within.
+    pub repeatability_um: f64,
+    /// How many standard deviations that is.
+    pub coverage_factor: f64,
+}
+
+/// Conditions of a test, as `[conditions]` of the campaign states them (ISO 9283:1998, 6 and 12). What is absent is not
+/// stated, and the report says so.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Conditions {
+    /// Who tests: name and address.
+    pub laboratory: Option<String>,
+    /// Make, type and serial number of the robot.
+    pub robot: Option<String>,
+    /// Make, type and software version of the controller.
+    pub controller: Option<String>,
+    /// How and on what the robot is mounted.
+    pub mounting: Option<String>,
+    /// The point of robot or tool that was measured.
+    pub measurement_point: Option<String>,
+    /// Mass of the load at the mechanical interface.
+    pub load_kg: Option<f64>,
+    /// Its centre of mass from the mechanical interface.
+    pub load_centre_mm: Option<Vector>,
+    /// Velocities of the test in per cent of the rated one.
+    pub velocities_percent: Option<Vec<f64>>,
+    /// The same as path velocities.
+    pub velocities_mm_s: Option<Vec<f64>>,
+    /// Room, air, vibrations, electromagnetic fields.
+    pub environment: Option<String>,
+    /// Relative humidity.
+    pub humidity_percent: Option<f64>,
+    /// How long the robot moved before the test.
+    pub warm_up_minutes: Option<f64>,
+    /// Certificate of the instrument's calibration, and its date.
+    pub instrument_calibration: Option<String>,
+    /// What was done otherwise than the standard says; an empty list states that there is nothing.
+    pub deviations: Option<Vec<String>>,
+}
+
+impl Conditions {
+    /// Keys and values of the numbers that must be positive.
+    pub fn positive(&self) -> Vec<(&'static str, f64)> {
+        let lists = [("velocities_percent", &self.velocities_percent), ("velocities_mm_s", &self.velocities_mm_s)];
+        let listed = lists.into_iter().flat_map(|(key, list)| list.iter().flatten().map(move |v| (key, *v)));
+        listed.chain(self.humidity_percent.map(|v| ("humidity_percent", v))).collect()
+    }
+
+    /// Keys and values of the numbers that may be zero, and not less.
+    pub fn not_negative(&self) -> Vec<(&'static str, f64)> {
+        let stated = [("load_kg", self.load_kg), ("warm_up_minutes", self.warm_up_minutes)];
+        stated.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
+    }
+}
+
+/// Language of a report. Texts of the campaign stay as they are, messages of the program stay English.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Language {
+    /// English.
+    #[default]
+    En,
+    /// French.
+    Fr,
+    /// German.
+    De,
+}
+
+impl Language {
+    /// As HTML and ISO 639-1 name it.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::En => "en",
+            Self::Fr => "fr",
+            Self::De => "de",
+        }
+    }
+}
+
+/// How a report is dressed; whole, so that it can be made again from the output folder alone.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Presentation {
+    /// Its language.
+    pub language: Language,
+    /// The laboratory's logo as a data URI (SVG or PNG).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub logo: Option<String>,
+    /// Text of the laboratory's own templates by the name of the file.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub templates: BTreeMap<String, String>,
+}

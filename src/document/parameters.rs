@@ -1,0 +1,153 @@
+//! `parameters.json`: identified parameters with all that is needed to judge them.
+
+use super::Provenance;
+use crate::base::message::Message;
+use crate::math::identify::{ResidualKind, UncertaintyFrom};
+use crate::math::solve::Termination;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Identified parameters with all that is needed to trust them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ParametersDocument {
+    /// `etalon/parameters/1`
+    pub schema: String,
+    /// Model of the robot.
+    pub robot: String,
+    /// All parameters of the model.
+    pub parameters: Vec<ParameterEntry>,
+    /// Covariance of the identified parameters, in their order and units; empty where nothing tells it.
+    pub covariance: Vec<Vec<f64>>,
+    /// How well they fit.
+    pub residuals: ResidualSummary,
+    /// What the poses can tell; absent where it is not a number.
+    pub observability: Option<ObservabilitySummary>,
+    /// How the solver ended.
+    pub solver: SolverSummary,
+    /// Rules and remarks that a reader must know: which parameters were held and why, warnings with remedies.
+    pub messages: Vec<Message>,
+    /// Where the numbers come from.
+    pub provenance: Provenance,
+}
+
+/// One parameter.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ParameterEntry {
+    /// Name as in the thesis.
+    pub name: String,
+    /// `mm`, `deg` or `1`.
+    pub unit: String,
+    /// Nominal value.
+    pub nominal: f64,
+    /// Value with only base and targets fitted: the robot before its calibration.
+    pub before: f64,
+    /// Identified value, or the value at which it is held.
+    pub value: f64,
+    /// Standard uncertainty (k = 1); absent where not identified.
+    pub standard_uncertainty: Option<f64>,
+    /// Identified, fixed or not identifiable.
+    pub status: ParameterStatus,
+    /// Parameters that the data cannot tell apart from this one.
+    pub confounded_with: Vec<String>,
+}
+
+/// Why a parameter has its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ParameterStatus {
+    /// Found by least squares.
+    Identified,
+    /// Held by the campaign, or not part of the model.
+    Fixed,
+    /// Held because the data cannot tell it apart.
+    NotIdentifiable,
+}
+
+/// Residuals of the identification.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ResidualSummary {
+    /// Residuals of targets or of the pose.
+    pub kind: ResidualKind,
+    /// Number of residuals.
+    pub count: usize,
+    /// Root mean square in mm (pose residuals: mm and rad mixed, eq. 3.26).
+    pub rms: f64,
+    /// Largest, likewise.
+    pub max: f64,
+    /// Residuals minus identified parameters.
+    pub degrees_of_freedom: usize,
+    /// Standard uncertainty of one coordinate that is stated, in mm: the instrument's, or the contact's where that is
+    /// stated apart.
+    pub stated_standard_uncertainty_mm: Option<f64>,
+    /// Standard uncertainty in mm that observations of the very same coordinates have in common beside that: the
+    /// instrument's, where the contact's is stated apart.
+    pub common_standard_uncertainty_mm: Option<f64>,
+    /// Chi-square against both.
+    pub chi_square: Option<f64>,
+    /// What standard uncertainties rest on.
+    pub uncertainties_from: UncertaintyFrom,
+    /// By how much standard uncertainties are larger than the instrument's alone makes them (median); 1 where chi-square
+    /// does not reject the model, or no uncertainty is stated.
+    pub uncertainties_enlarged_by: f64,
+}
+
+/// Observability of the parameters from the poses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ObservabilitySummary {
+    /// O1 = (σ1…σm)^(1/m) / √n, m parameters and n poses (Sun & Hollerbach 2008).
+    pub o1: f64,
+    /// O2 = σmin / σmax (eq. 1.20).
+    pub o2: f64,
+    /// O3 = σmin (eq. 1.22).
+    pub o3: f64,
+    /// O4 = σmin² / σmax (eq. 1.23).
+    pub o4: f64,
+    /// O5 = 1 / Σ 1/σ (eq. 1.25).
+    pub o5: f64,
+    /// Condition number with columns divided by their norms.
+    pub condition: f64,
+    /// Number of parameters told apart.
+    pub rank: usize,
+    /// Which scaling the indices have.
+    pub scaling: String,
+    /// Singular values behind the condition number, descending: of the Jacobian at the solution, its columns divided by
+    /// their norms, as the identification uses it. Their squares add up to the number of parameters.
+    #[serde(default)]
+    pub singular_values: Vec<SingularValueEntry>,
+    /// Of the same Jacobian with all parameters that were to be identified the smallest, as many as are held because the
+    /// data do not tell them, or only uselessly badly; empty in a plan.
+    #[serde(default)]
+    pub held_singular_values: Vec<SingularValueEntry>,
+    /// A column that lies this near to the span of those before it, for a norm of 1, is cut: its parameter is held.
+    #[serde(default)]
+    pub rank_cut: f64,
+}
+
+/// How strongly the residuals answer to one direction of the parameters: small where it is badly observable.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SingularValueEntry {
+    /// The singular value, without unit.
+    pub value: f64,
+    /// Parameters with a share of more than 0.3 in its right singular vector, the largest first; empty where the direction
+    /// is spread over many.
+    pub parameters: Vec<String>,
+}
+
+/// How the solver ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SolverSummary {
+    /// Algorithm.
+    pub method: String,
+    /// Steps taken.
+    pub iterations: usize,
+    /// Why it stopped.
+    pub termination: Termination,
+    /// The same in words.
+    pub meaning: String,
+}
