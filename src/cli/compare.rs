@@ -16,16 +16,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Campaigns of one robot side by side: what changed, and what is chance
+/// Compare campaigns of one robot: what changed, and what is chance
 ///
-/// Each folder is a campaign's, or the output folder that `etalon run` wrote; the eldest first. Parameters, errors, AP, RP and
-/// mean positions are compared with the first campaign and with the one before.
+/// Each folder is that of a campaign, or the output folder of `etalon run`; the oldest first. Parameters, errors, AP, RP and
+/// mean positions are compared with the first campaign and with the previous one.
 #[derive(Debug, clap::Args)]
 pub struct Compare {
     /// Folders of campaigns, or their output folders, in the order of time
     #[arg(required = true, num_args = 2..)]
     folders: Vec<PathBuf>,
-    /// Write a report: its ending (.html, .pdf, .xlsx) says which; may be repeated
+    /// Write a report, by the ending of its name: .html, .pdf or .xlsx; may be repeated
     #[arg(long, value_name = "FILE")]
     report: Vec<PathBuf>,
     #[command(flatten)]
@@ -72,18 +72,18 @@ impl Compare {
     }
 }
 
-/// What writes the kind of report that the ending of its file names.
+/// The writer of a report, by the ending of its file name.
 fn writer(path: &Path) -> Result<Writer> {
     let ending = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).unwrap_or_default();
     if let Some((_, write)) = WRITERS.iter().find(|(kind, _)| *kind == ending) {
         return Ok(*write);
     }
     let kinds: Vec<String> = WRITERS.iter().map(|(kind, _)| format!(".{kind}")).collect();
-    let message = Message::error(format!("`{}` names no kind of report", path.display()));
+    let message = Message::error(format!("`{}` does not end like a report", path.display()));
     Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
 }
 
-/// A campaign's output folder, and what stands in it.
+/// A campaign's output folder and its documents.
 fn read(named: &Path) -> Result<(PathBuf, Compared)> {
     let folder = match named.join("campaign.toml").is_file() || named.is_file() {
         true => {
@@ -151,10 +151,10 @@ fn as_text(document: &CompareDocument) -> String {
         let date = one_line(c.date.as_deref().unwrap_or("no date"));
         let _ = writeln!(text, "{} {date}, {} ({})", i + 1, one_line(&c.name), one_line(&c.folder));
     }
-    let mut told = None;
+    let mut family = None;
     for t in &document.trends {
-        if told != Some(t.family) {
-            told = Some(t.family);
+        if family != Some(t.family) {
+            family = Some(t.family);
             let _ = writeln!(text, "\n{}", family(t.family, english));
             if t.family == CompareFamily::Robot {
                 document.together.iter().for_each(|t| together(&mut text, t));

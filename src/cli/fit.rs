@@ -17,9 +17,9 @@ use std::path::PathBuf;
 
 /// Fit a geometric element to the points of files
 ///
-/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --format or --columns says
-/// otherwise. A QIF file says itself which points belong to which feature: each measured feature is fitted and set against what the
-/// file states.
+/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --format or --columns states
+/// another format. A QIF file states which points belong to which feature: each measured feature is fitted and compared with the
+/// values in the file.
 #[derive(Debug, clap::Args)]
 pub struct Fit {
     /// line, line2d, plane, circle2d, circle3d, sphere, cylinder, cone, torus, enclosing-circle or enclosing-sphere;
@@ -40,7 +40,7 @@ pub struct Fit {
     /// Hold the radius of a circle, sphere or cylinder
     #[arg(long, value_name = "MM")]
     radius_mm: Option<f64>,
-    /// The points are centres of a probe of this radius: the element is moved to what the probe touched
+    /// The points are centres of a probe of this radius: the element is moved to the surface
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     probe_radius_mm: Option<f64>,
     /// Where the probe was: inside or outside; for a plane or line the direction to the probe, e.g. 0,0,1
@@ -78,7 +78,7 @@ impl Fit {
         Ok(Verdict::Met)
     }
 
-    /// Names and texts of all files; a file may stand where the element would.
+    /// Names and texts of all files; a file may be given in place of the element.
     fn texts(&self) -> Result<Vec<(String, String)>, Problems> {
         let first = PathBuf::from(&self.element);
         let paths = if self.all_features() { [&[first], &self.files[..]].concat() } else { self.files.clone() };
@@ -86,12 +86,12 @@ impl Fit {
         let texts = paths.iter().map(|path| Ok((path.display().to_string(), import::text_in(path, &format)?)));
         let texts: Vec<_> = texts.collect::<Result<_, Problems>>()?;
         if texts.is_empty() {
-            let message = Message::error(format!("`{}` is to be fitted to no file", self.element));
+            let message = Message::error(format!("`{}` has no file to be fitted to", self.element));
             return Err(message.hint(format!("name the file: etalon fit {} FILE", self.element)).into());
         }
         match texts.iter().find(|(_, text)| self.all_features() && !import::qif::is_xml(text)) {
             Some((file, _)) => {
-                let message = Message::error("the element is not stated, and the file does not say it: it is no QIF");
+                let message = Message::error("the element is not stated, and the file is not QIF");
                 let hint = format!("state it: etalon fit ELEMENT {file}");
                 Err(message.at(Place::file(file)).hint(hint).into())
             }
@@ -99,7 +99,7 @@ impl Fit {
         }
     }
 
-    /// Whether a file stands in place of the element.
+    /// Whether a file is given in place of the element.
     fn all_features(&self) -> bool {
         let known = self.element.starts_with("enclosing-") || self.element.parse::<Element>().is_ok();
         !known && std::path::Path::new(&self.element).is_file()
@@ -122,7 +122,7 @@ impl Fit {
         groups.iter().map(|(label, points)| self.fit(label, points)).collect()
     }
 
-    /// The measured features of QIF files; one that cannot be fitted is told and left out.
+    /// The measured features of QIF files; one that cannot be fitted is reported and left out.
     fn measured_features(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
         if self.radius_mm.is_some() || self.text.stated() {
             let message = Message::error("a QIF file has neither columns nor one radius for all its features");
@@ -175,7 +175,7 @@ impl Fit {
             ("inside", _) => Ok(Some(Side::Inside)),
             ("outside", _) => Ok(Some(Side::Outside)),
             (_, Some(&[x, y, z])) => Ok(Some(Side::Towards([x, y, z]))),
-            _ => Err(Message::error(format!("--probe-side: `{text}` is no side"))
+            _ => Err(Message::error(format!("--probe-side: `{text}` is not a side"))
                 .expected("inside, outside, or three numbers x,y,z towards the probe")
                 .hint("inside for a bore, outside for a shaft, 0,0,1 for a probe above a plane")
                 .into()),

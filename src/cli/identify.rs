@@ -26,14 +26,14 @@ pub struct Identify {
     /// Standard uncertainty (k = 1) of one measured coordinate in micrometres; without it, it is taken from the residuals
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
-    /// Standard uncertainty (k = 1) of a coordinate in micrometres that is common to all rows with the very same
+    /// Standard uncertainty (k = 1) of a coordinate in micrometres that is common to all rows with the same
     /// coordinates: a ball measured once and touched in several working modes. The other is then that of the contact
     #[arg(long, value_name = "UM", requires = "standard_uncertainty_um")]
     common_uncertainty_um: Option<f64>,
     /// Compare poses as in eq. 3.26 instead of targets (planar robots)
     #[arg(long)]
     pose_residuals: bool,
-    /// Hold a parameter at its nominal value; `*` stands for any text; may be repeated
+    /// Hold a parameter at its nominal value; `*` replaces any text; may be repeated
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
     /// Print parameters.json instead of a table
@@ -91,7 +91,7 @@ fn as_text(document: &ParametersDocument) -> String {
     for p in &document.parameters {
         let u = match (p.status, p.standard_uncertainty) {
             (ParameterStatus::Identified, Some(u)) => format!("{u:.2e}"),
-            (ParameterStatus::NotIdentifiable, _) => "not told".to_owned(),
+            (ParameterStatus::NotIdentifiable, _) => "unknown".to_owned(),
             _ => "held".to_owned(),
         };
         let _ = writeln!(text, "{:<16} {:>16.6} {:>16.6} {u:>12}  {}", p.name, p.nominal, p.value, p.unit);

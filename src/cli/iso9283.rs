@@ -18,14 +18,14 @@ use std::path::{Path, PathBuf};
 use stream::StreamOptions;
 pub(super) use stream_text::as_text as stream_as_text;
 
-/// Pose accuracy, repeatability and what goes with them, by ISO 9283
+/// Evaluate accuracy, repeatability and other characteristics by ISO 9283
 ///
 /// Tables are CSV: pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], rows in the order of recording; planar robots
-/// leave out z_mm. A column `approach` names directions of approach (else it is the pose before), a column `robot` robots, a
-/// column `reading` several readings of one visit.
+/// leave out z_mm. A column `approach` names directions of approach (without it, the previous pose), a column `robot` several
+/// robots, a column `reading` several readings of one attained pose.
 ///
-/// A recorded motion (--stream) gives standstills, settling, and with --path the characteristics of a path; --compliance
-/// how a robot gives way under load; --plan the test itself.
+/// A recorded motion (--stream) gives standstills, stabilisation, and with --path the characteristics of a path. --compliance
+/// evaluates static compliance. --plan lays out a test.
 #[derive(Debug, clap::Args)]
 #[command(group(clap::ArgGroup::new("what").required(true).args(["poses", "stream", "compliance", "plan"])))]
 pub struct Iso9283 {
@@ -34,23 +34,23 @@ pub struct Iso9283 {
     /// Commanded poses: the same columns without cycle
     #[arg(long, required_unless_present_any = ["stream", "compliance", "plan"])]
     commanded: Option<PathBuf>,
-    /// Expanded uncertainty of a measured position in micrometres, for the 25 % rule; not met is exit code 1
+    /// Expanded uncertainty of a measured position in micrometres, for the 25 % rule; exit code 1 if it is not met
     #[arg(long, value_name = "UM")]
     expanded_uncertainty_um: Option<f64>,
-    /// Limit of AP: conforming, not conforming or neither, by its interval; anything but conforming is exit code 1
+    /// Limit of AP, decided by its interval: conforming, not conforming or undecided; exit code 1 unless conforming
     #[arg(long, value_name = "MM", requires = "poses")]
     ap_limit_mm: Option<f64>,
-    /// Limit of RP, likewise
+    /// Limit of RP, decided in the same way
     #[arg(long, value_name = "MM", requires = "poses")]
     rp_limit_mm: Option<f64>,
-    /// Reference targets that stand still beside the robot: cycle,target,x_mm,y_mm[,z_mm], measured from time to time; positions,
-    /// and angles whose order is stated, are carried back to the first time
+    /// Reference targets, which do not move: cycle,target,x_mm,y_mm[,z_mm], measured from time to time. Positions, and angles
+    /// whose order is stated, are compensated to the first time
     #[arg(long, value_name = "FILE", requires = "poses")]
     reference: Option<PathBuf>,
     /// Cycles of one set of a drift test, e.g. 10
     #[arg(long, value_name = "CYCLES")]
     drift_set: Option<usize>,
-    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)": for the record, and with --reference to turn angles back
+    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)": recorded, and with --reference used to compensate angles
     #[arg(long, value_name = "TEXT")]
     rotation_order: Option<String>,
     /// Seed of the bootstrap intervals
@@ -125,7 +125,7 @@ impl Iso9283 {
     }
 }
 
-/// A table of the poses; with `all`, what stands beside them.
+/// A table of the poses; with `all`, the other characteristics.
 pub(super) fn as_text(document: &Iso9283Document, all: bool) -> String {
     let interval = |i: &Option<Iso9283Interval>| i.map(|i| format!(" [{:.4}, {:.4}]", i.low_mm, i.high_mm));
     let number = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
@@ -139,13 +139,13 @@ pub(super) fn as_text(document: &Iso9283Document, all: bool) -> String {
         let (mean, sd, ball) = (number(p.mean_radius_mm), number(p.sd_radius_mm), number(p.enclosing_radius_mm));
         let _ = writeln!(text, "{:>5} {:>6} {ap:>28} {rp:>28} {mean:>9} {sd:>9} {ball:>9}", p.pose, p.cycles);
         for (name, proved) in [("AP", p.ap_conformity), ("RP", p.rp_conformity)] {
-            let said = match proved {
+            let words = match proved {
                 None => continue,
                 Some(Iso9283Conformity::Conforming) => "conforming",
                 Some(Iso9283Conformity::NotConforming) => "not conforming",
-                Some(Iso9283Conformity::Neither) => "neither conforming nor not: the limit is within the interval",
+                Some(Iso9283Conformity::Neither) => "undecided: the limit is within the interval",
             };
-            let _ = writeln!(text, "      {name} against its limit: {said}");
+            let _ = writeln!(text, "      {name} against its limit: {words}");
         }
         if let Some(rp) = p.rp_without_noise_mm {
             let _ = writeln!(text, "      RP without the instrument's noise {rp:.4} mm");

@@ -63,11 +63,11 @@ enum Command {
 enum Verdict {
     Met,
     LimitNotMet,
-    /// Errors, which the answer on stdout tells.
+    /// Errors, which are in the answer on stdout.
     NotRun,
 }
 
-/// Runs one command; says on stderr what went wrong.
+/// Runs one command; errors go to stderr.
 pub fn run(arguments: Arguments) -> ExitCode {
     let result = match arguments.command {
         Command::Init(command) => command.run(),
@@ -99,7 +99,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
     }
 }
 
-/// The reader of stdout went away: nothing is left to do, and nothing is wrong.
+/// The reader of stdout has closed it: not an error.
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.downcast_ref::<std::io::Error>().is_some_and(|e| e.kind() == std::io::ErrorKind::BrokenPipe)
 }
@@ -112,7 +112,7 @@ fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Says which files were written, as lines or as JSON.
+/// The files that were written, as lines or as JSON.
 fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     if json {
         return print(crate::run::output::to_json(&WrittenDocument::new(files))?);

@@ -21,9 +21,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Identifications of a simulated calibration, whose mean counts (section 4.6).
+/// Identifications of a simulated calibration, whose mean is evaluated (section 4.6).
 const STUDY_RUNS: u64 = 5;
-/// Such means, whose errors' medians are told: one alone scatters by a third.
+/// Such means, of whose errors the median is reported: one alone scatters by a third.
 const STUDY_DRAWS: u64 = 20;
 
 /// Choose the poses to measure among candidates, and prove how far they are from the best
@@ -48,7 +48,7 @@ pub struct Plan {
     /// All rows of a pose come together (the default)
     #[arg(long, conflicts_with = "single")]
     grouped: bool,
-    /// Poses from which the thesis' way starts; by default two that are far apart
+    /// Poses from which the one-by-one choice starts; by default two that are far apart
     #[arg(long, value_name = "POSES", value_delimiter = ',')]
     start: Vec<i64>,
     /// Poses to compare the plan with
@@ -57,7 +57,7 @@ pub struct Plan {
     /// Random starts of the exchange
     #[arg(long, value_name = "N", default_value_t = 10)]
     starts: u64,
-    /// Nodes that branch and bound may look at to close the gap
+    /// Largest number of nodes of branch and bound
     #[arg(long, value_name = "N", default_value_t = 2000)]
     nodes: usize,
     /// Seed of the random starts
@@ -66,7 +66,7 @@ pub struct Plan {
     /// Standard uncertainty (k = 1) of one coordinate in micrometres, for predicted uncertainties
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
-    /// Hold a parameter at its nominal value; `*` stands for any text; may be repeated
+    /// Hold a parameter at its nominal value; `*` replaces any text; may be repeated
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
     /// Write the chosen configurations to a CSV file
@@ -83,7 +83,7 @@ pub struct Plan {
     /// Simulate a calibration with the chosen poses, of a robot with the [parameters] of this TOML file
     #[arg(long, value_name = "FILE", requires = "standard_uncertainty_um")]
     truth: Option<PathBuf>,
-    /// Positions over which errors of that simulation are told, in the form of the candidates; by default the candidates
+    /// Positions at which the errors of that simulation are evaluated, in the form of the candidates; by default the candidates
     #[arg(long, value_name = "FILE", requires = "truth")]
     workspace: Option<PathBuf>,
     /// Print plan.json instead of a table
@@ -350,7 +350,7 @@ fn as_text(document: &PlanDocument) -> String {
             chosen.len(),
             document.candidates
         ),
-        None => writeln!(text, "no bound is known for this index: another choice may be better"),
+        None => writeln!(text, "this index has no bound: another choice may be better"),
     };
     let greedy = &document.greedy;
     let _ =
@@ -371,7 +371,7 @@ fn as_text(document: &PlanDocument) -> String {
     if let Some(w) = &document.workspace {
         let _ = writeln!(text, "predicted uncertainty of position: rms {:.4} mm, max {:.4} mm", w.rms_mm, w.max_mm);
         for p in &document.parameters {
-            let u = p.standard_uncertainty.map_or("not told".to_owned(), |u| format!("{u:.2e}"));
+            let u = p.standard_uncertainty.map_or("unknown".to_owned(), |u| format!("{u:.2e}"));
             let _ = writeln!(text, "  {:<16} {u:>10} {}", p.name, p.unit);
         }
     }

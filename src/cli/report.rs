@@ -11,7 +11,7 @@ use crate::stages::evaluate;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 
-/// Make the report again from the documents of an output folder
+/// Write the report again from the documents of an output folder
 ///
 /// Language, logo and templates are those of the campaign, unless they are stated here.
 #[derive(Debug, clap::Args)]
@@ -21,7 +21,7 @@ pub struct Report {
     folder: Option<PathBuf>,
     #[command(flatten)]
     dressed: Dressed,
-    /// Write the built-in templates to this folder instead, to start from
+    /// Write the built-in templates to this folder instead
     #[arg(long, value_name = "FOLDER", conflicts_with = "folder")]
     write_templates: Option<PathBuf>,
     /// Print the names of the files written as JSON
@@ -29,7 +29,7 @@ pub struct Report {
     json: bool,
 }
 
-/// How a report is dressed.
+/// Language, logo and templates of a report.
 #[derive(Debug, clap::Args)]
 pub(super) struct Dressed {
     /// Language of the report
@@ -44,7 +44,7 @@ pub(super) struct Dressed {
 }
 
 impl Dressed {
-    /// What is stated here, and for the rest what `campaign` states.
+    /// The options, and for the rest the statements of `campaign`.
     pub fn over(&self, campaign: Presentation) -> Result<Presentation> {
         let logo = self.logo.as_deref().map(branding::logo).transpose()?;
         let templates = self.templates.as_deref().map(branding::templates).transpose()?;

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 pub struct Simulate {
     /// Folder of the campaign, or its campaign.toml
     campaign: PathBuf,
-    /// What is true and what is measured; truth.toml beside the campaign by default
+    /// The true parameters and what is measured; by default truth.toml beside the campaign
     #[arg(long, value_name = "FILE")]
     truth: Option<PathBuf>,
     /// Seed of the noise instead of the one in the truth

@@ -78,22 +78,22 @@ pub struct FormatsDocument {
     pub schema: String,
     /// The file as the user named it.
     pub file: String,
-    /// Name of the format, where the file says what it is; it needs no reading then.
+    /// Name of the format, where the file states it; it needs no reading then.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub format: Option<String>,
     /// The reading that is proposed, then others that explain the file as well.
     pub readings: Vec<Reading>,
     /// Why the first is proposed.
     pub reasons: Vec<String>,
-    /// What speaks against it.
+    /// Doubts about it.
     pub doubts: Vec<String>,
-    /// What the file cannot say, and the campaign must.
+    /// What the file cannot state, and the campaign must.
     pub questions: Vec<String>,
     /// The proposal as lines for campaign.toml, with all that as comments.
     pub toml: String,
 }
 
-/// One reading of a delimited text. The unit of lengths is never part of it: no file can say it.
+/// One reading of a delimited text. The unit of lengths is not part of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reading {

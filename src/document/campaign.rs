@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What the campaign says about itself, for the head of a report.
+/// What the campaign states about itself, for the head of a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CampaignSummary {
@@ -35,7 +35,7 @@ pub struct CampaignSummary {
     /// Conditions of a test.
     #[serde(default)]
     pub conditions: Conditions,
-    /// How the report is dressed.
+    /// Presentation of the report.
     #[serde(default)]
     pub report: Presentation,
 }
@@ -44,9 +44,9 @@ pub struct CampaignSummary {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ContactSummary {
-    /// Half width of what one coordinate repeats within.
+    /// Half width of the interval within which one coordinate repeats.
     pub repeatability_um: f64,
-    /// How many standard deviations that is.
+    /// The half width in standard deviations.
     pub coverage_factor: f64,
 }
 
@@ -124,7 +124,7 @@ impl Language {
     }
 }
 
-/// How a report is dressed; whole, so that it can be made again from the output folder alone.
+/// Presentation of a report, complete, so that the output folder alone is enough to write it again.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Presentation {

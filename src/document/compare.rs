@@ -14,7 +14,7 @@ pub struct CompareDocument {
     pub schema: String,
     /// Model of the robot; null where none of the campaigns identifies.
     pub robot: Option<String>,
-    /// By which rules changes are judged, and what they do not tell, in words.
+    /// By which rules changes are judged, and their limitations, in words.
     pub conventions: Vec<String>,
     /// The campaigns.
     pub campaigns: Vec<ComparedCampaign>,
@@ -86,17 +86,17 @@ pub struct CompareTrend {
     pub unit: String,
     /// One for each campaign.
     pub values: Vec<CompareValue>,
-    /// Every campaign against the first and against the one before, where both tell the quantity.
+    /// Every campaign against the first and against the previous one, where both have the quantity.
     pub changes: Vec<CompareChange>,
 }
 
-/// What one campaign tells. What it does not tell is null.
+/// The quantity in one campaign; null where it has none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompareValue {
     /// The value.
     pub value: Option<f64>,
-    /// Its standard uncertainty (k = 1); null where only the interval is known.
+    /// Its standard uncertainty (k = 1); null where there is only an interval.
     pub standard_uncertainty: Option<f64>,
     /// Lower end of the 95 % interval.
     pub low: Option<f64>,
@@ -117,11 +117,11 @@ pub struct CompareChange {
     /// Later over earlier, for quantities whose intervals are those of the ratio (RP, and RT, of which it is that of the
     /// middles of both intervals); null for others.
     pub ratio: Option<f64>,
-    /// Lower end of the 95 % interval of the change, or of the ratio where there is one; null where nothing tells it.
+    /// Lower end of the 95 % interval of the change, or of the ratio where there is one; null where there is none.
     pub low: Option<f64>,
     /// Upper end.
     pub high: Option<f64>,
-    /// Probability of a change at least as large where nothing changed; null where no uncertainty is known.
+    /// Probability of a change at least as large where nothing changed; null without uncertainties.
     pub p: Option<f64>,
     /// The same, corrected for the number of quantities in the family (Holm).
     pub p_holm: Option<f64>,

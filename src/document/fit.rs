@@ -252,7 +252,7 @@ pub struct FitProbe {
     /// For a plane or line the direction from it to the probe.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub towards: Option<Vector>,
-    /// What the side was told from, where the file says it.
+    /// What the side was derived from, where the file states it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub side_from: Option<String>,
     /// Point or centre before compensation.

@@ -53,7 +53,7 @@ pub struct Source {
     pub rows_read: usize,
     /// Rows that were refused.
     pub refused: Vec<Refused>,
-    /// Of a log recorded while the robot moved: where it stood, one row of the joint values each.
+    /// Standstills of a log recorded during motion, one row of the joint values each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub standstills: Vec<StandingInterval>,
 }
@@ -70,7 +70,7 @@ pub struct Refused {
     pub reason: String,
 }
 
-/// An interval of a log in which the robot stands, as the campaign's limits say.
+/// A standstill in a log, by the limits of the campaign.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StandingInterval {
@@ -82,17 +82,17 @@ pub struct StandingInterval {
     pub to_s: f64,
     /// How many samples.
     pub samples: usize,
-    /// What the joints did.
+    /// The joints.
     pub joints: Vec<StandingJoint>,
 }
 
-/// A joint while it stands, in the unit of its column.
+/// A joint in a standstill, in the unit of its column.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StandingJoint {
     /// Its column in the table of joint values.
     pub column: String,
-    /// Mean of the samples: the value that counts.
+    /// Mean of the samples: the joint value used.
     pub mean: f64,
     /// Standard deviation of the samples.
     pub standard_deviation: f64,

@@ -155,7 +155,7 @@ pub struct Iso9283Pose {
     pub rp_c_deg: Option<f64>,
     /// 95 % interval of AP by parametric bootstrap; null with fewer than three visits.
     pub ap_interval: Option<Iso9283Interval>,
-    /// 95 % interval of RP likewise.
+    /// 95 % interval of RP.
     pub rp_interval: Option<Iso9283Interval>,
     /// 95 % interval of AP in closed form.
     pub ap_interval_analytic: Option<Iso9283Interval>,
@@ -166,7 +166,7 @@ pub struct Iso9283Pose {
     /// RP without the instrument's noise, where visits were read several times.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rp_without_noise_mm: Option<f64>,
-    /// Standard deviation of one reading, by coordinate, likewise.
+    /// Standard deviation of one reading, by coordinate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub noise_mm: Option<crate::base::pose::Vector>,
     /// What the interval of AP proves about the stated limit.
@@ -250,7 +250,7 @@ pub struct Iso9283Variation {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Approach {
-    /// What the column `approach` says, or the pose before.
+    /// The column `approach`, or the previous pose.
     pub name: String,
     /// Visits.
     pub cycles: usize,
@@ -330,7 +330,7 @@ pub struct Iso9283StreamDocument {
     pub standstills: Vec<Iso9283Standstill>,
     /// Arrivals by pose; empty without a limit band.
     pub settling: Vec<Iso9283Settling>,
-    /// How the robot came to stand: the first arrivals at each pose; empty without a limit band.
+    /// Stabilisation: the first arrivals at each pose; empty without a limit band.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub arrivals: Vec<Iso9283Arrival>,
     /// Moves between poses; empty without a limit band.
@@ -343,7 +343,7 @@ pub struct Iso9283StreamDocument {
     pub messages: Vec<Message>,
 }
 
-/// The robot stands.
+/// A standstill.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Standstill {
@@ -365,9 +365,9 @@ pub struct Iso9283Standstill {
     pub noise_mm: Option<f64>,
     /// Stabilisation time of the arrival (7.4); null without a limit band, and where the band is never entered or kept.
     pub stabilisation_s: Option<f64>,
-    /// Overshoot of the arrival (7.5), null likewise.
+    /// Overshoot of the arrival (7.5); null without a limit band.
     pub overshoot_mm: Option<f64>,
-    /// Time from leaving the standstill before to standing here (9), null likewise.
+    /// Posing time from the previous standstill (9); null without a limit band.
     pub posing_s: Option<f64>,
 }
 
@@ -424,7 +424,7 @@ pub struct Iso9283Path {
     pub at_angles_deg: Vec<f64>,
     /// RT_p (8.3): largest mean radius + 3 s; null with a single pass.
     pub rt_mm: Option<f64>,
-    /// 95 % interval of the RT_p of infinitely many passes, likewise. RT_p may lie above it: the largest of many values that
+    /// 95 % interval of the RT_p of infinitely many passes. RT_p may be above it: the largest of many values that
     /// scatter is too large.
     #[serde(default)]
     pub rt_interval: Option<Iso9283Interval>,
@@ -448,7 +448,7 @@ pub struct Iso9283PathPoint {
     pub along_mm: f64,
     /// Commanded position: x, y and, where there is one, z.
     pub commanded_mm: Vec<f64>,
-    /// Mean attained position in its normal plane, likewise.
+    /// Mean attained position in its normal plane.
     pub mean_mm: Vec<f64>,
     /// Distance between the two.
     pub deviation_mm: f64,
@@ -504,7 +504,7 @@ pub struct Iso9283Weaving {
     pub frequency_hz: f64,
     /// WS: attained minus commanded stroke, in per cent of the commanded one.
     pub ws_percent: f64,
-    /// WF, of the frequency likewise.
+    /// WF, of the frequency.
     pub wf_percent: f64,
 }
 
@@ -518,7 +518,7 @@ pub struct Iso9283Arrival {
     pub cycle: i64,
     /// Times since the entry.
     pub time_s: Vec<f64>,
-    /// Distances from where the robot came to stand.
+    /// Distances from the standstill.
     pub away_mm: Vec<f64>,
 }
 
@@ -549,7 +549,7 @@ pub struct Iso9283NamedStream {
     pub file: String,
     /// Limit band, where one is stated.
     pub band_mm: Option<f64>,
-    /// What the recording tells.
+    /// The characteristics of the recording.
     pub stream: Iso9283StreamDocument,
 }
 

@@ -17,11 +17,11 @@ pub struct ParametersDocument {
     pub robot: String,
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
-    /// Covariance of the identified parameters, in their order and units; empty where nothing tells it.
+    /// Covariance of the identified parameters, in their order and units; empty where there is none.
     pub covariance: Vec<Vec<f64>>,
     /// How well they fit.
     pub residuals: ResidualSummary,
-    /// What the poses can tell; absent where it is not a number.
+    /// Observability; absent where it is not a number.
     pub observability: Option<ObservabilitySummary>,
     /// How the solver ended.
     pub solver: SolverSummary,
@@ -49,7 +49,7 @@ pub struct ParameterEntry {
     pub standard_uncertainty: Option<f64>,
     /// Identified, fixed or not identifiable.
     pub status: ParameterStatus,
-    /// Parameters that the data cannot tell apart from this one.
+    /// Parameters that are not separately identifiable from this one.
     pub confounded_with: Vec<String>,
 }
 
@@ -61,7 +61,7 @@ pub enum ParameterStatus {
     Identified,
     /// Held by the campaign, or not part of the model.
     Fixed,
-    /// Held because the data cannot tell it apart.
+    /// Held because it is not separately identifiable.
     NotIdentifiable,
 }
 
@@ -75,7 +75,7 @@ pub struct ResidualSummary {
     pub count: usize,
     /// Root mean square in mm (pose residuals: mm and rad mixed, eq. 3.26).
     pub rms: f64,
-    /// Largest, likewise.
+    /// Largest.
     pub max: f64,
     /// Residuals minus identified parameters.
     pub degrees_of_freedom: usize,
@@ -110,7 +110,7 @@ pub struct ObservabilitySummary {
     pub o5: f64,
     /// Condition number with columns divided by their norms.
     pub condition: f64,
-    /// Number of parameters told apart.
+    /// Number of separately identifiable parameters.
     pub rank: usize,
     /// Which scaling the indices have.
     pub scaling: String,

@@ -29,7 +29,7 @@ pub struct PlanDocument {
     pub chosen: Vec<PlannedPose>,
     /// The index of the chosen poses.
     pub value: f64,
-    /// No choice of as many candidates has a larger index; absent where no bound is known (O4).
+    /// No choice of as many candidates has a larger index; absent where there is no bound (O4).
     pub bound: Option<f64>,
     /// By how many per cent at most the choice is below the best possible.
     pub at_most_below_percent: Option<f64>,
@@ -45,7 +45,7 @@ pub struct PlanDocument {
     pub compared: Option<ComparedPoses>,
     /// Observability of the chosen poses; absent where it is not a number.
     pub observability: Option<ObservabilitySummary>,
-    /// Parameters, and how well the chosen poses would tell them.
+    /// Parameters, with their predicted uncertainties from the chosen poses.
     pub parameters: Vec<PlannedParameter>,
     /// Standard uncertainty of position over all candidates that the parameters would leave; absent where the uncertainty
     /// of the instrument is not stated.
@@ -54,7 +54,7 @@ pub struct PlanDocument {
     pub places: Vec<CandidatePlace>,
     /// A simulated calibration with the chosen poses, where a truth is given (section 4.6).
     pub study: Option<StudyDocument>,
-    /// What cannot be told apart, and other messages.
+    /// Parameters that are not separately identifiable, and other messages.
     pub messages: Vec<Message>,
     /// Where the numbers come from.
     pub provenance: Provenance,
@@ -110,7 +110,7 @@ pub struct ComparedPoses {
     pub better_by_percent: f64,
 }
 
-/// One parameter, and how well it would be known.
+/// One parameter and its predicted uncertainty.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlannedParameter {
@@ -118,11 +118,11 @@ pub struct PlannedParameter {
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
-    /// Whether the candidates can tell it; otherwise it is held or cannot be told apart from others.
+    /// Whether it is identifiable from the candidates.
     pub identifiable: bool,
     /// Predicted standard uncertainty; absent where the uncertainty of the instrument is not stated.
     pub standard_uncertainty: Option<f64>,
-    /// Parameters that the chosen poses cannot, or can hardly, tell apart from this one.
+    /// Parameters that are not, or hardly, separable from this one by the chosen poses.
     pub confounded_with: Vec<String>,
 }
 
@@ -154,13 +154,13 @@ pub struct CandidatePlace {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudyDocument {
-    /// Identifications whose mean counts.
+    /// Identifications whose mean is evaluated.
     pub runs: u64,
-    /// Such means drawn, whose errors' medians are told; parameters and places are those of the first.
+    /// Such means, of whose errors the median is reported; parameters and places are those of the first.
     pub draws: u64,
     /// Standard deviation of the Gaussian noise of one coordinate.
     pub noise_um: f64,
-    /// Configurations over which errors are told.
+    /// Configurations at which errors are evaluated.
     pub configurations: usize,
     /// Nominal, true and identified parameters with all positions (table 4.1, figure 4.8).
     pub parameters: Vec<StudiedParameter>,

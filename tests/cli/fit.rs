@@ -43,7 +43,7 @@ fn a_probe_is_stated_with_its_side() {
     };
     refused("sphere", &["--probe-radius-mm", "2.5"], "the side of the probe is not stated");
     refused("sphere", &["--probe-side", "inside"], "--probe-side without a probe");
-    refused("sphere", &["--probe-radius-mm", "2.5", "--probe-side", "left"], "`left` is no side");
+    refused("sphere", &["--probe-radius-mm", "2.5", "--probe-side", "left"], "`left` is not a side");
     refused("sphere", &["--probe-radius-mm", "2.5", "--probe-side", "0,0,1"], "has an inside");
     refused("sphere", &["--probe-radius-mm", "13", "--probe-side", "outside"], "cannot have touched");
     refused("sphere", &["--probe-radius-mm", "-1", "--probe-side", "outside"], "the probe radius is -1 mm");
