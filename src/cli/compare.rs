@@ -151,10 +151,10 @@ fn as_text(document: &CompareDocument) -> String {
         let date = one_line(c.date.as_deref().unwrap_or("no date"));
         let _ = writeln!(text, "{} {date}, {} ({})", i + 1, one_line(&c.name), one_line(&c.folder));
     }
-    let mut family = None;
+    let mut headed = None;
     for t in &document.trends {
-        if family != Some(t.family) {
-            family = Some(t.family);
+        if headed != Some(t.family) {
+            headed = Some(t.family);
             let _ = writeln!(text, "\n{}", family(t.family, english));
             if t.family == CompareFamily::Robot {
                 document.together.iter().for_each(|t| together(&mut text, t));

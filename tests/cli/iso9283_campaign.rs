@@ -293,7 +293,7 @@ fn a_missed_limit_of_iso_9283_beside_an_identification_that_meets_its_own_is_mis
     let tables = "[poses]\nattained = \"poses.csv\"\ncommanded = \"commanded.csv\"\n\n[limits]";
     scratch.replace("campaign.toml", "[limits]", &format!("{tables}\naccuracy_max_mm = 0.001"));
     let done = etalon(scratch.root(), &["run", "campaign"]);
-    let shown = text_of(&done);
+    let shown = text(&done.stdout);
     assert_eq!(done.status.code(), Some(1), "{shown}");
     for part in ["limit position_max_mm: met", "limit orientation_max_deg: met", "limit accuracy_max_mm: NOT MET"] {
         assert!(shown.contains(part), "{part}: {shown}");
