@@ -33,9 +33,13 @@ $(ETALON): $(SOURCES)
 samples/%/out/report.html: $$(shell find samples/$$* -type f -not -path '*/out/*') $(ETALON)
 	$(ETALON) run --skip-missing samples/$*
 
+# what is slow in tests runs in the profile of the program itself
 test:
 	[ -n "$${ETALON_REFERENCE:-}" ] || echo "ETALON_REFERENCE is not set: the tests in tests/reference (NIST, PreXYT, IRB 120) are skipped"
-	if command -v cargo-nextest >/dev/null; then cargo test --locked --doc && cargo nextest run --locked; else cargo test --locked; fi
+	cargo test --locked --doc
+	if command -v cargo-nextest >/dev/null; then \
+	    cargo nextest run --locked --lib --bins --test etalon && cargo nextest run --locked --release --test laws; \
+	else cargo test --locked --lib --bins --test etalon && cargo test --locked --release --test laws; fi
 
 bench:
 	cargo bench --locked --bench identify --bench plan

@@ -3,13 +3,12 @@
 
 mod architecture;
 mod browser;
+mod campaigns;
 mod cli;
 mod golden;
 mod hostile;
-mod laws;
-mod linearised;
 mod reference;
-mod scratch;
+mod support;
 
 /// The reference data, or `None` after saying that the test is skipped.
 fn reference_data(folder: &str) -> Option<std::path::PathBuf> {

@@ -1,6 +1,6 @@
 //! Reports to look at: of samples, in every language, of a campaign whose names are hostile, and one that compares it.
 
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -56,7 +56,7 @@ fn etalon(arguments: &[&std::ffi::OsStr]) {
 }
 
 /// Names wherever a campaign has names: script, formula, right to left, 200 letters without a gap.
-fn make_hostile(scratch: &crate::scratch::Scratch) {
+fn make_hostile(scratch: &crate::support::scratch::Scratch) {
     let script = "<script>owned=1</script><img src=x onerror=owned=1>\"'&amp;";
     let hebrew = "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8} =HYPERLINK(\"http://x.invalid\";\"y\")";
     let long = "n".repeat(200);

@@ -2,7 +2,7 @@
 
 use super::reports::tool;
 use super::{etalon, text};
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use calamine::{Reader, Xlsx};
 use etalon::document::{CompareDocument, CompareFamily};
 use std::path::Path;

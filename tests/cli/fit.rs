@@ -1,7 +1,7 @@
 //! `etalon fit`: probes, QIF, and points that determine nothing.
 
 use super::{etalon, text};
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use etalon::document::FitDocument;
 use std::fmt::Write;
 use std::process::Output;

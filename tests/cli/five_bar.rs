@@ -1,7 +1,7 @@
 //! `etalon identify` for a five-bar: working modes share a pose, assembly modes come from the measurement.
 
 use super::{etalon, text, text_of};
-use crate::laws::five_bar::{SEVEN, measure, robot, truth};
+use crate::support::five_bar::{SEVEN, measure, robot, truth};
 use std::fmt::Write;
 
 const ROBOT: &str = "model = \"five_bar\"\n[nominal]\nl11 = 230.0\nl12 = 230.0\nl21 = 230.0\nl22 = 230.0\nd = 275.0\nl23 = 230.0\nx_o = 263.0\ny_o = 75.0\n";
@@ -63,7 +63,7 @@ fn a_position_between_both_assembly_modes_is_an_error() {
 
 #[test]
 fn a_plate_measured_once_calibrates_from_encoders_alone_with_its_errors_kept_apart() {
-    let sample = crate::scratch::copy_sample("dextar");
+    let sample = crate::support::scratch::copy_sample("dextar");
     let answered = etalon(&sample.path(), &["run", "."]);
     assert!(answered.status.success(), "{}", text_of(&answered));
     let read = std::fs::read_to_string(sample.path().join("out/parameters.json")).unwrap();
@@ -85,21 +85,21 @@ fn a_plate_measured_once_calibrates_from_encoders_alone_with_its_errors_kept_apa
 
 #[test]
 fn a_touched_point_that_nobody_measured_is_told_with_its_line() {
-    let sample = crate::scratch::copy_sample("dextar");
+    let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("encoders.csv", "1,1,P2,4,", "1,1,P22,4,");
     let refused = etalon(&sample.path(), &["run", "."]);
     assert_eq!(refused.status.code(), Some(2));
     let said = text_of(&refused);
     assert!(said.contains("no measured point bears the label `P22`") && said.contains("encoders.csv:5"), "{said}");
-    let sample = crate::scratch::copy_sample("dextar");
+    let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "label = \"ball\", ", "");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
     assert!(said.contains("a join by label needs the label of the point"), "{said}");
-    let sample = crate::scratch::copy_sample("dextar");
+    let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "by = \"label\"", "by = [\"pose\", \"cycle\"]");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
     assert!(said.contains("`label` means nothing for this join"), "{said}");
-    let sample = crate::scratch::copy_sample("dextar");
+    let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "repeatability_um = 15.0", "repeatability_um = 0.0");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
     assert!(said.contains("`repeatability_um` must be positive"), "{said}");

@@ -2,7 +2,7 @@
 
 use super::reports::{column, text_of_pdf, workbook};
 use super::{etalon, text, text_of};
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use calamine::Data;
 use etalon::document::{Iso9283ComplianceDocument, Iso9283Conformity, Iso9283Document, Iso9283Drift, Iso9283Pose};
 use std::fmt::Write;

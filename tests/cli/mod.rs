@@ -11,7 +11,7 @@ mod report;
 mod reports;
 mod streams;
 
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use std::path::Path;
 use std::process::{Command, Output};
 

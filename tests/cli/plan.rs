@@ -1,7 +1,7 @@
 //! `etalon plan` for every robot: which poses, how good, and what they cannot tell.
 
 use super::{etalon, text, text_of};
-use crate::laws::five_bar::{SEVEN, holes, robot};
+use crate::support::five_bar::{SEVEN, holes, robot};
 use etalon::document::PlanDocument;
 use etalon::math::robots::Robot;
 use std::fmt::Write;

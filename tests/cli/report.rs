@@ -1,7 +1,7 @@
 //! `etalon report`: the same page again, in another language, with another dress.
 
 use super::{etalon, text};
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 
 #[test]
 fn the_report_is_made_again_as_the_campaign_dresses_it_and_as_the_command_does() {

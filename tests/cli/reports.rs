@@ -1,7 +1,7 @@
 //! The report as PDF and as workbook: what other programs find in them.
 
 use super::{etalon, text_of};
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use calamine::{Data, Reader, Xlsx};
 use serde_json::Value;
 use std::io::Cursor;

@@ -1,7 +1,7 @@
 //! Recorded motions inside a campaign.
 
 use super::{etalon, text, text_of};
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use etalon::document::{ImportDocument, Iso9283StreamsDocument};
 
 fn read<T: serde::de::DeserializeOwned>(scratch: &Scratch, name: &str) -> T {

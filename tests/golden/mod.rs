@@ -3,7 +3,7 @@
 mod motion;
 mod pose_test;
 
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use std::path::Path;
 
 fn compare(path: &str, text: &str) {

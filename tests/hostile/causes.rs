@@ -1,7 +1,7 @@
 //! What went wrong is told by its cause: units, assembly modes, exchanged targets, blunders, too few poses.
 
 use super::{ends, etalon};
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 
 /// Runs the campaign, which must end with `code`; all `parts` must be said.
 fn run(scratch: &Scratch, code: i32, parts: &[&str]) -> String {

@@ -1,7 +1,7 @@
 //! What `etalon check` finds: everything at once, each with its place.
 
 use super::{broken, ends, etalon};
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 
 #[test]
 fn unreadable_rows_hide_nothing() {

@@ -1,7 +1,7 @@
 //! Hints that lead on: what one does next is what the message says.
 
 use super::{ends, etalon};
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 
 /// What is said of a campaign that is refused; every error has its hint, and all `parts` are said.
 fn hinted(scratch: &Scratch, parts: &[&str]) -> String {

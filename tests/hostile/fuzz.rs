@@ -128,7 +128,7 @@ fn readers_of_points() {
     let mut samples: Vec<(String, String)> =
         readers::samples().into_iter().map(|(name, text)| (name.to_owned(), text)).collect();
     // and what our own writers make of a campaign, a part of it
-    let written = crate::laws::dialects::written_exports();
+    let written = crate::campaigns::dialects::written_exports();
     samples.extend(written.into_iter().map(|(name, text)| (name, text.chars().take(3000).collect())));
     for name in Reader::names() {
         let own: Vec<&String> = samples.iter().filter(|(of, _)| *of == name).map(|(_, text)| text).collect();
@@ -153,7 +153,7 @@ fn readers_of_logs() {
 
 #[test]
 fn stated_dialects() {
-    let written = crate::laws::dialects::written_dialects();
+    let written = crate::campaigns::dialects::written_dialects();
     let texts: Vec<&String> = written.iter().map(|(_, text)| text).collect();
     for (format, _) in &written {
         run(&format.to_string(), &texts, |text| drop(labelled_points("f.txt", text, format, Unit::Millimetre)));
@@ -164,7 +164,7 @@ fn stated_dialects() {
 fn proposals() {
     let own = readers::samples().into_iter().map(|(_, text)| text);
     let texts: Vec<String> =
-        crate::laws::dialects::written_dialects().into_iter().map(|(_, text)| text).chain(own).collect();
+        crate::campaigns::dialects::written_dialects().into_iter().map(|(_, text)| text).chain(own).collect();
     run("etalon formats", &texts.iter().collect::<Vec<_>>(), |text| drop(propose("f.txt", text)));
 }
 
@@ -190,7 +190,7 @@ fn workbooks() {
     let scratch = tempfile::tempdir().unwrap();
     let path = scratch.path().join("points.xlsx");
     for program in ["openpyxl", "libreoffice"] {
-        let bytes = std::fs::read(crate::laws::workbooks::workbook(program)).unwrap();
+        let bytes = std::fs::read(crate::campaigns::workbooks::workbook(program)).unwrap();
         let mut zip = ZipArchive::new(Cursor::new(bytes)).unwrap();
         let names: Vec<String> = zip.file_names().map(|name| name.unwrap().into_owned()).collect();
         let mut unpacked = |name: &str| std::io::read_to_string(zip.by_name(name).unwrap()).unwrap();

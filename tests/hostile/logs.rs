@@ -1,6 +1,6 @@
 //! Damaged and ambiguous logs of controllers: every problem with its place. All texts are synthetic.
 
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::stages::gather::{Gathered, gather};

@@ -12,7 +12,7 @@ mod recovery;
 mod together;
 mod traps;
 
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 
 /// Exit code and stderr of `etalon ARGS campaign`.
 fn etalon(scratch: &Scratch, command: &str) -> (Option<i32>, String) {

@@ -1,7 +1,7 @@
 //! What is missing or does not read hides nothing else, and nobody draws conclusions from it.
 
 use super::{ends, etalon};
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 
 /// What `check` says of a campaign that it refuses; all `parts` are said.
 fn refused(scratch: &Scratch, parts: &[&str]) -> String {

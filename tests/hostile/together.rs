@@ -1,7 +1,7 @@
 //! No problem hides another: each case breaks a campaign in several places, and `etalon check` says all of them.
 
 use super::{broken, ends, etalon};
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 
 /// Checks the campaign; all `parts` must be said.
 fn said(scratch: &Scratch, parts: &[&str]) -> String {

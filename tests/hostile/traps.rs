@@ -4,7 +4,7 @@
 //! Leica files), 12 (reference::qif), 13, 14 and 17 (reference::readers), 9, 15 and 16 (reference::logs), 23 (hostile::qif,
 //! `import::bounded`).
 
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Result;
 use etalon::campaign::Campaign;
 use etalon::import::format::Format;

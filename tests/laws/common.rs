@@ -1,6 +1,6 @@
 //! A ball's error is common to all working modes that touch it: the covariance stated is the spread over many draws.
 
-use crate::laws::five_bar::{SEVEN, measure, robot, settings, truth};
+use crate::support::five_bar::{SEVEN, measure, robot, settings, truth};
 use etalon::base::noise::Noise;
 use etalon::math::identify::{Identification, Observation, Settings, identify_from};
 use etalon::math::robots::{FiveBar, Robot};

@@ -1,6 +1,6 @@
 //! Plans: the proven optimum is that of enumeration, bounds hold, and seven planned positions give the thesis' accuracy.
 
-use crate::laws::five_bar::{SEVEN, holes, measure, robot, settings, truth};
+use crate::support::five_bar::{SEVEN, holes, measure, robot, settings, truth};
 use etalon::base::noise::Noise;
 use etalon::math::identify::{Observation, identify_from};
 use etalon::math::plan::branch::branch_and_bound;

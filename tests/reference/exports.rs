@@ -2,7 +2,7 @@
 //! with the reason it gives.
 
 use super::exports_table::{As, TABLE};
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use etalon::base::message::Result;
 use etalon::campaign::Campaign;
 use etalon::import::format::Encoding;

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 /// The sample with `hold` added, run into a folder that goes away.
 fn run(hold: &str) -> Option<(Outcome, ImportDocument)> {
     crate::reference_data("robots/irb120_faro_ets")?;
-    let scratch = crate::scratch::copy_sample("abb-irb120");
+    let scratch = crate::support::scratch::copy_sample("abb-irb120");
     scratch.replace("campaign.toml", "validation = \"rest\"", &format!("validation = \"rest\"\nhold = {hold}"));
     let campaign = Campaign::read(&scratch.path()).expect("campaign");
     let outcome = pipeline::run(&campaign).expect("run");

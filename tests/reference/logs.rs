@@ -1,6 +1,6 @@
 //! Real logs of five controllers: counts, clocks and units as their READMEs state them.
 
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::document::ImportDocument;

@@ -1,7 +1,7 @@
 //! Real exports of measuring systems: read with the counts and units that their READMEs state, or refused with the reason
 //! that they give. Numbers that are expected stand in the files themselves.
 
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
 use etalon::document::Source;

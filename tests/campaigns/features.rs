@@ -1,6 +1,6 @@
 //! World frames from circles, cylinders and lines with a known truth: features and frames agree with it to 1e-9.
 
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use etalon::base::pose::{Pose, Vector, cross, dot, norm, unit};
 use etalon::campaign::Campaign;
 use etalon::document::{FeaturesDocument, FramesDocument};

@@ -1,6 +1,6 @@
 //! The rule about rigid parts works however rows are grouped, and says so where they cannot be.
 
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
 use etalon::stages::gather::{Gathered, gather};

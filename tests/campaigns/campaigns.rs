@@ -1,6 +1,6 @@
 //! Whole campaigns: simulate → run gives the truth, the same bytes every time, whatever the number of threads.
 
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
 use etalon::document::ParameterStatus;
 use etalon::run::pipeline;

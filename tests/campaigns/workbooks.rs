@@ -1,7 +1,7 @@
 //! Workbooks that other programs wrote: `tests/workbooks` holds made-up points (synthetic) under a title and a head, as
 //! openpyxl 3.1 wrote them, and as LibreOffice Calc 7.4 saved that file again (strings shared, formulas with their value).
 
-use crate::scratch::copy_sample;
+use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
 use etalon::import::propose_file;
 use etalon::stages::gather::gather;

@@ -1,6 +1,6 @@
 //! Chapter 2 as a campaign: what it leaves, why, and what it says of a campaign that does not fit.
 
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
 use etalon::document::{GeometricDocument, MethodErrors};
 use etalon::run::pipeline;

@@ -1,6 +1,6 @@
 //! Whatever dialect a campaign states, `simulate` writes it and `import` reads the same points and joints back.
 
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::base::pose::Pose;
 use etalon::base::table;

@@ -1,6 +1,6 @@
 //! The test of repeatability as a campaign (thesis 2.4): what it tells of a robot with known play, and what it refuses.
 
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
 use etalon::document::{Iso9283Document, Iso9283Pose, Iso9283Variation};
 use etalon::iso9283::coplanarity::from_the_others;

@@ -1,6 +1,6 @@
 //! Standstills in a log recorded while the robot moved, and joins in time that rest on them.
 
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;

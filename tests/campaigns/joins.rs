@@ -1,6 +1,6 @@
 //! Joins by row and by time: what has no partner, or two, is said.
 
-use crate::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
 use etalon::run::pipeline::{self, Outcome};
