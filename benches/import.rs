@@ -5,8 +5,8 @@
 
 #![allow(clippy::print_stdout)] // a benchmark prints
 
+use etalon::import::Format;
 use etalon::import::cloud;
-use etalon::import::format::Format;
 use etalon::import::format::Unit;
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -60,7 +60,7 @@ fn show(name: &str, command: &mut Command) {
 /// Reads the file, and prints seconds, rows a second, sums and the peak of memory.
 fn read(path: &Path) {
     let before = Instant::now();
-    let cloud = cloud(path, &Format::Polyworks, Unit::Millimetre).expect("readable").expect("plain");
+    let cloud = cloud(path, &Format::default(), Unit::Millimetre).expect("readable").expect("plain");
     let seconds = before.elapsed().as_secs_f64();
     let sum = |name: &str| etalon::base::table::numbers(&cloud.table, name).expect("numbers").iter().sum::<f64>();
     let peak = peak_mb();

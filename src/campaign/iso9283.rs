@@ -2,7 +2,7 @@
 
 use super::Campaign;
 use crate::base::message::{Message, Problems};
-use crate::import::format::{Format, Unit};
+use crate::import::{Format, format::Unit};
 use serde::Deserialize;
 use toml::Spanned;
 

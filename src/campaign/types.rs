@@ -2,7 +2,7 @@
 
 use super::{Join, JoinBy};
 use crate::document::{Conditions, Language};
-use crate::import::format::{Export, Log};
+use crate::import::{Export, format::Log};
 use crate::math::identify::ResidualKind;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};

@@ -8,7 +8,7 @@ use crate::base::pose::Vector;
 use crate::base::table;
 use crate::document::FitDocument;
 use crate::import;
-use crate::import::format::Format;
+use crate::import::Format;
 use crate::import::format::Unit;
 use crate::math::fit::{self, CircleMethod, Element, Probe, Settings, Side};
 use crate::run::output;

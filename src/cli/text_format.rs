@@ -1,10 +1,10 @@
 //! Options that state how a text of points is read.
 
 use crate::base::message::{Message, Problems};
+use crate::import::Format;
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
 use crate::import::format::Dialect;
-use crate::import::format::Format;
 use crate::import::format::Header;
 use crate::import::format::Role;
 use crate::import::format::Unit;
@@ -50,15 +50,15 @@ impl TextFormat {
 
     /// The stated columns, else PolyWorks text.
     pub fn format(&self) -> Result<Format, Problems> {
-        let Some(delimiter) = &self.delimiter else { return Ok(Format::Polyworks) };
+        let Some(delimiter) = &self.delimiter else { return Ok(Format::default()) };
         let columns = self.columns.iter().map(|c| word::<Role>("--columns", c)).collect::<Result<Vec<_>, _>>()?;
-        Ok(Format::Delimited(Box::new(Dialect {
+        Ok(Format::from(Dialect {
             delimiter: Some(word::<Delimiter>("--delimiter", delimiter)?),
             decimal: word::<Decimal>("--decimal", &self.decimal)?,
             columns: columns.into(),
             header: Header::Rows(self.header),
             ..Dialect::default()
-        })))
+        }))
     }
 }
 

@@ -1,16 +1,10 @@
 //! Points of plain tables at the speed of the disk: rows of an optional label and x, y, z, and nothing else. What is not
 //! plain is left to the strict reader, which says where and why.
 
+use super::formats::Format;
 use super::names::Names;
 use super::plain_line::{LONGEST, Line, line_feeds};
 use crate::base::message::{Message, Problems, Result};
-use crate::import::format::Columns;
-use crate::import::format::Decimal;
-use crate::import::format::Delimiter;
-use crate::import::format::Dialect;
-use crate::import::format::Format;
-use crate::import::format::Header;
-use crate::import::format::Role;
 use crate::import::format::Unit;
 use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
 use rayon::prelude::*;
@@ -30,13 +24,14 @@ pub struct Cloud {
     pub table: DataFrame,
 }
 
-/// What is plain about a table.
+/// What the fast reader needs to know of a table of plain rows.
 #[derive(Clone, Copy)]
-struct Plain {
+pub(crate) struct Plain {
     /// None: blanks and tabs.
-    delimiter: Option<u8>,
-    labelled: bool,
-    in_mm: f64,
+    pub delimiter: Option<u8>,
+    pub labelled: bool,
+    /// Whether columns called x, y, z that hold two angles and a distance are the strict reader's matter.
+    pub may_be_angles: bool,
 }
 
 /// Rows of one block.
@@ -58,15 +53,15 @@ struct Part {
 pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> {
     let fail = |e: std::io::Error| Problems::from(Message::error(format!("cannot read `{}`: {e}", path.display())));
     let size = std::fs::metadata(path).map_err(fail)?.len();
-    let Some(plain) = Plain::of(path, format, unit).map_err(fail)? else { return Ok(None) };
+    let mut start = Vec::new();
+    File::open(path).and_then(|file| file.take(LONGEST as u64).read_to_end(&mut start)).map_err(fail)?;
+    let Some(plain) = format.plain(&start) else { return Ok(None) };
     let parts: std::io::Result<Vec<Option<Part>>> = (0..size.div_ceil(BLOCK))
         .into_par_iter()
-        .map_init(Vec::new, |bytes, k| plain.part(path, k * BLOCK, size, bytes))
+        .map_init(Vec::new, |bytes, k| plain.part(path, unit.in_mm(), k * BLOCK, size, bytes))
         .collect();
     let Some(parts) = parts.map_err(fail)?.into_iter().collect::<Option<Vec<Part>>>() else { return Ok(None) };
-    // columns called x, y, z that hold two angles and a distance are the strict reader's matter
-    let stated = matches!(format, Format::Delimited(dialect) if dialect.coordinates.is_none());
-    if stated && parts.iter().all(|part| part.angles) {
+    if plain.may_be_angles && parts.iter().all(|part| part.angles) {
         return Ok(None);
     }
     Ok(Some(together(parts)?))
@@ -108,31 +103,15 @@ fn together(mut parts: Vec<Part>) -> Result<Cloud> {
 }
 
 impl Plain {
-    /// What is plain about a file in this format; the first row says whether rows of PolyWorks bear labels.
-    fn of(path: &Path, format: &Format, unit: Unit) -> std::io::Result<Option<Self>> {
-        let in_mm = unit.in_mm();
-        let (delimiter, labelled) = match format {
-            Format::Polyworks => {
-                let mut start = Vec::new();
-                File::open(path)?.take(LONGEST as u64).read_to_end(&mut start)?;
-                let first = start.split(|b| *b == b'\n').find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
-                match first.split(u8::is_ascii_whitespace).filter(|f| !f.is_empty()).count() {
-                    3 => (None, false),
-                    4 => (None, true),
-                    _ => return Ok(None),
-                }
-            }
-            Format::Delimited(dialect) => match plain_columns(dialect) {
-                Some(labelled) => (dialect.delimiter.and_then(Delimiter::byte), labelled),
-                None => return Ok(None),
-            },
-            _ => return Ok(None),
-        };
-        Ok(Some(Self { delimiter, labelled, in_mm }))
-    }
-
     /// Points of the lines that begin in a block, which is read into `bytes`; none if one of them is not plain.
-    fn part(self, path: &Path, start: u64, size: u64, bytes: &mut Vec<u8>) -> std::io::Result<Option<Part>> {
+    fn part(
+        self,
+        path: &Path,
+        in_mm: f64,
+        start: u64,
+        size: u64,
+        bytes: &mut Vec<u8>,
+    ) -> std::io::Result<Option<Part>> {
         // one byte before tells whether a line begins with the block
         let from = start.saturating_sub(1);
         bytes.clear();
@@ -178,9 +157,9 @@ impl Plain {
                 before = (label, id);
             }
             part.label.push(before.1);
-            part.angles &= xyz[0].abs() <= std::f64::consts::TAU && xyz[2] * self.in_mm > 100.0;
+            part.angles &= xyz[0].abs() <= std::f64::consts::TAU && xyz[2] * in_mm > 100.0;
             for (column, value) in part.xyz.iter_mut().zip(xyz) {
-                column.push(value * self.in_mm);
+                column.push(value * in_mm);
             }
             at = line.at;
         }
@@ -188,28 +167,11 @@ impl Plain {
     }
 }
 
-/// Whether rows bear labels, if the dialect states nothing that is not plain.
-fn plain_columns(dialect: &Dialect) -> Option<bool> {
-    let Columns::InOrder(roles) = &dialect.columns else { return None };
-    let labelled = match roles[..] {
-        [Role::X, Role::Y, Role::Z] => false,
-        [Role::Label, Role::X, Role::Y, Role::Z] => true,
-        _ => return None,
-    };
-    let bare = Dialect {
-        delimiter: dialect.delimiter,
-        columns: dialect.columns.clone(),
-        coordinates: dialect.coordinates,
-        ..Dialect::default()
-    };
-    let plain = dialect.delimiter.is_some() && *dialect == bare && dialect.header == Header::Rows(0);
-    (plain && dialect.decimal == Decimal::Point).then_some(labelled)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::base::table;
+    use crate::import::format::{Delimiter, Dialect, Role};
 
     type Rows = Option<Vec<(String, [u64; 3])>>;
 
@@ -231,15 +193,11 @@ mod tests {
 
     fn formats() -> Vec<Format> {
         let stated = |delimiter, roles: &[Role]| {
-            Format::Delimited(Box::new(Dialect {
-                delimiter: Some(delimiter),
-                columns: roles.to_vec().into(),
-                ..Dialect::default()
-            }))
+            Format::from(Dialect { delimiter: Some(delimiter), columns: roles.to_vec().into(), ..Dialect::default() })
         };
         use Role::*;
         vec![
-            Format::Polyworks,
+            Format::default(),
             stated(Delimiter::Blank, &[Label, X, Y, Z]),
             stated(Delimiter::Blank, &[X, Y, Z]),
             stated(Delimiter::Comma, &[Label, X, Y, Z]),

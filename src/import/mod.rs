@@ -7,46 +7,43 @@ mod binary;
 mod bounded;
 mod cloud;
 mod coordinates;
-mod delimited;
 mod encoding;
+mod export;
 pub mod format;
-mod formats;
+pub mod formats;
 mod guess;
 mod header_unit;
-mod known;
 mod label;
 mod log;
 mod logs;
 mod names;
 mod number;
 mod plain_line;
-mod point_rows;
 mod points;
-mod polyworks;
-pub mod qif;
-pub mod readers;
+mod propose;
 mod roles;
-pub(crate) mod spatialanalyzer;
+mod split;
 pub mod standstill;
 pub mod tables;
 mod workbook;
+pub(crate) mod written;
 mod xml;
 
 pub use cloud::{Cloud, cloud};
-pub use formats::{propose, propose_file};
+pub use export::Export;
+pub use formats::{Format, qif};
 pub(crate) use label::Pattern as LabelPattern;
 pub use log::is_joint_column;
 pub use log::{JointLog, LogRow};
 pub(crate) use log::{is_common_column, meaning as log_column, read as log};
 pub use points::{Point, table};
+pub use propose::{propose, propose_file};
 pub use tables::observations::observations;
 
 use crate::base::files;
-use crate::base::message::{Message, Place, Problems, Result, count, nearest};
+use crate::base::message::{Message, Place, Result, count, nearest};
 use crate::base::pose::Vector;
 use crate::import::format::Encoding;
-use crate::import::format::Format;
-use crate::import::format::Reader;
 use crate::import::format::Unit;
 use polars::prelude::DataFrame;
 use std::path::Path;
@@ -58,7 +55,7 @@ use std::path::Path;
 pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit: Unit) -> Result<Vec<Point>> {
     let name = path.display().to_string();
     let (text, _) = read_export(path, encoding, format, Place::file(name.as_str()))?;
-    let (points, problems) = point_rows(&name, &text, format, unit);
+    let (points, problems) = format.read(&name, &text, unit);
     problems.at(&Place::file(name)).check()?;
     Ok(points)
 }
@@ -79,8 +76,8 @@ pub fn points_and_refused(
     format: &Format,
     unit: Unit,
 ) -> Result<(Vec<Labelled>, Option<Message>)> {
-    let (rows, mut problems) = point_rows(file, text, format, unit);
-    if !matches!(format, Format::Own(..)) {
+    let (rows, mut problems) = format.read(file, text, unit);
+    if format.about().points_only {
         let refused = rows.iter().filter_map(|row| Some((row, row.refused.as_ref()?)));
         problems.0.extend(refused.map(|(row, reason)| {
             Message::error(reason.as_str())
@@ -101,32 +98,21 @@ pub fn points_and_refused(
 
 /// The text of a file in a format; of one that may be binary, a character for each byte.
 pub fn text_in(path: &Path, format: &Format) -> Result<String> {
-    match format {
-        Format::Own(Reader::Ply, _) => read_export(path, None, format, Place::default()).map(|(text, _)| text),
-        _ => files::read_text(path),
+    match format.about().binary {
+        true => read_export(path, None, format, Place::default()).map(|(text, _)| text),
+        false => files::read_text(path),
     }
 }
 
 /// Samples of a recording in the stated format, as a table `line time_s x_mm y_mm z_mm`; every row must be measured.
 pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
-    let (points, mut problems) = point_rows(file, text, format, unit);
+    let (points, mut problems) = format.read(file, text, unit);
     for point in points.iter().filter(|point| point.refused.is_some()) {
         let message = Message::error("the sample has no coordinates");
         problems.0.push(message.at(Place::line(file, point.line, &point.text)).hint("remove the row"));
     }
     problems.check()?;
     points::table(&points)
-}
-
-/// Rows of an export in the stated format, and what does not read.
-pub(crate) fn point_rows(file: &str, text: &str, format: &Format, unit: Unit) -> (Vec<Point>, Problems) {
-    match format {
-        Format::Polyworks => polyworks::rows(file, text, unit),
-        Format::Qif => qif::rows(file, text, unit),
-        Format::Own(reader, decimal) => readers::rows(*reader, file, text, *decimal, unit),
-        Format::SpatialAnalyzer => spatialanalyzer::rows(file, text, unit),
-        Format::Delimited(dialect) => point_rows::point_rows(file, text, dialect, unit),
-    }
 }
 
 /// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
@@ -146,16 +132,11 @@ pub(crate) fn read_export(
     format: &Format,
     place: Place,
 ) -> Result<(String, Vec<u8>)> {
-    let dialect = match format {
-        // it may be binary: one character for each byte
-        Format::Own(Reader::Ply, _) => {
-            let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
-            return Ok((bytes.iter().map(|byte| char::from(*byte)).collect(), bytes));
-        }
-        Format::Delimited(dialect) => dialect,
-        _ => return read_text(path, encoding, place),
-    };
-    let Some(sheet) = &dialect.sheet else { return read_text(path, encoding, place) };
+    if format.about().binary {
+        let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
+        return Ok((bytes.iter().map(|byte| char::from(*byte)).collect(), bytes));
+    }
+    let Some(sheet) = &format.dialect.sheet else { return read_text(path, encoding, place) };
     let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
     let text = workbook::text(&bytes, sheet).map_err(|mut message| {
         message.what = format!("`{}`: {}", path.display(), message.what);

@@ -4,8 +4,7 @@ use crate::base::message::{Message, Problems};
 use crate::base::pattern::matches_pattern;
 use crate::campaign::{Campaign, JoinBy};
 use crate::import;
-use crate::import::format::Export;
-use crate::import::format::Format;
+use crate::import::Export;
 use crate::import::format::Role;
 use crate::math::robots::Robot;
 use crate::stages::gather::Gathered;
@@ -96,11 +95,10 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
         problems.0.push(message.hint("state [reach] with `travel_mm = [..., ..., ...]` in robot.toml"));
     }
     for (i, export) in campaign.file.exports.iter().enumerate() {
-        let Format::Delimited(dialect) = &export.format else { continue };
         if !campaign.export_reads(i) {
             continue;
         }
-        let holds = |role| dialect.columns.contains(role);
+        let holds = |role| export.format.dialect.columns.contains(role);
         if robot.dimension() == 3 && (holds(Role::X) || holds(Role::Radius)) && !holds(Role::Z) {
             let what = "`columns` has no z, which a robot in space needs";
             problems.0.push(Message::error(what).at(campaign.place(&export.file)));

@@ -4,8 +4,7 @@ use crate::base::message::{Message, Problems};
 use crate::base::table::LABEL;
 use crate::campaign::{Campaign, ClockOffset, Join, JoinBy};
 use crate::export;
-use crate::import::format::Export;
-use crate::import::format::Format;
+use crate::import::Export;
 use crate::import::format::Role;
 use crate::math::identify::ResidualKind;
 use std::ffi::OsString;
@@ -139,9 +138,10 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
 
 /// A pose or a target that both the file and a column of it state.
 fn stated_twice(campaign: &Campaign, export: &Export, problems: &mut Problems) {
-    let Format::Delimited(dialect) = &export.format else { return };
     let stated = [("pose", export.pose.is_some(), Role::Pose), ("target", export.target.is_some(), Role::Target)];
-    for (key, _, _) in stated.into_iter().filter(|(_, stated, role)| *stated && dialect.columns.contains(*role)) {
+    for (key, _, _) in
+        stated.into_iter().filter(|(_, stated, role)| *stated && export.format.dialect.columns.contains(*role))
+    {
         let message = Message::error(format!("`{key}` is stated twice: by this export, and by a column of it"));
         problems.0.push(message.at(campaign.place(&export.file)).hint("leave one of them out"));
     }

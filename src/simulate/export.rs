@@ -1,18 +1,12 @@
 //! An export in the format that the campaign states.
 
-use super::{Scene, Truth, Turn, geometric, own, repeatability, text};
+use super::{Scene, Turn, geometric, repeatability};
 use crate::base::message::{Message, Result};
 use crate::base::noise::Noise;
 use crate::base::pose::Vector;
-use crate::import;
-use crate::import::format::ColumnAt;
-use crate::import::format::Columns;
-use crate::import::format::Dialect;
-use crate::import::format::Encoding;
-use crate::import::format::Export;
-use crate::import::format::Format;
-use crate::import::format::Header;
-use crate::import::format::Role;
+use crate::import::format::{Encoding, Role};
+use crate::import::formats::Row as Written;
+use crate::import::{self, Export};
 use crate::stages::gather;
 
 /// One row, in the unit of the export.
@@ -24,6 +18,15 @@ struct Row {
     /// A target of the robot, and no fixed point.
     moves: bool,
     xyz: Vector,
+}
+
+impl Row {
+    fn written(&self, scene: &Scene) -> Written {
+        let offset_s = scene.campaign.file.join.as_ref().and_then(|join| join.stated_offset_s()).unwrap_or(0.0);
+        let Turn { pose, cycle, .. } = self.turn;
+        let time_s = self.turn.time_s() + offset_s;
+        Written { label: self.label.clone(), target: self.target.clone(), pose, cycle, time_s, xyz: self.xyz }
+    }
 }
 
 /// The text of an export; an error where import would not read back what is meant.
@@ -42,22 +45,9 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
         let message = Message::error("simulate writes UTF-8").at(place());
         return Err(message.hint("leave out `encoding` of this export").into());
     }
-    let written = match &export.format {
-        Format::Polyworks => rows.iter().map(|row| polyworks_line(row, decimals)).collect(),
-        Format::Own(reader, decimal) => {
-            let labelled: Vec<(&str, Vector)> = rows.iter().map(|row| (row.label.as_str(), row.xyz)).collect();
-            own::write(*reader, *decimal, export.unit, decimals, &labelled).map_err(|m| m.at(place()))?
-        }
-        Format::Qif => {
-            let message = Message::error("simulate writes no QIF").at(place());
-            return Err(message.hint("state `polyworks` or a delimited format for this export").into());
-        }
-        Format::SpatialAnalyzer => spatialanalyzer(&rows, export.unit.name(), decimals),
-        Format::Delimited(dialect) => {
-            let offset_s = scene.campaign.file.join.as_ref().and_then(|join| join.stated_offset_s()).unwrap_or(0.0);
-            delimited(&rows, export, dialect, scene.truth, offset_s).map_err(|m| m.at(place()))?
-        }
-    };
+    let written: Vec<Written> = rows.iter().map(|row| row.written(scene)).collect();
+    let skipped = &scene.truth.skipped;
+    let written = export.format.write(&written, export.unit, decimals, skipped).map_err(|m| m.at(place()))?;
     let read = gather::points_of(scene.campaign, export, &written)?;
     let wrong = |what: String| {
         Message::error(format!("`{file}` would not be read as it is meant: {what}")).at(place()).hint(
@@ -102,7 +92,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     for (label, xyz) in labelled.chain(repeatability::points(scene, export, &mut measure)?) {
         rows.push(Row { target: label.clone(), label, turn: scene.turn(1), moves: false, xyz });
     }
-    let names_target = matches!(&export.format, Format::Delimited(d) if d.columns.contains(Role::Target));
+    let names_target = export.format.dialect.columns.contains(Role::Target);
     if export.label.is_none() && export.target.is_none() && !names_target {
         return Ok(rows);
     }
@@ -139,96 +129,4 @@ fn is_meant(row: &Row, point: &import::Point) -> bool {
         None => point.time_s.is_some(),
     };
     target && told
-}
-
-fn polyworks_line(row: &Row, decimals: usize) -> String {
-    let [x, y, z] = row.xyz;
-    format!("{} {x:.decimals$} {y:.decimals$} {z:.decimals$}\n", text::blank(&row.label, false))
-}
-
-/// As SpatialAnalyzer writes it; label parts between `::` are collection and group.
-fn spatialanalyzer(rows: &[Row], unit: &str, decimals: usize) -> String {
-    let head = format!("// AXES = CARTESIAN: X,  Y,  Z ({unit})\n");
-    let line = |row: &Row| {
-        let [x, y, z] = row.xyz;
-        format!("{},  {x:.decimals$},  {y:.decimals$},  {z:.decimals$}\n", row.label.replace("::", ",  "))
-    };
-    head + &rows.iter().map(line).collect::<String>()
-}
-
-/// Header rows, the last of which names the columns, and the data.
-fn delimited(
-    rows: &[Row],
-    export: &Export,
-    dialect: &Dialect,
-    truth: &Truth,
-    offset_s: f64,
-) -> std::result::Result<String, Message> {
-    let decimals = truth.decimals;
-    let columns = columns(&dialect.columns)?;
-    let delimiter = dialect.delimiter.ok_or_else(|| {
-        Message::error("simulate writes neither fixed widths nor workbooks").hint("state a `delimiter` for this export")
-    })?;
-    if !dialect.types.is_empty() {
-        return Err(Message::error("simulate writes no coordinates whose kind each row says"));
-    }
-    let line = |field: &mut dyn FnMut(&Role, &str) -> String| {
-        let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();
-        text::line(&fields, delimiter, dialect.comment.as_deref())
-    };
-    let mut all = String::new();
-    if let Some(mark) = &dialect.comment {
-        // as SpatialAnalyzer heads its ASCII points
-        let headings: Vec<&str> = columns.iter().map(|(_, name)| name.as_str()).collect();
-        all += &format!("{mark} AXES = CARTESIAN: X,  Y,  Z ({})\n", export.unit.name());
-        all += &format!("{mark} {}\n\n", headings.join(",  "));
-    }
-    let header = if let Header::Rows(rows) = dialect.header { rows } else { 1 };
-    for remaining in (0..header).rev() {
-        all += &line(&mut |_, name| if remaining == 0 { name.to_owned() } else { "simulated".to_owned() })?;
-    }
-    let number = |value, digits| text::number(value, digits, dialect.decimal);
-    let in_unit = |rad: f64| rad / dialect.angle_unit.map_or(1.0, |unit| unit.in_rad());
-    for row in rows {
-        let mut skipped = truth.skipped.iter();
-        let mut skip = || skipped.next().map_or("-", String::as_str).to_owned();
-        let [x, y, z] = row.xyz;
-        // an angle needs more digits than a length
-        let angle = |rad: f64| number(in_unit(rad), decimals + 6);
-        all += &line(&mut |role, _| match role {
-            Role::Label => row.label.clone(),
-            Role::Target => row.target.clone(),
-            Role::Pose => row.turn.pose.to_string(),
-            Role::Cycle => row.turn.cycle.to_string(),
-            Role::X => number(x, decimals),
-            Role::Y => number(y, decimals),
-            Role::Z => number(z, decimals),
-            Role::Radius => number(x.hypot(y), decimals),
-            Role::Distance => number(x.hypot(y).hypot(z), decimals),
-            Role::Azimuth => angle(y.atan2(x)),
-            Role::AzimuthClockwise => angle(-y.atan2(x)),
-            Role::Zenith => angle(x.hypot(y).atan2(z)),
-            Role::Elevation => angle(z.atan2(x.hypot(y))),
-            Role::I | Role::J => number(0.0, decimals),
-            Role::K => number(1.0, decimals),
-            Role::TimeS => number(row.turn.time_s() + offset_s, 6),
-            _ => skip(),
-        })?;
-    }
-    all += &dialect.end.iter().map(|end| format!("{end}\n")).collect::<String>();
-    Ok(all)
-}
-
-/// What each column holds, and what the header calls it.
-fn columns(stated: &Columns) -> std::result::Result<Vec<(Role, String)>, Message> {
-    match stated {
-        Columns::InOrder(roles) => Ok(roles.iter().map(|role| (*role, role.name().to_owned())).collect()),
-        Columns::Named(named) => {
-            let name = |(role, column): &(Role, ColumnAt)| match column {
-                ColumnAt::Name(name) => Ok((*role, name.clone())),
-                ColumnAt::Number(_) => Err(Message::error("simulate writes no columns that only a number names")),
-            };
-            named.iter().map(name).collect()
-        }
-    }
 }

@@ -4,7 +4,7 @@ use super::Scene;
 use crate::base::message::{Message, Result};
 use crate::base::noise::Noise;
 use crate::base::pose::Vector;
-use crate::import::format::Export;
+use crate::import::Export;
 use crate::stages::geometric::{self, Gathered};
 
 /// Stream of the noise of homing: no file has it.

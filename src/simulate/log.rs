@@ -1,6 +1,6 @@
 //! A log with the columns that the campaign reads.
 
-use super::{Scene, Turn, text};
+use super::{Scene, Turn};
 use crate::base::message::{Message, Result};
 use crate::base::noise::Noise;
 use crate::base::table::{ASSEMBLY, LABEL};
@@ -10,6 +10,7 @@ use crate::import::format::Column;
 use crate::import::format::ColumnAt;
 use crate::import::format::Log;
 use crate::import::format::LogFormat;
+use crate::import::written as text;
 use crate::stages::gather;
 
 /// A campaign may number columns, but not without end.

@@ -3,9 +3,7 @@
 mod export;
 mod geometric;
 mod log;
-mod own;
 mod repeatability;
-mod text;
 mod truth;
 
 pub use repeatability::{Repeating, Scatter};

@@ -4,7 +4,7 @@ use super::{Scene, Turn};
 use crate::base::message::{Message, Result};
 use crate::base::noise::Noise;
 use crate::base::pose::{Vector, minus};
-use crate::import::format::Export;
+use crate::import::Export;
 use crate::stages::geometric;
 use serde::Deserialize;
 

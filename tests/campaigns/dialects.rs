@@ -5,7 +5,7 @@ use etalon::base::message::Problems;
 use etalon::base::pose::Pose;
 use etalon::base::table;
 use etalon::campaign::Campaign;
-use etalon::import::format::Format;
+use etalon::import::Format;
 use etalon::simulate::{LabelledPoint, Truth, simulate};
 use etalon::stages::gather::gather;
 use std::collections::BTreeMap;

@@ -1,8 +1,8 @@
 //! The same data in every delimiter, mark, encoding and line end are the same points, bit for bit.
 
 use etalon::base::noise::Noise;
+use etalon::import::Format;
 use etalon::import::format::Encoding;
-use etalon::import::format::Format;
 use etalon::import::format::Unit;
 use etalon::import::read_file;
 

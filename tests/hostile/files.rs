@@ -49,7 +49,7 @@ fn what_is_no_text_with_numbers_is_an_error_with_a_reason_within_a_second() {
 
 #[test]
 fn a_file_cut_off_anywhere_is_read_or_refused_and_never_more_than_it_holds() {
-    use etalon::import::format::Format;
+    use etalon::import::Format;
     use etalon::import::format::Unit;
     #[derive(serde::Deserialize)]
     struct Stated {

@@ -5,8 +5,7 @@
 use super::{logs, qif, readers};
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
-use etalon::import::format::Format;
-use etalon::import::format::Reader;
+use etalon::import::Format;
 use etalon::import::format::Unit;
 use etalon::import::{labelled_points, propose, propose_file};
 use etalon::stages::gather::gather;
@@ -130,10 +129,12 @@ fn readers_of_points() {
     // and what our own writers make of a campaign, a part of it
     let written = crate::campaigns::dialects::written_exports();
     samples.extend(written.into_iter().map(|(name, text)| (name, text.chars().take(3000).collect())));
-    for name in Reader::names() {
-        let own: Vec<&String> = samples.iter().filter(|(of, _)| *of == name).map(|(_, text)| text).collect();
-        let (reader, decimal) = Reader::stated(name).unwrap();
-        let format = Format::Own(reader, decimal);
+    for name in Format::names() {
+        let mut own: Vec<&String> = samples.iter().filter(|(of, _)| *of == name).map(|(_, text)| text).collect();
+        if own.is_empty() {
+            own = samples.iter().map(|(_, text)| text).collect();
+        }
+        let format = Format::named(name).unwrap();
         run(name, &own, |text| drop(labelled_points("f.txt", text, &format, Unit::Millimetre)));
     }
 }

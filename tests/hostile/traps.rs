@@ -7,7 +7,7 @@
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Result;
 use etalon::campaign::Campaign;
-use etalon::import::format::Format;
+use etalon::import::Format;
 use etalon::import::format::Unit;
 use etalon::import::{Point, read_file};
 use etalon::stages::gather::{Gathered, gather};

@@ -5,12 +5,11 @@ use crate::support::scratch::copy_sample;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
 use etalon::document::Source;
+use etalon::import::Format;
 use etalon::import::format::Decimal;
-use etalon::import::format::Format;
-use etalon::import::format::Reader;
 use etalon::import::format::Unit;
+use etalon::import::formats::{dmis, polyworks_report};
 use etalon::import::labelled_points;
-use etalon::import::readers::{dmis, polyworks_report};
 use etalon::stages::gather::gather;
 
 /// Labels and points in mm, and the file with what of it was refused; or what is said against it.
@@ -262,7 +261,7 @@ fn the_68_columns_of_a_calypso_head_hold_its_unit_and_temperature_and_no_points(
     };
     let row: Vec<&str> = names.iter().map(value).collect();
     let head = format!("{}\n{}\nEND\n", names.join("\t"), row.join("\t"));
-    let format = Format::Own(Reader::Calypso, Decimal::Point);
+    let format = Format::named("calypso").unwrap();
     let said = labelled_points("hdr.txt", &head, &format, Unit::Millimetre).unwrap_err().to_string();
     for part in ["holds no points", "length unit is mm", "20.7 degrees", "hdr.txt:1"] {
         assert!(said.contains(part), "{part}: {said}");

@@ -1,35 +1,9 @@
 //! How a delimited text is to be read: stated by the campaign, never guessed in silence.
 
-use super::Reader;
 use super::columns::{Columns, Role};
-use super::presets::PRESETS;
 use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
-use serde::de::{self, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::fmt;
-
-/// Format of an export.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Format {
-    /// PolyWorks point text: `name x y z [i j k]`, blank-separated, decimal point; name optional, quoted if it has blanks.
-    Polyworks,
-    /// QIF 2.0, 2.1 or 3.0: measured features and their points, labelled by the name of the feature.
-    Qif,
-    /// A format with a reader of its own, and its decimal mark.
-    Own(Reader, Decimal),
-    /// SpatialAnalyzer's ASCII points: `[[collection,] group,] target, x, y, z`, comments that may state axes and unit.
-    SpatialAnalyzer,
-    /// Delimited text.
-    Delimited(Box<Dialect>),
-}
-
-impl Format {
-    /// Whether coordinates that are all zero say "not measured".
-    pub fn origin_is_missing(&self) -> bool {
-        if let Self::Delimited(dialect) = self { dialect.missing.origin() } else { true }
-    }
-}
 
 /// A text of rows and columns. Exactly one of `delimiter`, `widths` and `sheet` says what separates columns.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -161,49 +135,6 @@ impl Unit {
             Self::Metre => "m",
             Self::Micrometre => "um",
             Self::Inch => "inch",
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for Format {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NameOrDialect;
-        impl<'de> Visitor<'de> for NameOrDialect {
-            type Value = Format;
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                let known = ["polyworks", "qif", "spatialanalyzer"].into_iter().chain(Reader::names()).chain(PRESETS);
-                known.into_iter().try_for_each(|name| write!(f, "\"{name}\", "))?;
-                f.write_str("or { delimiter = .., decimal = .., columns = [..] }")
-            }
-            fn visit_str<E: de::Error>(self, name: &str) -> Result<Format, E> {
-                match name {
-                    "polyworks" => Ok(Format::Polyworks),
-                    "qif" => Ok(Format::Qif),
-                    "spatialanalyzer" => Ok(Format::SpatialAnalyzer),
-                    _ => {
-                        let own = Reader::stated(name).map(|(reader, decimal)| Format::Own(reader, decimal));
-                        let preset = || Dialect::preset(name).map(|dialect| Format::Delimited(Box::new(dialect)));
-                        own.or_else(preset).ok_or_else(|| E::invalid_value(de::Unexpected::Str(name), &self))
-                    }
-                }
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Format, A::Error> {
-                Ok(Format::Delimited(Box::new(Dialect::deserialize(de::value::MapAccessDeserializer::new(map))?)))
-            }
-        }
-        deserializer.deserialize_any(NameOrDialect)
-    }
-}
-
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Polyworks => f.write_str("PolyWorks text"),
-            Self::Qif => f.write_str("QIF"),
-            Self::Own(reader, Decimal::Point) => f.write_str(reader.in_words()),
-            Self::Own(reader, Decimal::Comma) => write!(f, "{}, decimal `,`", reader.in_words()),
-            Self::SpatialAnalyzer => f.write_str("SpatialAnalyzer ASCII"),
-            Self::Delimited(dialect) => write!(f, "{dialect}"),
         }
     }
 }

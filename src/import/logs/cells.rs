@@ -1,6 +1,6 @@
 //! The cells of a column as values.
 
-use super::super::delimited::{WHOLE, number};
+use super::super::split::{WHOLE, number};
 use super::sheet::Sheet;
 use super::{Values, Wanted, galil};
 use crate::base::message::{Message, Problems};

@@ -1,7 +1,7 @@
 //! Logs that are one table: a header of names, a row for each time.
 
-use super::super::delimited::{Row, cell_place, rows};
-use super::super::formats::propose;
+use super::super::propose::propose;
+use super::super::split::{Row, cell_place, rows};
 use super::{Columns, Wanted, cells, galil, kuka_rsi, ros, unit_agrees};
 use crate::base::message::{Message, Place, Problems, Result, Stated};
 use crate::document::Source;

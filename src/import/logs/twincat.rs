@@ -3,7 +3,7 @@
 //! Unsorted exports bring a column of times for each channel, sorted ones for each group of channels with the same times.
 //! A row of the log is a time at which all wanted channels have a value; nothing is interpolated.
 
-use super::super::delimited::{Row, cell_place, number};
+use super::super::split::{Row, cell_place, number};
 use super::twincat_header::{Channel, Header};
 use super::{Columns, Values, Wanted, other_unit};
 use crate::base::message::{Message, Place, Problems, Result, Stated, count};

@@ -1,10 +1,10 @@
 //! A table of observations as CSV: one row per pose, repeat and target, a column per joint with its unit.
 
 use crate::base::message::{Message, Place, Problems, Result};
-use crate::import::delimited::{Row, WHOLE, cell_place, number, rows};
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
 use crate::import::log::meaning;
+use crate::import::split::{Row, WHOLE, cell_place, number, rows};
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 
 /// Reads a table of observations (commas, decimal point, a header): its columns, and `line` with the line of each row.

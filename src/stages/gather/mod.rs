@@ -11,14 +11,10 @@ mod rounding;
 pub(crate) use points::used_labels;
 
 use crate::base::files;
-use crate::base::message::{Problems, Result};
+use crate::base::message::{Message, Place, Problems, Result};
 use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Source};
-use crate::import::{
-    self, JointLog, Point,
-    format::{Export, Format, Log},
-    spatialanalyzer,
-};
+use crate::import::{self, Export, JointLog, Point, format::Log};
 use points::PointColumns;
 
 /// What a campaign's files hold.
@@ -63,8 +59,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
                 let mut source = statement("export", export.file.get_ref(), &bytes);
                 source.dialect = format!("{}, unit {}", export.format, export.unit.name());
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
-                if let Some(frame) = spatialanalyzer::frame(&text).filter(|_| export.format == Format::SpatialAnalyzer)
-                {
+                if let Some(frame) = export.format.frame(&text) {
                     source.dialect.push_str(&format!(", relative to `{frame}`"));
                     frames.push((campaign.place(&export.file), frame.to_owned()));
                 }
@@ -101,7 +96,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     let mut messages = if campaign.unread.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
     messages.extend(said);
     messages.append(&mut columns.remarks);
-    messages.extend(spatialanalyzer::frames_differ(&frames));
+    messages.extend(frames_differ(&frames));
     if problems.0.is_empty() && campaign.unread.is_empty() {
         match blunders::refuse(campaign, &mut columns, &mut sources) {
             Ok(said) => messages.splice(0..0, said).for_each(drop),
@@ -145,4 +140,12 @@ fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {
         refused: Vec::new(),
         standstills: Vec::new(),
     }
+}
+
+/// A warning if the exports of a campaign, each with its place, are relative to several frames.
+pub(crate) fn frames_differ(frames: &[(Place, String)]) -> Option<Message> {
+    let (_, first) = frames.first()?;
+    let (place, other) = frames.iter().find(|(_, frame)| frame != first)?;
+    let what = format!("the points are relative to the frame `{other}`, and those of another export to `{first}`");
+    Some(Message::warning(what).at(place.clone()).hint("export them in one working frame, or do not use them together"))
 }

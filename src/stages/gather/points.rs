@@ -4,7 +4,7 @@ use crate::base::message::{Message, Place, Problems};
 use crate::base::pattern::matches_pattern;
 use crate::campaign::{Campaign, JoinBy};
 use crate::document::{Refused, Source};
-use crate::import::{self, LabelPattern as Pattern, Point, format::Export};
+use crate::import::{Export, LabelPattern as Pattern, Point};
 
 /// All points of a campaign.
 #[derive(Clone, Debug, Default)]
@@ -18,7 +18,7 @@ impl PointColumns {
     /// Adds what can be read of the text of an export; gives what is wrong with it.
     pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &str, source: &mut Source) -> Problems {
         let file = export.file.get_ref();
-        let (rows, mut problems) = import::point_rows(file, text, &export.format, export.unit);
+        let (rows, mut problems) = export.format.read(file, text, export.unit);
         if rows.is_empty() && problems.0.is_empty() {
             problems.0.push(Message::error(format!("`{file}` holds no points")).hint(
                 "export the points again, or remove this [[export]]; `etalon formats FILE` shows how a text reads",

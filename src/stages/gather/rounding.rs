@@ -2,8 +2,7 @@
 
 use crate::base::message::Message;
 use crate::campaign::Campaign;
-use crate::import::Point;
-use crate::import::format::{Export, Format};
+use crate::import::{Export, Point};
 
 /// With fewer points all may be round by chance.
 const FEWEST: usize = 8;
@@ -11,9 +10,8 @@ const FEWEST: usize = 8;
 /// A warning if all coordinates of an export are rounded so that this alone is more uncertain than the instrument:
 /// a step has the standard uncertainty step/√12 (JCGM 100:2008, 4.3.7).
 pub(super) fn coarse(campaign: &Campaign, export: &Export, rows: &[Point]) -> Option<Message> {
-    if let Format::Delimited(dialect) = &export.format
-        && (dialect.angle_unit.is_some() || !dialect.types.is_empty())
-    {
+    let dialect = &export.format.dialect;
+    if dialect.angle_unit.is_some() || !dialect.types.is_empty() {
         return None;
     }
     let measured: Vec<&Point> =

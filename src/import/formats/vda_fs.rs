@@ -5,13 +5,35 @@
 //! line. `$$` begins a comment; the file ends with `NAME = END`. Checked with geometry files of others; of measured points no
 //! real file was found.
 
-use super::super::points::Point;
-use super::Text;
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, head};
 use crate::base::message::{Message, Problems};
-use crate::import::delimited::number;
-use crate::import::format::Decimal;
-use crate::import::format::Unit;
+use crate::import::Point;
+use crate::import::format::{Decimal, Dialect, Unit};
+use crate::import::split::number;
 use std::collections::BTreeMap;
+
+/// Points of VDA-FS.
+pub(super) struct VdaFs;
+
+impl ExportFormat for VdaFs {
+    fn about(&self) -> About {
+        About { name: "vda_fs", title: "VDA-FS", ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(head(text).contains("= HEADER /"), 0.9, "a VDA-FS file: its header says so")
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        let point = |row: &Row| format!("{} = POINT / {}\n", row.label, how.list(row, ", "));
+        let points: String = rows.iter().map(point).collect();
+        Ok(format!("SIMULATED = HEADER / 0\n{points}SIMULATED = END\n"))
+    }
+}
 
 /// An entity: `name = KIND / parameters`, with the line and byte of each parameter.
 struct Entity<'a> {
@@ -22,7 +44,7 @@ struct Entity<'a> {
 }
 
 /// The points; a label is the name of the entity.
-pub(super) fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let entities = entities(text, &mut problems);
     let (mut points, mut others) = (Vec::new(), BTreeMap::<&str, usize>::new());

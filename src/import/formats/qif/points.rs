@@ -1,10 +1,10 @@
 //! Points of the measured features of a QIF file: inline (2.x), or in point sets that features refer to (3.0).
 
-use super::super::xml::Node;
 use super::Touch;
 use super::units::Units;
 use crate::base::message::Message;
 use crate::base::pose::Vector;
+use crate::import::xml::Node;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Points that all features may have together: one set may be referred to by many.

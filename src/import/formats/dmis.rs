@@ -3,14 +3,55 @@
 //! The dialect of Mitutoyo GEOPAK writes the three angles of a direction in degrees where DMIS has a unit vector. Their
 //! cosines are the vector, so that a file tells which it has; the campaign must state the same.
 
-use super::super::points::Point;
-use super::dmis_records::{Part, Record, records};
-use super::{Text, unit_agrees};
-use crate::base::message::{Message, Problems, Result};
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
+use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Vector, norm};
-use crate::import::delimited::number;
-use crate::import::format::Decimal;
-use crate::import::format::Unit;
+use crate::import::Point;
+use crate::import::format::{Decimal, Dialect, Unit};
+use crate::import::split::number;
+
+/// DMIS output, by how it writes directions.
+pub(super) struct Dmis {
+    name: &'static str,
+    title: &'static str,
+    directions: Directions,
+}
+
+/// As ISO 22093 has it.
+pub(super) const DMIS: Dmis = Dmis { name: "dmis", title: "DMIS output", directions: Directions::Vectors };
+
+/// The dialect of Mitutoyo GEOPAK.
+pub(super) const GEOPAK: Dmis =
+    Dmis { name: "geopak_dmis", title: "DMIS output of GEOPAK (direction angles)", directions: Directions::Angles };
+
+impl ExportFormat for Dmis {
+    fn about(&self) -> About {
+        About { name: self.name, title: self.title, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        // GEOPAK writes the same records
+        Recognised::by(
+            self.directions == Directions::Vectors && text.starts_with("FILNAM/"),
+            1.0,
+            "DMIS output: its first record says so",
+        )
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, self.directions, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> std::result::Result<String, Message> {
+        let length = how.unit_in(&[(Unit::Millimetre, "MM"), (Unit::Metre, "M"), (Unit::Inch, "INCH")])?;
+        // upwards
+        let direction = if self.directions == Directions::Vectors { "0, 0, 1" } else { "90, 90, 0" };
+        let feature =
+            |row: &Row| format!("FA({}) = FEAT/POINT, CART, $\n  {}, {direction}\n", row.label, how.list(row, ", "));
+        let features: String = rows.iter().map(feature).collect();
+        Ok(format!("FILNAM/'simulated'\nUNITS/{length}, ANGDEC\n{features}ENDFIL\n"))
+    }
+}
 
 /// How directions are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,13 +111,13 @@ const KINDS: [Kind; 8] = [
 
 /// The measured features of a file, `unit` being that of a file that states none.
 pub fn features(file: &str, text: &str, directions: Directions, unit: Unit) -> Result<Vec<Feature>> {
-    let text = Text { file, lines: text.lines().collect() };
+    let text = Text::new(file, text);
     let (features, _, problems) = read(&text, directions, unit);
     problems.check().map(|_| features)
 }
 
 /// A row for each measured feature; one whose point may lie anywhere on it is no point.
-pub(super) fn rows(text: &Text, directions: Directions, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(text: &Text, directions: Directions, unit: Unit) -> (Vec<Point>, Problems) {
     let (features, unknown, mut problems) = read(text, directions, unit);
     let row = |feature: &Feature| {
         if KINDS.iter().any(|kind| kind.name == feature.kind && kind.located) {
@@ -210,5 +251,108 @@ fn direction(written: Vector, directions: Directions) -> std::result::Result<Opt
             .expected("angles in degrees, as GEOPAK writes them")
             .hint("state `format = \"dmis\"`")),
         _ => Err(Message::error("the direction is neither a unit vector nor angles to the axes in degrees")),
+    }
+}
+
+/// A record: `label = MAJOR/field, field, ...`.
+#[derive(Debug, Default)]
+struct Record {
+    text: String,
+    /// Where pieces of it stand: byte of the record, line, byte of the line.
+    pieces: Vec<(usize, usize, usize)>,
+}
+
+/// A part of a record, with the byte at which it begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Part<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl Part<'_> {
+    fn trimmed(text: &str, at: usize) -> Part<'_> {
+        Part { text: text.trim(), at: at + text.len() - text.trim_start().len() }
+    }
+}
+
+/// All records of a file.
+fn records(text: &Text) -> Vec<Record> {
+    let mut all = Vec::new();
+    let mut open = Record::default();
+    for (i, line) in text.lines.iter().enumerate() {
+        if line.trim_start().starts_with("$$") {
+            continue;
+        }
+        let end = line.trim_end();
+        let goes_on = end.strip_suffix('$');
+        open.pieces.push((open.text.len(), i + 1, 0));
+        open.text.push_str(goes_on.unwrap_or(end));
+        if goes_on.is_none() {
+            all.extend(Some(std::mem::take(&mut open)).filter(|record| !record.text.trim().is_empty()));
+        }
+    }
+    all.extend(Some(open).filter(|record| !record.text.trim().is_empty()));
+    all
+}
+
+impl Record {
+    /// First line of the record.
+    fn line(&self) -> usize {
+        self.pieces.first().map_or(1, |piece| piece.1)
+    }
+
+    /// Label (as it stands before `=`), major word and fields.
+    fn parts(&self) -> (Option<Part<'_>>, &str, Vec<Part<'_>>) {
+        let slash = self.text.find('/').unwrap_or(self.text.len());
+        let (head, tail) = self.text.split_at(slash);
+        let (label, major) = match head.split_once('=') {
+            Some((label, major)) => (Some(Part::trimmed(label, 0)), major),
+            None => (None, head),
+        };
+        let fields = tail.strip_prefix('/').map_or(Vec::new(), |fields| split(fields, slash + 1));
+        (label, major.trim(), fields)
+    }
+
+    /// Where a part stands.
+    fn place(&self, text: &Text, part: &Part) -> Place {
+        let before = self.pieces.partition_point(|piece| piece.0 <= part.at);
+        let (start, line, byte) = self.pieces.get(before.saturating_sub(1)).copied().unwrap_or((0, 1, 0));
+        text.part(line, byte + part.at - start.min(part.at), part.text.chars().count())
+    }
+}
+
+/// Fields between commas that stand outside quotes.
+fn split(text: &str, at: usize) -> Vec<Part<'_>> {
+    let (mut fields, mut start, mut quoted) = (Vec::new(), 0, false);
+    for (i, c) in text.char_indices() {
+        match c {
+            '\'' => quoted = !quoted,
+            ',' if !quoted => {
+                fields.push(Part::trimmed(&text[start..i], at + start));
+                start = i + 1;
+            }
+            _ => {}
+        }
+    }
+    fields.push(Part::trimmed(&text[start..], at + start));
+    fields
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn records_go_on_over_lines_and_know_where_their_fields_stand() {
+        let lines = vec!["$$ FA(X)=1/2 $", "FA(A 1) = FEAT/CIRCLE, 'a,b', $", "  50.5,$", "-1", "", "ENDFIL"];
+        let text = Text { file: "f", whole: "", lines };
+        let all = records(&text);
+        assert_eq!(all.len(), 2);
+        let (label, major, fields) = all[0].parts();
+        assert_eq!((label.map(|l| l.text), major), (Some("FA(A 1)"), "FEAT"));
+        assert_eq!(fields.iter().map(|f| f.text).collect::<Vec<_>>(), ["CIRCLE", "'a,b'", "50.5", "-1"]);
+        let place = all[0].place(&text, &fields[2]);
+        assert_eq!((place.line, place.column, place.width), (Some(3), Some(3), 4));
+        assert_eq!(all[1].parts().1, "ENDFIL");
     }
 }

@@ -1,18 +1,52 @@
 //! SpatialAnalyzer's ASCII points: `[[collection,] group,] target, x, y, z` under comments that may state axes, unit,
 //! working frame and columns. The label is `collection::group::target`: the same target name occurs in several groups.
 
-use super::point_rows::point_rows;
-use super::points::Point;
+use super::delimited::point_rows;
+use super::{About, ExportFormat, Recognised, Row, Text, Writing};
 use crate::base::message::{Message, Place, Problems};
-use crate::import::format::Delimiter;
-use crate::import::format::Dialect;
-use crate::import::format::Role;
-use crate::import::format::Unit;
+use crate::import::Point;
+use crate::import::format::{Delimiter, Dialect, Role, Unit};
+
+/// ASCII points of SpatialAnalyzer.
+pub(super) struct SpatialAnalyzer;
+
+impl ExportFormat for SpatialAnalyzer {
+    fn about(&self) -> About {
+        About { name: "spatialanalyzer", title: "SpatialAnalyzer ASCII", points_only: true, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        let mark = |l: &str| l.starts_with("// SpatialAnalyzer") || l.starts_with("// AXES =");
+        let what = "a SpatialAnalyzer export of points: its comments say so";
+        let axes = text.lines().find(|line| line.starts_with("// AXES ="));
+        let says = |unit: &&str| axes.is_some_and(|line| line.contains(&format!("({unit})")));
+        let found = Recognised::by(text.lines().take(20).any(mark), 0.9, what)?;
+        Some(Recognised { unit: ["mm", "m", "inch"].into_iter().find(says), ..found })
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text.file, text.whole, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        // label parts between `::` are collection and group
+        let head = format!("// AXES = CARTESIAN: X,  Y,  Z ({})\n", how.unit.name());
+        let line = |row: &Row| format!("{},  {}\n", row.label.replace("::", ",  "), how.list(row, ",  "));
+        Ok(head + &rows.iter().map(line).collect::<String>())
+    }
+
+    /// The working frame; a check box of the export leaves it out.
+    fn frame<'t>(&self, text: &'t str) -> Option<&'t str> {
+        let comments = text.lines().filter_map(|line| line.trim_start().strip_prefix(COMMENT));
+        let mut frames = comments.filter_map(|c| c.trim().strip_prefix("Points Relative to Coordinate Frame"));
+        frames.next().map(|frame| frame.trim().trim_matches('\''))
+    }
+}
 
 const COMMENT: &str = "//";
 
 /// Points of the text, and what does not read. The campaign's unit must be that of the file, where the file states one.
-pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut columns = None;
     for (i, line) in text.lines().enumerate() {
@@ -45,21 +79,6 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
     let (points, more) = point_rows(file, text, &dialect, unit);
     problems.0.extend(more.0);
     (points, problems)
-}
-
-/// The working frame, which the points are in; a check box of the export leaves it out.
-pub(crate) fn frame(text: &str) -> Option<&str> {
-    let comments = text.lines().filter_map(|line| line.trim_start().strip_prefix(COMMENT));
-    let mut frames = comments.filter_map(|c| c.trim().strip_prefix("Points Relative to Coordinate Frame"));
-    frames.next().map(|frame| frame.trim().trim_matches('\''))
-}
-
-/// A warning if the exports of a campaign, each with its place, are relative to several frames.
-pub(crate) fn frames_differ(frames: &[(Place, String)]) -> Option<Message> {
-    let (_, first) = frames.first()?;
-    let (place, other) = frames.iter().find(|(_, frame)| frame != first)?;
-    let what = format!("the points are relative to the frame `{other}`, and those of another export to `{first}`");
-    Some(Message::warning(what).at(place.clone()).hint("export them in one working frame, or do not use them together"))
 }
 
 /// What is wrong with `CARTESIAN: X,  Y,  Z (mm)` as axes of points in this unit.
@@ -141,7 +160,7 @@ mod tests {
         }
         let named = format!("{HEAD}// Group,  Point,  X,  Y,  Z,  RMS\n\nG, 7, 1.5, -2, 3.0, 0.01\n");
         assert_eq!(read(&named), [("G::7".to_owned(), xyz)]);
-        assert_eq!(frame(&named), Some("A::WORLD"));
+        assert_eq!(SpatialAnalyzer.frame(&named), Some("A::WORLD"));
     }
 
     #[test]

@@ -1,13 +1,44 @@
 //! PolyWorks|Inspector project description: blocks `BEGIN OBJECT 1 ... END OBJECT 1` of lines `KEY = values`, separated by
 //! tabs. Point primitives are its points; names that are not ASCII are `UNICODE( hexadecimal UTF-16 )`.
 
-use super::super::points::Point;
-use super::Text;
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, head};
 use crate::base::message::{Message, Problems};
-use crate::import::delimited::number;
-use crate::import::format::Decimal;
-use crate::import::format::Unit;
+use crate::import::Point;
+use crate::import::format::{Decimal, Dialect, Unit};
+use crate::import::split::number;
 use std::collections::BTreeMap;
+
+/// Project descriptions of PolyWorks|Inspector.
+pub(super) struct PolyworksProject;
+
+impl ExportFormat for PolyworksProject {
+    fn about(&self) -> About {
+        About { name: "polyworks_project", title: "PolyWorks project description", ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(
+            head(text).contains("PolyWorks|Inspector project description"),
+            0.9,
+            "a project description of PolyWorks|Inspector: its first line says so",
+        )
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        let object = |(i, row): (usize, &Row)| {
+            let (name, point) = (utf_16(&row.label), how.list(row, "\t"));
+            format!(
+                "BEGIN OBJECT {i}\nCLASS\t=\tPrimitive\nTYPE\t=\tPoint\nNAME\t=\t{name}\nPOINT\t=\t{point}\nEND OBJECT {i}\n\n"
+            )
+        };
+        let objects: String = rows.iter().enumerate().map(object).collect();
+        Ok(format!("# === PolyWorks|Inspector project description file ===\n\n{objects}"))
+    }
+}
 
 /// Blocks in blocks; real files have three.
 const DEEPEST: usize = 32;
@@ -20,7 +51,7 @@ struct Block<'a> {
 }
 
 /// The point primitives.
-pub(super) fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     if !text.lines.first().is_some_and(|line| line.contains("PolyWorks|Inspector project description file")) {
@@ -86,6 +117,15 @@ fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) ->
     };
     problems.0.push(message.at(text.place(*line)));
     Some(text.point(*line, &label, [f64::NAN; 3], unit))
+}
+
+/// A name as PolyWorks writes it: code units in hexadecimal where it is not ASCII.
+fn utf_16(label: &str) -> String {
+    if label.is_ascii() {
+        return label.to_owned();
+    }
+    let units: String = label.encode_utf16().map(|unit| format!("{unit:04X}")).collect();
+    format!("UNICODE( {units} )")
 }
 
 /// A name as it is, or from its UTF-16 code units in hexadecimal, most significant first.

@@ -1,13 +1,43 @@
 //! PolyWorks point text: `[name] x y z [i j k]`, blank-separated, no header, decimal point.
 
-use super::delimited::{blank_fields, columns_of, number};
-use super::points::Point;
+use super::{About, ExportFormat, Row, Text, Writing};
 use crate::base::message::{Message, Place, Problems};
-use crate::import::format::Decimal;
-use crate::import::format::Unit;
+use crate::import::cloud::Plain;
+use crate::import::format::{Decimal, Dialect, Unit};
+use crate::import::split::{blank_fields, columns_of, number};
+use crate::import::{Point, written};
+
+/// Point text of PolyWorks.
+pub(super) struct Polyworks;
+
+impl ExportFormat for Polyworks {
+    fn about(&self) -> About {
+        About { name: "polyworks", title: "PolyWorks text", points_only: true, ..About::default() }
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text.file, text.whole, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        let line = |row: &Row| format!("{} {}\n", written::blank(&row.label, false), how.list(row, " "));
+        Ok(rows.iter().map(line).collect())
+    }
+
+    /// The first row says whether rows bear labels.
+    fn plain(&self, _dialect: &Dialect, start: &[u8]) -> Option<Plain> {
+        let first = start.split(|b| *b == b'\n').find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
+        let labelled = match first.split(u8::is_ascii_whitespace).filter(|f| !f.is_empty()).count() {
+            3 => false,
+            4 => true,
+            _ => return None,
+        };
+        Some(Plain { delimiter: None, labelled, may_be_angles: false })
+    }
+}
 
 /// Points of a PolyWorks text, and what does not read; directions are not read.
-pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     for (i, line) in text.lines().enumerate() {

@@ -10,15 +10,40 @@ mod rows;
 mod units;
 
 pub use geometry::Geometry;
-pub(super) use rows::rows;
+use rows::rows;
 
-use super::xml::{Node, Tree};
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, head};
 use crate::base::message::{Message, Place, Problems, Result, Severity};
 use crate::base::pose::Vector;
+use crate::import::Point;
+use crate::import::format::{Dialect, Unit};
+use crate::import::xml::{Node, Tree};
 use crate::math::fit::Element;
 use points::PointSets;
 use std::collections::BTreeMap;
 use units::Units;
+
+/// Measured features of QIF.
+pub(super) struct Qif;
+
+impl ExportFormat for Qif {
+    fn about(&self) -> About {
+        About { name: "qif", title: "QIF", points_only: true, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(is_xml(text) && head(text).contains("QIFDocument"), 1.0, "a QIF document")
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text.file, text.whole, unit)
+    }
+
+    fn write(&self, _rows: &[Row], _how: &Writing) -> std::result::Result<String, Message> {
+        let message = Message::error("simulate writes no QIF");
+        Err(message.hint("state `polyworks` or a delimited format for this export"))
+    }
+}
 
 /// Messages of one file that are told; the rest is counted.
 const MOST_MESSAGES: usize = 50;

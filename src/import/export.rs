@@ -1,7 +1,7 @@
 //! `[[export]]`: a file of a measuring system, and how it is to be read.
 
-use super::log::FromRow;
-use super::{Encoding, Format, Unit};
+use super::format::{Encoding, FromRow, Unit};
+use super::formats::Format;
 use serde::Deserialize;
 use toml::Spanned;
 

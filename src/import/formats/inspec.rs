@@ -3,17 +3,33 @@
 //! machine computed bears it with the property: `Circle OD: Center`. A real file has single values without a label: they are
 //! refused.
 
-use super::super::points::Point;
-use super::Text;
 use super::pivot::{Pivot, Said};
+use super::{About, ExportFormat, Row, Text, Writing};
 use crate::base::message::{Message, Problems};
 use crate::base::pose::Vector;
-use crate::import::delimited::{Row, cell_place, number};
-use crate::import::format::Decimal;
-use crate::import::format::Unit;
+use crate::import::Point;
+use crate::import::format::{Decimal, Dialect, Unit};
+use crate::import::split::{Row as Fields, cell_place, number};
+
+/// Exports of Micro-Vu InSpec.
+pub(super) struct Inspec;
+
+impl ExportFormat for Inspec {
+    fn about(&self) -> About {
+        About { name: "inspec", title: "Micro-Vu InSpec", ..About::default() }
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        Ok(rows.iter().map(|row| format!("\"{}: 3D MCS Points\",{}\n", row.label, how.list(row, ","))).collect())
+    }
+}
 
 /// The points that were measured, and those that were computed.
-pub(super) fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let (mut points, mut computed) = (Vec::new(), Pivot::default());
     // the feature whose points follow, and the coordinates they are in
@@ -77,7 +93,7 @@ fn labelled(line: &str) -> Option<(&str, &str)> {
 
 /// Three numbers separated by commas.
 fn numbers(text: &Text, line: usize, values: &str) -> Result<Vector, Vec<Message>> {
-    let row = Row { line, fields: values.split(',').map(|f| f.trim().to_owned()).collect() };
+    let row = Fields { line, fields: values.split(',').map(|f| f.trim().to_owned()).collect() };
     if row.fields.len() != 3 {
         let message = Message::error(format!("the row has {} values", row.fields.len())).at(text.place(line));
         return Err(vec![message.expected("x, y and z").hint("was the file cut off?")]);

@@ -5,7 +5,7 @@ use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
 
 /// One line; where it would read as a comment its first field is quoted.
-pub(super) fn line(fields: &[String], delimiter: Delimiter, comment: Option<&str>) -> Result<String, Message> {
+pub(crate) fn line(fields: &[String], delimiter: Delimiter, comment: Option<&str>) -> Result<String, Message> {
     let joined = |quote_first: bool| {
         let field = |(i, field): (usize, &String)| match delimiter.byte() {
             Some(byte) => separated(field, char::from(byte), quote_first && i == 0),
@@ -37,7 +37,7 @@ fn separated(field: &str, separator: char, quote: bool) -> String {
 }
 
 /// A field between blanks.
-pub(super) fn blank(field: &str, quote: bool) -> String {
+pub(crate) fn blank(field: &str, quote: bool) -> String {
     if quote || field.is_empty() || field.contains(char::is_whitespace) {
         format!("\"{field}\"")
     } else {
@@ -46,7 +46,7 @@ pub(super) fn blank(field: &str, quote: bool) -> String {
 }
 
 /// A number with the stated decimal mark.
-pub(super) fn number(value: f64, digits: usize, decimal: Decimal) -> String {
+pub(crate) fn number(value: f64, digits: usize, decimal: Decimal) -> String {
     let text = format!("{value:.digits$}");
     if decimal == Decimal::Comma { text.replace('.', ",") } else { text }
 }

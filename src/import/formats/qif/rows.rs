@@ -1,16 +1,16 @@
 //! A QIF file as rows of a campaign's export.
 
-use super::super::points::Point;
 use super::{MeasuredFeature, Touch};
 use crate::base::message::Problems;
 use crate::base::pose::Vector;
+use crate::import::Point;
 use crate::import::format::Unit;
 
 /// Rows of a QIF file, in the stated unit (which must be that of the file), and what does not read.
 ///
 /// A feature with a centre or a place (point, circle, sphere, torus) is one row with its stated location, any other one
 /// row a point; the label is the name of the feature. Probe centres are refused: they are not on the feature. What the reader has to say is a refused row of its own.
-pub(in super::super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
+pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
     let read = match super::read(file, text, Some(unit.in_mm())) {
         Ok(read) => read,
         Err(problems) => return (Vec::new(), problems),

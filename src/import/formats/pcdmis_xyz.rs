@@ -2,15 +2,37 @@
 //! separated by commas: 3 are a point, 4 a point and a diameter, 6 a point and a vector, 7 both and a diameter; 5, 8 and more
 //! have numbers that mean nothing. Source: PC-DMIS 2019 R1, "Notes on XYZ Files".
 
-use super::super::points::Point;
-use super::{Text, unit_agrees};
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
 use crate::base::message::{Message, Problems};
-use crate::import::delimited::{Row, cell_place, number};
-use crate::import::format::Decimal;
-use crate::import::format::Unit;
+use crate::import::Point;
+use crate::import::format::{Decimal, Dialect, Unit};
+use crate::import::split::{Row as Fields, cell_place, number};
+
+/// Files `.xyz` of PC-DMIS.
+pub(super) struct PcdmisXyz;
+
+impl ExportFormat for PcdmisXyz {
+    fn about(&self) -> About {
+        About { name: "pcdmis_xyz", title: "PC-DMIS xyz", ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(text.starts_with("XYZIJK"), 1.0, "an .xyz file of PC-DMIS: its first line says so")
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        let head = how.unit_in(&[(Unit::Millimetre, "XYZIJK    METRIC"), (Unit::Inch, "XYZIJK")])?;
+        let points: String = rows.iter().map(|row| how.list(row, ",") + "\n").collect();
+        Ok(format!("{head}\n{points}"))
+    }
+}
 
 /// The points.
-pub(super) fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     match head(text.shown(1)) {
         Ok((of_file, how)) => problems.0.extend(unit_agrees(unit, of_file, how, text.place(1)).err()),
@@ -21,7 +43,7 @@ pub(super) fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     }
     let mut points = Vec::new();
     for (i, line) in text.lines.iter().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty()) {
-        let row = Row { line: i + 1, fields: line.split(',').map(|f| f.trim().to_owned()).collect() };
+        let row = Fields { line: i + 1, fields: line.split(',').map(|f| f.trim().to_owned()).collect() };
         if row.fields.len() < 3 {
             let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(i + 1));
             let message = message.expected("three to eight numbers separated by commas");

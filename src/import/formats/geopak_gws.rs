@@ -4,13 +4,36 @@
 //! probing direction. The plane gives the order of the coordinates: `YZ(X)` has Y, Z, X. Heads are optional: without them
 //! the plane is XY(Z) and the unit MM. Source: format sheet of R. Boesch, Mitutoyo, 1999.
 
-use super::super::points::Point;
-use super::{Text, unit_agrees};
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
-use crate::import::delimited::number;
-use crate::import::format::Decimal;
-use crate::import::format::Unit;
+use crate::import::Point;
+use crate::import::format::{Decimal, Dialect, Unit};
+use crate::import::split::number;
+
+/// Scans of GEOPAK-Win.
+pub(super) struct GeopakGws;
+
+impl ExportFormat for GeopakGws {
+    fn about(&self) -> About {
+        About { name: "geopak_gws", title: "GEOPAK-Win scanning", ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(text.starts_with("#00:GEOPAK"), 1.0, "a scan of GEOPAK-Win: its first record says so")
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        let length = how.unit_in(&[(Unit::Millimetre, "MM"), (Unit::Inch, "Inch")])?;
+        let point = |row: &Row| format!("#02:{}\n#03: {}\n", row.label, how.list(row, " "));
+        let points: String = rows.iter().map(point).collect();
+        Ok(format!("#00:GEOPAK-WIN Scanning\n#04:XY(Z)\n#05:Opn\n#06:{length}\n{points}"))
+    }
+}
 
 /// What stands between one `#nn:` and the next.
 struct Record<'a> {
@@ -21,11 +44,11 @@ struct Record<'a> {
 }
 
 /// The points of all contours.
-pub(super) fn rows(text: &Text, whole: &str, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     let (mut label, mut order, mut unit_stated) = ("", [0, 1, 2], false);
-    for record in records(text, whole, &mut problems) {
+    for record in records(text, &mut problems) {
         let content = record.content.trim();
         let mut wrong = |message: Message| problems.0.push(message.at(record.place.clone()));
         match record.code {
@@ -84,7 +107,8 @@ pub(super) fn rows(text: &Text, whole: &str, unit: Unit) -> (Vec<Point>, Problem
 }
 
 /// The records in their order; text before the first is an error.
-fn records<'a>(text: &Text, whole: &'a str, problems: &mut Problems) -> Vec<Record<'a>> {
+fn records<'a>(text: &Text<'a>, problems: &mut Problems) -> Vec<Record<'a>> {
+    let whole = text.whole;
     let bytes = whole.as_bytes();
     let is_code = |i: usize| match bytes.get(i..i + 4) {
         Some([b'#', tens, ones, b':']) => tens.is_ascii_digit() && ones.is_ascii_digit(),

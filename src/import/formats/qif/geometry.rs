@@ -1,9 +1,9 @@
 //! What a QIF file states of a feature, measured or nominal.
 
-use super::super::xml::Node;
 use super::units::Units;
 use crate::base::message::Message;
 use crate::base::pose::{Vector, unit};
+use crate::import::xml::Node;
 
 /// Values of a feature, as far as they are stated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,28 +1,117 @@
-//! Points of a text in a stated dialect.
+//! Delimited text: rows of columns in a dialect that the campaign states, or that has a name.
 
-use super::coordinates::cartesian;
-use super::delimited::{Row, cell_place, split};
-use super::header_unit::header_unit;
-use super::number::{WHOLE, marked};
-use super::points::Point;
+use super::{About, ExportFormat, Recognised, Row as Written, Text, Writing};
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::{Vector, norm};
-use crate::import::format::ColumnAt;
-use crate::import::format::Columns;
-use crate::import::format::CoordinateType;
-use crate::import::format::Dialect;
-use crate::import::format::Header;
-use crate::import::format::Role;
-use crate::import::format::Unit;
-use crate::import::format::coordinate_type;
+use crate::import::Point;
+use crate::import::cloud::Plain;
+use crate::import::coordinates::cartesian;
+use crate::import::format::{
+    ColumnAt, Columns, CoordinateType, Delimiter, Dialect, Header, Role, Unit, coordinate_type,
+};
+use crate::import::header_unit::header_unit;
+use crate::import::number::{WHOLE, marked};
+use crate::import::split::{Row, cell_place, split};
+use crate::import::written;
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
+
+/// Delimited text in a stated dialect.
+pub(super) struct Delimited;
+
+impl ExportFormat for Delimited {
+    fn about(&self) -> About {
+        About { points_only: true, ..About::default() }
+    }
+
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        point_rows(text.file, text.whole, dialect, unit)
+    }
+
+    /// Header rows, the last of which names the columns, and the data.
+    fn write(&self, rows: &[Written], how: &Writing) -> Result<String, Message> {
+        write(rows, how)
+    }
+
+    fn plain(&self, dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
+        let Columns::InOrder(roles) = &dialect.columns else { return None };
+        let labelled = match roles[..] {
+            [Role::X, Role::Y, Role::Z] => false,
+            [Role::Label, Role::X, Role::Y, Role::Z] => true,
+            _ => return None,
+        };
+        let bare = Dialect {
+            delimiter: dialect.delimiter,
+            columns: dialect.columns.clone(),
+            coordinates: dialect.coordinates,
+            ..Dialect::default()
+        };
+        let delimiter = dialect.delimiter.filter(|_| *dialect == bare)?.byte();
+        Some(Plain { delimiter, labelled, may_be_angles: dialect.coordinates.is_none() })
+    }
+}
+
+/// A dialect that has a name.
+pub(super) struct Named {
+    pub name: &'static str,
+    pub recognise: fn(&str) -> Option<Recognised>,
+    pub dialect: fn() -> Dialect,
+}
+
+impl ExportFormat for Named {
+    fn about(&self) -> About {
+        About { name: self.name, ..Delimited.about() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        (self.recognise)(text)
+    }
+
+    fn dialect(&self) -> Dialect {
+        (self.dialect)()
+    }
+
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        Delimited.read(text, dialect, unit)
+    }
+
+    fn write(&self, rows: &[Written], how: &Writing) -> Result<String, Message> {
+        Delimited.write(rows, how)
+    }
+
+    fn plain(&self, dialect: &Dialect, start: &[u8]) -> Option<Plain> {
+        Delimited.plain(dialect, start)
+    }
+}
+
+impl Named {
+    /// Columns that nothing but the name says.
+    const fn simple(name: &'static str, dialect: fn() -> Dialect) -> Self {
+        Self { name, recognise: |_| None, dialect }
+    }
+}
+
+fn columns_in(delimiter: Delimiter, columns: &[Role]) -> Dialect {
+    Dialect { delimiter: Some(delimiter), columns: columns.to_vec().into(), ..Dialect::default() }
+}
+
+/// numpy.savetxt and most viewers of point clouds.
+pub(super) const XYZ: Named = Named::simple("xyz", || columns_in(Delimiter::Blank, &[Role::X, Role::Y, Role::Z]));
+/// The same with directions.
+pub(super) const XYZIJK: Named =
+    Named::simple("xyzijk", || columns_in(Delimiter::Blank, &[Role::X, Role::Y, Role::Z, Role::I, Role::J, Role::K]));
+/// Names and coordinates between commas.
+pub(super) const NAME_XYZ: Named =
+    Named::simple("name-xyz-csv", || columns_in(Delimiter::Comma, &[Role::Label, Role::X, Role::Y, Role::Z]));
+/// Trackers' lists of stationary points, whose further fields may be empty.
+pub(super) const TRACKER: Named =
+    Named::simple("tracker-semicolon", || columns_in(Delimiter::Semicolon, &[Role::Label, Role::X, Role::Y, Role::Z]));
 
 /// A direction whose length leaves 1 by more is none.
 const DIRECTION: f64 = 0.01;
 
 /// Points of a text, in millimetres, and what does not read.
-pub(super) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+pub(crate) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
     let wrong = Problems(dialect.check());
     if !wrong.0.is_empty() {
         return (Vec::new(), wrong);
@@ -319,4 +408,75 @@ fn unit_vector(ijk: Vector) -> Result<Vector, Message> {
         }
         false => message.hint("leave the columns out with \"-\" if they are something else"),
     })
+}
+
+/// Header rows, the last of which names the columns, and the data.
+fn write(rows: &[Written], how: &Writing) -> Result<String, Message> {
+    let (dialect, decimals) = (how.dialect, how.decimals);
+    let columns = named_columns(&dialect.columns)?;
+    let delimiter = dialect.delimiter.ok_or_else(|| {
+        Message::error("simulate writes neither fixed widths nor workbooks").hint("state a `delimiter` for this export")
+    })?;
+    if !dialect.types.is_empty() {
+        return Err(Message::error("simulate writes no coordinates whose kind each row says"));
+    }
+    let line = |field: &mut dyn FnMut(&Role, &str) -> String| {
+        let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();
+        written::line(&fields, delimiter, dialect.comment.as_deref())
+    };
+    let mut all = String::new();
+    if let Some(mark) = &dialect.comment {
+        // as SpatialAnalyzer heads its ASCII points
+        let headings: Vec<&str> = columns.iter().map(|(_, name)| name.as_str()).collect();
+        all += &format!("{mark} AXES = CARTESIAN: X,  Y,  Z ({})\n", how.unit.name());
+        all += &format!("{mark} {}\n\n", headings.join(",  "));
+    }
+    let header = if let Header::Rows(rows) = dialect.header { rows } else { 1 };
+    for remaining in (0..header).rev() {
+        all += &line(&mut |_, name| if remaining == 0 { name.to_owned() } else { "simulated".to_owned() })?;
+    }
+    let number = |value, digits| written::number(value, digits, dialect.decimal);
+    let in_unit = |rad: f64| rad / dialect.angle_unit.map_or(1.0, |unit| unit.in_rad());
+    for row in rows {
+        let mut skipped = how.skipped.iter();
+        let mut skip = || skipped.next().map_or("-", String::as_str).to_owned();
+        let [x, y, z] = row.xyz;
+        // an angle needs more digits than a length
+        let angle = |rad: f64| number(in_unit(rad), decimals + 6);
+        all += &line(&mut |role, _| match role {
+            Role::Label => row.label.clone(),
+            Role::Target => row.target.clone(),
+            Role::Pose => row.pose.to_string(),
+            Role::Cycle => row.cycle.to_string(),
+            Role::X => number(x, decimals),
+            Role::Y => number(y, decimals),
+            Role::Z => number(z, decimals),
+            Role::Radius => number(x.hypot(y), decimals),
+            Role::Distance => number(x.hypot(y).hypot(z), decimals),
+            Role::Azimuth => angle(y.atan2(x)),
+            Role::AzimuthClockwise => angle(-y.atan2(x)),
+            Role::Zenith => angle(x.hypot(y).atan2(z)),
+            Role::Elevation => angle(z.atan2(x.hypot(y))),
+            Role::I | Role::J => number(0.0, decimals),
+            Role::K => number(1.0, decimals),
+            Role::TimeS => number(row.time_s, 6),
+            _ => skip(),
+        })?;
+    }
+    all += &dialect.end.iter().map(|end| format!("{end}\n")).collect::<String>();
+    Ok(all)
+}
+
+/// What each column holds, and what the header calls it.
+fn named_columns(stated: &Columns) -> Result<Vec<(Role, String)>, Message> {
+    match stated {
+        Columns::InOrder(roles) => Ok(roles.iter().map(|role| (*role, role.name().to_owned())).collect()),
+        Columns::Named(named) => {
+            let name = |(role, column): &(Role, ColumnAt)| match column {
+                ColumnAt::Name(name) => Ok((*role, name.clone())),
+                ColumnAt::Number(_) => Err(Message::error("simulate writes no columns that only a number names")),
+            };
+            named.iter().map(name).collect()
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Units of a QIF file: stated once for the file, and by name at single values.
 
-use super::super::xml::Node;
 use crate::base::message::Message;
+use crate::import::xml::Node;
 use std::collections::BTreeMap;
 
 /// What the file says about its units. A name of a unit is free text ("mm", "MM", "inch"): only its factor counts.

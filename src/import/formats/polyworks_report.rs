@@ -4,13 +4,46 @@
 //! what separates its columns is what stands after `Name`. A point has the controls `X`, `Y` and `Z`, or such of a kind
 //! (`Surface Point X`). Layout from a quoted report and a vendor page; no whole real file was found.
 
-use super::super::points::Point;
-use super::Text;
 use super::pivot::{Pivot, Said};
+use super::{About, ExportFormat, Recognised, Row, Text, Writing};
 use crate::base::message::{Message, Problems, Result};
-use crate::import::delimited::{Row, cell_place, number};
-use crate::import::format::Decimal;
-use crate::import::format::Unit;
+use crate::import::format::{Decimal, Delimiter, Dialect, Unit};
+use crate::import::split::{Row as Fields, cell_place, number};
+use crate::import::{Point, written};
+
+/// Report tables of PolyWorks|Inspector.
+pub(super) struct PolyworksReport;
+
+impl ExportFormat for PolyworksReport {
+    fn about(&self) -> About {
+        About { name: "polyworks_report", title: "PolyWorks report", decimal_comma: true, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(
+            text.starts_with("Name,Control,Nom,Meas"),
+            1.0,
+            "a report of PolyWorks with a row for each control: its header says so",
+        )
+    }
+
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, dialect.decimal, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> std::result::Result<String, Message> {
+        // a decimal comma goes with semicolons
+        let delimiter = if how.dialect.decimal == Decimal::Comma { Delimiter::Semicolon } else { Delimiter::Comma };
+        let line = |fields: [&str; 8]| written::line(&fields.map(str::to_owned), delimiter, None);
+        let mut all = line(["Name", "Control", "Nom", "Meas", "Tol", "Dev", "Test", "Out Tol"])?;
+        for Row { label, xyz, .. } in rows {
+            for (axis, value) in ["X", "Y", "Z"].into_iter().zip(xyz) {
+                all += &line([label, axis, "", &how.number(*value), "±1", "", "", ""])?;
+            }
+        }
+        Ok(all)
+    }
+}
 
 /// A control of a feature: what was asked and what was found, in the unit of the report.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,14 +64,14 @@ pub struct Control {
 
 /// The controls of a report; everything that does not read is reported.
 pub fn controls(file: &str, text: &str, decimal: Decimal) -> Result<Vec<Control>> {
-    let lines = Text { file, lines: text.lines().collect() };
-    let (controls, problems) = read(&lines, text, decimal);
+    let lines = Text::new(file, text);
+    let (controls, problems) = read(&lines, decimal);
     problems.check().map(|_| controls)
 }
 
 /// The points of a report.
-pub(super) fn rows(text: &Text, whole: &str, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
-    let (controls, problems) = read(text, whole, decimal);
+fn rows(text: &Text, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
+    let (controls, problems) = read(text, decimal);
     let mut pivot = Pivot::default();
     for control in controls {
         let (kind, axis) = control.control.rsplit_once(' ').unwrap_or(("", &control.control));
@@ -63,7 +96,7 @@ struct Columns {
     width: usize,
 }
 
-fn read(text: &Text, whole: &str, decimal: Decimal) -> (Vec<Control>, Problems) {
+fn read(text: &Text, decimal: Decimal) -> (Vec<Control>, Problems) {
     let mut problems = Problems::default();
     let Some((first, separator, columns)) = header(text) else {
         let message = Message::error(format!("no row of `{}` names the columns of a PolyWorks report", text.file));
@@ -76,12 +109,12 @@ fn read(text: &Text, whole: &str, decimal: Decimal) -> (Vec<Control>, Problems) 
         problems.0.push(message.at(text.place(first + 1)).hint("export it with semicolons or tabs"));
         return (Vec::new(), problems);
     }
-    let skipped: usize = whole.split_inclusive('\n').take(first + 1).map(str::len).sum();
+    let skipped: usize = text.whole.split_inclusive('\n').take(first + 1).map(str::len).sum();
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(separator as u8)
         .has_headers(false)
         .flexible(true)
-        .from_reader(whole.as_bytes().get(skipped..).unwrap_or_default());
+        .from_reader(text.whole.as_bytes().get(skipped..).unwrap_or_default());
     let mut controls = Vec::new();
     for record in reader.records() {
         let record = match record {
@@ -93,7 +126,7 @@ fn read(text: &Text, whole: &str, decimal: Decimal) -> (Vec<Control>, Problems) 
         };
         let line = first + 1 + record.position().map_or(1, |p| p.line() as usize);
         let fields: Vec<String> = record.iter().map(|f| f.trim().to_owned()).collect();
-        let row = Row { line, fields };
+        let row = Fields { line, fields };
         if row.fields.iter().all(String::is_empty) || row.fields == text_fields(text, first, separator) {
             continue;
         }
@@ -125,7 +158,7 @@ fn header(text: &Text) -> Option<(usize, char, Columns)> {
     })
 }
 
-fn control(text: &Text, columns: &Columns, row: &Row, decimal: Decimal, problems: &mut Problems) -> Option<Control> {
+fn control(text: &Text, columns: &Columns, row: &Fields, decimal: Decimal, problems: &mut Problems) -> Option<Control> {
     let field = |at: usize| row.fields.get(at).map_or("", String::as_str);
     let place = |at: usize| cell_place(text.file, row, text.shown(row.line), at);
     let surplus = row.fields.iter().skip(columns.width).any(|f| !f.is_empty());

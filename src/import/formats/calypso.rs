@@ -5,13 +5,41 @@
 //! `xValue`, `yValue` and `zValue` of one feature in one run say. The names of a `_fet` file are not documented: `x`, `y`,
 //! `z` and `featureid` or `id` are taken.
 
-use super::super::points::Point;
 use super::pivot::{Pivot, Said};
-use super::{Text, unit_agrees};
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
 use crate::base::message::{Message, Place, Problems};
-use crate::import::delimited::{Row, cell_place, number};
-use crate::import::format::Decimal;
-use crate::import::format::Unit;
+use crate::import::Point;
+use crate::import::format::{Decimal, Dialect, Unit};
+use crate::import::split::{Row as Fields, cell_place, number};
+
+/// Table files of Zeiss Calypso.
+pub(super) struct Calypso;
+
+impl ExportFormat for Calypso {
+    fn about(&self) -> About {
+        About { name: "calypso", title: "Zeiss Calypso table", decimal_comma: true, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(text.starts_with("planid\tpartnb"), 1.0, "a table of Zeiss Calypso: its header says so")
+    }
+
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, dialect.decimal, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        let unit = how.unit.name();
+        let mut all = "planid\tpartnb\tid\tidsymbol\tactual\tfeatureid\tunit\tgroup1\t\n".to_owned();
+        for Row { label, xyz, .. } in rows {
+            for (axis, value) in ["x", "y", "z"].into_iter().zip(xyz) {
+                let value = how.number(*value);
+                all += &format!("simulated\t1\t{label}_{axis}\t{axis}Value\t{value}\t{label}\t{unit}\n");
+            }
+        }
+        Ok(all + "END\n")
+    }
+}
 
 /// A table with a header.
 struct Table<'a> {
@@ -30,13 +58,13 @@ impl<'a> Table<'a> {
     }
 
     fn place(&self, line: usize, fields: &[&str], at: usize) -> Place {
-        let row = Row { line, fields: fields.iter().map(|f| (*f).to_owned()).collect() };
+        let row = Fields { line, fields: fields.iter().map(|f| (*f).to_owned()).collect() };
         cell_place(self.text.file, &row, self.text.shown(line), at)
     }
 }
 
 /// The points of a table.
-pub(super) fn rows(text: &Text, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(text: &Text, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let table = table(text, &mut problems);
     let has = |names: &[&str]| names.iter().all(|name| table.column(name).is_some());
@@ -75,7 +103,7 @@ fn table<'a>(text: &'a Text, problems: &mut Problems) -> Table<'a> {
     let names = text.lines.first().map_or(Vec::new(), |line| split(line));
     for (at, name) in names.iter().enumerate().filter(|(at, name)| !name.is_empty() && names[..*at].contains(name)) {
         let message = Message::error(format!("the header names `{name}` twice"));
-        let row = Row { line: 1, fields: names.iter().map(|n| (*n).to_owned()).collect() };
+        let row = Fields { line: 1, fields: names.iter().map(|n| (*n).to_owned()).collect() };
         problems.0.push(message.at(cell_place(text.file, &row, text.shown(1), at)));
     }
     let mut table = Table { text, names, rows: Vec::new() };

@@ -1,7 +1,7 @@
 //! Coordinates that stand in rows of their own, put together by the name of the point.
 
-use super::super::points::Point;
 use super::Text;
+use crate::import::Point;
 use crate::import::format::Unit;
 use std::collections::BTreeMap;
 

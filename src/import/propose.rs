@@ -1,9 +1,10 @@
 //! What a text could be: a proposal with its reasons, doubts and questions, to paste into a campaign.
 
+use super::formats::delimited::point_rows;
+use super::formats::qif::is_xml;
+use super::formats::{Recognised, head, recognise};
 use super::guess::{Guess, guesses};
 use super::header_unit::header_unit;
-use super::known::{Known, known};
-use super::point_rows::point_rows;
 use super::roles::{is_joint, looks_like_a_log, names, roles};
 use super::{bytes_of, encoding, workbook};
 use crate::base::message::{Message, Place, Result, count};
@@ -17,6 +18,30 @@ use crate::import::format::Role;
 use crate::import::format::Unit;
 use std::fmt::Write;
 use std::path::Path;
+
+/// What holds no points, and by what it is recognised.
+const NO_POINTS: [fn(&str) -> Option<Recognised>; 3] = [
+    |text| {
+        let mark = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
+        let what = "a digital calibration certificate: results of a calibration, and no measured points";
+        Recognised::by(is_xml(text) && mark, 0.9, what)
+    },
+    |text| Recognised::by(is_xml(text), 0.1, "an XML document of no kind that is read"),
+    |text| {
+        let mark = text.starts_with("// Header") && text.contains("Version;SJ-4");
+        Recognised::by(mark, 1.0, "roughness parameters of a Mitutoyo SJ-410, and no coordinates")
+    },
+];
+
+/// The format of a text that says what it is, none where it holds no points; and what says so.
+fn known(text: &str) -> Option<(Option<&'static str>, Recognised)> {
+    let none = NO_POINTS.iter().filter_map(|kind| kind(text)).max_by(|a, b| a.score.total_cmp(&b.score));
+    match (recognise(text), none) {
+        (Some((_, found)), Some(none)) if none.score > found.score => Some((None, none)),
+        (Some((format, found)), _) => Some((Some(format), found)),
+        (None, none) => none.map(|none| (None, none)),
+    }
+}
 
 /// Problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
@@ -36,7 +61,7 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
         return of_workbook(&name, &bytes).map_err(|m| m.at(Place::file(name.as_str())).into());
     }
     let (text, encoding) = decoded(bytes).map_err(|m| m.at(Place::file(name.as_str())))?;
-    if let Some(Known { format: None, what, .. }) = known(&text) {
+    if let (None, what) = known(&text).map_or((Some(""), ""), |(format, found)| (format, found.what)) {
         return Err(refused(format!("this is {what}")).expected("measured points, or a log").into());
     }
     let mut document = propose(&name, &text);
@@ -106,7 +131,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
         questions: Vec::new(),
         toml: String::new(),
     };
-    if let Some(Known { format: Some(format), what, unit }) = known(text).filter(|_| sheet.is_none()) {
+    if let Some((Some(format), Recognised { what, unit, .. })) = known(text).filter(|_| sheet.is_none()) {
         document.format = Some(format.to_owned());
         document.reasons.push(format!("it is {what}"));
         let lines = format!("[[export]]\nfile = {file:?}\nformat = {format:?}\n{}", unit_line(unit));
