@@ -3,7 +3,7 @@
 //! A campaign goes in (exports of a measuring system, encoder logs, one `campaign.toml`); frames, identified parameters
 //! with uncertainties, errors before and after, a report and files for the controller come out. This page is the map.
 //!
-//! # The hallway
+//! # The stages
 //!
 //! ```text
 //! exports ──import──► points ──fit──► features ──frames──► frames ─┐
@@ -13,31 +13,28 @@
 //! robot model ──simulate──► exports and logs with a known truth
 //! ```
 //!
-//! [`pipeline`] is that hallway on one screen. Every stage is a function from the documents before it to the document
-//! after it: none reads a file that another stage did not name, none prints, none looks at the clock.
+//! [`run::pipeline`] is this diagram on one screen. Every stage is a function from the documents before it to the document
+//! after it: none reads a file that another stage did not name, none prints, none reads the clock.
 //!
-//! # Rooms
+//! # The modules
 //!
-//! Mathematics, which knows no file and no campaign:
-//! [`scalar`] (numbers that carry derivatives), [`pose`] (rigid transforms), [`solve`] (least squares, singular values),
-//! [`fit`] (geometric elements), [`robots`] (direct and inverse kinematics, exact Jacobians), [`identify`] (what the
-//! data tell, and how well), [`geometric`] (the same by balls, a shaft and an arm), [`iso9283`] (characteristics of pose
-//! tests), [`plan`] (which poses to measure, with a bound), [`noise`] (random numbers from a seed).
+//! | module | contents | may name |
+//! | --- | --- | --- |
+//! | [`base`] | messages, files, tables, poses, dual numbers, random numbers, patterns of names | nothing |
+//! | [`math`] | least squares, fits of elements, robots, identification, the geometric method, choice of poses | `base` |
+//! | [`iso9283`] | the characteristics of ISO 9283, each with its clause | the above |
+//! | [`document`] | the types of every JSON document, and their schemas | the above |
+//! | [`import`] | formats of exports and logs, one file each; tables of observations, poses and recordings | the above |
+//! | [`campaign`] | `campaign.toml` and `robot.toml`: the keys, where each value is, what is wrong with it | the above |
+//! | [`stages`] | one stage a file, each from documents to the next document | the above |
+//! | [`report`] | the sections of a report and the four forms in which they are drawn | `base`, `document` |
+//! | [`export`] | one controller format a file | `base`, `document` |
+//! | [`compare`] | several campaigns side by side | `base` to `document` |
+//! | [`simulate`] | a truth becomes exports and logs, written by the formats themselves | `base` to `stages` |
+//! | [`run`] | the pipeline, the check before it, the output folder | all but `compare`, `simulate`, `cli` |
+//! | [`cli`] | one command a file | all |
 //!
-//! Doors: [`campaign`] (what the user states), [`import`] (exports and logs become points and joints), [`files`]
-//! (whole or not at all), [`cli`].
-//!
-//! In between: [`table`] (columns and their names), [`frames`] (world frames from features and targets), [`join`]
-//! (measurements meet joint values), [`evaluate`] (errors before and after),
-//! [`geometry`] (what [`geometric`] makes of a campaign), [`simulate`] (campaigns with a known truth), [`visits`],
-//! [`repeatability`] and [`pose_test`] (labelled visits, or tables of them, become characteristics), [`characteristics`] (all
-//! that a campaign tests by ISO 9283),
-//! [`recording`], [`stream_test`] and [`streams`] (so do recorded motions), [`load_test`] (and a loaded robot's),
-//! [`reference_targets`] (drift of the set-up taken out), [`coordinates`] (what
-//! their tables share), [`test_plan`] (what to command in such a test), [`compare`] (what changed between campaigns).
-//!
-//! What comes out: [`document`] (the types behind every JSON document), [`schema`], [`parameters`], [`output`],
-//! [`report`] and [`export`], which read documents and nothing else, [`dress`] (a laboratory's logo and templates). [`message`] is how everything says what is wrong.
+//! `tests/architecture.rs` holds this table: every `crate::` path of every file, and no circle among files.
 //!
 //! # Conventions
 //!
@@ -48,7 +45,7 @@
 //!
 //! # Two ways in
 //!
-//! A campaign on disk: [`campaign::Campaign::read`], then [`pipeline::run`]. Or data in memory:
+//! A campaign on disk: [`campaign::Campaign::read`], then [`run::pipeline::run`]. Or data in memory:
 //!
 //! ```
 //! use etalon::math::identify::{Observation, ResidualKind, Settings, identify};
