@@ -1,39 +1,44 @@
 //! `[geometric]`: which labels are which step of the geometric calibration (thesis, chapter 2).
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
 /// Steps of the geometric calibration. The base frame's plane, ball R and the side of actuator 3 are those of the
 /// world frame.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricDefinition {
-    /// Ball N on its arc, e.g. `N_{pose}`.
+    /// Pattern of the labels of ball N on its arc.
+    #[schemars(with = "String")]
     pub arc: Spanned<String>,
-    /// Balls K, L and the one on the tapered block while the platform turns, e.g. `{target}_turn_{pose}`.
+    /// Pattern of the labels of balls K, L and the one on the tapered block while the platform turns.
+    #[schemars(with = "String")]
     pub turn: Spanned<String>,
     /// Name of the ball on the tapered block.
     #[serde(default = "ball_i")]
     pub turn_ball: String,
-    /// All points on the shaft; pose 1 and 2 are the two positions, cycle the repeat: `shaft{pose}_{cycle}`.
+    /// Pattern of the labels of all points on the shaft; pose 1 and 2 are the two positions, cycle the repeat.
+    #[schemars(with = "String")]
     pub shaft: Spanned<String>,
-    /// Balls K and L with actuator 1 homed (pose 1), K with it at its end (pose 2), cycle the repeat.
+    /// Pattern of the labels of balls K and L with actuator 1 homed (pose 1) and K with it at its end (pose 2).
+    #[schemars(with = "String")]
     pub offsets: Spanned<String>,
     /// Commanded displacement of actuators 2 and 3 for the offsets.
     pub mid_travel_mm: f64,
-    /// Leads.
+    /// Leads of the screws.
     #[serde(default)]
     pub lead: Vec<LeadDefinition>,
     /// Scale bars.
     #[serde(default)]
     pub scale_bar: Vec<ScaleBarDefinition>,
-    /// Single balls, measured again and again while the robot stands still (2.6).
+    /// Single balls, measured repeatedly while the robot does not move (2.6).
     #[serde(default)]
     pub ball: Vec<BallDefinition>,
     /// Tables of errors by pose (2.7).
     #[serde(default)]
     pub table: Vec<TableDefinition>,
-    /// What of the workspace is told.
+    /// Workspace to report.
     pub workspace: Option<WorkspaceDefinition>,
 }
 
@@ -42,56 +47,61 @@ fn ball_i() -> String {
 }
 
 /// A ball on a carriage, measured along the travel.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LeadDefinition {
     /// Number of the actuator, 1 to 3.
+    #[schemars(with = "usize")]
     pub actuator: Spanned<usize>,
-    /// Its labels; pose is the number of the position, cycle that of the pass.
+    /// Pattern of the labels; pose is the number of the position, cycle that of the pass.
+    #[schemars(with = "String")]
     pub label: Spanned<String>,
-    /// Commanded displacement of each position.
+    /// Commanded displacements of the positions.
     pub positions_mm: Vec<f64>,
     /// Nominal lead of the screw.
     pub lead_mm: f64,
 }
 
 /// A scale bar in one position.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ScaleBarDefinition {
     /// Name for the report.
     pub name: String,
-    /// Its labels; target is `A` or `B`, cycle the repeat.
+    /// Pattern of the labels; target is `A` or `B`, cycle the repeat.
+    #[schemars(with = "String")]
     pub label: Spanned<String>,
     /// Calibrated distance of its balls.
     pub length_mm: f64,
 }
 
 /// A ball that does not move.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BallDefinition {
     /// Name for the report.
     pub name: String,
-    /// Its labels; cycle is the repeat.
+    /// Pattern of the labels; cycle is the repeat.
+    #[schemars(with = "String")]
     pub label: Spanned<String>,
 }
 
 /// Poses whose mean errors make a table.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TableDefinition {
-    /// Its title.
+    /// Title of the table.
     pub title: String,
-    /// Its poses, e.g. `"9-13"`.
+    /// Poses of the table, as those of `[identify]`.
+    #[schemars(with = "String")]
     pub poses: Spanned<String>,
 }
 
-/// The interval of orientations that shall all be reached; how far the actuators go says the robot.
-#[derive(Clone, Copy, Debug, Deserialize)]
+/// The orientations that must all be reached; the travel of the actuators is that of robot.toml.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WorkspaceDefinition {
-    /// Orientations from minus to plus this.
+    /// Largest orientation to both sides.
     pub theta_deg: f64,
 }
 

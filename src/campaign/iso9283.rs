@@ -3,25 +3,32 @@
 use super::Campaign;
 use crate::base::message::{Message, Problems};
 use crate::import::{Format, format::Unit};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-/// Poses that are visited again and again along one trajectory.
-#[derive(Clone, Debug, Deserialize)]
+/// A test of repeatability along one trajectory, from labelled points.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RepeatabilityDefinition {
-    /// Labels of the visits, e.g. `P{pose}-{cycle}`. Visits of one pose in one cycle bear the same label, in their order.
+    /// Pattern of the labels, with `{pose}` and `{cycle}`. Attained poses of one pose and cycle have one label, in their order.
+    #[schemars(with = "String")]
     pub label: Spanned<String>,
-    /// Poses in the order of one cycle; the pose before says how one was approached.
+    /// Numbers of the poses in the order of one cycle; the previous pose is the approach.
+    #[schemars(with = "Vec<i64>")]
     pub trajectory: Spanned<Vec<i64>>,
-    /// Four poses whose mean positions should lie in a plane.
+    /// Four poses whose mean positions are tested for coplanarity.
+    #[schemars(with = "Option<[i64; 4]>")]
     pub coplanar: Option<Spanned<[i64; 4]>>,
-    /// Labels of the measurements at the home position, each after homing, e.g. `home-{cycle}`.
+    /// Pattern of the labels of the home position, each measured after homing.
+    #[schemars(with = "Option<String>")]
     pub homing: Option<Spanned<String>>,
-    /// Commanded poses in the world frame: `pose,x_mm,y_mm[,z_mm]`; without z all is in the plane. Without the file there is
-    /// no accuracy, distance or drift.
+    /// Table of commanded poses in the world frame: `pose,x_mm,y_mm[,z_mm]`. Without it there is no accuracy, distance or
+    /// drift.
+    #[schemars(with = "Option<String>")]
     pub commanded: Option<Spanned<String>>,
-    /// Cycles of one set of a drift test.
+    /// Number of cycles in one set of a drift test; without it there is no drift.
+    #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
 }
 
@@ -32,19 +39,23 @@ impl RepeatabilityDefinition {
     }
 }
 
-/// Attained and commanded poses. All tables are in one frame of their own.
-#[derive(Clone, Debug, Deserialize)]
+/// A test of poses from tables, which are in one frame of their own.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PosesDefinition {
-    /// Attained poses: `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]`.
+    /// Table of attained poses: `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]`.
+    #[schemars(with = "String")]
     pub attained: Spanned<String>,
-    /// Commanded poses: the same coordinates without `cycle`.
+    /// Table of commanded poses: the same coordinates without `cycle`.
+    #[schemars(with = "String")]
     pub commanded: Spanned<String>,
-    /// Reference targets that stand still, measured from time to time: `cycle,target,x_mm,y_mm[,z_mm]`.
+    /// Table of reference targets, which do not move and are measured from time to time: `cycle,target,x_mm,y_mm[,z_mm]`.
+    #[schemars(with = "Option<String>")]
     pub reference: Option<Spanned<String>>,
-    /// Cycles of one set of a drift test.
+    /// Number of cycles in one set of a drift test; without it there is no drift.
+    #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
-    /// Order of the rotations a, b, c, e.g. `Rz(c) Ry(b) Rx(a)`.
+    /// Order of the rotations a, b, c; with it reference targets compensate orientations too.
     pub rotation_order: Option<String>,
     /// Seed of the bootstrap intervals.
     #[serde(default = "seed")]
@@ -55,56 +66,61 @@ fn seed() -> u64 {
     1
 }
 
-/// A loaded robot.
-#[derive(Clone, Debug, Deserialize)]
+/// A test of static compliance.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ComplianceDefinition {
-    /// `direction,cycle,force_n,x_mm,y_mm[,z_mm]`, in each direction and cycle a row of force 0.
+    /// Table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`, with a row of force 0 in each direction and cycle.
+    #[schemars(with = "String")]
     pub file: Spanned<String>,
 }
 
 /// A recorded motion. Recording, path and commanded poses are in one frame: that of the recording.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StreamDefinition {
-    /// Name for the report, each once.
+    /// Name for the report; each name once.
+    #[schemars(with = "String")]
     pub name: Spanned<String>,
     /// The recording: `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, or any text whose `format` and `unit` are stated.
+    #[schemars(with = "String")]
     pub file: Spanned<String>,
-    /// Its format, where it is another.
+    /// Format of the recording, as that of an export; without it the recording is the table above.
     pub format: Option<Format>,
-    /// Its length unit, where `format` is stated: never guessed.
+    /// Length unit of the recording; required with `format`.
     pub unit: Option<Unit>,
-    /// Sampling rate, instead of its time stamps.
+    /// Sampling rate, in place of the time stamps.
     pub rate_hz: Option<f64>,
-    /// Standing: all positions within this distance of their mean.
+    /// A standstill has all positions within this distance of their mean.
     #[serde(default = "still_mm")]
     pub still_mm: f64,
-    /// Standing: for at least this time.
+    /// A standstill has at least this duration.
     #[serde(default = "still_s")]
     pub still_s: f64,
-    /// How near a standstill is to its pose, and an attained path to the commanded one.
+    /// Largest distance of a standstill from its pose, and of an attained path from the commanded one.
     #[serde(default = "near_mm")]
     pub near_mm: f64,
     /// Limit band for stabilisation time, overshoot and posing time.
     pub band_mm: Option<f64>,
-    /// Commanded poses: `pose,x_mm,y_mm[,z_mm]...`
+    /// Table of commanded poses: `pose,x_mm,y_mm[,z_mm]...`
+    #[schemars(with = "Option<String>")]
     pub commanded: Option<Spanned<String>>,
-    /// Commanded path: the recording's columns without time, a row a point.
+    /// Table of the commanded path: the columns of the recording without time, one row for each point.
+    #[schemars(with = "Option<String>")]
     pub path: Option<Spanned<String>>,
-    /// Command points on the path.
+    /// Number of command points on the path.
     #[serde(default = "path_points")]
     pub path_points: usize,
     /// Commanded velocity on the path.
     pub velocity_mm_s: Option<f64>,
-    /// Central part of the path over which velocities are compared.
+    /// Central part of the path in which velocities are evaluated.
     #[serde(default = "central_percent")]
     pub central_percent: f64,
-    /// The path is the centre line of a weave with this stroke from side to side.
+    /// Stroke of a weave from side to side; the path is then its centre line.
     pub weave_stroke_mm: Option<f64>,
-    /// Swings there and back by second.
+    /// Frequency of the weave, there and back.
     pub weave_hz: Option<f64>,
-    /// The way it swings: x, y and z.
+    /// Direction of the weave: x, y and z.
     #[serde(default)]
     pub weave_across: Vec<f64>,
 }

@@ -1,25 +1,46 @@
 //! `[join]`: how measurements meet joint values.
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
 use std::fmt;
 use toml::Spanned;
 
-/// How measurements meet joint values.
-#[derive(Clone, Debug, Deserialize)]
+/// How points are joined with joint values.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Join {
-    /// The key.
+    /// Key of the join.
+    #[schemars(schema_with = "join_by")]
     pub by: JoinBy,
-    /// Targets that become observations; all of the robot's if absent.
+    /// Targets that become observations; all targets of the robot if absent.
+    #[schemars(with = "Option<Vec<String>>")]
     pub targets: Option<Vec<Spanned<String>>>,
-    /// Time of the measurement minus time of the log, for a join by time.
+    /// Time of the measurement minus time of the log, for a join by time; `standstills` determines it from the log.
     pub clock_offset_s: Option<ClockOffset>,
-    /// How far two times may lie apart.
+    /// Largest difference of two times, for a join by time.
     pub tolerance_s: Option<f64>,
-    /// Joint values between the row before and the row after, for a join by time.
+    /// Interpolates joint values between the rows before and after, for a join by time.
     #[serde(default)]
     pub interpolate: bool,
+}
+
+fn join_by(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "anyOf": [
+        { "enum": [["pose", "cycle"], ["cycle", "pose"], ["pose"]] },
+        { "enum": ["pose", "row", "time", "label"] },
+    ] })
+}
+
+impl JsonSchema for ClockOffset {
+    fn schema_name() -> Cow<'static, str> {
+        "ClockOffset".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [{ "type": "number" }, { "const": "standstills" }] })
+    }
 }
 
 /// The offset of two clocks.

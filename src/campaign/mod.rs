@@ -19,6 +19,7 @@ pub use types::*;
 
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result, Stated};
+use crate::document::schema::schema;
 use crate::math::identify::Settings;
 use crate::math::robots::Robot;
 use std::collections::BTreeMap;
@@ -201,4 +202,9 @@ pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
     }
     let text = files::read_text(path)?;
     Ok(toml_file::parse::<Parameters>(&path.display().to_string(), &text)?.parameters)
+}
+
+/// Name and JSON Schema of every input file, as in `schemas/`.
+pub fn schemas() -> Vec<(&'static str, String)> {
+    vec![("campaign.toml", schema::<CampaignFile>()), ("robot.toml", schema::<RobotFile>())]
 }

@@ -3,6 +3,7 @@
 use super::toml_file::{self, Recovered, UnreadKeys};
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::math::robots::{FiveBar, Limits, Parameter, Prexyt, Quantity, Robot, Role, Serial, SerialJoint};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -10,15 +11,15 @@ use std::collections::BTreeMap;
 const NEAR_PARALLEL_RAD: f64 = 0.052;
 
 /// `robot.toml`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RobotFile {
-    /// Name for the report.
+    /// Name of the robot, for the report and for `etalon compare`.
     pub name: Option<String>,
     /// The kinematic model.
     pub model: Model,
-    /// Nominal values by name, in mm, deg and 1. Geometry of the robot must be given; of the rest what is not given is the
-    /// model's own.
+    /// Nominal parameters by name, in mm, deg or without unit. The geometry of the robot must be stated; other parameters
+    /// have the values of the model.
     #[serde(default)]
     pub nominal: BTreeMap<String, f64>,
     /// Joints of a serial arm, from the base.
@@ -27,16 +28,16 @@ pub struct RobotFile {
     /// Direction of gravity in the base of a serial arm.
     #[serde(default = "down")]
     pub gravity: [f64; 3],
-    /// Joints of a serial arm that bend under gravity, from 1.
+    /// Numbers of the joints of a serial arm that bend under gravity, from 1.
     #[serde(default)]
     pub bending: Vec<usize>,
-    /// Pairs (joint, by which joint) of a coupled wrist, from 1.
+    /// Coupled joints of a serial arm: pairs of a joint and the joint that moves it, from 1.
     #[serde(default)]
     pub coupling: Vec<(usize, usize)>,
-    /// What a PreXYT or a five-bar can reach.
+    /// Limits of a PreXYT or a five-bar.
     #[serde(default)]
     pub reach: ReachDefinition,
-    /// base_rx, base_ry, base_rz are counted after this turn about the world's y axis.
+    /// Rotation about the y axis of the world before base_rx, base_ry and base_rz of a serial arm.
     #[serde(default)]
     pub base_turn_y_deg: f64,
     /// The file as the user named it, and its text.
@@ -55,7 +56,7 @@ fn down() -> [f64; 3] {
 }
 
 /// A kinematic model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Model {
     /// PreXYT with 13 parameters.
@@ -68,21 +69,21 @@ pub enum Model {
     Serial,
 }
 
-/// What a robot can reach; a limit not given is none. `travel_mm` is of a PreXYT, the others are of a five-bar.
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
+/// Limits of a robot: `travel_mm` of a PreXYT, the others of a five-bar. A limit that is not stated does not apply.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ReachDefinition {
-    /// Least and greatest encoder angle of joint 1.
+    /// Smallest and largest encoder angle of joint 1.
     pub theta1_deg: Option<[f64; 2]>,
-    /// Least and greatest encoder angle of joint 2.
+    /// Smallest and largest encoder angle of joint 2.
     pub theta2_deg: Option<[f64; 2]>,
-    /// The proximal link of one arm and the distal link of the other stay farther apart than this; 0 forbids that they cross.
+    /// Smallest distance between the proximal link of one arm and the distal link of the other; 0 excludes that they cross.
     pub clearance_mm: Option<f64>,
-    /// Least angle by which an arm must miss being stretched or folded.
+    /// Smallest angle of an arm from being stretched or folded (type 1 singularity).
     pub type1_margin_deg: Option<f64>,
-    /// Least angle by which the distal links must miss being in line.
+    /// Smallest angle of the distal links from being in line (type 2 singularity).
     pub type2_margin_deg: Option<f64>,
-    /// How far each actuator goes from zero.
+    /// Travel of each actuator from zero.
     pub travel_mm: Option<[f64; 3]>,
 }
 
@@ -99,22 +100,22 @@ impl ReachDefinition {
     }
 }
 
-/// Nominal modified Denavit-Hartenberg parameters of a joint (Craig).
-#[derive(Clone, Copy, Debug, Deserialize)]
+/// A joint of a serial arm by its nominal modified Denavit-Hartenberg parameters (Craig), from the base.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointDefinition {
-    /// Twist of the link before the joint.
+    /// Twist of the previous link.
     pub alpha_deg: f64,
-    /// Length of the link before the joint.
+    /// Length of the previous link.
     pub a_mm: f64,
     /// Joint offset.
     pub theta_deg: f64,
     /// Link offset.
     pub d_mm: f64,
-    /// The joint slides instead of turning.
+    /// The joint is prismatic.
     #[serde(default)]
     pub prismatic: bool,
-    /// Near-parallel to the axis before: beta replaces d. By default decided by alpha.
+    /// Near-parallel to the previous axis: Hayati's beta replaces d. By default so below 3 degrees of twist.
     pub parallel: Option<bool>,
 }
 

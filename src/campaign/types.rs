@@ -4,6 +4,7 @@ use super::{Join, JoinBy};
 use crate::document::{Conditions, Language};
 use crate::import::{Export, format::Log};
 use crate::math::identify::ResidualKind;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -11,73 +12,77 @@ use std::fmt;
 use toml::Spanned;
 
 /// `campaign.toml`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CampaignFile {
     /// Name of the campaign.
     pub name: String,
-    /// File that describes the robot.
+    /// File of the robot, see robot.toml.
+    #[schemars(with = "String")]
     pub robot: Spanned<String>,
-    /// Folder for the documents.
+    /// Folder for the documents; it is replaced as a whole.
     #[serde(default = "default_output")]
+    #[schemars(with = "String")]
     pub output: Spanned<String>,
-    /// Set where the data are synthetic: how they were made. Every report repeats it.
+    /// How synthetic data were made; only for data that nobody measured. Every report repeats it.
     pub synthetic: Option<String>,
     /// Remarks for the report.
     pub notes: Option<String>,
-    /// Date of the measurements, as it shall stand in the report.
+    /// Date of the measurements, as the report prints it.
     pub date: Option<String>,
-    /// Who measured.
+    /// Name of the operator.
     pub operator: Option<String>,
     /// Temperature during the measurements.
     pub temperature_c: Option<f64>,
-    /// What a test report asks for beside that.
+    /// Conditions of a test, for the report.
     #[serde(default)]
     pub conditions: Conditions,
-    /// What was measured with.
+    /// The measuring instrument.
     pub instrument: Instrument,
-    /// How well the robot finds a measured point again. Stated where points are measured once and touched often: the
+    /// How well the robot finds a measured point again, where points are measured once and touched often: the
     /// instrument's error of a point is then common to all its observations.
     pub contact: Option<Contact>,
     /// Files of the measuring system.
     #[serde(default, rename = "export")]
     pub exports: Vec<Export>,
-    /// Targets whose distances cannot change.
+    /// Targets on one rigid part.
     #[serde(default, rename = "rigid")]
     pub rigid: Vec<Rigid>,
-    /// Targets that stand still, measured again and again.
+    /// Targets that do not move and are measured repeatedly.
     #[serde(default)]
     pub fixed: Vec<Fixed>,
-    /// Files of the controller. The first is used to identify, others are compared with it.
+    /// Logs of the controller. The first is used to identify; others are compared with it.
     #[serde(default, rename = "log", deserialize_with = "one_or_many")]
+    #[schemars(schema_with = "one_or_many_logs")]
     pub logs: Vec<Log>,
-    /// How measurements meet joint values.
+    /// How points are joined with joint values.
     pub join: Option<Join>,
-    /// Elements to fit.
+    /// Elements to fit, by name.
     #[serde(default, rename = "feature")]
     pub features: BTreeMap<String, FeatureDefinition>,
     /// Frames; without them the coordinates of the exports are those of the world.
     pub frame: Option<Frames>,
     /// What is identified; nothing where the campaign is a test by ISO 9283 alone.
     pub identify: Option<Identify>,
-    /// What geometry alone shall find (thesis, chapter 2).
+    /// Geometric calibration of a PreXYT (thesis, chapter 2).
     pub geometric: Option<super::GeometricDefinition>,
-    /// Poses that are visited again and again (thesis 2.4).
+    /// Test of repeatability from labelled points (thesis 2.4).
     pub repeatability: Option<super::RepeatabilityDefinition>,
-    /// Poses that were visited, as tables.
+    /// Test by ISO 9283 from tables of poses.
     pub poses: Option<super::PosesDefinition>,
-    /// How the robot gives way under load.
+    /// Test of static compliance.
     pub compliance: Option<super::ComplianceDefinition>,
     /// Recorded motions.
     #[serde(default, rename = "stream")]
     pub streams: Vec<super::StreamDefinition>,
-    /// What the result must meet.
+    /// Limits that the result must meet; otherwise the exit code is 1.
     #[serde(default)]
     pub limits: Limits,
-    /// How the report is dressed.
+    /// Language, logo and templates of the report.
     #[serde(default)]
     pub report: ReportDefinition,
-    /// Controller files to write.
+    /// Formats of the controller files to write: `json`, `csv`, `c-header`; all of them if absent.
+    #[schemars(with = "Option<Vec<String>>")]
     pub controllers: Option<Vec<Spanned<String>>>,
 }
 
@@ -113,12 +118,12 @@ fn default_output() -> Spanned<String> {
 }
 
 /// The measuring instrument.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Instrument {
-    /// Name for the report.
+    /// Name of the instrument, for the report.
     pub name: String,
-    /// Expanded uncertainty of one coordinate, in micrometres.
+    /// Expanded uncertainty of one coordinate.
     pub expanded_uncertainty_um: f64,
     /// Its coverage factor.
     pub coverage_factor: f64,
@@ -132,12 +137,12 @@ impl Instrument {
 }
 
 /// How well the robot finds a measured point again.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Contact {
-    /// Half width of what one coordinate repeats within, in micrometres.
+    /// Half width of the interval within which one coordinate repeats.
     pub repeatability_um: f64,
-    /// How many standard deviations that is.
+    /// The half width in standard deviations.
     pub coverage_factor: f64,
 }
 
@@ -149,36 +154,42 @@ impl Contact {
 }
 
 /// Targets on a rigid part.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rigid {
-    /// Their names.
+    /// Names of the targets.
+    #[schemars(with = "Vec<String>")]
     pub targets: Vec<Spanned<String>>,
-    /// How far a distance may lie from its median before the pose is refused.
+    /// Largest difference of a distance from its median; a row beyond is refused.
     pub tolerance_mm: f64,
 }
 
-/// Targets that stand still.
-#[derive(Clone, Debug, Deserialize)]
+/// Targets that do not move.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fixed {
-    /// Their names.
+    /// Names of the targets.
+    #[schemars(with = "Vec<String>")]
     pub targets: Vec<Spanned<String>>,
-    /// How far they may wander in the course of the campaign before it is told.
+    /// Permitted drift during the campaign; more is a warning.
     pub drift_mm: f64,
 }
 
-/// An element to fit: one of the four with the labels of its points.
-#[derive(Clone, Debug, Default, Deserialize)]
+/// An element to fit: exactly one of the four keys, with the labels of its points.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FeatureDefinition {
     /// Points of a plane.
+    #[schemars(with = "Option<Vec<String>>")]
     pub plane: Option<Vec<Spanned<String>>>,
     /// Points of a line.
+    #[schemars(with = "Option<Vec<String>>")]
     pub line: Option<Vec<Spanned<String>>>,
     /// Points of a circle in space.
+    #[schemars(with = "Option<Vec<String>>")]
     pub circle: Option<Vec<Spanned<String>>>,
     /// Points of a cylinder.
+    #[schemars(with = "Option<Vec<String>>")]
     pub cylinder: Option<Vec<Spanned<String>>>,
 }
 
@@ -193,7 +204,7 @@ impl FeatureDefinition {
 }
 
 /// Frames of a campaign.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Frames {
     /// The frame in which observations are expressed.
@@ -201,20 +212,26 @@ pub struct Frames {
 }
 
 /// The world frame: from plane, origin and axis; or from targets; or that of the export.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WorldDefinition {
-    /// Feature whose plane is the xy plane.
+    /// Name of the feature that is the xy plane.
+    #[schemars(with = "Option<String>")]
     pub plane: Option<Spanned<String>>,
     /// Label or feature whose point, projected into the plane, is the origin.
+    #[schemars(with = "Option<String>")]
     pub origin: Option<Spanned<String>>,
     /// Two labels (from, to), or one feature with a direction.
+    #[schemars(with = "Option<Vec<String>>")]
     pub x_axis: Option<Vec<Spanned<String>>>,
     /// Two labels (from, to), or one feature with a direction.
+    #[schemars(with = "Option<Vec<String>>")]
     pub y_axis: Option<Vec<Spanned<String>>>,
-    /// A label on the positive side of the other axis: decides which way z points.
+    /// Label of a point on the positive side of the other axis; it decides the direction of z.
+    #[schemars(with = "Option<String>")]
     pub towards: Option<Spanned<String>>,
-    /// Targets that carry the frame: origin at the first, x axis to the second, third in the xy plane.
+    /// Targets that define the frame: origin at the first, x axis to the second, third in the xy plane.
+    #[schemars(with = "Option<Vec<String>>")]
     pub targets: Option<Vec<Spanned<String>>>,
     /// `"pose"`: the targets were measured again at every pose.
     pub each: Option<EachPose>,
@@ -232,26 +249,29 @@ impl WorldDefinition {
 }
 
 /// A frame that is measured again at every pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum EachPose {
     /// At every pose.
     Pose,
 }
 
-/// What is identified.
-#[derive(Clone, Debug, Deserialize)]
+/// Identification of parameters.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Identify {
-    /// Residuals of targets or of the pose.
+    /// Residuals of `targets`, or of the `pose` (planar robots, thesis eq. 3.26).
     #[serde(default = "default_residuals")]
     pub residuals: ResidualKind,
-    /// Poses to identify on, e.g. `"1-8"`.
+    /// Poses to identify with: numbers and ranges, `all`, or `index mod 10 < 7` (index from 0).
+    #[schemars(with = "String")]
     pub calibration: Spanned<String>,
-    /// Poses to test on.
+    /// Poses to validate with, likewise; `rest` is all poses that the calibration does not use.
+    #[schemars(with = "Option<String>")]
     pub validation: Option<Spanned<String>>,
-    /// Parameters held at their nominal values.
+    /// Parameters held at their nominal values; `*` replaces any text.
     #[serde(default)]
+    #[schemars(with = "Vec<String>")]
     pub hold: Vec<Spanned<String>>,
 }
 
@@ -260,7 +280,7 @@ fn default_residuals() -> ResidualKind {
 }
 
 /// What the result must meet, on the validation poses if there are any.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Limits {
     /// Largest position error.
@@ -292,15 +312,22 @@ impl Limits {
 }
 
 /// Language, logo and templates of the report.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct ReportDefinition {
     /// Language of the report.
     pub language: Language,
     /// The laboratory's logo, SVG or PNG.
+    #[schemars(with = "Option<String>")]
     pub logo: Option<Spanned<String>>,
     /// Folder of templates that replace the built-in ones of the same name.
+    #[schemars(with = "Option<String>")]
     pub templates: Option<Spanned<String>>,
+}
+
+fn one_or_many_logs(generator: &mut SchemaGenerator) -> Schema {
+    let (one, many) = (generator.subschema_for::<Log>(), generator.subschema_for::<Vec<Log>>());
+    json_schema!({ "anyOf": [one, many] })
 }
 
 /// A table, or an array of tables.

@@ -3,22 +3,31 @@
 use super::{Verdict, print};
 use crate::base::message::{Message, Problems};
 
-/// Print the JSON Schema of a document
+/// Print the JSON Schema of an input file or of a JSON document
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Input files, for editors and other programs that write campaigns:
+  campaign.toml, robot.toml
+
+Documents of the output folder, by the name of the file without `.json`:
+  accuracy, campaign (what the campaign states about itself), features, frames, geometric, import,
+  iso9283, iso9283-compliance, iso9283-streams, parameters
+
+Answers to `--json` of commands:
+  check, compare, fit, formats, iso9283-plan, iso9283-stream, plan, written (files that a command wrote)")]
 pub struct Schema {
-    /// Name of the document, e.g. parameters
-    document: String,
-    /// Change nothing: a schema is JSON
+    /// Name of the file or document, e.g. campaign.toml or parameters
+    name: String,
+    /// Accepted like that of other commands: a schema is always JSON
     #[arg(long)]
     json: bool,
 }
 
 impl Schema {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let all = crate::document::schema::all();
-        let (_, text) = all.iter().find(|(name, _)| *name == self.document).ok_or_else(|| {
-            let message = Message::error(format!("there is no document `{}`", self.document));
-            Problems::from(message.hint_names(&self.document, all.iter().map(|(name, _)| *name)))
+        let all = [crate::campaign::schemas(), crate::document::schema::all()].concat();
+        let (_, text) = all.iter().find(|(name, _)| *name == self.name).ok_or_else(|| {
+            let message = Message::error(format!("there is no schema `{}`", self.name));
+            Problems::from(message.hint_names(&self.name, all.iter().map(|(name, _)| *name)))
         })?;
         print(text)?;
         Ok(Verdict::Met)

@@ -50,12 +50,11 @@ pub struct ContactSummary {
     pub coverage_factor: f64,
 }
 
-/// Conditions of a test, as `[conditions]` of the campaign states them (ISO 9283:1998, 6 and 12). What is absent is not
-/// stated, and the report says so.
+/// Conditions of a test (ISO 9283:1998, 6 and 12). A report of a test lists what is absent as "not stated".
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Conditions {
-    /// Who tests: name and address.
+    /// Name and address of the laboratory.
     pub laboratory: Option<String>,
     /// Make, type and serial number of the robot.
     pub robot: Option<String>,
@@ -67,21 +66,21 @@ pub struct Conditions {
     pub measurement_point: Option<String>,
     /// Mass of the load at the mechanical interface.
     pub load_kg: Option<f64>,
-    /// Its centre of mass from the mechanical interface.
+    /// Centre of mass of the load from the mechanical interface.
     pub load_centre_mm: Option<Vector>,
-    /// Velocities of the test in per cent of the rated one.
+    /// Velocities of the test in per cent of the rated velocity.
     pub velocities_percent: Option<Vec<f64>>,
-    /// The same as path velocities.
+    /// Path velocities of the test.
     pub velocities_mm_s: Option<Vec<f64>>,
     /// Room, air, vibrations, electromagnetic fields.
     pub environment: Option<String>,
     /// Relative humidity.
     pub humidity_percent: Option<f64>,
-    /// How long the robot moved before the test.
+    /// Duration of motion before the test.
     pub warm_up_minutes: Option<f64>,
     /// Certificate of the instrument's calibration, and its date.
     pub instrument_calibration: Option<String>,
-    /// What was done otherwise than the standard says; an empty list states that there is nothing.
+    /// Deviations from the standard; an empty list states that there are none.
     pub deviations: Option<Vec<String>>,
 }
 

@@ -3,7 +3,7 @@
 use crate::document::*;
 use schemars::JsonSchema;
 
-/// Name and schema text of every document, as it stands in `schemas/`.
+/// Name and schema of every document, as in `schemas/`.
 pub fn all() -> Vec<(&'static str, String)> {
     vec![
         ("accuracy", schema::<AccuracyDocument>()),
@@ -27,7 +27,8 @@ pub fn all() -> Vec<(&'static str, String)> {
     ]
 }
 
-fn schema<T: JsonSchema>() -> String {
+/// The schema of a type as text.
+pub fn schema<T: JsonSchema>() -> String {
     // a schema is plain JSON: writing it cannot fail
     serde_json::to_string_pretty(&schemars::schema_for!(T)).unwrap_or_default() + "\n"
 }

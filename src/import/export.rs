@@ -2,25 +2,28 @@
 
 use super::format::{Encoding, FromRow, Unit};
 use super::formats::Format;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
 /// A file of a measuring system.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Export {
-    /// The file.
+    /// Name of the file.
+    #[schemars(with = "String")]
     pub file: Spanned<String>,
-    /// Its format.
+    /// Format of the file: a name, or a table of text key by key.
     pub format: Format,
-    /// How its bytes become characters; UTF-8, or what its byte-order mark says, if it is absent.
+    /// Encoding of its characters; UTF-8, or that of its byte-order mark, if absent.
     pub encoding: Option<Encoding>,
-    /// Its length unit: never guessed.
+    /// Length unit of the file.
     pub unit: Unit,
-    /// How a label names target, pose and cycle, e.g. `{target}_{pose}_{cycle}`.
+    /// Pattern of the labels, with `{target}`, `{pose}` and `{cycle}`.
+    #[schemars(with = "Option<String>")]
     pub label: Option<Spanned<String>>,
-    /// The target that all rows are of, where the file does not name it.
+    /// Target of all rows, where the file does not name it.
     pub target: Option<String>,
-    /// `"row"`: the number of the data row is the number of the pose.
+    /// `row`: the number of the data row is the number of the pose.
     pub pose: Option<FromRow>,
 }

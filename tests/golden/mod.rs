@@ -1,5 +1,6 @@
 //! Documents as they are committed. `ETALON_UPDATE=1 make test` writes them again.
 
+mod keys;
 mod motion;
 mod pose_test;
 
@@ -17,7 +18,10 @@ fn compare(path: &str, text: &str) {
 
 #[test]
 fn committed_schemas_are_current() {
-    for (name, text) in etalon::document::schema::all() {
+    let program = std::process::Command::new(env!("CARGO_BIN_EXE_etalon")).args(["schema", "--help"]).output().unwrap();
+    let help = String::from_utf8(program.stdout).unwrap();
+    for (name, text) in [etalon::campaign::schemas(), etalon::document::schema::all()].concat() {
+        assert!(help.split([' ', ',', '\n']).any(|word| word == name), "`{name}` is not in `etalon schema --help`");
         compare(&format!("schemas/{name}.schema.json"), &text);
     }
 }

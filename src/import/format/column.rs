@@ -1,7 +1,9 @@
 //! A column of a log, and how what stands in it becomes a joint value.
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
 use std::fmt;
 
 /// A column of a log: `"name in the header"`, a number from 1, or a table with more about it.
@@ -32,14 +34,32 @@ impl From<ColumnAt> for Column {
     }
 }
 
-#[derive(Deserialize)]
+/// A column of a log: exactly one of `name` and `number`.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "ColumnTable")]
 struct Stated {
+    /// Name of the column in the header.
     name: Option<String>,
+    /// Number of the column, from 1.
     number: Option<usize>,
+    /// Which of several columns of this name, from 1.
     occurrence: Option<usize>,
+    /// Joint value of one encoder count, in the unit of the joint.
     per_count: Option<f64>,
+    /// Encoder count at which the joint is at zero.
     zero_count: Option<f64>,
+}
+
+impl JsonSchema for Column {
+    fn schema_name() -> Cow<'static, str> {
+        "Column".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let table = generator.subschema_for::<Stated>();
+        json_schema!({ "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }, table] })
+    }
 }
 
 impl<'de> Deserialize<'de> for Column {

@@ -1,12 +1,14 @@
 //! What the columns of a text hold: from the left, or by their names in the header.
 
 use super::column::{Column, ColumnAt};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
 use std::fmt;
 
 /// What a column holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
     /// Label of the point; the parts of several are joined by `::`.
@@ -148,6 +150,25 @@ impl Columns {
     /// Whether a column holds this.
     pub fn contains(&self, role: Role) -> bool {
         self.roles().contains(&role)
+    }
+}
+
+impl JsonSchema for Columns {
+    fn schema_name() -> Cow<'static, str> {
+        "Columns".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let role = generator.subschema_for::<Role>();
+        let column = json_schema!({ "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }] });
+        json_schema!({ "anyOf": [
+            { "type": "array", "items": role },
+            {
+                "type": "object",
+                "propertyNames": role,
+                "additionalProperties": { "anyOf": [column, { "type": "array", "items": column }] },
+            },
+        ] })
     }
 }
 

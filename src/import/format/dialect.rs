@@ -2,43 +2,44 @@
 
 use super::columns::{Columns, Role};
 use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
-use serde::Deserialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A text of rows and columns. Exactly one of `delimiter`, `widths` and `sheet` says what separates columns.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+/// A table of text, or a sheet of a workbook. Exactly one of `delimiter`, `widths` and `sheet` states what separates the columns.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Dialect {
     /// What separates columns.
     pub delimiter: Option<Delimiter>,
-    /// Width of each column in characters, where nothing separates them.
+    /// Width of each column in characters, where nothing separates the columns.
     pub widths: Vec<usize>,
-    /// Sheet of an Excel workbook.
+    /// Name of the sheet of an Excel workbook.
     pub sheet: Option<String>,
     /// Decimal mark.
     pub decimal: Decimal,
-    /// What stands between groups of three digits.
+    /// Mark between groups of three digits.
     pub thousands: Option<Thousands>,
-    /// What each column holds.
+    /// What each column contains: from the left, or by the names of the header.
     pub columns: Columns,
-    /// For files that mix coordinate types: what the columns `c1`, `c2`, `c3` are in rows whose `type` says so.
+    /// For files of several coordinate types: what `c1`, `c2`, `c3` are, by the content of the column `type`.
     pub types: BTreeMap<String, Vec<Role>>,
-    /// Unit of azimuth, zenith and elevation: never guessed.
+    /// Unit of azimuth, zenith and elevation; required with them.
     pub angle_unit: Option<AngleUnit>,
-    /// Says that the coordinates are what `columns` calls them, whatever they look like.
+    /// Confirms the coordinate type of `columns` where the values look like another one.
     pub coordinates: Option<CoordinateType>,
-    /// What comes before the data.
+    /// Number of rows before the data, or words of the row before the data.
     pub header: Header,
-    /// Lines that start with this are skipped.
+    /// Beginning of lines that are skipped.
     pub comment: Option<String>,
-    /// Cells that say "not measured", instead of those of [`NOT_MEASURED`](super::NOT_MEASURED).
+    /// Cells that mean "not measured".
     pub missing: Missing,
-    /// A row of this word alone ends the data.
+    /// Row that ends the data.
     pub end: Option<String>,
 }
 
 /// What separates columns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 pub enum Delimiter {
     /// Any number of blanks or tabs.
     #[serde(rename = "blank", alias = " ")]
@@ -82,7 +83,7 @@ impl Delimiter {
 }
 
 /// Decimal mark.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum Decimal {
     /// `1.5`
     #[default]
@@ -101,7 +102,7 @@ impl Decimal {
 }
 
 /// Length unit of an export.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 pub enum Unit {
     /// Millimetre.
     #[serde(rename = "mm")]

@@ -1,25 +1,27 @@
 //! `[log]`: a file of a controller, and how it is to be read.
 
 use super::{Column, Decimal, Delimiter, Encoding};
-use serde::Deserialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// A file of a controller.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Log {
-    /// Name of the log where there are several.
+    /// Name of the log, where there are several.
     #[serde(default = "default_log")]
     pub name: String,
-    /// The file.
+    /// Name of the file.
+    #[schemars(with = "String")]
     pub file: Spanned<String>,
-    /// How its bytes become characters; UTF-8, or what its byte-order mark says, if it is absent.
+    /// Encoding of its characters; UTF-8, or that of its byte-order mark, if absent.
     pub encoding: Option<Encoding>,
-    /// Who wrote it; any delimited text if absent.
+    /// Controller that wrote the log.
     #[serde(default)]
     pub format: LogFormat,
-    /// `blank`, `tab`, `,`, `;` or `|`; a comma if absent.
+    /// What separates the columns; a comma if absent.
     pub delimiter: Option<Delimiter>,
     /// Decimal mark.
     #[serde(default)]
@@ -27,28 +29,29 @@ pub struct Log {
     /// The first row names the columns.
     #[serde(default = "yes")]
     pub header: bool,
-    /// What stands in which column: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` of the point touched, and the
-    /// joints with their units.
+    /// The columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point touched), and the joints
+    /// with their units.
+    #[schemars(with = "BTreeMap<String, Column>")]
     pub columns: BTreeMap<Spanned<String>, Column>,
-    /// `"row"`: the number of the data row is the number of the pose.
+    /// `row`: the number of the data row is the number of the pose.
     pub pose: Option<FromRow>,
-    /// Time from one row to the next, of a log without a clock: its first row is at 0.
+    /// Time from one row to the next, of a log without a clock; its first row is at 0.
     pub period_s: Option<f64>,
-    /// Whether channels with a scale hold raw or scaled values (TwinCAT).
+    /// Whether channels with a scale contain raw or scaled values (TwinCAT).
     pub values: Option<ChannelValues>,
-    /// Of a log recorded while the robot moved: when it stands. Then each standstill is one row, of mean joint values.
+    /// Reduces a log recorded during motion to one row of mean joint values for each standstill.
     pub standstill: Option<Standstill>,
 }
 
-/// When a robot stands: no joint moves by more than is stated within the time that is stated.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+/// A standstill: no joint moves by more than the stated difference for at least the stated time.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Standstill {
-    /// How long it stands at least.
+    /// Least duration of a standstill.
     pub at_least_s: f64,
-    /// Largest difference of two values of a turning joint that stands.
+    /// Largest difference of two values of a revolute joint in a standstill.
     pub within_deg: Option<f64>,
-    /// Largest difference of two values of a sliding joint that stands.
+    /// Largest difference of two values of a prismatic joint in a standstill.
     pub within_mm: Option<f64>,
 }
 
@@ -60,7 +63,7 @@ impl Log {
 }
 
 /// Who wrote a log: what is known of its columns, units and clock.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum LogFormat {
     /// Delimited text of which nothing is known but what the campaign states.
     #[default]
@@ -98,7 +101,7 @@ impl LogFormat {
 }
 
 /// What the channels of a TwinCAT Scope export hold: an option of the export that the file does not tell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ChannelValues {
     /// As they were recorded: factor and offset of the header are still to be applied.
@@ -116,7 +119,7 @@ fn yes() -> bool {
 }
 
 /// A number that is the number of its row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum FromRow {
     /// Counted from 1 over the data rows of the file, refused ones included.

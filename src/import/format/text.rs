@@ -1,11 +1,13 @@
 //! What a delimited text is made of beside its delimiter: encoding, marks, header, angles, what is not measured.
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::borrow::Cow;
 use std::fmt;
 
 /// How bytes become characters. Without a statement a text is UTF-8, or what its byte-order mark says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 pub enum Encoding {
     /// UTF-8, with a byte-order mark or without.
     #[serde(rename = "utf-8", alias = "utf8", alias = "ascii")]
@@ -34,7 +36,7 @@ impl Encoding {
 }
 
 /// What stands between groups of three digits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 pub enum Thousands {
     /// `1,234.5`
     #[serde(rename = ",", alias = "comma")]
@@ -73,7 +75,7 @@ impl Thousands {
 }
 
 /// Unit of angles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum AngleUnit {
     /// Degree.
@@ -105,7 +107,7 @@ impl AngleUnit {
 }
 
 /// What three coordinates are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum CoordinateType {
     /// x, y, z.
@@ -128,7 +130,8 @@ impl CoordinateType {
 }
 
 /// Where the data begin.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
 pub enum Header {
     /// After so many rows; empty lines and comments are no rows.
     Rows(usize),
@@ -139,6 +142,20 @@ pub enum Header {
 impl Default for Header {
     fn default() -> Self {
         Self::Rows(0)
+    }
+}
+
+impl JsonSchema for Header {
+    fn schema_name() -> Cow<'static, str> {
+        "Header".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [
+            { "type": "integer", "minimum": 0 },
+            { "type": "string" },
+            { "type": "array", "items": { "type": "string" } },
+        ] })
     }
 }
 
@@ -180,7 +197,7 @@ pub const NOT_MEASURED: [&str; 12] =
     ["", "-", "--", "---", "N/A", "n/a", "#N/A", "nan", "1.#QNAN", "-1.#IND", "*", "0 0 0"];
 
 /// What says "not measured".
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Missing(Vec<String>);
 

@@ -25,8 +25,10 @@ use super::written::number;
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
 use crate::import::format::{Decimal, Dialect, Unit};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
 use std::fmt;
 
 /// Every format that has a name. To add one: its file, and its line here.
@@ -220,6 +222,19 @@ impl fmt::Display for Format {
 impl fmt::Debug for Format {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{self}")
+    }
+}
+
+impl JsonSchema for Format {
+    fn schema_name() -> Cow<'static, str> {
+        "Format".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let commas = FORMATS.iter().map(|format| format.about()).filter(|about| about.decimal_comma);
+        let commas = commas.map(|about| format!("{}, decimal comma", about.name));
+        let names: Vec<String> = Self::names().map(str::to_owned).chain(commas).collect();
+        json_schema!({ "anyOf": [{ "enum": names }, generator.subschema_for::<Dialect>()] })
     }
 }
 
