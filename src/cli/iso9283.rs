@@ -1,22 +1,21 @@
 //! `etalon iso9283`
 
-mod compliance;
 mod plan;
 mod stream;
-mod stream_text;
 
+use super::table_file::TableFile;
 use super::{Verdict, print, say};
 use crate::base::message::{Message, Problems};
-use crate::document::{Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose};
+use crate::document::{Iso9283ComplianceDocument, Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose};
 use crate::run::output;
+use crate::stages::iso9283::load;
 use crate::stages::iso9283::pose::{DRAWS, Settings};
 use crate::stages::iso9283::pose_tables::PoseTables;
-pub(super) use compliance::as_text as compliance_as_text;
 use plan::PlanOptions;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use stream::StreamOptions;
-pub(super) use stream_text::as_text as stream_as_text;
+pub(super) use stream::as_text as stream_as_text;
 
 /// Evaluate accuracy, repeatability and other characteristics by ISO 9283
 ///
@@ -77,7 +76,7 @@ impl Iso9283 {
             return self.plan.run(self.json);
         }
         if let Some(table) = &self.compliance {
-            return compliance::run(table, self.json);
+            return compliance(table, self.json);
         }
         match (&self.stream.stream, &self.poses, &self.commanded) {
             (Some(stream), _, commanded) => self.stream.run(stream, commanded.as_deref(), (self.seed, self.json)),
@@ -195,6 +194,31 @@ pub(super) fn as_text(document: &Iso9283Document, all: bool) -> String {
         if let Some(value) = value {
             let _ = writeln!(text, "{name}: {value:.4} mm");
         }
+    }
+    text
+}
+
+/// Static compliance from a table of loads.
+fn compliance(path: &Path, json: bool) -> anyhow::Result<Verdict> {
+    let table = TableFile::read(path)?;
+    let document = load::evaluate(table.named()).map_err(|p| table.place(p))?;
+    for message in &document.messages {
+        say(format_args!("{message}\n"));
+    }
+    print(if json { output::to_json(&document)? } else { compliance_as_text(&document).into_bytes() })?;
+    Ok(Verdict::Met)
+}
+
+/// A line for each direction.
+pub(super) fn compliance_as_text(document: &Iso9283ComplianceDocument) -> String {
+    let mut text = String::new();
+    for d in &document.directions {
+        let u = d.standard_uncertainty_mm_n.map(|u| format!(" (u = {u:.1e})")).unwrap_or_default();
+        let _ = writeln!(
+            text,
+            "{}: {:.6} mm/N{u} up to {} N, off the line {:.4} mm, {} readings in {} cycles",
+            d.direction, d.compliance_mm_n, d.force_n, d.off_line_mm, d.readings, d.cycles
+        );
     }
     text
 }

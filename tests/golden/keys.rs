@@ -1,5 +1,6 @@
 //! Keys of `campaign.toml` and `robot.toml`: docs/*.md list them from the schemas, and every sample follows these.
 
+use etalon::math::robots::{Quantity, Role};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -274,13 +275,28 @@ fn samples(name: &str) -> Vec<PathBuf> {
     all
 }
 
-/// Compares the list of keys in a page with what the schema makes.
-fn check_page(name: &str, page: &str, examples: &[PathBuf]) {
+/// The parameters that `[nominal]` may state for a robot.
+fn parameters(file: &Path) -> String {
+    let robot = etalon::campaign::read_robot(file).unwrap().build(&["T".to_owned()]).unwrap();
+    let mut text = format!("### `[nominal]` of `{}`\n\n", robot.model());
+    text += "| parameter | unit | of | default |\n| --- | --- | --- | --- |\n";
+    for p in robot.parameters() {
+        let of = format!("{:?}", p.role).to_lowercase();
+        // geometry of one machine is not that of another
+        let stated = p.role == Role::Robot && p.quantity != Quantity::Ratio && p.nominal != 0.0;
+        let default = if stated { "required".to_owned() } else { p.quantity.outward(p.nominal).to_string() };
+        let _ = writeln!(text, "| `{}` | {} | {of} | {default} |", p.name, p.quantity.unit());
+    }
+    text + "\n"
+}
+
+/// Compares the list of keys in a page with what the schema makes, and with `more` below it.
+fn check_page(name: &str, page: &str, examples: &[PathBuf], more: &str) {
     const MARK: &str = "<!-- From here on made from the types: ETALON_UPDATE=1 cargo test keys -->\n";
     let schema = Schema::of(name);
     let read: Vec<toml::Value> = examples.iter().map(|path| read(path)).collect();
     let mut wrong = String::new();
-    let list = listing(&schema, &read, &mut wrong);
+    let list = listing(&schema, &read, &mut wrong) + more;
     assert!(wrong.is_empty(), "{name}:\n{wrong}");
     let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(page)).unwrap();
     let (above, _) = text.split_once(MARK).expect("the page has the mark");
@@ -301,7 +317,7 @@ fn keys_of_campaigns_are_documented() {
     let (_, problems) = etalon::campaign::Campaign::recover(&all).unwrap();
     let keys: Vec<_> = problems.0.iter().filter(|m| !m.what.contains("robot.toml")).collect();
     assert!(keys.is_empty(), "{keys:?}");
-    check_page("campaign.toml", "docs/campaign.md", std::slice::from_ref(&all));
+    check_page("campaign.toml", "docs/campaign.md", std::slice::from_ref(&all), "");
     check_values("campaign.toml", &[samples("campaign.toml"), vec![all]].concat());
 }
 
@@ -313,7 +329,9 @@ fn keys_of_robots_are_documented() {
         let robot = etalon::campaign::read_robot(path).unwrap();
         robot.build(&["T".to_owned()]).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     }
-    check_page("robot.toml", "docs/robot.md", &all);
+    // joints of a serial arm state their own
+    let nominal = all[..2].iter().map(|path| parameters(path)).collect::<String>();
+    check_page("robot.toml", "docs/robot.md", &all, &nominal);
     check_values("robot.toml", &[samples("robot.toml"), all.to_vec()].concat());
 }
 
