@@ -2,7 +2,7 @@
 
 use super::{Join, JoinBy};
 use crate::document::{Conditions, Language};
-use crate::import::{Export, format::Log};
+use crate::import::{Export, Log};
 use crate::math::identify::ResidualKind;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};

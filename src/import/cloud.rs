@@ -2,8 +2,8 @@
 //! plain is left to the strict reader, which says where and why.
 
 use super::formats::Format;
+use super::lexer::{LONGEST_LINE, Line, line_feeds};
 use super::names::Names;
-use super::plain_line::{LONGEST, Line, line_feeds};
 use crate::base::message::{Message, Problems, Result};
 use crate::import::format::Unit;
 use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
@@ -54,7 +54,7 @@ pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> 
     let fail = |e: std::io::Error| Problems::from(Message::error(format!("cannot read `{}`: {e}", path.display())));
     let size = std::fs::metadata(path).map_err(fail)?.len();
     let mut start = Vec::new();
-    File::open(path).and_then(|file| file.take(LONGEST as u64).read_to_end(&mut start)).map_err(fail)?;
+    File::open(path).and_then(|file| file.take(LONGEST_LINE as u64).read_to_end(&mut start)).map_err(fail)?;
     let Some(plain) = format.plain(&start) else { return Ok(None) };
     let parts: std::io::Result<Vec<Option<Part>>> = (0..size.div_ceil(BLOCK))
         .into_par_iter()
@@ -115,10 +115,10 @@ impl Plain {
         // one byte before tells whether a line begins with the block
         let from = start.saturating_sub(1);
         bytes.clear();
-        bytes.reserve_exact(BLOCK as usize + LONGEST + 2);
+        bytes.reserve_exact(BLOCK as usize + LONGEST_LINE + 2);
         let mut file = File::open(path)?;
         file.seek(SeekFrom::Start(from))?;
-        file.take(BLOCK + LONGEST as u64 + 1).read_to_end(bytes)?;
+        file.take(BLOCK + LONGEST_LINE as u64 + 1).read_to_end(bytes)?;
         let last = from + bytes.len() as u64 == size;
         let mut at = match start {
             0 => 0,

@@ -1,7 +1,7 @@
 //! How rows of a text could be split into numbers: every delimiter with every pair of marks, weighed.
 
-use super::number::marked;
-use super::split::{Row, split};
+use super::lexer::marked;
+use super::lexer::{Row, split};
 use crate::import::format::Columns;
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;

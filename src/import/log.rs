@@ -1,13 +1,91 @@
-//! Logs: pose, cycle or time, and the joints with the units that the campaign states.
+//! Logs: `[log]` of a campaign, and what is read of it: pose, cycle or time, and the joints with the units that it states.
 
-use super::logs::{self, Columns, Values};
+use super::format::{Column, Decimal, Delimiter, Encoding, FromRow};
+use super::logs::{self, Columns, LogKind, Values};
 use super::standstill;
 use crate::base::message::{Message, Result, Stated};
 use crate::base::table::{ASSEMBLY, LABEL};
 use crate::document::Source;
-use crate::import::format::Log;
 use crate::math::robots::{Joint, Quantity};
-use polars::prelude::{Column, DataFrame};
+use polars::prelude::{Column as Series, DataFrame};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use toml::Spanned;
+
+/// A file of a controller.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Log {
+    /// Name of the log, where there are several.
+    #[serde(default = "default_log")]
+    pub name: String,
+    /// Name of the file.
+    #[schemars(with = "String")]
+    pub file: Spanned<String>,
+    /// Encoding of its characters; UTF-8, or that of its byte-order mark, if absent.
+    pub encoding: Option<Encoding>,
+    /// Controller that wrote the log.
+    #[serde(default)]
+    pub format: LogKind,
+    /// What separates the columns; a comma if absent.
+    pub delimiter: Option<Delimiter>,
+    /// Decimal mark.
+    #[serde(default)]
+    pub decimal: Decimal,
+    /// The first row names the columns.
+    #[serde(default = "yes")]
+    pub header: bool,
+    /// The columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point touched), and the joints
+    /// with their units.
+    #[schemars(with = "BTreeMap<String, Column>")]
+    pub columns: BTreeMap<Spanned<String>, Column>,
+    /// `row`: the number of the data row is the number of the pose.
+    pub pose: Option<FromRow>,
+    /// Time from one row to the next, of a log without a clock; its first row is at 0.
+    pub period_s: Option<f64>,
+    /// Whether channels with a scale contain raw or scaled values (TwinCAT).
+    pub values: Option<ChannelValues>,
+    /// Reduces a log recorded during motion to one row of mean joint values for each standstill.
+    pub standstill: Option<Standstill>,
+}
+
+/// A standstill: no joint moves by more than the stated difference for at least the stated time.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Standstill {
+    /// Least duration of a standstill.
+    pub at_least_s: f64,
+    /// Largest difference of two values of a revolute joint in a standstill.
+    pub within_deg: Option<f64>,
+    /// Largest difference of two values of a prismatic joint in a standstill.
+    pub within_mm: Option<f64>,
+}
+
+impl Log {
+    /// What separates the columns of a delimited log.
+    pub fn delimiter(&self) -> Delimiter {
+        self.delimiter.unwrap_or(Delimiter::Comma)
+    }
+}
+
+/// What the channels of a TwinCAT Scope export hold: an option of the export that the file does not tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ChannelValues {
+    /// As they were recorded: factor and offset of the header are still to be applied.
+    Raw,
+    /// Factor and offset are applied.
+    Scaled,
+}
+
+fn default_log() -> String {
+    "log".to_owned()
+}
+
+fn yes() -> bool {
+    true
+}
 
 /// Keys of `columns` that bring the time, and seconds in one of their unit.
 const TIMES: [(&str, f64); 3] = [("time_s", 1.0), ("time_ms", 1e-3), ("time_ns", 1e-9)];
@@ -93,11 +171,11 @@ impl JointLog {
     /// The log as a table.
     pub fn table(&self) -> Result<DataFrame> {
         let column = |name: &String| {
-            let whole = |f: fn(&LogRow) -> Option<i64>| -> Column {
-                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
+            let whole = |f: fn(&LogRow) -> Option<i64>| -> Series {
+                Series::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
             };
-            let real = |f: &dyn Fn(&LogRow) -> Option<f64>| -> Column {
-                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
+            let real = |f: &dyn Fn(&LogRow) -> Option<f64>| -> Series {
+                Series::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
             };
             match (name.as_str(), self.joints.iter().position(|joint| joint == name)) {
                 (_, Some(k)) => real(&|r| r.joints.get(k).copied()),
@@ -110,7 +188,7 @@ impl JointLog {
                 ("to_s", _) => real(&|r| Some(r.standing_s?[1])),
                 (ASSEMBLY, _) => real(&|r| r.assembly),
                 _ => {
-                    Column::new(name.as_str().into(), self.rows.iter().map(|r| r.label.as_deref()).collect::<Vec<_>>())
+                    Series::new(name.as_str().into(), self.rows.iter().map(|r| r.label.as_deref()).collect::<Vec<_>>())
                 }
             }
         };

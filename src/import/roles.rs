@@ -1,7 +1,7 @@
 //! What the columns of a text may hold: by their names, or by what stands in them.
 
 use super::guess::Guess;
-use super::number::marked;
+use super::lexer::marked;
 use crate::import::format::Decimal;
 use crate::import::format::Role;
 

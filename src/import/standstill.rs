@@ -7,8 +7,8 @@
 use crate::base::message::{Message, Place, Result, Stated};
 use crate::base::table::{ASSEMBLY, LABEL};
 use crate::document::{Source, StandingInterval, StandingJoint};
-use crate::import::format::Log;
-use crate::import::format::Standstill;
+use crate::import::Log;
+use crate::import::log::Standstill;
 use crate::import::log::{JointLog, LogRow};
 use std::collections::VecDeque;
 

@@ -246,7 +246,7 @@ impl<'t, 'a> Node<'t, 'a> {
     /// The numbers of its text, separated by blanks.
     pub fn numbers(self) -> std::result::Result<Vec<f64>, Message> {
         let number = |field: &str| {
-            super::split::number(field, crate::import::format::Decimal::Point).map_err(|m| m.at(self.place()))
+            super::lexer::number(field, crate::import::format::Decimal::Point).map_err(|m| m.at(self.place()))
         };
         self.text().split_ascii_whitespace().map(number).collect()
     }

@@ -98,3 +98,11 @@ impl<'de> Deserialize<'de> for Column {
         deserializer.deserialize_any(NameOrNumber)
     }
 }
+
+/// A number that is the number of its row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum FromRow {
+    /// Counted from 1 over the data rows of the file, refused ones included.
+    Row,
+}

@@ -5,12 +5,10 @@ mod columns;
 mod dialect;
 mod dialect_check;
 mod dialect_text;
-mod log;
 mod text;
 
-pub use column::{Column, ColumnAt};
+pub use column::{Column, ColumnAt, FromRow};
 pub use columns::{Columns, Role};
 pub use dialect::{Decimal, Delimiter, Dialect, Unit};
 pub use dialect_check::{coordinate_type, two_commas};
-pub use log::{ChannelValues, FromRow, Log, LogFormat, Standstill};
 pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};

@@ -10,7 +10,7 @@ use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
 use crate::base::message::{Message, Place, Problems};
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::split::{Row as Fields, cell_place, number};
+use crate::import::lexer::{Row as Fields, cell_place, number};
 
 /// Table files of Zeiss Calypso.
 pub(super) struct Calypso;

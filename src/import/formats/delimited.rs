@@ -10,9 +10,9 @@ use crate::import::format::{
     ColumnAt, Columns, CoordinateType, Delimiter, Dialect, Header, Role, Unit, coordinate_type,
 };
 use crate::import::header_unit::header_unit;
-use crate::import::number::{WHOLE, marked};
-use crate::import::split::{Row, cell_place, split};
-use crate::import::written;
+use crate::import::lexer;
+use crate::import::lexer::{Row, cell_place, split};
+use crate::import::lexer::{WHOLE, marked};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 
@@ -422,7 +422,7 @@ fn write(rows: &[Written], how: &Writing) -> Result<String, Message> {
     }
     let line = |field: &mut dyn FnMut(&Role, &str) -> String| {
         let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();
-        written::line(&fields, delimiter, dialect.comment.as_deref())
+        lexer::line(&fields, delimiter, dialect.comment.as_deref())
     };
     let mut all = String::new();
     if let Some(mark) = &dialect.comment {
@@ -435,7 +435,7 @@ fn write(rows: &[Written], how: &Writing) -> Result<String, Message> {
     for remaining in (0..header).rev() {
         all += &line(&mut |_, name| if remaining == 0 { name.to_owned() } else { "simulated".to_owned() })?;
     }
-    let number = |value, digits| written::number(value, digits, dialect.decimal);
+    let number = |value, digits| lexer::written(value, digits, dialect.decimal);
     let in_unit = |rad: f64| rad / dialect.angle_unit.map_or(1.0, |unit| unit.in_rad());
     for row in rows {
         let mut skipped = how.skipped.iter();

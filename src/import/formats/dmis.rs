@@ -8,7 +8,7 @@ use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Vector, norm};
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::split::number;
+use crate::import::lexer::number;
 
 /// DMIS output, by how it writes directions.
 pub(super) struct Dmis {

@@ -9,7 +9,7 @@ use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::split::number;
+use crate::import::lexer::number;
 
 /// Scans of GEOPAK-Win.
 pub(super) struct GeopakGws;

@@ -9,7 +9,7 @@ use crate::base::message::{Message, Problems};
 use crate::base::pose::Vector;
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::split::{Row as Fields, cell_place, number};
+use crate::import::lexer::{Row as Fields, cell_place, number};
 
 /// Exports of Micro-Vu InSpec.
 pub(super) struct Inspec;

@@ -20,8 +20,8 @@ mod spatialanalyzer;
 mod vda_fs;
 
 use super::cloud::Plain;
+use super::lexer::written;
 use super::points::Point;
-use super::written::number;
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
 use crate::import::format::{Decimal, Dialect, Unit};
@@ -283,7 +283,7 @@ pub(crate) struct Writing<'a> {
 impl Writing<'_> {
     /// A coordinate.
     pub fn number(&self, value: f64) -> String {
-        number(value, self.decimals, self.dialect.decimal)
+        written(value, self.decimals, self.dialect.decimal)
     }
 
     /// The coordinates of a row.

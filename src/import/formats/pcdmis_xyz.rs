@@ -6,7 +6,7 @@ use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
 use crate::base::message::{Message, Problems};
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::split::{Row as Fields, cell_place, number};
+use crate::import::lexer::{Row as Fields, cell_place, number};
 
 /// Files `.xyz` of PC-DMIS.
 pub(super) struct PcdmisXyz;

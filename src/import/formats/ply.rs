@@ -5,7 +5,7 @@ use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::split::{Row as Fields, cell_place, number};
+use crate::import::lexer::{Row as Fields, cell_place, number};
 
 /// Vertices of PLY.
 pub(super) struct Ply;

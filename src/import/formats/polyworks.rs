@@ -4,8 +4,8 @@ use super::{About, ExportFormat, Row, Text, Writing};
 use crate::base::message::{Message, Place, Problems};
 use crate::import::cloud::Plain;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::split::{blank_fields, columns_of, number};
-use crate::import::{Point, written};
+use crate::import::lexer::{blank_fields, columns_of, number};
+use crate::import::{Point, lexer};
 
 /// Point text of PolyWorks.
 pub(super) struct Polyworks;
@@ -20,7 +20,7 @@ impl ExportFormat for Polyworks {
     }
 
     fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
-        let line = |row: &Row| format!("{} {}\n", written::blank(&row.label, false), how.list(row, " "));
+        let line = |row: &Row| format!("{} {}\n", lexer::blank(&row.label, false), how.list(row, " "));
         Ok(rows.iter().map(line).collect())
     }
 

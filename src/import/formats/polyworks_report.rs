@@ -8,8 +8,8 @@ use super::pivot::{Pivot, Said};
 use super::{About, ExportFormat, Recognised, Row, Text, Writing};
 use crate::base::message::{Message, Problems, Result};
 use crate::import::format::{Decimal, Delimiter, Dialect, Unit};
-use crate::import::split::{Row as Fields, cell_place, number};
-use crate::import::{Point, written};
+use crate::import::lexer::{Row as Fields, cell_place, number};
+use crate::import::{Point, lexer};
 
 /// Report tables of PolyWorks|Inspector.
 pub(super) struct PolyworksReport;
@@ -34,7 +34,7 @@ impl ExportFormat for PolyworksReport {
     fn write(&self, rows: &[Row], how: &Writing) -> std::result::Result<String, Message> {
         // a decimal comma goes with semicolons
         let delimiter = if how.dialect.decimal == Decimal::Comma { Delimiter::Semicolon } else { Delimiter::Comma };
-        let line = |fields: [&str; 8]| written::line(&fields.map(str::to_owned), delimiter, None);
+        let line = |fields: [&str; 8]| lexer::line(&fields.map(str::to_owned), delimiter, None);
         let mut all = line(["Name", "Control", "Nom", "Meas", "Tol", "Dev", "Test", "Out Tol"])?;
         for Row { label, xyz, .. } in rows {
             for (axis, value) in ["X", "Y", "Z"].into_iter().zip(xyz) {

@@ -9,7 +9,7 @@ use super::{About, ExportFormat, Recognised, Row, Text, Writing, head};
 use crate::base::message::{Message, Problems};
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::split::number;
+use crate::import::lexer::number;
 use std::collections::BTreeMap;
 
 /// Points of VDA-FS.

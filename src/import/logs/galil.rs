@@ -3,13 +3,50 @@
 //! Values are encoder counts; the shorter of several arrays leaves empty places at its end. There is no clock: the period
 //! is that of the controller's `RC` command. Source: galil.com, "Comma-Separated Values (CSV Files)".
 
-use super::Wanted;
 use super::sheet::{Sheet, row_place};
+use super::{LogFormat, Wanted};
 use crate::base::message::{Message, Problems};
 use crate::document::Refused;
 
+/// Array uploads of a Galil controller: encoder counts, no clock.
+pub(super) struct Galil;
+
+impl LogFormat for Galil {
+    fn name(&self) -> &'static str {
+        "galil"
+    }
+
+    fn title(&self) -> &'static str {
+        "Galil arrays"
+    }
+
+    fn description(&self) -> &'static str {
+        "Galil array upload: encoder counts, arrays in alphabetical order, no clock."
+    }
+
+    fn not_by_number(&self) -> Option<&'static str> {
+        Some("arrays stand in alphabetical order, whatever joints they belong to")
+    }
+
+    fn statement(&self, wanted: &Wanted) -> Option<Message> {
+        states_counts(wanted)
+    }
+
+    fn cut(&self, sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) -> Vec<Refused> {
+        cut(sheet, wanted, problems)
+    }
+
+    fn check_joint(&self, sheet: &Sheet, at: usize, read: &[f64], problems: &mut Problems) {
+        check_counts(sheet, at, read, problems);
+    }
+
+    fn is_sorted(&self) -> bool {
+        true
+    }
+}
+
 /// An error where a column is read as if it held mm or deg.
-pub(super) fn states_counts(wanted: &Wanted) -> Option<Message> {
+fn states_counts(wanted: &Wanted) -> Option<Message> {
     let missing = wanted.is_joint() && wanted.column.per_count.is_none();
     let key = wanted.key.get_ref();
     missing.then(|| {
@@ -21,7 +58,7 @@ pub(super) fn states_counts(wanted: &Wanted) -> Option<Message> {
 }
 
 /// Takes away the rows at the end where arrays that are wanted have ended; an empty place before the end is an error.
-pub(super) fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) -> Vec<Refused> {
+fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) -> Vec<Refused> {
     let filled = |at: usize| sheet.rows.iter().rposition(|row| row.fields.get(at).is_some_and(|f| !f.is_empty()));
     let ends: Vec<usize> = wanted.iter().map(|(at, _)| filled(*at).map_or(0, |last| last + 1)).collect();
     let (shortest, longest) = (ends.iter().min().copied().unwrap_or(0), ends.iter().max().copied().unwrap_or(0));
@@ -50,7 +87,7 @@ pub(super) fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut
 }
 
 /// Counts are whole numbers of 32 bits; a step by more than half their range is a wrap, which no scale can undo.
-pub(super) fn check_counts(sheet: &Sheet, at: usize, counts: &[f64], problems: &mut Problems) {
+fn check_counts(sheet: &Sheet, at: usize, counts: &[f64], problems: &mut Problems) {
     const RANGE: f64 = 4_294_967_296.0;
     for (row, count) in sheet.rows.iter().zip(counts) {
         if count.fract() != 0.0 || count.abs() > RANGE / 2.0 {

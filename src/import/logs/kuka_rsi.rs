@@ -2,14 +2,38 @@
 //! counter in ms that the controller advances by its interpolation cycle. `Timestamp` is the wall clock of the computer
 //! that recorded, in whole seconds.
 
-use super::Columns;
-use super::Values;
+use super::{Columns, LogFormat, Values};
 use crate::base::message::{Message, Place, count};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
+/// Recordings of KUKA RSI: mm, deg; `IPOC` in ms is the clock.
+pub(super) struct KukaRsi;
+
+impl LogFormat for KukaRsi {
+    fn name(&self) -> &'static str {
+        "kuka_rsi"
+    }
+
+    fn title(&self) -> &'static str {
+        "KUKA RSI"
+    }
+
+    fn description(&self) -> &'static str {
+        "KUKA RSI recording: mm, deg; `IPOC` in ms is the clock."
+    }
+
+    fn unit_of(&self, column: &str) -> Option<&'static str> {
+        unit_of(column)
+    }
+
+    fn remark(&self, file: &str, columns: &Columns) -> Option<Message> {
+        gaps(file, columns)
+    }
+}
+
 /// The unit of a column.
-pub(super) fn unit_of(column: &str) -> Option<&'static str> {
+fn unit_of(column: &str) -> Option<&'static str> {
     let axis = column.trim_start_matches("AIPos_").trim_start_matches("ASPos_").trim_start_matches("AIPos.");
     let axis = axis.trim_start_matches("ASPos.");
     match column {
@@ -23,7 +47,7 @@ pub(super) fn unit_of(column: &str) -> Option<&'static str> {
 }
 
 /// Says where the counter leaves cycles out; a step is the one that occurs most.
-pub(super) fn gaps(file: &str, columns: &Columns) -> Option<Message> {
+fn gaps(file: &str, columns: &Columns) -> Option<Message> {
     let times = columns.columns.iter().find(|(name, _)| name == "time_s");
     let Some((_, Values::Real(times_s))) = times else { return None };
     let ms = |pair: &[f64]| ((pair[1] - pair[0]) * 1e3).round() as i64;

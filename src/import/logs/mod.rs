@@ -1,25 +1,143 @@
-//! Logs by who wrote them: what is known of their columns, units and clocks. One file a format.
+//! Formats of logs, one file each: what is known of their columns, units and clocks.
 
-mod cells;
 mod galil;
 mod kuka_rsi;
 mod ros;
 mod sheet;
 mod twincat;
-mod twincat_header;
 mod ur_rtde;
+mod write;
 
-use super::log::meaning;
+pub(crate) use write::write;
+
+use super::format::Column;
+use super::log::{Log, is_common_column, meaning};
 use crate::base::message::{Message, Problems, Result, Stated};
-use crate::document::Source;
-use crate::import::format::Column;
-use crate::import::format::Log;
-use crate::import::format::LogFormat;
+use crate::document::{Refused, Source};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+use sheet::Sheet;
+use std::borrow::Cow;
+use std::fmt;
 use toml::Spanned;
+
+/// Every format. To add one: its file, and its line here.
+const FORMATS: [&dyn LogFormat; 6] =
+    [&sheet::Delimited, &galil::Galil, &ur_rtde::UrRtde, &kuka_rsi::KukaRsi, &twincat::TwinCat, &ros::Ros];
+
+/// A format of logs: delimited text of which more is known than the campaign states.
+pub(crate) trait LogFormat: Sync {
+    /// As `format` of a campaign states it.
+    fn name(&self) -> &'static str;
+
+    /// In words; none of delimited text of which nothing is known.
+    fn title(&self) -> &'static str;
+
+    /// What it is, in a sentence.
+    fn description(&self) -> &'static str;
+
+    /// The unit in which it writes the column of this name, where that is known.
+    fn unit_of(&self, _column: &str) -> Option<&'static str> {
+        None
+    }
+
+    /// Why a column is not given by its number, if it is not.
+    fn not_by_number(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// What is wrong with a statement on a column of this format.
+    fn statement(&self, _wanted: &Wanted) -> Option<Message> {
+        None
+    }
+
+    /// Names columns that the header does not name.
+    fn name_columns(&self, _sheet: &mut Sheet, _problems: &mut Problems) {}
+
+    /// Takes away rows that are none, once it is known where the wanted columns are.
+    fn cut(&self, _sheet: &mut Sheet, _wanted: &[(usize, &Wanted)], _problems: &mut Problems) -> Vec<Refused> {
+        Vec::new()
+    }
+
+    /// Checks the values of a joint as they are in the file.
+    fn check_joint(&self, _sheet: &Sheet, _at: usize, _read: &[f64], _problems: &mut Problems) {}
+
+    /// A warning about all that was read.
+    fn remark(&self, _file: &str, _columns: &Columns) -> Option<Message> {
+        None
+    }
+
+    /// Whether a file has channels that it names and scales itself: `values` then has a meaning, `header` none.
+    fn has_channels(&self) -> bool {
+        false
+    }
+
+    /// Reads the wanted columns.
+    fn read(&self, stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
+        sheet::read(stated, log, wanted, text, source)
+    }
+
+    /// Whether its columns are in the order of their names.
+    fn is_sorted(&self) -> bool {
+        false
+    }
+}
+
+/// Format of a log, as a campaign states it.
+#[derive(Clone, Copy)]
+pub struct LogKind(&'static dyn LogFormat);
+
+impl LogKind {
+    /// Whether a file has channels that it names and scales itself.
+    pub(crate) fn has_channels(self) -> bool {
+        self.0.has_channels()
+    }
+}
+
+impl Default for LogKind {
+    fn default() -> Self {
+        Self(&sheet::Delimited)
+    }
+}
+
+impl fmt::Debug for LogKind {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(self.0.name())
+    }
+}
+
+impl Serialize for LogKind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.0.name())
+    }
+}
+
+impl JsonSchema for LogKind {
+    fn schema_name() -> Cow<'static, str> {
+        "LogFormat".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let one = |format: &&dyn LogFormat| json_schema!({ "description": format.description(), "type": "string", "const": format.name() });
+        let all: Vec<Schema> = FORMATS.iter().map(one).collect();
+        let description = "Who wrote a log: what is known of its columns, units and clock.";
+        json_schema!({ "description": description, "oneOf": all })
+    }
+}
+
+impl<'de> Deserialize<'de> for LogKind {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        let stated = String::deserialize(deserializer)?;
+        FORMATS.into_iter().find(|format| format.name() == stated).map(Self).ok_or_else(|| {
+            let names: Vec<String> = FORMATS.iter().map(|format| format!("`{}`", format.name())).collect();
+            D::Error::custom(format!("unknown variant `{stated}`, expected one of {}", names.join(", ")))
+        })
+    }
+}
 
 /// Rows of a log, column by column.
 #[derive(Debug, Default)]
-pub(super) struct Columns {
+pub(crate) struct Columns {
     /// Number of each data row in its file, from 1.
     pub rows: Vec<i64>,
     /// Line of each row, from 1.
@@ -32,7 +150,7 @@ pub(super) struct Columns {
 
 /// Values of a column.
 #[derive(Debug)]
-pub(super) enum Values {
+pub(crate) enum Values {
     /// Labels.
     Text(Vec<String>),
     /// Numbers, all finite.
@@ -40,7 +158,7 @@ pub(super) enum Values {
 }
 
 /// A column that the campaign wants.
-struct Wanted<'a> {
+pub(crate) struct Wanted<'a> {
     key: &'a Spanned<String>,
     column: &'a Column,
     /// Name in the table.
@@ -65,7 +183,7 @@ impl Wanted<'_> {
 
     /// Whether it is a joint: all that is neither time, pose, cycle, label nor assembly mode.
     fn is_joint(&self) -> bool {
-        !super::log::is_common_column(self.key.get_ref())
+        !is_common_column(self.key.get_ref())
     }
 }
 
@@ -73,11 +191,7 @@ impl Wanted<'_> {
 pub(super) fn columns(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
     let mut problems = Problems::default();
     let wanted = wanted(stated, log, &mut problems);
-    let read = match log.format {
-        LogFormat::TwinCat => twincat::read(stated, log, &wanted, text, source),
-        _ => sheet::read(stated, log, &wanted, text, source),
-    };
-    match read {
+    match log.format.0.read(stated, log, &wanted, text, source) {
         Ok(columns) => problems.check().map(|_| columns),
         Err(more) => {
             problems.0.extend(more.0);
@@ -120,30 +234,20 @@ fn wanted<'a>(stated: Stated, log: &'a Log, problems: &mut Problems) -> Vec<Want
         let message = Message::error("`period_s` must be positive").at(stated.place(&log.file));
         problems.0.push(message.hint("it is the time from one row of the log to the next, in seconds"));
     }
-    if log.values.is_some() && log.format != LogFormat::TwinCat {
+    if log.values.is_some() && !log.format.0.has_channels() {
         let message = Message::error("`values` means nothing for this log").at(stated.place(&log.file));
         problems.0.push(message.hint("it belongs to `format = \"twincat\"`"));
     }
-    if !log.header && log.format == LogFormat::TwinCat {
+    if !log.header && log.format.0.has_channels() {
         let message = Message::error("`header = false` means nothing for this log").at(stated.place(&log.file));
         problems.0.push(message.hint("a TwinCAT export names its channels: leave `header` out"));
     }
     wanted
 }
 
-/// The unit in which a format writes the column of this name, where that is known.
-fn unit_of(format: LogFormat, column: &str) -> Option<&'static str> {
-    match format {
-        LogFormat::UrRtde => ur_rtde::unit_of(column),
-        LogFormat::KukaRsi => kuka_rsi::unit_of(column),
-        LogFormat::Ros => ros::unit_of(column),
-        LogFormat::Delimited | LogFormat::Galil | LogFormat::TwinCat => None,
-    }
-}
-
 /// An error where the key states another unit than the column has in files of this format.
-fn unit_agrees(format: LogFormat, wanted: &Wanted, column: &str) -> std::result::Result<(), Message> {
-    let (Some(stated), Some(known)) = (wanted.unit(), unit_of(format, column)) else { return Ok(()) };
+fn unit_agrees(format: LogKind, wanted: &Wanted, column: &str) -> std::result::Result<(), Message> {
+    let (Some(stated), Some(known)) = (wanted.unit(), format.0.unit_of(column)) else { return Ok(()) };
     other_unit(wanted, column, stated, known).map_or(Ok(()), Err)
 }
 

@@ -1,12 +1,42 @@
 //! ROS messages as CSV. The order of joints in a JointState is arbitrary: they are found by name, in the header
 //! (`lbr_joint_1,lbr_joint_2,...`) or in the rows of `rostopic echo -p` (`field.name0,...,field.position0,...`).
 
+use super::LogFormat;
 use super::sheet::Sheet;
 use crate::base::message::{Message, Place, Problems};
 
+/// ROS messages: joints in any order, named by the header or by their rows.
+pub(super) struct Ros;
+
+impl LogFormat for Ros {
+    fn name(&self) -> &'static str {
+        "ros"
+    }
+
+    fn title(&self) -> &'static str {
+        "ROS CSV"
+    }
+
+    fn description(&self) -> &'static str {
+        "ROS messages as CSV: joints in any order, named by the header or by their rows."
+    }
+
+    fn unit_of(&self, column: &str) -> Option<&'static str> {
+        unit_of(column)
+    }
+
+    fn not_by_number(&self) -> Option<&'static str> {
+        Some("the order of joints is arbitrary")
+    }
+
+    fn name_columns(&self, sheet: &mut Sheet, problems: &mut Problems) {
+        name_joints(sheet, problems);
+    }
+}
+
 /// Units of ROS (REP 103): rad and m, times of `rostopic echo` in ns. A position may be either: the campaign's word counts,
 /// as long as it is one of the two.
-pub(super) fn unit_of(column: &str) -> Option<&'static str> {
+fn unit_of(column: &str) -> Option<&'static str> {
     match column {
         "%time" | "field.header.stamp" => Some("ns"),
         _ if column.starts_with("field.velocity") => Some("rad/s"),
@@ -16,7 +46,7 @@ pub(super) fn unit_of(column: &str) -> Option<&'static str> {
 }
 
 /// Names the columns `field.positionN` after the joints that `field.nameN` names in every row.
-pub(super) fn name_joints(sheet: &mut Sheet, problems: &mut Problems) {
+fn name_joints(sheet: &mut Sheet, problems: &mut Problems) {
     let Some(header) = &sheet.header else { return };
     let mut named = header.fields.clone();
     for (at, heading) in header.fields.iter().enumerate() {

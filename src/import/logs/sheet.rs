@@ -1,19 +1,33 @@
 //! Logs that are one table: a header of names, a row for each time.
 
+use super::super::lexer::{Row, WHOLE, cell_place, number, rows};
 use super::super::propose::propose;
-use super::super::split::{Row, cell_place, rows};
-use super::{Columns, Wanted, cells, galil, kuka_rsi, ros, unit_agrees};
+use super::{Columns, LogFormat, Values, Wanted, unit_agrees};
 use crate::base::message::{Message, Place, Problems, Result, Stated};
+use crate::base::table::{ASSEMBLY, LABEL};
 use crate::document::Source;
-use crate::import::format::ColumnAt;
-use crate::import::format::Decimal;
-use crate::import::format::Delimiter;
-use crate::import::format::Log;
-use crate::import::format::LogFormat;
-use crate::import::format::two_commas;
+use crate::import::Log;
+use crate::import::format::{ColumnAt, Decimal, Delimiter, two_commas};
+
+/// Delimited text of which nothing is known but what the campaign states.
+pub(super) struct Delimited;
+
+impl LogFormat for Delimited {
+    fn name(&self) -> &'static str {
+        "delimited"
+    }
+
+    fn title(&self) -> &'static str {
+        ""
+    }
+
+    fn description(&self) -> &'static str {
+        "Delimited text of which nothing is known but what the campaign states."
+    }
+}
 
 /// The rows of a log.
-pub(super) struct Sheet<'a> {
+pub(crate) struct Sheet<'a> {
     pub file: &'a str,
     /// All lines of the file.
     pub lines: Vec<&'a str>,
@@ -50,16 +64,14 @@ pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, sou
     }
     source.dialect = format!(
         "{}delimited by `{}`, decimal `{}`",
-        if log.format == LogFormat::Delimited { String::new() } else { format!("{}, ", log.format.name()) },
+        if log.format.0.title().is_empty() { String::new() } else { format!("{}, ", log.format.0.title()) },
         log.delimiter().name(),
         log.decimal.name()
     );
     let mut problems = Problems::default();
     let mut sheet = split(stated, log, text, &mut problems)?;
     source.rows_read = sheet.rows.len();
-    if log.format == LogFormat::Ros {
-        ros::name_joints(&mut sheet, &mut problems);
-    }
+    log.format.0.name_columns(&mut sheet, &mut problems);
     let mut placed = Vec::new();
     for wanted in wanted {
         match place_of(log, wanted, &sheet) {
@@ -67,8 +79,8 @@ pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, sou
             Err(message) => problems.0.push(message.at(stated.place(wanted.key))),
         }
     }
-    if log.format == LogFormat::Galil && problems.0.is_empty() {
-        source.refused = galil::cut(&mut sheet, &placed, &mut problems);
+    if problems.0.is_empty() {
+        source.refused = log.format.0.cut(&mut sheet, &placed, &mut problems);
     }
     let mut columns = Columns {
         rows: (1..=sheet.rows.len() as i64).collect(),
@@ -76,13 +88,11 @@ pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, sou
         ..Columns::default()
     };
     for (at, wanted) in placed {
-        let values = cells::read(&sheet, log, wanted, at, &mut problems);
+        let values = cells(&sheet, log, wanted, at, &mut problems);
         columns.columns.push((wanted.name.clone(), values));
     }
     problems.check()?;
-    if log.format == LogFormat::KukaRsi {
-        columns.said.extend(kuka_rsi::gaps(sheet.file, &columns));
-    }
+    columns.said.extend(log.format.0.remark(sheet.file, &columns));
     Ok(columns)
 }
 
@@ -119,7 +129,7 @@ fn split<'a>(stated: Stated, log: &'a Log, text: &'a str, problems: &mut Problem
         };
         return Err(Message::error(what).at(row_place(&sheet, 1)).expected(expected).hint(hint).into());
     }
-    if let Some(header) = sheet.header.as_ref().filter(|h| h.fields.iter().all(|f| cells::is_number(f, log.decimal))) {
+    if let Some(header) = sheet.header.as_ref().filter(|h| h.fields.iter().all(|f| is_number(f, log.decimal))) {
         let message = Message::error("the row that should name the columns holds numbers alone");
         let hint = "the file has no header: state `header = false` and give columns by number; with it as a header every \
                     row would be one off";
@@ -130,17 +140,10 @@ fn split<'a>(stated: Stated, log: &'a Log, text: &'a str, problems: &mut Problem
 
 /// Index of a column, by its number or by its name in the header.
 fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<usize, Message> {
-    if log.format == LogFormat::Galil {
-        galil::states_counts(wanted).map_or(Ok(()), Err)?;
-    }
-    let by_name = match log.format {
-        LogFormat::Galil => Some("arrays stand in alphabetical order, whatever joints they belong to"),
-        LogFormat::Ros => Some("the order of joints is arbitrary"),
-        _ => None,
-    };
-    let index = match (&wanted.column.at, &sheet.header, by_name) {
+    log.format.0.statement(wanted).map_or(Ok(()), Err)?;
+    let index = match (&wanted.column.at, &sheet.header, log.format.0.not_by_number()) {
         (ColumnAt::Number(_), _, Some(why)) => {
-            let format = log.format.name();
+            let format = log.format.0.title();
             return Err(
                 Message::error(format!("a column of {format} is not given by its number: {why}")).hint("give its name")
             );
@@ -176,5 +179,71 @@ fn named(name: &str, occurrence: Option<usize>, header: &[String]) -> std::resul
         (several, None) => Err(Message::error(format!("the header names `{name}` {} times", several.len()))
             .expected(format!("which of columns {} is meant", at.join(" and ")))
             .hint(format!("state it: `{{ name = \"{name}\", occurrence = 1 }}`, or give the number of the column"))),
+    }
+}
+
+/// Whether a field is a number, in this decimal mark or with more digits than a number can keep.
+fn is_number(field: &str, decimal: Decimal) -> bool {
+    number(field, decimal).is_ok()
+}
+
+/// The values of one column, in mm, deg and s; those that do not read are reported.
+fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Problems) -> Values {
+    if wanted.name == LABEL {
+        return Values::Text(sheet.rows.iter().map(|row| row.fields.get(at).cloned().unwrap_or_default()).collect());
+    }
+    let nanoseconds = wanted.key.get_ref() == "time_ns";
+    let before = problems.0.len();
+    let mut read = Vec::with_capacity(sheet.rows.len());
+    for row in &sheet.rows {
+        let cell = row.fields.get(at).map(String::as_str).unwrap_or("");
+        match if nanoseconds { seconds(cell) } else { number(cell, log.decimal) } {
+            Ok(value) => read.push(value),
+            Err(message) => {
+                let unread = "every row needs its values: read it from the controller again, or remove the row";
+                let hint = message.hint.clone().unwrap_or_else(|| unread.to_owned());
+                problems.0.push(message.at(sheet.cell(row, at)).hint(hint));
+            }
+        }
+    }
+    if problems.0.len() > before {
+        return Values::Real(read);
+    }
+    if wanted.is_joint() {
+        log.format.0.check_joint(sheet, at, &read, problems);
+    }
+    let (whole, modes) = (matches!(wanted.name.as_str(), "pose" | "cycle"), wanted.name == ASSEMBLY);
+    for (value, row) in read.iter().zip(&sheet.rows) {
+        let message = if modes && value.abs() != 1.0 {
+            let hint = "leave the column out of `columns` if it is not known: then the nearer solution is taken";
+            Message::error(format!("{value} is no assembly mode")).expected("1 or -1").hint(hint)
+        } else if whole && (value.fract() != 0.0 || value.abs() > WHOLE) {
+            Message::error(format!("{} {value} is no whole number", wanted.name))
+        } else {
+            continue;
+        };
+        problems.0.push(message.at(sheet.cell(row, at)));
+    }
+    let value = |read: f64| if nanoseconds { read } else { wanted.value(read) };
+    Values::Real(read.into_iter().map(value).collect())
+}
+
+/// Seconds of whole nanoseconds. Nineteen digits are more than a number of 64 bits keeps, so that seconds are split off
+/// first.
+fn seconds(cell: &str) -> std::result::Result<f64, Message> {
+    let wrong = |_| Message::error(format!("`{cell}` is no whole number of nanoseconds"));
+    let ns: i64 = cell.parse().map_err(wrong)?;
+    Ok(ns.div_euclid(1_000_000_000) as f64 + ns.rem_euclid(1_000_000_000) as f64 * 1e-9)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nineteen_digits_of_nanoseconds_keep_the_microsecond() {
+        assert!((seconds("1651499784376123456").unwrap() - 1651499784.376123).abs() < 1e-6);
+        assert_eq!(seconds("-1500000000").unwrap(), -1.5);
+        assert!(seconds("1.5").is_err() && seconds("").is_err());
     }
 }

@@ -3,6 +3,29 @@
 //! Units are those of the RTDE guide of Universal Robots: rad, m, s. A recording may name a column twice (a real one has
 //! `target_current_0` to `_5` before and after `target_q`); such a name is refused unless the campaign says which.
 
+use super::LogFormat;
+
+/// Recordings of Universal Robots RTDE: rad, m, s.
+pub(super) struct UrRtde;
+
+impl LogFormat for UrRtde {
+    fn name(&self) -> &'static str {
+        "ur_rtde"
+    }
+
+    fn title(&self) -> &'static str {
+        "UR RTDE"
+    }
+
+    fn description(&self) -> &'static str {
+        "Universal Robots RTDE recording: rad, m, s; names that occur twice."
+    }
+
+    fn unit_of(&self, column: &str) -> Option<&'static str> {
+        unit_of(column)
+    }
+}
+
 /// Beginnings of names and the unit of what they hold.
 const UNITS: [(&str, &str); 22] = [
     ("timestamp", "s"),
@@ -30,6 +53,6 @@ const UNITS: [(&str, &str); 22] = [
 ];
 
 /// The unit of a column.
-pub(super) fn unit_of(column: &str) -> Option<&'static str> {
+fn unit_of(column: &str) -> Option<&'static str> {
     UNITS.iter().find(|(start, _)| column.starts_with(start)).map(|(_, unit)| *unit)
 }

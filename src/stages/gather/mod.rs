@@ -14,7 +14,7 @@ use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Source};
-use crate::import::{self, Export, JointLog, Point, format::Log};
+use crate::import::{self, Export, JointLog, Log, Point};
 use points::PointColumns;
 
 /// What a campaign's files hold.

@@ -1,0 +1,612 @@
+//! Delimited text: strictly, each field with its place, for what a campaign reads; and lines of a label and numbers at the
+//! speed of the disk, for clouds of points. Both read a number by the same rule. And lines as these read them.
+
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::import::format::{Decimal, Delimiter, Dialect, Thousands};
+
+/// A row of fields.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Row {
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// The fields.
+    pub fields: Vec<String>,
+}
+
+/// Splits a text into rows; empty lines and comment lines are no rows.
+pub(super) fn rows(file: &str, text: &str, delimiter: Delimiter, comment: Option<&str>) -> Result<Vec<Row>> {
+    let dialect = Dialect { delimiter: Some(delimiter), comment: comment.map(str::to_owned), ..Dialect::default() };
+    let (rows, problems) = split(file, text, &dialect);
+    problems.check()?;
+    Ok(rows)
+}
+
+/// The rows of a text in a dialect, and those that do not split.
+pub(super) fn split(file: &str, text: &str, dialect: &Dialect) -> (Vec<Row>, Problems) {
+    let mut problems = Problems::default();
+    let mut rows = Vec::new();
+    let is_comment = |line: &str| dialect.comment.as_ref().is_some_and(|c| line.trim_start().starts_with(c.as_str()));
+    for (i, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty() && !is_comment(line)) {
+        match fields(line, dialect) {
+            Ok(fields) => rows.push(Row { line: i + 1, fields }),
+            Err((what, column)) => {
+                let message = Message::error(what).at(Place::line(file, i + 1, line).at(column, 1));
+                problems.0.push(message.hint("a quote inside a quoted field is written twice"));
+            }
+        }
+    }
+    (rows, problems)
+}
+
+/// Fields of a line; or what is wrong with it, and the column from 1.
+fn fields(line: &str, dialect: &Dialect) -> std::result::Result<Vec<String>, (&'static str, usize)> {
+    if !dialect.widths.is_empty() {
+        return Ok(fixed(line, &dialect.widths));
+    }
+    // a sheet was written with tabs
+    match dialect.delimiter.unwrap_or(Delimiter::Tab).byte() {
+        Some(byte) => separated(line, char::from(byte)),
+        None => Ok(blank_fields(line)),
+    }
+}
+
+/// Fields of so many characters each; what comes behind them is one more.
+fn fixed(line: &str, widths: &[usize]) -> Vec<String> {
+    let mut rest = line;
+    let mut take = |width: usize| {
+        let end = rest.char_indices().nth(width).map_or(rest.len(), |(i, _)| i);
+        let (field, after) = rest.split_at(end);
+        rest = after;
+        field.trim().to_owned()
+    };
+    let mut fields: Vec<String> = widths.iter().map(|width| take(*width)).collect();
+    let behind = take(usize::MAX);
+    if !behind.is_empty() {
+        fields.push(behind);
+    }
+    fields
+}
+
+/// Fields between separators; one in double quotes may hold some, and a quote as two.
+fn separated(line: &str, separator: char) -> std::result::Result<Vec<String>, (&'static str, usize)> {
+    let blank = |c: char| c.is_whitespace() && c != separator;
+    let mut fields = Vec::new();
+    let mut rest = line;
+    loop {
+        let start = rest.trim_start_matches(blank);
+        if !start.starts_with('"') {
+            let (field, after) = match start.split_once(separator) {
+                Some((field, after)) => (field, Some(after)),
+                None => (start, None),
+            };
+            fields.push(field.trim_end().to_owned());
+            match after {
+                Some(after) => rest = after,
+                None => return Ok(fields),
+            }
+            continue;
+        }
+        let column = |at: &str| line[..line.len() - at.len()].chars().count() + 1;
+        let (field, after) =
+            quoted(&start[1..]).ok_or(("a quote is opened and not closed on its line", column(start)))?;
+        fields.push(field);
+        let after = after.trim_start_matches(blank);
+        match after.strip_prefix(separator) {
+            Some(next) => rest = next,
+            None if after.is_empty() => return Ok(fields),
+            None => return Err(("there is text behind a closing quote", column(after))),
+        }
+    }
+}
+
+/// The text up to the closing quote, and what is behind it.
+fn quoted(text: &str) -> Option<(String, &str)> {
+    let mut field = String::new();
+    let mut rest = text;
+    loop {
+        let (before, after) = rest.split_once('"')?;
+        field.push_str(before);
+        match after.strip_prefix('"') {
+            Some(more) => {
+                field.push('"');
+                rest = more;
+            }
+            None => return Some((field.trim().to_owned(), after)),
+        }
+    }
+}
+
+/// Fields of a line separated by blanks; a name in double quotes may hold some.
+pub(super) fn blank_fields(line: &str) -> Vec<String> {
+    let mut fields = Vec::new();
+    let mut rest = line.trim();
+    while !rest.is_empty() {
+        let (field, after) = match rest.strip_prefix('"').and_then(|r| r.split_once('"')) {
+            Some((quoted, after)) => (quoted, after),
+            None => rest.split_once(char::is_whitespace).unwrap_or((rest, "")),
+        };
+        fields.push(field.to_owned());
+        rest = after.trim_start();
+    }
+    fields
+}
+
+/// The column at which each field stands in its line, in characters from 1.
+pub(super) fn columns_of(line: &str, fields: &[String]) -> Vec<usize> {
+    let mut from = 0;
+    let place = |field: &String| {
+        // a field with doubled quotes does not stand in the line as it reads
+        let at = line[from..].find(field.as_str()).map(|byte| from + byte);
+        let column = line[..at.unwrap_or(from)].chars().count() + 1;
+        from = at.map_or(from, |at| at + field.len());
+        column
+    };
+    fields.iter().map(place).collect()
+}
+
+/// Where the field of this index stands; `shown` is the line itself.
+pub(super) fn cell_place(file: &str, row: &Row, shown: &str, index: usize) -> Place {
+    let width = row.fields.get(index).map_or(1, |f| f.chars().count());
+    let column = columns_of(shown, &row.fields).get(index).copied().unwrap_or(1);
+    Place::line(file, row.line, shown).at(column, width)
+}
+
+/// Whole numbers up to here are exact.
+pub(super) const WHOLE: f64 = 9e15;
+
+/// The smallest double written out has fewer characters; what is longer is no number, and is not looked through.
+const LONGEST: usize = 1100;
+
+/// A number in the stated decimal mark, nothing else around it.
+pub(crate) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
+    marked(field, decimal, None)
+}
+
+/// A number in the stated decimal and thousands marks, correctly rounded. Exponents may be `e+003`, `E001` or Fortran's
+/// `D+01`, the minus may be U+2212.
+pub(super) fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> std::result::Result<f64, Message> {
+    if field.len() > LONGEST {
+        let start: String = field.chars().take(40).collect();
+        let what = format!("`{start}...` is no number: it has {} characters", field.len());
+        return Err(Message::error(what).expected(format!("a number with decimal mark `{}`", decimal.name())));
+    }
+    let plain = |b: u8| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E');
+    let value = match decimal == Decimal::Point && thousands.is_none() && field.bytes().all(plain) {
+        true => field.parse().ok(),
+        false => unmarked(field, decimal, thousands).and_then(|text| text.parse().ok()),
+    };
+    value.filter(|v: &f64| v.is_finite()).ok_or_else(|| wrong(field, decimal, thousands))
+}
+
+/// The number as Rust reads it, if it has no characters but its marks, digits and an exponent.
+fn unmarked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Option<String> {
+    let mark = if decimal == Decimal::Point { '.' } else { ',' };
+    let (whole, rest) = field.split_at(field.find([mark, 'e', 'E', 'd', 'D']).unwrap_or(field.len()));
+    let whole = match thousands {
+        Some(thousands) => ungrouped(whole, thousands)?,
+        None => whole.to_owned(),
+    };
+    let plain = |c: char| match c {
+        '\u{2212}' => Some('-'),
+        'd' | 'D' => Some('e'),
+        c if c == mark => Some('.'),
+        // words that `parse` would take for infinity or NaN are no measured values
+        '0'..='9' | '+' | '-' | 'e' | 'E' => Some(c),
+        _ => None,
+    };
+    whole.chars().chain(rest.chars()).map(plain).collect()
+}
+
+/// The whole part without its marks, which must stand between groups of three digits.
+fn ungrouped(whole: &str, thousands: Thousands) -> Option<String> {
+    let mut groups = whole.split(|c| thousands.is(c));
+    let first = groups.next()?;
+    let rest: Vec<&str> = groups.collect();
+    let digits = |text: &str| text.bytes().filter(u8::is_ascii_digit).count();
+    let three = |group: &&str| group.len() == 3 && digits(group) == 3;
+    let grouped = rest.iter().all(three) && (rest.is_empty() || matches!(digits(first), 1..=3));
+    grouped.then(|| [&[first], &rest[..]].concat().concat())
+}
+
+fn wrong(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Message {
+    let message = Message::error(format!("`{field}` is no number"));
+    let (other, hint) = match decimal {
+        Decimal::Point => (',', "a decimal comma? then state `decimal = \",\"`"),
+        Decimal::Comma => ('.', "a decimal point? then state `decimal = \".\"`"),
+    };
+    let grouped = |mark: Thousands| marked(field, decimal, Some(mark)).is_ok();
+    let marks = [Thousands::Comma, Thousands::Point, Thousands::Apostrophe, Thousands::Blank];
+    let mut hints = Vec::new();
+    if thousands.is_none() {
+        if field.contains(other) {
+            hints.push(hint.to_owned());
+        }
+        // a mark that is the decimal mark is none of thousands
+        let possible = marks.into_iter().filter(|m| m.name() != decimal.name() && field.contains(|c| m.is(c)));
+        hints.extend(
+            possible
+                .filter(|m| grouped(*m))
+                .map(|m| format!("groups of three digits? then state `thousands = \"{}\"`", m.name())),
+        );
+    }
+    let with = thousands.map(|t| format!(", and `{}` between groups of three digits", t.name())).unwrap_or_default();
+    let message = message.expected(format!("a number with decimal mark `{}`{with}", decimal.name()));
+    if hints.is_empty() { message } else { message.hint(hints.join("; ")) }
+}
+
+/// A line that is longer is not plain.
+pub(super) const LONGEST_LINE: usize = 4096;
+/// Powers of ten that are exact.
+const TENS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
+const WHOLE_TENS: [u64; 9] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+
+/// A place in a line.
+pub(super) struct Line<'a> {
+    pub bytes: &'a [u8],
+    pub at: usize,
+    /// None: blanks and tabs.
+    pub delimiter: Option<u8>,
+}
+
+impl<'a> Line<'a> {
+    fn peek(&self) -> Option<u8> {
+        self.bytes.get(self.at).copied()
+    }
+
+    fn skip_blanks(&mut self) {
+        while self.peek().is_some_and(|b| b == b' ' || b == b'\t' && self.delimiter != Some(b'\t')) {
+            self.at += 1;
+        }
+    }
+
+    /// Whether the line is empty; if so it is passed.
+    pub fn is_blank(&mut self) -> bool {
+        let start = self.at;
+        self.skip_blanks();
+        let empty = matches!(self.peek(), None | Some(b'\n')) || self.bytes[self.at..].starts_with(b"\r\n");
+        match empty {
+            true => {
+                while self.peek().is_some_and(|b| b != b'\n') {
+                    self.at += 1
+                }
+            }
+            false => self.at = start,
+        }
+        self.at += usize::from(empty);
+        empty
+    }
+
+    /// The label, and what separates it from the next field; none if it may need more than a look.
+    #[inline]
+    pub fn label(&mut self) -> Option<&'a [u8]> {
+        self.skip_blanks();
+        self.short_label().or_else(|| self.any_label())
+    }
+
+    /// A label of less than sixteen bytes that its separator ends at once.
+    #[inline]
+    fn short_label(&mut self) -> Option<&'a [u8]> {
+        let rest = &self.bytes[self.at..];
+        let separator = self.delimiter.unwrap_or(b' ');
+        let [first, second] =
+            [0, 8].map(|from| rest.get(from..)?.first_chunk().map(|word| first_stop(*word, separator)));
+        let length = match first? {
+            8 => 8 + second?,
+            length => length,
+        };
+        let plain = !matches!(rest.first(), None | Some(b'"' | 0xef)) && (1..16).contains(&length);
+        if !plain || rest.get(length) != Some(&separator) {
+            return None;
+        }
+        self.at += length + usize::from(self.delimiter.is_some());
+        Some(&rest[..length])
+    }
+
+    fn any_label(&mut self) -> Option<&'a [u8]> {
+        let start = self.at;
+        let stops = |b: u8| match self.delimiter {
+            Some(delimiter) => b == delimiter || b == b'\n',
+            None => b == b' ' || b == b'\t' || b == b'\n',
+        };
+        let length = self.bytes[start..].iter().position(|b| stops(*b))?;
+        let label = self.bytes[start..start + length].trim_ascii_end();
+        self.at = start + length;
+        // what begins with a quote, a byte-order mark or a NUL is not plain
+        let plain = length <= LONGEST_LINE
+            && !label.is_empty()
+            && !label.starts_with(b"\"")
+            && !label.starts_with(b"\xef\xbb\xbf");
+        (plain && !label.contains(&0) && self.separator()).then_some(label)
+    }
+
+    fn separator(&mut self) -> bool {
+        match self.delimiter {
+            Some(delimiter) => {
+                self.skip_blanks();
+                let there = self.peek() == Some(delimiter);
+                self.at += usize::from(there);
+                there
+            }
+            None => matches!(self.peek(), Some(b' ' | b'\t')),
+        }
+    }
+
+    /// Takes up digits behind those that `value` has, and says how many there were; of more than 19 the value is lost.
+    #[inline(always)]
+    fn digits(&mut self, mut value: u64) -> (u64, usize) {
+        let start = self.at;
+        loop {
+            let (more, count) = eight(&self.bytes[self.at..]);
+            value = value.wrapping_mul(WHOLE_TENS[count]).wrapping_add(more);
+            self.at += count;
+            if count < 8 {
+                return (value, self.at - start);
+            }
+        }
+    }
+
+    /// A number, and what separates it from the next field, if anything does.
+    pub fn number(&mut self) -> Option<f64> {
+        self.skip_blanks();
+        let start = self.at;
+        let negative = self.peek() == Some(b'-');
+        self.at += usize::from(negative);
+        let (whole, before) = self.digits(0);
+        let (mantissa, behind) = match self.peek() {
+            Some(b'.') => {
+                self.at += 1;
+                self.digits(whole)
+            }
+            _ => (whole, 0),
+        };
+        let plain = matches!(self.peek(), None | Some(b' ' | b'\t' | b'\r' | b'\n')) || self.peek() == self.delimiter;
+        // W. D. Clinger, How to read floating point numbers accurately, 1990: both operands are exact
+        let value = if plain && (1..=19).contains(&(before + behind)) && mantissa <= 1 << 53 {
+            let value = mantissa as f64 / TENS[behind];
+            // signs come as they please: a bit is quicker than a branch
+            f64::from_bits(value.to_bits() | u64::from(negative) << 63)
+        } else {
+            let length = self.bytes[start..]
+                .iter()
+                .take(LONGEST_LINE)
+                .position(|b| b.is_ascii_whitespace() || Some(*b) == self.delimiter);
+            self.at = length.map_or(self.bytes.len(), |length| start + length);
+            number(std::str::from_utf8(&self.bytes[start..self.at]).ok()?, Decimal::Point).ok()?
+        };
+        // a blank between numbers is no semicolon
+        let parted = self.delimiter.is_none() || self.separator() || matches!(self.peek(), None | Some(b'\r' | b'\n'));
+        parted.then_some(value)
+    }
+
+    /// Whether the line ends here; if so it is passed. Without a line feed it ends at the end of the file alone.
+    pub fn end(&mut self, last: bool) -> bool {
+        self.skip_blanks();
+        if self.peek() == Some(b'\r') {
+            self.at += 1;
+        }
+        match self.peek() {
+            Some(b'\n') => {
+                self.at += 1;
+                true
+            }
+            None => last,
+            _ => false,
+        }
+    }
+}
+
+/// Line feeds in a text: counted in bytes, which take an eighth of the registers that words would.
+pub(super) fn line_feeds(text: &[u8]) -> usize {
+    let few = |bytes: &[u8]| bytes.iter().map(|b| u8::from(*b == b'\n')).sum::<u8>();
+    text.chunks(255).map(|bytes| usize::from(few(bytes))).sum()
+}
+
+/// Bytes in front of the first separator, blank or control character.
+#[inline(always)]
+fn first_stop(word: [u8; 8], separator: u8) -> usize {
+    let ones = u64::from_le_bytes([1; 8]);
+    let high = ones << 7;
+    let word = u64::from_le_bytes(word);
+    let parted = word ^ (ones * u64::from(separator));
+    // right up to the first; behind it borrows may mark what they like
+    let stops = (word.wrapping_sub(ones * 0x21) & !word | parted.wrapping_sub(ones) & !parted) & high;
+    (stops.trailing_zeros() / 8) as usize
+}
+
+/// The number that up to eight digits in front make, and how many they are: all bytes of a word at once
+/// (D. Lemire, Number parsing at a gigabyte per second, Software: Practice and Experience 51, 2021).
+#[inline(always)]
+fn eight(bytes: &[u8]) -> (u64, usize) {
+    let word = match bytes.first_chunk() {
+        Some(word) => *word,
+        None => std::array::from_fn(|i| bytes.get(i).copied().unwrap_or_default()),
+    };
+    // digits become 0 to 9; from the first that is none upwards, carries may mark what they like
+    let word = u64::from_le_bytes(word) ^ 0x3030_3030_3030_3030;
+    let other = (word.wrapping_add(0x7676_7676_7676_7676) | word) & 0x8080_8080_8080_8080;
+    let count = other.trailing_zeros() / 8;
+    if count == 0 {
+        return (0, 0);
+    }
+    let digits = word << (64 - 8 * count);
+    let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8) & 0x00ff_00ff_00ff_00ff;
+    let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_ffff_0000_ffff;
+    let all = fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff;
+    (all, count as usize)
+}
+
+/// One line; where it would read as a comment its first field is quoted.
+pub(crate) fn line(
+    fields: &[String],
+    delimiter: Delimiter,
+    comment: Option<&str>,
+) -> std::result::Result<String, Message> {
+    let joined = |quote_first: bool| {
+        let field = |(i, field): (usize, &String)| match delimiter.byte() {
+            Some(byte) => quoted_between(field, char::from(byte), quote_first && i == 0),
+            None => blank(field, quote_first && i == 0),
+        };
+        let separator = delimiter.byte().map_or(' ', char::from).to_string();
+        fields.iter().enumerate().map(field).collect::<Vec<_>>().join(&separator) + "\n"
+    };
+    let is_comment = |text: &str| comment.is_some_and(|c| text.trim_start().starts_with(c));
+    let text = joined(false);
+    if !is_comment(&text) {
+        return Ok(text);
+    }
+    let quoted = joined(true);
+    if is_comment(&quoted) {
+        let what = format!("a row would read as a comment: `{}`", text.trim_end());
+        return Err(Message::error(what).hint("choose another `comment`"));
+    }
+    Ok(quoted)
+}
+
+/// A field between separators.
+fn quoted_between(field: &str, separator: char, quote: bool) -> String {
+    if quote || field.contains([separator, '"', '\n', '\r']) || field.trim() != field {
+        format!("\"{}\"", field.replace('"', "\"\""))
+    } else {
+        field.to_owned()
+    }
+}
+
+/// A field between blanks.
+pub(crate) fn blank(field: &str, quote: bool) -> String {
+    if quote || field.is_empty() || field.contains(char::is_whitespace) {
+        format!("\"{field}\"")
+    } else {
+        field.to_owned()
+    }
+}
+
+/// A number with the stated decimal mark.
+pub(crate) fn written(value: f64, digits: usize, decimal: Decimal) -> String {
+    let text = format!("{value:.digits$}");
+    if decimal == Decimal::Comma { text.replace('.', ",") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_rows_in_every_delimiter() {
+        let expected = vec![Row { line: 2, fields: ["P 1", "1.5", "-2"].map(str::to_owned).to_vec() }];
+        for (text, delimiter) in [
+            ("# head\n\"P 1\"  1.5\t-2\n\n", Delimiter::Blank),
+            ("# head\nP 1\t1.5\t-2\r\n", Delimiter::Tab),
+            ("# head\nP 1, 1.5,-2\n", Delimiter::Comma),
+            ("# head\nP 1;1.5;-2", Delimiter::Semicolon),
+            ("# \"head\n\"P 1\" | 1.5|\"-2\"", Delimiter::Bar),
+        ] {
+            assert_eq!(rows("f", text, delimiter, Some("#")).unwrap(), expected, "{delimiter:?}");
+        }
+    }
+
+    #[test]
+    fn quotes_that_do_not_match_are_told_on_their_line_and_hide_no_row() {
+        let dialect = Dialect { delimiter: Some(Delimiter::Comma), ..Dialect::default() };
+        let (rows, problems) = split("f", "\"a,1\n\"b \"\"c\"\"\",2\n\"d\" e,3\n1.5\" ball,4\n", &dialect);
+        let lines: Vec<_> = problems.0.iter().map(|m| m.place.as_ref().map(|p| (p.line, p.column))).collect();
+        assert_eq!(lines, [Some((Some(1), Some(1))), Some((Some(3), Some(5)))]);
+        let fields: Vec<&str> = rows.iter().flat_map(|r| &r.fields).map(String::as_str).collect();
+        assert_eq!(fields, ["b \"c\"", "2", "1.5\" ball", "4"]);
+    }
+
+    #[test]
+    fn fixed_widths_count_characters() {
+        assert_eq!(fixed("µ 1  2.5 rest", &[3, 5]), ["µ 1".trim(), "2.5", "rest"].map(str::to_owned));
+        assert_eq!(fixed("ab", &[1, 3, 2]), ["a", "b", ""].map(str::to_owned));
+    }
+
+    #[test]
+    fn eight_takes_the_digits_in_front_whatever_follows() {
+        for digits in ["", "0", "7", "09", "123", "0045", "99999", "123456", "9876543", "98765432", "00000001"] {
+            for behind in ["", ".", " 5", "/", ":", "\u{e9}", "\0", "\n12", "a1234567", "\u{10ffff}99999"] {
+                let text = format!("{digits}{behind}");
+                let expected = (digits.parse().unwrap_or(0), digits.len());
+                assert_eq!(eight(text.as_bytes()), expected, "{text:?}");
+            }
+        }
+        assert_eq!(eight(b"1234567890"), (12_345_678, 8));
+    }
+
+    #[test]
+    fn numbers_are_read_strictly() {
+        assert_eq!(number("1,25", Decimal::Comma).unwrap(), 1.25);
+        for (field, decimal) in [
+            ("1,25", Decimal::Point),
+            ("1.25", Decimal::Comma),
+            ("nan", Decimal::Point),
+            ("inf", Decimal::Point),
+            ("1 000", Decimal::Point),
+            ("", Decimal::Point),
+            ("1.2.3", Decimal::Point),
+            ("1,2,3", Decimal::Comma),
+            ("1e999", Decimal::Point),
+            ("±2.000", Decimal::Point),
+            ("d5", Decimal::Point),
+            ("0x1p3", Decimal::Point),
+        ] {
+            assert!(number(field, decimal).is_err(), "{field}");
+        }
+    }
+
+    #[test]
+    fn endless_digits_are_no_number_and_take_no_time() {
+        let begun = std::time::Instant::now();
+        let said = number(&"7".repeat(50_000_000), Decimal::Point).unwrap_err().to_string();
+        assert!(said.len() < 300 && said.contains("it has 50000000 characters"), "{said}");
+        assert!(begun.elapsed().as_secs_f64() < 1.0);
+        let smallest = format!("{}", f64::from_bits(1));
+        assert_eq!(number(&smallest, Decimal::Point).unwrap().to_bits(), 1);
+    }
+
+    #[test]
+    fn trap_5_exponents_and_trap_6_unicode_minus() {
+        for (field, value) in [
+            ("-1.5e+003", -1500.0),
+            ("-4.30052E001", -43.0052),
+            ("1.5D+01", 15.0),
+            ("1.5d-2", 0.015),
+            ("\u{2212}2.5", -2.5),
+            ("0.", 0.0),
+            ("-.5E0", -0.5),
+        ] {
+            assert_eq!(number(field, Decimal::Point).unwrap().to_bits(), f64::to_bits(value), "{field}");
+        }
+    }
+
+    #[test]
+    fn trap_4_thousands_only_between_groups_of_three() {
+        use Thousands::*;
+        let (point, comma) = (Decimal::Point, Decimal::Comma);
+        for (field, decimal, mark) in [
+            ("1,234.5", point, Comma),
+            ("1.234,5", comma, Point),
+            ("1'234.5", point, Apostrophe),
+            ("1 234,5", comma, Blank),
+            ("1\u{a0}234.5", point, Blank),
+            ("1\u{202f}234.5", point, Blank),
+            ("1234.5", point, Comma),
+        ] {
+            assert_eq!(marked(field, decimal, Some(mark)).unwrap(), 1234.5, "{field}");
+        }
+        for (field, decimal, mark) in [
+            ("1,23.5", point, Comma),
+            (",234.5", point, Comma),
+            ("1234,567.0", point, Comma),
+            ("1.234,5", comma, Comma),
+            ("1,234.5,6", point, Comma),
+        ] {
+            assert!(marked(field, decimal, Some(mark)).is_err(), "{field}");
+        }
+        let said = number("3 000", point).unwrap_err().to_string();
+        assert!(said.contains("thousands = \" \""), "{said}");
+    }
+}
