@@ -276,7 +276,7 @@ impl RobotFile {
         for (name, value) in &self.nominal {
             let Some(i) = robot.index(name) else {
                 let names = robot.parameters().iter().map(|p| p.name.as_str());
-                let what = format!("[nominal] names `{name}`, which is no parameter of this robot");
+                let what = format!("[nominal] names `{name}`, which is not a parameter of this robot");
                 problems.0.push(Message::error(what).at(self.place(&["nominal", name])).hint_names(name, names));
                 continue;
             };

@@ -33,7 +33,7 @@ impl Export {
             if self.format.is_empty() { export::names().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
         let to = self.to.unwrap_or(folder);
         let exporter = |name: &String| {
-            let wrong = || Message::error(format!("`{name}` is no controller format"));
+            let wrong = || Message::error(format!("`{name}` is not a controller format"));
             export::by_name(name).ok_or_else(|| Problems::from(wrong().hint_names(name, export::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;

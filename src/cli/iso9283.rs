@@ -9,8 +9,7 @@ use crate::base::message::{Message, Problems};
 use crate::document::{Iso9283ComplianceDocument, Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose};
 use crate::run::output;
 use crate::stages::iso9283::load;
-use crate::stages::iso9283::pose::{DRAWS, Settings};
-use crate::stages::iso9283::pose_tables::PoseTables;
+use crate::stages::iso9283::pose::{DRAWS, PoseTables, Settings};
 use plan::PlanOptions;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -99,7 +98,7 @@ impl Iso9283 {
             return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
         }
         let tables = PoseTables::read(poses, commanded, self.reference.as_deref())?;
-        let document = tables.visits(self.rotation_order.as_deref())?.evaluate(&Settings {
+        let document = tables.test(self.rotation_order.as_deref())?.evaluate(&Settings {
             expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
             drift_set: self.drift_set,
             rotation_order: self.rotation_order.clone(),

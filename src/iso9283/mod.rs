@@ -22,7 +22,7 @@
 //! | static compliance | 10 | [`compliance`] | unverified |
 //! | weaving WS, WF | 11 | [`weaving`] | unverified |
 //! | cube, test plane, poses, paths, cycles | 6 | [`layout`], [`programme`] | poses, loads, velocities and 30 cycles read |
-//! | uncertainty at most 25 % of the characteristic | 6 | [`quarter`] | unverified |
+//! | uncertainty at most 25 % of the characteristic | 6 | [`uncertainty_ratio`] | unverified |
 //!
 //! Not of the standard: smallest enclosing sphere and circle beside mean + 3 s ([`repeatability`]), intervals of AP and RP
 //! ([`interval`], [`bootstrap`]) and of AT and RT ([`path_bootstrap`]), conformity with a limit ([`conformity`]), the ellipsoid of the next position
@@ -57,9 +57,9 @@ pub mod path_accuracy;
 pub mod path_bootstrap;
 pub mod path_repeatability;
 pub mod path_velocity;
+pub mod pose_test;
 pub mod posing_time;
 pub mod programme;
-pub mod quarter;
 pub mod reference;
 pub mod repeatability;
 pub mod rotations;
@@ -68,6 +68,7 @@ mod scatter;
 pub mod stabilisation;
 pub mod standstill;
 pub mod stream;
+pub mod uncertainty_ratio;
 pub mod weaving;
 
 use crate::base::message::{Message, Result};

@@ -13,7 +13,7 @@ use crate::stages::frames;
 use crate::stages::gather::{self, Gathered};
 use crate::stages::geometric;
 use crate::stages::identification::check_selections;
-use crate::stages::iso9283::characteristics::{self, TestData};
+use crate::stages::iso9283::{self, TestData};
 use crate::stages::join;
 use std::collections::BTreeSet;
 
@@ -127,9 +127,9 @@ fn find(campaign: &Campaign) -> Found {
     if let (Some(definition), true, true) = (&campaign.file.geometric, named && whole(&["geometric"]), read) {
         geometric = problems.keep(geometric::gather(campaign, definition, &gathered.points));
     }
-    let (tests, wrong) = characteristics::read(campaign);
+    let (tests, wrong) = iso9283::read(campaign);
     if named && whole(&["repeatability"]) && read {
-        problems.0.extend(characteristics::label_problems(campaign, &tests, &gathered).0);
+        problems.0.extend(iso9283::label_problems(campaign, &tests, &gathered).0);
     }
     problems.0.extend(more.0);
     problems.0.extend(wrong.0);

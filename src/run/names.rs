@@ -69,13 +69,13 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in campaign.file.identify.iter().flat_map(|identify| &identify.hold) {
         if !names().any(|name| matches_pattern(pattern.get_ref(), name)) {
-            let message = Message::error(format!("`{}` is no parameter of this robot", pattern.get_ref()));
+            let message = Message::error(format!("`{}` is not a parameter of this robot", pattern.get_ref()));
             problems.0.push(message.at(campaign.place(pattern)).hint_names(pattern.get_ref(), names()));
         }
     }
     for target in campaign.file.join_targets() {
         if !robot.targets().contains(target.get_ref()) {
-            let what = format!("`{}` is no target of this robot", target.get_ref());
+            let what = format!("`{}` is not a target of this robot", target.get_ref());
             let message = Message::error(what).at(campaign.place(target));
             problems.0.push(message.hint_names(target.get_ref(), robot.targets().iter().map(String::as_str)));
         }
@@ -122,7 +122,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
         for key in log.columns.keys().filter(|key| !known(key.get_ref()) && import::log_column(key.get_ref()).is_some())
         {
             let columns: Vec<String> = robot.joints().iter().map(|joint| joint.column()).collect();
-            let message = Message::error(format!("`{}` is no joint of this robot", key.get_ref()));
+            let message = Message::error(format!("`{}` is not a joint of this robot", key.get_ref()));
             let hint = format!("its joints are {}, in these units or others", columns.join(", "));
             problems.0.push(message.at(campaign.place(key)).hint(hint));
         }

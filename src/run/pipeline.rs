@@ -11,7 +11,7 @@ use crate::run::summary::summary;
 use crate::stages::frames;
 use crate::stages::geometric;
 use crate::stages::identification::{Identified, identify};
-use crate::stages::iso9283::characteristics;
+use crate::stages::iso9283;
 use crate::stages::join;
 
 /// What a run found, for the one who called it.
@@ -53,7 +53,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
     let frames = frames::make_frames(campaign, &gathered.points, &features, robot.dimension() == 2)?;
 
     // tests: attained poses, recorded motions and loads become characteristics of ISO 9283
-    let tested = characteristics::evaluate(campaign, &tests, &gathered, &frames)?;
+    let tested = iso9283::evaluate(campaign, &tests, &gathered, &frames)?;
     gathered.document.sources.extend(tests.sources);
     gathered.document.messages.extend(features.messages.clone());
 

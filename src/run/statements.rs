@@ -20,7 +20,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     }
     for name in file.controllers.iter().flatten() {
         if export::by_name(name.get_ref()).is_none() {
-            let what = format!("`{}` is no controller format", name.get_ref());
+            let what = format!("`{}` is not a controller format", name.get_ref());
             problems.0.push(Message::error(what).at(campaign.place(name)).hint_names(name.get_ref(), export::names()));
         }
     }
@@ -42,7 +42,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             let message = Message::error(format!("`{key}` must be positive")).at(campaign.place_of(&[table, key]));
             let hint = match table {
                 "instrument" => "take it from the instrument's calibration certificate",
-                _ => "touch one point often and take the scatter of what the encoders say",
+                _ => "touch one point often and take the scatter of the encoder readings",
             };
             problems.0.push(message.hint(hint));
         }

@@ -198,7 +198,7 @@ pub fn true_values(robot: &dyn Robot, given: &BTreeMap<String, f64>) -> Result<V
     for (name, value) in given {
         let names = robot.parameters().iter().map(|p| p.name.as_str());
         let i = robot.index(name).ok_or_else(|| {
-            Message::error(format!("[parameters] names `{name}`, which is no parameter of this robot"))
+            Message::error(format!("[parameters] names `{name}`, which is not a parameter of this robot"))
                 .hint_names(name, names)
         })?;
         values[i] = robot.parameters()[i].quantity.inward(*value);

@@ -6,6 +6,7 @@ use crate::base::table;
 use crate::campaign::Campaign;
 use crate::document::Source;
 use crate::import;
+use crate::import::tables::coordinates::NamedTable;
 use polars::prelude::DataFrame;
 use std::path::Path;
 use toml::Spanned;
@@ -47,8 +48,8 @@ impl TableFile {
     }
 
     /// The table with the name of its file, for messages.
-    pub fn named(&self) -> (&str, &DataFrame) {
-        (&self.name, &self.table)
+    pub fn named(&self) -> NamedTable<'_> {
+        NamedTable { file: &self.name, frame: &self.table }
     }
 
     /// Problems of the table, with the lines they are about.

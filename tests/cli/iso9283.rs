@@ -70,7 +70,7 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
         (String::new(), "", "the table has no rows"),
         ("time_s,x_mm,y_mm\n".to_owned(), "", "the table has no rows"),
         ("time_s,x_mm,y_mm\n0,1,2\n".to_owned(), "", "two samples or more"),
-        (good.replacen("time_s", "clock_s", 1), "", "the recording tells no time"),
+        (good.replacen("time_s", "clock_s", 1), "", "the recording has no time column"),
         (stamped("\n0.01,"), "", "stream.csv:4"),
         (stamped("\n0.005,"), "", "time does not go on"),
         (stamped("\nNaN,"), "", "`NaN` is no number"),
@@ -128,8 +128,8 @@ fn a_loaded_robot_gives_way_by_what_the_table_says() {
     let planar = "direction,cycle,force_n,x_mm,y_mm\n+z,1,0,500,5\n+z,1,10,500,5\n";
     assert!(text_of(&answer(planar)).contains("direction `+z` without z_mm"));
     for (from, to, said) in [
-        ("+x,1,10,", "up,1,10,", "`up` is no direction"),
-        ("+x,1,10,", "+x,1,-10,", "`-10` is no force"),
+        ("+x,1,10,", "up,1,10,", "`up` is not a direction"),
+        ("+x,1,10,", "+x,1,-10,", "`-10` is not a force"),
         ("+x,1,0,", "+x,1,5,", "no row without force"),
         ("force_n", "force", "no column `force_n`"),
         ("+x,1,10,500.01", "+x,1,10,", "a coordinate is missing"),
@@ -184,7 +184,7 @@ fn a_plan_writes_tables_that_the_command_takes_and_targets() {
         (" --workspace-mm 1,2,3", "has 3 numbers"),
         (" --workspace-mm 0,0,0,0,0,0", "no box"),
         (" --workspace-mm 0,0,0,NaN,1,1", "no box"),
-        (" --workspace-mm 0,0,0,1,1,1 --test-plane C1-C2", "is no test plane"),
+        (" --workspace-mm 0,0,0,1,1,1 --test-plane C1-C2", "is not a test plane"),
         (" --workspace-mm 0,0,1,1 --test-plane C1-C2-C7-C8", "one test plane"),
         (" --workspace-mm 0,0,0,1,1,1 --orientation-deg 1,2", "has 2 angles"),
         (" --workspace-mm 0,0,0,1,1,1 --reorientation-deg 1,2,3", "without an orientation"),

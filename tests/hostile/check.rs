@@ -77,7 +77,7 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
     campaign(
         "\"cycle\"]",
         "\"cycle\"]\ntargets = [\"K\", \"M\"]",
-        &["`M` is no target of this robot", "campaign.toml:"],
+        &["`M` is not a target of this robot", "campaign.toml:"],
     );
     campaign(
         "robot = \"robot.toml\"",

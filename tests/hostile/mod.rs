@@ -120,9 +120,14 @@ fn an_unknown_parameter_in_hold_and_in_nominal() {
         "campaign.toml",
         "[limits]",
         "hold = [\"gama\"]\n[limits]",
-        &["`gama` is no parameter", "did you mean `gamma`?"],
+        &["`gama` is not a parameter", "did you mean `gamma`?"],
     );
-    broken("robot.toml", "delta2 = 1.0", "delt2 = 1.0", &["`delt2`, which is no parameter", "did you mean `delta2`?"]);
+    broken(
+        "robot.toml",
+        "delta2 = 1.0",
+        "delt2 = 1.0",
+        &["`delt2`, which is not a parameter", "did you mean `delta2`?"],
+    );
 }
 
 #[test]
@@ -354,7 +359,7 @@ fn a_wrong_key_does_not_hide_a_wrong_label_or_file() {
     scratch.replace("robot.toml", "model = \"prexyt\"", "model = \"prexyt\"\nsize = 3");
     let (code, said) = etalon(&scratch, "check");
     assert_eq!(code, Some(2));
-    for part in ["unknown key `colour`", "unknown key `size`", "`rail2_x`", "`gama` is no parameter"] {
+    for part in ["unknown key `colour`", "unknown key `size`", "`rail2_x`", "`gama` is not a parameter"] {
         assert!(said.contains(part), "{part}:\n{said}");
     }
 }

@@ -10,8 +10,8 @@ use etalon::iso9283::distance::{angle_distance_rad, distance};
 use etalon::iso9283::drift::drift;
 use etalon::iso9283::exchangeability::exchangeability;
 use etalon::iso9283::interval::{accuracy_interval, repeatability_interval};
-use etalon::iso9283::quarter::quarter;
 use etalon::iso9283::repeatability::{angle_repeatability_rad, pose_repeatability};
+use etalon::iso9283::uncertainty_ratio::uncertainty_ratio;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -219,8 +219,8 @@ fn means_off_a_plane_are_found_by_brute_force_too() {
 
 #[test]
 fn the_quarter_rule_says_yes_up_to_a_quarter() {
-    assert!(quarter(0.010, 0.040).met && !quarter(0.010, 0.039).met);
-    assert!(!quarter(0.010, 0.0).met && quarter(0.010, -0.5).met);
+    assert!(uncertainty_ratio(0.010, 0.040).met && !uncertainty_ratio(0.010, 0.039).met);
+    assert!(!uncertainty_ratio(0.010, 0.0).met && uncertainty_ratio(0.010, -0.5).met);
 }
 
 #[test]

@@ -125,7 +125,7 @@ impl StreamOptions {
 
 fn read_path(path: &Path, (of, recording): (&Path, &Recording)) -> Result<CommandedPath> {
     let table = TableFile::read(path)?;
-    commanded_path(table.named(), (&of.display().to_string(), recording)).map_err(|p| table.place(p))
+    commanded_path(table.named(), &of.display().to_string(), recording).map_err(|p| table.place(p))
 }
 
 fn poses(path: &Path) -> Result<Vec<(i64, Vector)>> {

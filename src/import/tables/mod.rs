@@ -1,7 +1,7 @@
-//! Tables whose columns are known: observations, visits, recordings, reference targets.
+//! Tables whose columns are known: observations, tests of poses, recordings, reference targets.
 
 pub mod coordinates;
 pub mod observations;
+pub mod pose_test;
 pub mod recording;
 pub mod reference_targets;
-pub mod visits;

@@ -2,11 +2,10 @@
 
 use crate::base::message::{Message, Place, Result};
 use crate::base::pose::Vector;
-use crate::base::table;
-use crate::import::tables::coordinates::{Coordinates, at_row, coordinates, in_file, like};
+use crate::base::table::numbers;
+use crate::import::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
 use crate::iso9283::path::CommandedPath;
 use crate::iso9283::stream::Stream;
-use polars::prelude::DataFrame;
 
 /// A motion as it was recorded.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,49 +24,52 @@ pub struct Recording {
 const MOST_LEFT_OUT: f64 = 0.01;
 
 impl Recording {
-    /// From a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]` with the file's name. With a stated rate samples are
+    /// From a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]` With a stated rate samples are
     /// counted, and stamps are not read.
-    pub fn from_table((file, frame): (&str, &DataFrame), rate_hz: Option<f64>) -> Result<Self> {
-        let Coordinates { positions_mm, angles_rad, spatial, angles } = coordinates((file, frame))?;
+    pub fn from_table(table: NamedTable, rate_hz: Option<f64>) -> Result<Self> {
+        let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;
         let n = positions_mm.len();
         let time_s = match rate_hz {
             Some(rate) if rate > 0.0 && rate.is_finite() => (0..n).map(|i| i as f64 / rate).collect(),
             Some(rate) => return Err(Message::error(format!("a sampling rate of {rate} Hz")).into()),
-            None => table::numbers(frame, "time_s").unwrap_or_default(),
+            None => numbers(table.frame, "time_s").unwrap_or_default(),
         };
         if time_s.iter().all(|t| t.is_nan()) {
-            let message = Message::error("the recording tells no time").at(Place::file(file));
+            let message = Message::error("the recording has no time column").at(Place::file(table.file));
             let message = message.expected("a column time_s, or the sampling rate");
             return Err(message.hint("state the rate of the instrument: --rate-hz 1000").into());
         }
         let stream = Stream::new(time_s, positions_mm, &angles_rad)
-            .map_err(|wrong| at_row(wrong.message, (file, frame), wrong.sample))?;
+            .map_err(|wrong| table.at_row(wrong.message, wrong.sample))?;
         let (stream, jumps) = stream.without_jumps();
         if jumps.len() as f64 > MOST_LEFT_OUT * n as f64 {
             let what = format!("no robot moves like this: {} of {n} samples are faster than 20 m/s", jumps.len());
-            let message = at_row(Message::error(what), (file, frame), jumps[0]);
+            let message = table.at_row(Message::error(what), jumps[0]);
             return Err(message.hint("is the sampling rate right, and the unit? are samples in order?").into());
         }
-        let lines = table::integers(frame, "line")?;
+        let lines = table.integers("line")?;
         let left_out = jumps.iter().filter_map(|&i| usize::try_from(*lines.get(i)?).ok()).collect();
         Ok(Self { stream, spatial, angles, left_out })
     }
 }
 
 /// A commanded path from a table with the coordinates of a recording, a row a point.
-pub fn commanded_path((file, frame): (&str, &DataFrame), of: (&str, &Recording)) -> Result<CommandedPath> {
-    let all = coordinates((file, frame))?;
-    like((all.spatial, &all.angles), (of.1.spatial, &of.1.angles), (file, of.0))?;
-    CommandedPath::new(all.positions_mm, &all.angles_rad).map_err(|p| in_file(p, file))
+pub fn commanded_path(table: NamedTable, recorded: &str, recording: &Recording) -> Result<CommandedPath> {
+    let all = table.coordinates()?;
+    like(
+        CoordinatesOf { file: table.file, spatial: all.spatial, angles: &all.angles },
+        CoordinatesOf { file: recorded, spatial: recording.spatial, angles: &recording.angles },
+    )?;
+    CommandedPath::new(all.positions_mm, &all.angles_rad).map_err(|p| table.place(p))
 }
 
 /// Numbers and positions of commanded poses.
-pub fn commanded_poses((file, frame): (&str, &DataFrame)) -> Result<Vec<(i64, Vector)>> {
-    let poses = table::integers(frame, "pose").map_err(|p| in_file(p, file))?;
-    let positions_mm = coordinates((file, frame))?.positions_mm;
+pub fn commanded_poses(table: NamedTable) -> Result<Vec<(i64, Vector)>> {
+    let poses = table.integers("pose")?;
+    let positions_mm = table.coordinates()?.positions_mm;
     if let Some(i) = (0..poses.len()).find(|&i| poses[..i].contains(&poses[i])) {
         let message = Message::error(format!("pose {} is commanded twice", poses[i]));
-        return Err(at_row(message, (file, frame), i).into());
+        return Err(table.at_row(message, i).into());
     }
     Ok(poses.into_iter().zip(positions_mm).collect())
 }

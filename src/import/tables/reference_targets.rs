@@ -1,71 +1,68 @@
-//! Visits of a test carried back by reference targets, which a table measures from time to time.
+//! Drift of the set-up, compensated by reference targets that a table measures from time to time.
 
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
-use crate::base::table;
 use crate::document::Iso9283Epoch;
-use crate::import::tables::coordinates::{at_row, coordinates, in_file};
-use crate::import::tables::visits::Visits;
+use crate::import::tables::coordinates::NamedTable;
+use crate::iso9283::pose_test::PoseTest;
 use crate::iso9283::reference::{Epoch, epochs};
 use crate::iso9283::rotations::RotationOrder;
-use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 
-/// What was done.
+/// The drift of the set-up that was compensated.
 #[derive(Clone, Debug, Default)]
-pub struct CarriedBack {
-    /// What the targets say.
+pub struct SetupDrift {
+    /// How far it had moved each time that the targets were measured.
     pub epochs: Vec<Iso9283Epoch>,
     /// Whether orientations were turned as well.
     pub turned: bool,
 }
 
-/// Carries every visit back to the first epoch of a table `cycle,target,x_mm,y_mm[,z_mm]`: the targets measured in a cycle
-/// hold from this cycle on, until the next time. Gives what they say.
+/// Brings every attained pose into the frame of the first epoch of a table `cycle,target,x_mm,y_mm[,z_mm]`: the targets
+/// measured in a cycle hold from this cycle on, until the next time.
 ///
 /// Orientations are turned back as well, where `rotation_order` says what the angles mean (as [`RotationOrder::parse`] reads
 /// it) and all of a, b, c are there, or c of a planar robot; else angles stay, and a warning says so.
-pub fn carry_back(
-    visits: &mut Visits,
-    (file, frame): (&str, &DataFrame),
+pub fn compensate_setup_drift(
+    test: &mut PoseTest,
+    table: NamedTable,
     rotation_order: Option<&str>,
-) -> Result<CarriedBack> {
-    let (cycles, epochs) = read((file, frame))?;
-    let turning = turning(visits, rotation_order);
-    let angles = visits.angles.clone();
-    for p in &mut visits.poses {
+) -> Result<SetupDrift> {
+    let (cycles, epochs) = read(table)?;
+    let turning = turning(test, rotation_order);
+    let angles = test.angles.clone();
+    for p in &mut test.poses {
         // the way to write an orientation that is nearest to the commanded one
         let start_rad = all_three(&angles, &p.commanded_rad);
-        for visit in &mut p.visits {
-            let epoch = holding(&cycles, &epochs, visit.cycle).map_err(|p| in_file(p, file))?;
-            visit.position_mm = epoch.first_T_now.apply(visit.position_mm);
-            visit.readings_mm.iter_mut().for_each(|p| *p = epoch.first_T_now.apply(*p));
+        for attained in &mut p.attained {
+            let epoch = holding(&cycles, &epochs, attained.cycle).map_err(|p| table.place(p))?;
+            attained.position_mm = epoch.first_T_now.apply(attained.position_mm);
+            attained.readings_mm.iter_mut().for_each(|p| *p = epoch.first_T_now.apply(*p));
             let Some(order) = turning.filter(|_| epoch.moved_mm > 0.0) else { continue };
-            let attained = order.pose(all_three(&angles, &visit.angles_rad));
-            let Some(turned) = order.angles_rad(&epoch.first_T_now.then(&attained), start_rad) else {
-                let what = format!("angles of pose {}, cycle {} cannot be turned back", p.pose, visit.cycle);
+            let pose = order.pose(all_three(&angles, &attained.angles_rad));
+            let Some(turned) = order.angles_rad(&epoch.first_T_now.then(&pose), start_rad) else {
+                let what = format!("angles of pose {}, cycle {} cannot be turned back", p.pose, attained.cycle);
                 let hint = "near this orientation the order of rotations does not tell two angles apart: state another";
                 return Err(Message::error(what).hint(hint).into());
             };
-            visit.angles_rad = angles.iter().map(|&k| turned[k]).collect();
+            attained.angles_rad = angles.iter().map(|&k| turned[k]).collect();
         }
     }
     let told = |(&cycle, e): (&i64, &Epoch)| Iso9283Epoch { cycle, moved_mm: e.moved_mm, rms_mm: e.rms_mm };
-    Ok(CarriedBack { epochs: cycles.iter().zip(&epochs).map(told).collect(), turned: turning.is_some() })
+    Ok(SetupDrift { epochs: cycles.iter().zip(&epochs).map(told).collect(), turned: turning.is_some() })
 }
 
 /// The order by which angles are turned; a warning where there are angles and it is not known.
-fn turning(visits: &mut Visits, rotation_order: Option<&str>) -> Option<RotationOrder> {
-    let planar = !visits.spatial && visits.angles == [2];
+fn turning(test: &mut PoseTest, rotation_order: Option<&str>) -> Option<RotationOrder> {
+    let planar = !test.spatial && test.angles == [2];
     let order = match planar {
         true => RotationOrder::parse("Rz(c) Ry(b) Rx(a)"),
-        false => rotation_order.and_then(RotationOrder::parse).filter(|_| visits.angles.len() == 3),
+        false => rotation_order.and_then(RotationOrder::parse).filter(|_| test.angles.len() == 3),
     };
-    if order.is_none() && !visits.angles.is_empty() {
+    if order.is_none() && !test.angles.is_empty() {
         let message = Message::warning("angles are not turned back with the reference targets")
             .expected("all of a_deg, b_deg, c_deg (of a planar robot c_deg), and the order of their rotations");
-        visits
-            .warnings
+        test.warnings
             .push(message.hint("state it, e.g. --rotation-order \"Rz(c) Ry(b) Rx(a)\"; a campaign as rotation_order"));
     }
     order
@@ -87,15 +84,15 @@ fn holding<'a>(cycles: &[i64], epochs: &'a [Epoch], cycle: i64) -> Result<&'a Ep
 }
 
 /// Cycles in which the targets were measured, ascending, and what they say.
-fn read((file, frame): (&str, &DataFrame)) -> Result<(Vec<i64>, Vec<Epoch>)> {
-    let cycles = table::integers(frame, "cycle").map_err(|p| in_file(p, file))?;
-    let names = table::texts(frame, "target").map_err(|p| in_file(p, file))?;
-    let positions_mm = coordinates((file, frame))?.positions_mm;
+fn read(table: NamedTable) -> Result<(Vec<i64>, Vec<Epoch>)> {
+    let cycles = table.integers("cycle")?;
+    let names = table.texts("target")?;
+    let positions_mm = table.coordinates()?.positions_mm;
     let mut measured: BTreeMap<i64, BTreeMap<&str, Vector>> = BTreeMap::new();
     for (i, (cycle, name)) in cycles.iter().zip(&names).enumerate() {
         if measured.entry(*cycle).or_default().insert(name, positions_mm[i]).is_some() {
             let message = Message::error(format!("target `{name}` is there twice in cycle {cycle}"));
-            return Err(at_row(message, (file, frame), i).into());
+            return Err(table.at_row(message, i).into());
         }
     }
     let mut sets: Vec<Vec<Vector>> = Vec::new();
@@ -103,9 +100,9 @@ fn read((file, frame): (&str, &DataFrame)) -> Result<(Vec<i64>, Vec<Epoch>)> {
     for (cycle, targets) in &measured {
         if !targets.keys().eq(&first) {
             let message = Message::error(format!("reference targets of cycle {cycle} are others than the first"));
-            return Err(in_file(message.expected(first.join(", ")).into(), file));
+            return Err(table.place(message.expected(first.join(", "))));
         }
         sets.push(targets.values().copied().collect());
     }
-    Ok((measured.keys().copied().collect(), epochs(&sets).map_err(|p| in_file(p, file))?))
+    Ok((measured.keys().copied().collect(), epochs(&sets).map_err(|p| table.place(p))?))
 }

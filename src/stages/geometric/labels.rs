@@ -7,7 +7,7 @@ use crate::import::Point;
 use crate::math::geometric::{
     BaseMeasurements, LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned,
 };
-use crate::stages::steps::{Step, Steps};
+use crate::stages::labelled_points::{LabelledPoints, PointGroup};
 use std::collections::BTreeSet;
 use toml::Spanned;
 
@@ -24,24 +24,24 @@ pub struct Gathered {
 
 /// Finds the points of every step by their labels; everything that is missing is said at once.
 pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[Point]) -> Result<Gathered> {
-    let all = Steps::new(campaign, points);
+    let all = LabelledPoints::new(campaign, points);
     let mut problems = Problems::default();
     let mut step = |pattern: &Spanned<String>| {
         all.of(pattern).unwrap_or_else(|more| {
             problems.0.extend(more.0);
-            Step::new()
+            PointGroup::new()
         })
     };
     let (arc, turn) = (step(&definition.arc), step(&definition.turn));
     let (shaft, offsets) = (step(&definition.shaft), step(&definition.offsets));
-    let leads: Vec<Step> = definition.lead.iter().map(|l| step(&l.label)).collect();
-    let bars: Vec<Step> = definition.scale_bar.iter().map(|b| step(&b.label)).collect();
+    let leads: Vec<PointGroup> = definition.lead.iter().map(|l| step(&l.label)).collect();
+    let bars: Vec<PointGroup> = definition.scale_bar.iter().map(|b| step(&b.label)).collect();
     let balls = definition.ball.iter().map(|b| step(&b.label).into_values().flatten().collect()).collect();
     let mut found = Measurements { base: all.base().map_err(|e| e.with(&mut problems))?, ..Measurements::default() };
     found.base.arc = arc.into_values().flatten().collect();
     gather_leads(campaign, definition, leads, &mut found, &mut problems);
 
-    let one = |step: &Step, cycle: i64, pose: i64, target: &str| {
+    let one = |step: &PointGroup, cycle: i64, pose: i64, target: &str| {
         centroid(step.get(&(cycle, pose, target.to_owned())).map_or(&[][..], Vec::as_slice))
     };
     let mut want = |point: Option<Vector>, pattern: &Spanned<String>, (cycle, pose): (i64, i64), target: &str| {
@@ -82,7 +82,7 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
 fn gather_leads(
     campaign: &Campaign,
     definition: &GeometricDefinition,
-    leads: Vec<Step>,
+    leads: Vec<PointGroup>,
     found: &mut Measurements,
     problems: &mut Problems,
 ) {
@@ -155,7 +155,7 @@ pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(S
     rows
 }
 
-impl Steps<'_> {
+impl LabelledPoints<'_> {
     /// Rails and ball R: those of the world frame.
     fn base(&self) -> Result<BaseMeasurements> {
         let wrong = || {

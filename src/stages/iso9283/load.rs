@@ -4,9 +4,8 @@ use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::{Vector, centroid};
 use crate::base::table;
 use crate::document::{Iso9283Compliance, Iso9283ComplianceDocument};
-use crate::import::tables::coordinates::{at_row, coordinates, in_file, unread};
+use crate::import::tables::coordinates::NamedTable;
 use crate::iso9283::compliance::{Loaded, compliance};
-use polars::prelude::DataFrame;
 
 /// Directions that a table may name.
 const DIRECTIONS: [(&str, Vector); 6] = [
@@ -30,9 +29,9 @@ struct Reading {
 
 /// Compliance from a table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`: in each direction and cycle a row without force, the
 /// position that the others are compared with, and rows under load.
-pub fn evaluate((file, frame): (&str, &DataFrame)) -> Result<Iso9283ComplianceDocument> {
-    let readings = readings((file, frame))?;
-    let strange = unread((file, frame), &["direction", "cycle", "force_n"]);
+pub fn evaluate(table: NamedTable) -> Result<Iso9283ComplianceDocument> {
+    let readings = readings(table)?;
+    let strange = table.unread(&["direction", "cycle", "force_n"]);
     let mut directions = Vec::new();
     for (k, (name, direction)) in DIRECTIONS.iter().enumerate() {
         let of: Vec<&Reading> = readings.iter().filter(|r| r.direction == k).collect();
@@ -41,7 +40,7 @@ pub fn evaluate((file, frame): (&str, &DataFrame)) -> Result<Iso9283ComplianceDo
             let without = of.iter().filter(|o| o.cycle == r.cycle && o.force_n == 0.0).map(|o| o.position_mm);
             let Some(unloaded_mm) = centroid(&without.collect::<Vec<_>>()) else {
                 let what = format!("direction {name}, cycle {}: no row without force", r.cycle);
-                return Err(in_file(Message::error(what).hint("record the unloaded position, force 0").into(), file));
+                return Err(table.place(Message::error(what).hint("record the unloaded position, force 0")));
             };
             loaded.push(Loaded { force_n: r.force_n, position_mm: r.position_mm, unloaded_mm });
         }
@@ -64,7 +63,7 @@ pub fn evaluate((file, frame): (&str, &DataFrame)) -> Result<Iso9283ComplianceDo
         });
     }
     if directions.is_empty() {
-        return Err(in_file(Message::error("no row has a force").into(), file));
+        return Err(table.place(Message::error("no row has a force")));
     }
     let short = directions.iter().filter(|d| d.cycles < CYCLES).map(|d| d.direction.as_str()).collect::<Vec<_>>();
     let warning = || Message::warning(format!("fewer than {CYCLES} cycles in direction {}", short.join(", ")));
@@ -79,33 +78,30 @@ pub fn evaluate((file, frame): (&str, &DataFrame)) -> Result<Iso9283ComplianceDo
     })
 }
 
-fn readings((file, frame): (&str, &DataFrame)) -> Result<Vec<Reading>> {
-    let here = |p: Problems| in_file(p, file);
+fn readings(table: NamedTable) -> Result<Vec<Reading>> {
     let columns = ["direction", "cycle", "force_n"].map(str::to_owned);
-    table::require(frame, &columns).map_err(here)?;
-    let (names, forces) = (table::texts(frame, "direction")?, table::texts(frame, "force_n")?);
-    let cycles = table::integers(frame, "cycle").map_err(here)?;
-    let all = coordinates((file, frame))?;
+    table::require(table.frame, &columns).map_err(|p| table.place(p))?;
+    let (names, forces) = (table.texts("direction")?, table.texts("force_n")?);
+    let cycles = table.integers("cycle")?;
+    let all = table.coordinates()?;
     let (positions_mm, spatial) = (all.positions_mm, all.spatial);
     let mut problems = Problems::default();
     let mut all = Vec::new();
     for (i, position_mm) in positions_mm.into_iter().enumerate() {
         let direction = DIRECTIONS.iter().position(|(known, _)| *known == names[i]);
         if direction.is_none() {
-            let message = Message::error(format!("`{}` is no direction", names[i]));
-            problems.0.push(at_row(message, (file, frame), i).expected("+x, -x, +y, -y, +z or -z"));
+            let message = Message::error(format!("`{}` is not a direction", names[i]));
+            problems.0.push(table.at_row(message, i).expected("+x, -x, +y, -y, +z or -z"));
         }
         if !spatial && names[i].ends_with('z') {
             let message =
                 Message::error(format!("direction `{}` without z_mm: no displacement is measured there", names[i]));
-            problems.0.push(at_row(message, (file, frame), i).hint("add the column z_mm, or take the row out"));
+            problems.0.push(table.at_row(message, i).hint("add the column z_mm, or take the row out"));
         }
         let force_n = forces[i].parse().ok().filter(|f: &f64| f.is_finite() && *f >= 0.0);
         if force_n.is_none() {
-            let message = Message::error(format!("`{}` is no force", forces[i]));
-            problems
-                .0
-                .push(at_row(message, (file, frame), i).expected("newtons, zero or more: the direction says the sign"));
+            let message = Message::error(format!("`{}` is not a force", forces[i]));
+            problems.0.push(table.at_row(message, i).expected("newtons, zero or more: the direction says the sign"));
         }
         if let (Some(direction), Some(force_n)) = (direction, force_n) {
             all.push(Reading { direction, cycle: cycles[i], force_n, position_mm });

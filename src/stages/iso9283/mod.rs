@@ -1,13 +1,192 @@
-//! Tests by ISO 9283: tables, labelled points and recorded motions become characteristics.
+//! Tests of a campaign by ISO 9283: tables, labelled points and recorded motions become characteristics.
 
-pub mod characteristics;
 pub mod load;
 pub mod motion;
 pub mod plan;
 pub mod pose;
-pub(crate) mod pose_tables;
 pub mod repeatability;
-pub mod streams;
+mod streams;
+
+use crate::base::message::{Message, Problems, Result};
+use crate::base::pose::Pose;
+use crate::campaign::{Campaign, PosesDefinition};
+use crate::document::*;
+use crate::stages::gather::Gathered;
+use crate::stages::table_file::CampaignTables;
+use pose::{DRAWS, PoseTables, PreparedTest, Settings};
+use repeatability::Commanded;
+use toml::Spanned;
 
 /// The 25 % rule takes the expanded uncertainty with this coverage factor.
 pub(crate) const COVERAGE_FACTOR: f64 = 2.0;
+/// Seed of the bootstrap where the campaign states none: intervals are the same on every run.
+const SEED: u64 = 1;
+
+/// Tables and recordings of the tests of a campaign, read once.
+#[derive(Clone, Debug, Default)]
+pub struct TestData {
+    /// `[poses]`.
+    poses: Option<PreparedTest>,
+    /// `commanded` of `[repeatability]`.
+    commanded: Option<Commanded>,
+    /// `[[stream]]`, in their order.
+    streams: Vec<streams::Ready>,
+    /// `[compliance]`, evaluated.
+    compliance: Option<Iso9283ComplianceDocument>,
+    /// The files.
+    pub sources: Vec<Source>,
+}
+
+/// Reads the tables and recordings of all tests, and reports everything that is wrong with them and with what is stated of
+/// them. Labels are not looked at.
+pub fn read(campaign: &Campaign) -> (TestData, Problems) {
+    let file = &campaign.file;
+    let mut problems = drift_sets(campaign);
+    let mut files = CampaignTables { campaign, sources: Vec::new() };
+    let mut data = TestData::default();
+    if let Some(commanded) = file.repeatability.as_ref().and_then(|labelled| labelled.commanded.as_ref()) {
+        data.commanded = problems.keep(Commanded::read(&mut files, commanded));
+    }
+    // a file that is not named is reported already
+    let named = |definition: &&PosesDefinition| {
+        ![&definition.attained, &definition.commanded].into_iter().any(|file| file.get_ref().is_empty())
+    };
+    if let Some(definition) = file.poses.as_ref().filter(named) {
+        data.poses = problems.keep(read_poses(&mut files, definition));
+    }
+    let (streams, more) = streams::read(&mut files);
+    problems.0.extend(more.0);
+    data.streams = streams;
+    if let Some(definition) = file.compliance.as_ref().filter(|definition| !definition.file.get_ref().is_empty()) {
+        let table = files.read(&definition.file, "static compliance");
+        let found = table.and_then(|table| load::evaluate(table.named()).map_err(|p| table.place(p)));
+        data.compliance = problems.keep(found);
+    }
+    data.sources = files.sources;
+    (data, problems)
+}
+
+/// Evaluates all tests of a campaign.
+pub fn evaluate(
+    campaign: &Campaign,
+    data: &TestData,
+    gathered: &Gathered,
+    frames: &FramesDocument,
+) -> Result<Characteristics> {
+    let settings = settings(campaign);
+    let mut poses = match (&data.poses, &campaign.file.poses, &campaign.file.repeatability) {
+        (Some(attained), Some(definition), _) => Some(of_tables(attained, definition, settings)?),
+        (None, _, Some(labelled)) => {
+            let drift_set = labelled.drift_set.as_ref().map(|set| *set.get_ref());
+            let settings = Settings { drift_set, ..settings };
+            let commanded = data.commanded.as_ref();
+            Some(repeatability::evaluate(campaign, labelled, &gathered.points, commanded, frames, &settings)?)
+        }
+        _ => None,
+    };
+    if let Some(document) = &mut poses {
+        document.limits = limits(campaign, &document.poses)?;
+    }
+    let streams = streams::evaluate_all(campaign, &data.streams)?;
+    Ok(Characteristics { poses, streams, compliance: data.compliance.clone() })
+}
+
+/// Everything that is wrong with the labels of `[repeatability]`; where the world is does not matter to them.
+pub fn label_problems(campaign: &Campaign, data: &TestData, gathered: &Gathered) -> Problems {
+    let Some(labelled) = &campaign.file.repeatability else { return Problems::default() };
+    let commanded = data.commanded.as_ref();
+    let found = repeatability::gather(campaign, labelled, &gathered.points, commanded, &Pose::identity());
+    found.err().unwrap_or_default()
+}
+
+/// Statements on drift that mean nothing.
+fn drift_sets(campaign: &Campaign) -> Problems {
+    let file = &campaign.file;
+    let mut problems = Problems::default();
+    let mut check = |size: &Option<Spanned<usize>>, commanded: bool| {
+        let Some(size) = size else { return };
+        if *size.get_ref() < 2 {
+            problems.0.push(Message::error("`drift_set` must be at least 2").at(campaign.place(size)));
+        }
+        if !commanded {
+            let message = Message::error("`drift_set` needs commanded poses").at(campaign.place(size));
+            problems.0.push(message.hint("state them: `commanded = \"commanded.csv\"`"));
+        }
+    };
+    if let Some(labelled) = &file.repeatability {
+        check(&labelled.drift_set, labelled.commanded.is_some());
+    }
+    if let Some(definition) = &file.poses {
+        check(&definition.drift_set, true);
+        if file.repeatability.is_some() {
+            let message = Message::error("[poses] and [repeatability] both state attained poses");
+            let hint = "state the one that the measurements are in: labels, or a table";
+            problems.0.push(message.at(campaign.place(&definition.attained)).hint(hint));
+        }
+    }
+    problems
+}
+
+/// The attained poses of `[poses]`, and whether they can be evaluated and judged.
+fn read_poses(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<PreparedTest> {
+    let campaign = files.campaign;
+    let attained = PoseTables::of_campaign(files, definition)?.test(definition.rotation_order.as_deref())?;
+    // a set of one cycle is an error of its own
+    if let Some(set) = definition.drift_set.as_ref().filter(|set| *set.get_ref() > 1) {
+        attained.drifts(*set.get_ref()).map_err(|more| more.at(&campaign.place(set)))?;
+    }
+    let found = of_tables(&attained, definition, Settings { draws: 0, ..settings(campaign) })?;
+    limits(campaign, &found.poses)?;
+    Ok(attained)
+}
+
+fn of_tables(attained: &PreparedTest, definition: &PosesDefinition, settings: Settings) -> Result<Iso9283Document> {
+    let mut document = attained.evaluate(&Settings {
+        drift_set: definition.drift_set.as_ref().map(|set| *set.get_ref()),
+        rotation_order: definition.rotation_order.clone(),
+        seed: definition.seed,
+        ..settings
+    })?;
+    document
+        .conventions
+        .push(format!("the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the frame of the tables"));
+    document.visits = attained.visits();
+    Ok(document)
+}
+
+/// What the campaign states for all tests of poses.
+fn settings(campaign: &Campaign) -> Settings {
+    Settings {
+        expanded_uncertainty_mm: Some(COVERAGE_FACTOR * campaign.file.instrument.standard_uncertainty_mm()),
+        drift_set: None,
+        rotation_order: None,
+        seed: SEED,
+        draws: DRAWS,
+        ap_limit_mm: campaign.file.limits.accuracy_max_mm,
+        rp_limit_mm: campaign.file.limits.repeatability_max_mm,
+    }
+}
+
+/// Limits of the largest values; each pose has its own conformity.
+fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
+    let limits = &campaign.file.limits;
+    // or the pose that has none
+    let largest = |value: fn(&Iso9283Pose) -> Option<f64>| {
+        let mut all = poses.iter().map(|p| value(p).ok_or(p.pose));
+        all.try_fold(0.0, |largest, value| value.map(|value| f64::max(largest, value)))
+    };
+    let stated = [
+        ("accuracy_max_mm", limits.accuracy_max_mm, largest(|p| p.ap_mm)),
+        ("repeatability_max_mm", limits.repeatability_max_mm, largest(|p| p.rp_mm)),
+    ];
+    let mut judged = Vec::new();
+    for (name, limit, value) in stated {
+        let Some(limit) = limit else { continue };
+        let value = value.map_err(|pose| {
+            let message = Message::error(format!("the limit `{name}` cannot be judged: pose {pose} has no such value"));
+            message.at(campaign.place_of(&["limits", name])).hint("visit every pose twice or more, and command it")
+        })?;
+        judged.push(LimitVerdict { name: name.to_owned(), unit: "mm".to_owned(), limit, value, met: value <= limit });
+    }
+    Ok(judged)
+}

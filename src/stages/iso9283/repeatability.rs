@@ -5,18 +5,18 @@ use crate::base::pose::{Pose, Vector};
 use crate::campaign::{Campaign, RepeatabilityDefinition};
 use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
 use crate::import::Point;
-use crate::import::tables::coordinates::{ANGLES, in_file, spatial};
+use crate::import::tables::coordinates::ANGLES;
 use crate::import::tables::recording::commanded_poses;
-use crate::import::tables::visits::{PoseVisits, Visit, Visits, from_pose};
 use crate::iso9283::coplanarity::from_the_others;
+use crate::iso9283::pose_test::{AttainedPose, PoseTest, TestedPose, from_pose};
 use crate::stages::iso9283::COVERAGE_FACTOR;
 use crate::stages::iso9283::pose::{self, Settings};
-use crate::stages::steps::{Step, Steps};
+use crate::stages::labelled_points::{LabelledPoints, PointGroup};
 use crate::stages::table_file::{CampaignTables, TableFile};
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
-/// The characteristics that the campaign's visits tell, in its world frame, and the files beside the exports that they are of.
+/// The characteristics of the campaign's labelled visits, in its world frame, and the files beside the exports that they are of.
 pub fn evaluate(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
@@ -56,14 +56,14 @@ pub fn evaluate(
 #[derive(Clone, Debug)]
 pub struct Gathered {
     /// Visits of the trajectory's poses.
-    pub visits: Visits,
+    pub visits: PoseTest,
     /// Homings, as visits of pose 0.
-    pub homings: Option<Visits>,
+    pub homings: Option<PoseTest>,
     /// The visits of the trajectory in the order of recording.
     pub in_order: Vec<Iso9283Visit>,
 }
 
-/// Finds the visits by their labels; everything that is missing is said at once.
+/// Finds the visits by their labels; everything that is missing is reported at once.
 pub fn gather(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
@@ -71,7 +71,7 @@ pub fn gather(
     commanded: Option<&Commanded>,
     export_T_world: &Pose,
 ) -> Result<Gathered> {
-    let steps = Steps::new(campaign, points);
+    let steps = LabelledPoints::new(campaign, points);
     let mut problems = statements(campaign, definition);
     let mut step = |pattern| steps.of(pattern).map_err(|more| problems.0.extend(more.0)).ok();
     let (visits, homings) = (step(&definition.label), definition.homing.as_ref().map(&mut step));
@@ -113,15 +113,15 @@ impl Commanded {
         if let Some(name) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
             let message = Message::error(format!("`{name}` is commanded, but labels bring positions alone"));
             let hint = "leave the column out, or give attained poses with angles as a table: [poses]";
-            return Err(table.place(in_file(message.hint(hint).into(), &table.name)));
+            return Err(table.place(table.named().place(message.hint(hint))));
         }
         let poses = commanded_poses(table.named()).map_err(|p| table.place(p))?;
-        let spatial = spatial(&table.table)?;
+        let spatial = table.named().spatial()?;
         Ok(Self { table, poses, spatial })
     }
 
     /// Every visited pose must be commanded. Where no z is, the visits lose theirs.
-    fn give_to(&self, visits: &mut Visits) -> Result<()> {
+    fn give_to(&self, visits: &mut PoseTest) -> Result<()> {
         let known = |pose: i64| self.poses.iter().find(|(known, _)| *known == pose).map(|(_, p)| *p);
         let mut missing = Vec::new();
         for p in &mut visits.poses {
@@ -133,7 +133,7 @@ impl Commanded {
         if !missing.is_empty() {
             let message = Message::error(format!("no position is commanded for pose {}", missing.join(", ")));
             let message = message.hint("add a row for every pose of the trajectory that was measured");
-            return Err(in_file(message.into(), &self.table.name));
+            return Err(self.table.named().place(message));
         }
         for (pose, _) in self.poses.iter().filter(|(pose, _)| visits.poses.iter().all(|p| p.pose != *pose)) {
             let what = format!("pose {pose} is commanded, but nothing was measured there");
@@ -147,9 +147,9 @@ impl Commanded {
 }
 
 /// Leaves out z.
-fn flatten(visits: &mut Visits) {
+fn flatten(visits: &mut PoseTest) {
     visits.spatial = false;
-    for visit in visits.poses.iter_mut().flat_map(|p| &mut p.visits) {
+    for visit in visits.poses.iter_mut().flat_map(|p| &mut p.attained) {
         visit.position_mm[2] = 0.0;
         visit.readings_mm.iter_mut().for_each(|p| p[2] = 0.0);
     }
@@ -179,11 +179,11 @@ fn statements(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Prob
 }
 
 /// The visits of every cycle along the trajectory. Of a pose that a cycle passes several times all visits must be there:
-/// otherwise nobody knows which one is missing.
+/// otherwise it is not known which one is missing.
 fn in_order(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
-    mut step: Step,
+    mut step: PointGroup,
     world_T_export: &Pose,
     warnings: &mut Vec<Message>,
     problems: &mut Problems,
@@ -201,7 +201,7 @@ fn in_order(
             let what = format!("pose {pose} (cycle {cycle}) is there with another target than `{target}` as well");
             problems
                 .0
-                .push(Message::error(what).at(place()).hint("one ball tells the repeatability: name it in `label`"));
+                .push(Message::error(what).at(place()).hint("one ball gives the repeatability: name it in `label`"));
         }
     }
     let counts = trajectory.iter().fold(BTreeMap::new(), |mut counts: BTreeMap<i64, usize>, pose| {
@@ -217,7 +217,7 @@ fn in_order(
                     "pose {pose} was measured {found} times in cycle {cycle}, the trajectory passes it {count} times"
                 );
                 let hint =
-                    "add the visit, or remove all of this pose and cycle: nobody knows from where the others came";
+                    "add the visit, or remove all of this pose and cycle: from where the others came is not known";
                 problems.0.push(Message::error(what).at(place()).hint(hint));
             }
             _ => {}
@@ -233,7 +233,7 @@ fn in_order(
     for &cycle in &cycles {
         for (i, pose) in trajectory.iter().enumerate() {
             let before = trajectory[(i + trajectory.len() - 1) % trajectory.len()];
-            // where the robot stood before the test nobody says
+            // where the robot came from at first is not stated
             let approach = (i > 0 || Some(cycle) != first).then(|| from_pose(before));
             if let Some(p) = measured.get_mut(&(*pose, cycle)).and_then(Iterator::next) {
                 all.push(visit(*pose, cycle, approach, world_T_export.apply(p)));
@@ -243,10 +243,10 @@ fn in_order(
     all
 }
 
-fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> Visits {
-    let mut poses: BTreeMap<i64, Vec<Visit>> = BTreeMap::new();
+fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> PoseTest {
+    let mut poses: BTreeMap<i64, Vec<AttainedPose>> = BTreeMap::new();
     for v in in_order {
-        poses.entry(v.pose).or_default().push(Visit {
+        poses.entry(v.pose).or_default().push(AttainedPose {
             cycle: v.cycle,
             position_mm: v.attained_mm,
             angles_rad: Vec::new(),
@@ -255,8 +255,8 @@ fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> Visits {
             readings_mm: vec![v.attained_mm],
         });
     }
-    let of_pose = |(pose, visits)| PoseVisits { pose, commanded_mm: None, commanded_rad: Vec::new(), visits };
-    Visits { poses: poses.into_iter().map(of_pose).collect(), spatial: true, angles: Vec::new(), warnings }
+    let of_pose = |(pose, attained)| TestedPose { pose, commanded_mm: None, commanded_rad: Vec::new(), attained };
+    PoseTest { poses: poses.into_iter().map(of_pose).collect(), spatial: true, angles: Vec::new(), warnings }
 }
 
 fn out_of_plane(

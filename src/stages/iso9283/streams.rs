@@ -15,7 +15,7 @@ const SEED: u64 = 1;
 
 /// A recording that was read, and how it is evaluated.
 #[derive(Clone, Debug)]
-pub struct Ready {
+pub(super) struct Ready {
     recording: Recording,
     settings: Settings,
 }
@@ -85,7 +85,7 @@ fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready>
         None => None,
         Some(path) => {
             let table = file(path, "commanded path", false)?;
-            Some(commanded_path(table.named(), (&recorded.name, &recording)).map_err(|p| table.place(p))?)
+            Some(commanded_path(table.named(), &recorded.name, &recording).map_err(|p| table.place(p))?)
         }
     };
     let settings = stated(stream).settings(poses, path, SEED);

@@ -92,7 +92,7 @@ fn plane(name: Option<&str>, planar: bool) -> Result<usize> {
     match name {
         Some(_) if planar => Err(Message::error("a planar robot has one test plane").hint("leave it out").into()),
         Some(name) => PLANES.iter().position(|(known, _)| *known == name).ok_or_else(|| {
-            let message = Message::error(format!("`{name}` is no test plane"));
+            let message = Message::error(format!("`{name}` is not a test plane"));
             message.expected(PLANES.map(|(known, _)| known).join(", ")).into()
         }),
         None => Ok(0),

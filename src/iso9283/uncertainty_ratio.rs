@@ -3,7 +3,7 @@
 
 /// Verdict of the 25 % rule.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quarter {
+pub struct UncertaintyRatio {
     /// Expanded uncertainty of a position over the characteristic.
     pub ratio: f64,
     /// Whether the ratio is at most 0.25.
@@ -14,7 +14,7 @@ pub struct Quarter {
 const SHARE: f64 = 0.25;
 
 /// The rule for one characteristic, both in mm; a characteristic of zero is never verified.
-pub fn quarter(expanded_uncertainty_mm: f64, characteristic_mm: f64) -> Quarter {
+pub fn uncertainty_ratio(expanded_uncertainty_mm: f64, characteristic_mm: f64) -> UncertaintyRatio {
     let ratio = expanded_uncertainty_mm / characteristic_mm.abs();
-    Quarter { ratio, met: ratio <= SHARE }
+    UncertaintyRatio { ratio, met: ratio <= SHARE }
 }

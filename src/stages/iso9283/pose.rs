@@ -1,26 +1,124 @@
-//! From the visits of a test to its characteristics by ISO 9283.
+//! From attained poses to their characteristics by ISO 9283.
 
-mod beyond;
-
-use crate::base::message::{Message, Result, one_line};
+use crate::base::message::{Message, Problems, Result, one_line};
 use crate::base::pose::{Vector, minus};
+use crate::campaign::PosesDefinition;
 use crate::document::{
-    Iso9283Approach, Iso9283Distance, Iso9283Document, Iso9283Drift, Iso9283Interval, Iso9283Pose, Iso9283Variation,
+    Iso9283Approach, Iso9283Conformity, Iso9283Distance, Iso9283Document, Iso9283Drift, Iso9283Ellipsoid,
+    Iso9283Interval, Iso9283Pose, Iso9283Variation, Iso9283Visit,
 };
-use crate::import::tables::visits::{PoseVisits, Visit, Visits};
+use crate::import::tables::pose_test::pose_test;
+use crate::import::tables::reference_targets::{SetupDrift, compensate_setup_drift};
 use crate::iso9283::accuracy::{angle_accuracy_rad, pose_accuracy};
 use crate::iso9283::bootstrap::Bootstrap;
+use crate::iso9283::conformity::{Conformity, conformity};
 use crate::iso9283::coplanarity::coplanarity;
 use crate::iso9283::directions::{angle_variation_rad, variation};
 use crate::iso9283::distance::{angle_distance_rad, distance};
 use crate::iso9283::drift::drift;
+use crate::iso9283::ellipsoid::ellipsoid;
 use crate::iso9283::exchangeability::exchangeability;
 use crate::iso9283::interval::{self, accuracy_interval, repeatability_interval};
-use crate::iso9283::quarter::quarter;
+use crate::iso9283::noise_free::without_noise;
+use crate::iso9283::pose_test::{AttainedPose, Pair, PoseTest, TestedPose};
 use crate::iso9283::repeatability::{angle_repeatability_rad, pose_repeatability};
-use beyond::beyond;
+use crate::iso9283::uncertainty_ratio::uncertainty_ratio;
+use crate::stages::table_file::{CampaignTables, TableFile};
 use std::collections::BTreeSet;
 use std::collections::btree_map::{BTreeMap, Entry};
+use std::path::Path;
+use toml::Spanned;
+
+/// Tables of a test of poses: what was attained, what was commanded, and targets that stand still.
+pub(crate) struct PoseTables {
+    attained: TableFile,
+    commanded: TableFile,
+    reference: Option<TableFile>,
+}
+
+/// A test of poses, compensated for the drift of the set-up where reference targets are among them.
+#[derive(Clone, Debug)]
+pub(crate) struct PreparedTest {
+    test: PoseTest,
+    drift: SetupDrift,
+}
+
+impl PoseTables {
+    /// Those of a command.
+    pub fn read(attained: &Path, commanded: &Path, reference: Option<&Path>) -> Result<Self> {
+        Ok(Self {
+            attained: TableFile::read(attained)?,
+            commanded: TableFile::read(commanded)?,
+            reference: reference.map(TableFile::read).transpose()?,
+        })
+    }
+
+    /// Those of a campaign; everything that does not read is reported.
+    pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
+        let mut problems = Problems::default();
+        let mut read = |file: &Spanned<String>, holds: &str| {
+            files.read(file, holds).map_err(|more| problems.0.extend(more.0)).ok()
+        };
+        let attained = read(&definition.attained, "attained poses");
+        let commanded = read(&definition.commanded, "commanded poses");
+        let reference = definition.reference.as_ref().map(|file| read(file, "reference targets"));
+        let (Some(attained), Some(commanded)) = (attained, commanded) else { return Err(problems) };
+        problems.check()?;
+        Ok(Self { attained, commanded, reference: reference.flatten() })
+    }
+
+    /// The test in these tables; everything that is wrong with them is reported at its line.
+    pub fn test(&self, rotation_order: Option<&str>) -> Result<PreparedTest> {
+        let (attained, commanded) = (&self.attained, &self.commanded);
+        let mut test =
+            pose_test(attained.named(), commanded.named()).map_err(|p| commanded.place(attained.place(p)))?;
+        let drift = match &self.reference {
+            None => SetupDrift::default(),
+            Some(targets) => {
+                compensate_setup_drift(&mut test, targets.named(), rotation_order).map_err(|p| targets.place(p))?
+            }
+        };
+        Ok(PreparedTest { test, drift })
+    }
+}
+
+impl PreparedTest {
+    /// All characteristics.
+    pub fn evaluate(&self, settings: &Settings) -> Result<Iso9283Document> {
+        let Self { test, drift } = self;
+        let mut document = evaluate(test, settings)?;
+        if !drift.epochs.is_empty() {
+            let said = match (drift.turned, test.angles.is_empty()) {
+                (true, _) => "positions and orientations are carried back by reference targets",
+                (false, true) => "positions are carried back by reference targets",
+                (false, false) => "positions are carried back by reference targets; angles are not",
+            };
+            document.conventions.push(said.to_owned());
+        }
+        document.reference.clone_from(&drift.epochs);
+        Ok(document)
+    }
+
+    /// Whether there are enough cycles for the drift over sets of so many.
+    pub fn drifts(&self, set: usize) -> Result<()> {
+        drifts(&self.test, Some(set)).map(|_| ())
+    }
+
+    /// Every attained pose, pose by pose.
+    pub fn visits(&self) -> Vec<Iso9283Visit> {
+        let of_pose = |p: &TestedPose| {
+            let pose = p.pose;
+            let visit = move |v: &AttainedPose| Iso9283Visit {
+                pose,
+                cycle: v.cycle,
+                approach: v.approach.clone(),
+                attained_mm: v.position_mm,
+            };
+            p.attained.iter().map(visit).collect::<Vec<_>>()
+        };
+        self.test.of_first_robot().poses.iter().flat_map(of_pose).collect()
+    }
+}
 
 /// What the data do not say.
 #[derive(Clone, Debug)]
@@ -46,14 +144,14 @@ const CYCLES: usize = 30;
 /// Simulated tests behind an interval.
 pub const DRAWS: usize = 2000;
 
-/// All characteristics that the visits tell. Of several robots it is the first by name, and what exchanging them does.
-pub fn evaluate(all: &Visits, settings: &Settings) -> Result<Iso9283Document> {
-    let count = robots(all).len();
+/// All characteristics of attained poses. Of several robots it is the first by name, and what exchanging them does.
+pub fn evaluate(all: &PoseTest, settings: &Settings) -> Result<Iso9283Document> {
+    let count = all.robots().len();
     if count > 1 && settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
         let message = Message::error(format!("limits are of one robot, and the table holds {count}"));
-        return Err(message.hint("test each robot by itself; together they tell the exchangeability").into());
+        return Err(message.hint("test each robot by itself; together they give the exchangeability").into());
     }
-    let visits = &of_first_robot(all);
+    let visits = &all.of_first_robot();
     let poses = poses(visits, settings)?;
     let mut messages = visits.warnings.clone();
     messages.extend(several_ways(visits));
@@ -89,7 +187,7 @@ pub fn evaluate(all: &Visits, settings: &Settings) -> Result<Iso9283Document> {
     })
 }
 
-fn conventions(visits: &Visits, settings: &Settings) -> Vec<String> {
+fn conventions(visits: &PoseTest, settings: &Settings) -> Vec<String> {
     let mut said = vec![
         "AP: mean minus commanded; RP: mean radius + 3 s, s with n - 1; intervals 95 %, Gaussian scatter".to_owned(),
         "RP follows the standard's text (7.2.2); the other clauses were not compared with a bought copy".to_owned(),
@@ -100,12 +198,12 @@ fn conventions(visits: &Visits, settings: &Settings) -> Vec<String> {
                 .to_owned(),
         );
     }
-    let robots = robots(visits);
+    let robots = visits.robots();
     if let (Some(first), true) = (robots.first(), robots.len() > 1) {
         let one = one_line(first);
         said.push(format!("of {} robots: all is of `{one}`, but for exchangeability", robots.len()));
     }
-    if visits.poses.iter().flat_map(|p| &p.visits).any(|v| v.readings_mm.len() > 1) {
+    if visits.poses.iter().flat_map(|p| &p.attained).any(|v| v.readings_mm.len() > 1) {
         said.push("readings of one visit are averaged; their scatter is the instrument's noise".to_owned());
     }
     if !visits.angles.is_empty() {
@@ -115,28 +213,19 @@ fn conventions(visits: &Visits, settings: &Settings) -> Vec<String> {
     said
 }
 
-/// Visits of the robot that comes first by name.
-pub(crate) fn of_first_robot(visits: &Visits) -> Visits {
-    let mut first = visits.clone();
-    let Some(robot) = robots(visits).first().map(|r| (*r).to_owned()) else { return first };
-    first.poses.iter_mut().for_each(|p| p.visits.retain(|v| v.robot == robot));
-    first.poses.retain(|p| !p.visits.is_empty());
-    first
-}
-
 /// A warning where visits of a pose come from several directions: the standard's AP and RP are of one (7.2.1, 7.2.2).
-fn several_ways(visits: &Visits) -> Option<Message> {
+fn several_ways(visits: &PoseTest) -> Option<Message> {
     let several = visits.poses.iter().filter(|p| p.approaches().values().filter(|count| **count > 1).count() > 1);
     let poses: Vec<String> = several.map(|p| p.pose.to_string()).collect();
     let what = format!(
         "approached in several ways: pose {}; AP, RP and their intervals are of all visits together",
         poses.join(", ")
     );
-    let hint = "what the standard calls RP is that of each approach, told beside it; together they hold vAP as well, and their scatter is not Gaussian";
+    let hint = "what the standard calls RP is that of each approach, listed beside it; together they hold vAP as well, and their scatter is not Gaussian";
     (!poses.is_empty()).then(|| Message::warning(what).hint(hint))
 }
 
-fn poses(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
+fn poses(visits: &PoseTest, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
     let mut bootstraps: BTreeMap<usize, Bootstrap> = BTreeMap::new();
     let mut all = Vec::new();
     for p in &visits.poses {
@@ -180,8 +269,8 @@ fn poses(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
         }
         beyond(&mut pose, p, &positions, settings)?;
         if let Some(uncertainty) = settings.expanded_uncertainty_mm {
-            let ap = pose.ap_mm.map(|ap| quarter(uncertainty, ap));
-            let rp = pose.rp_mm.map(|rp| quarter(uncertainty, rp));
+            let ap = pose.ap_mm.map(|ap| uncertainty_ratio(uncertainty, ap));
+            let rp = pose.rp_mm.map(|rp| uncertainty_ratio(uncertainty, rp));
             // over nothing there is no ratio
             pose.uncertainty_over_ap = ap.map(|a| a.ratio).filter(|r| r.is_finite());
             pose.uncertainty_over_rp = rp.map(|r| r.ratio).filter(|r| r.is_finite());
@@ -193,11 +282,36 @@ fn poses(visits: &Visits, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
     Ok(all)
 }
 
+/// What the standard does not ask for: ellipsoid, conformity with limits, RP without the instrument's noise.
+fn beyond(pose: &mut Iso9283Pose, p: &TestedPose, positions: &[Vector], settings: &Settings) -> Result<()> {
+    // too few visits have none
+    pose.ellipsoid = ellipsoid(positions).ok().map(|e| Iso9283Ellipsoid { semi_axes_mm: e.semi_axes_mm, axes: e.axes });
+    let proved = |interval: Option<Iso9283Interval>, limit_mm: Option<f64>| {
+        // too few visits prove nothing
+        let Some(Iso9283Interval { low_mm, high_mm }) = interval else {
+            return limit_mm.map(|_| Iso9283Conformity::Neither);
+        };
+        Some(match conformity(&interval::Interval { low_mm, high_mm }, limit_mm?) {
+            Conformity::Conforming => Iso9283Conformity::Conforming,
+            Conformity::NotConforming => Iso9283Conformity::NotConforming,
+            Conformity::Neither => Iso9283Conformity::Neither,
+        })
+    };
+    pose.ap_conformity = proved(pose.ap_interval, settings.ap_limit_mm);
+    pose.rp_conformity = proved(pose.rp_interval, settings.rp_limit_mm);
+    if p.attained.len() > 2 && p.attained.iter().any(|v| v.readings_mm.len() > 1) {
+        let readings: Vec<Vec<Vector>> = p.attained.iter().map(|v| v.readings_mm.clone()).collect();
+        let free = without_noise(&readings)?;
+        (pose.rp_without_noise_mm, pose.noise_mm) = (Some(free.rp_mm), Some(free.noise_mm));
+    }
+    Ok(())
+}
+
 fn stated(interval: interval::Interval) -> Iso9283Interval {
     Iso9283Interval { low_mm: interval.low_mm, high_mm: interval.high_mm }
 }
 
-fn angles(pose: &mut Iso9283Pose, visits: &Visits, p: &PoseVisits) {
+fn angles(pose: &mut Iso9283Pose, visits: &PoseTest, p: &TestedPose) {
     let Iso9283Pose { ap_a_deg, ap_b_deg, ap_c_deg, rp_a_deg, rp_b_deg, rp_c_deg, .. } = pose;
     let (ap, rp) = ([ap_a_deg, ap_b_deg, ap_c_deg], [rp_a_deg, rp_b_deg, rp_c_deg]);
     for (k, &axis) in visits.angles.iter().enumerate() {
@@ -208,21 +322,22 @@ fn angles(pose: &mut Iso9283Pose, visits: &Visits, p: &PoseVisits) {
 }
 
 /// Distances of every pair of poses, by the cycles that have each of them once.
-fn distances(visits: &Visits) -> Result<Vec<Iso9283Distance>> {
+fn distances(visits: &PoseTest) -> Result<Vec<Iso9283Distance>> {
     let mut all = Vec::new();
     for (i, p) in visits.poses.iter().enumerate() {
         for q in &visits.poses[i + 1..] {
             let (Some(from), Some(to)) = (p.commanded_mm, q.commanded_mm) else { continue };
-            let pairs = pairs(p, q);
+            let pairs = p.pairs(q);
             if pairs.len() < 2 {
                 continue;
             }
-            let positions = |of: fn(&(&Visit, &Visit)) -> Vector| pairs.iter().map(of).collect::<Vec<_>>();
-            let (first, second) = (positions(|v| v.0.position_mm), positions(|v| v.1.position_mm));
+            let positions = |of: fn(&Pair) -> Vector| pairs.iter().map(of).collect::<Vec<_>>();
+            let (first, second) = (positions(|v| v.from.position_mm), positions(|v| v.to.position_mm));
             let found = distance(&first, &second, [from, to])?;
             let axes = if visits.spatial { 3 } else { 2 };
             let turned = (0..visits.angles.len()).map(|k| {
-                let (a, b): (Vec<f64>, Vec<f64>) = pairs.iter().map(|v| (v.0.angles_rad[k], v.1.angles_rad[k])).unzip();
+                let (a, b): (Vec<f64>, Vec<f64>) =
+                    pairs.iter().map(|v| (v.from.angles_rad[k], v.to.angles_rad[k])).unzip();
                 angle_distance_rad(&a, &b, [p.commanded_rad[k], q.commanded_rad[k]])
             });
             let (ad, rd): (Vec<f64>, Vec<f64>) = turned.map(|(ad, rd)| (ad.to_degrees(), rd.to_degrees())).unzip();
@@ -241,19 +356,7 @@ fn distances(visits: &Visits) -> Result<Vec<Iso9283Distance>> {
     Ok(all)
 }
 
-fn pairs<'a>(p: &'a PoseVisits, q: &'a PoseVisits) -> Vec<(&'a Visit, &'a Visit)> {
-    let key = |v: &'a Visit| (v.robot.as_str(), v.cycle);
-    let once = |p: &'a PoseVisits| {
-        let mut by_cycle: BTreeMap<(&str, i64), Vec<&Visit>> = BTreeMap::new();
-        p.visits.iter().for_each(|v| by_cycle.entry(key(v)).or_default().push(v));
-        by_cycle.retain(|_, visits| visits.len() == 1);
-        by_cycle
-    };
-    let others = once(q);
-    once(p).into_iter().filter_map(|(key, v)| Some((v[0], others.get(&key)?[0]))).collect()
-}
-
-fn approaches(visits: &Visits) -> Result<Vec<Iso9283Variation>> {
+fn approaches(visits: &PoseTest) -> Result<Vec<Iso9283Variation>> {
     let mut all = Vec::new();
     for p in &visits.poses {
         let counts = p.approaches();
@@ -288,11 +391,11 @@ fn approaches(visits: &Visits) -> Result<Vec<Iso9283Variation>> {
 }
 
 /// Drift of every commanded pose, in sets of so many cycles; too few of them are an error.
-pub(crate) fn drifts(visits: &Visits, set: Option<usize>) -> Result<Vec<Iso9283Drift>> {
+pub(crate) fn drifts(visits: &PoseTest, set: Option<usize>) -> Result<Vec<Iso9283Drift>> {
     let Some(size) = set else { return Ok(Vec::new()) };
-    let drifting = |(p, commanded): (&PoseVisits, Vector)| -> Result<Iso9283Drift> {
+    let drifting = |(p, commanded): (&TestedPose, Vector)| -> Result<Iso9283Drift> {
         // in the order of cycles; a set that was cut short does not count
-        let cycles: BTreeSet<i64> = p.visits.iter().map(|v| v.cycle).collect();
+        let cycles: BTreeSet<i64> = p.attained.iter().map(|v| v.cycle).collect();
         let cycles: Vec<i64> = cycles.into_iter().collect();
         let sets: Vec<Vec<Vector>> =
             cycles.chunks_exact(size.max(1)).map(|set| p.positions_mm(|v| set.contains(&v.cycle))).collect();
@@ -309,16 +412,13 @@ pub(crate) fn drifts(visits: &Visits, set: Option<usize>) -> Result<Vec<Iso9283D
     visits.poses.iter().filter_map(|p| Some((p, p.commanded_mm?))).map(drifting).collect()
 }
 
-fn robots(visits: &Visits) -> BTreeSet<&str> {
-    visits.poses.iter().flat_map(|p| &p.visits).map(|v| v.robot.as_str()).collect()
-}
-
-fn exchanged(visits: &Visits) -> Result<Option<f64>> {
-    let robots = robots(visits);
+fn exchanged(visits: &PoseTest) -> Result<Option<f64>> {
+    let robots = visits.robots();
     if robots.len() < 2 {
         return Ok(None);
     }
-    let lacks = |robot: &&str| visits.poses.iter().find(|p| p.visits.iter().all(|v| v.robot != *robot)).map(|p| p.pose);
+    let lacks =
+        |robot: &&str| visits.poses.iter().find(|p| p.attained.iter().all(|v| v.robot != *robot)).map(|p| p.pose);
     if let Some((robot, pose)) = robots.iter().find_map(|robot| Some((robot, lacks(robot)?))) {
         let message = Message::error(format!("exchangeability: robot `{}` did not visit pose {pose}", one_line(robot)));
         return Err(message.expected("every robot at every pose").into());
@@ -328,7 +428,7 @@ fn exchanged(visits: &Visits) -> Result<Option<f64>> {
     Ok(Some(exchangeability(&attained)?.e_mm))
 }
 
-fn flatness(visits: &Visits) -> Result<Option<f64>> {
+fn flatness(visits: &PoseTest) -> Result<Option<f64>> {
     if !visits.spatial || visits.poses.len() < 4 {
         return Ok(None);
     }

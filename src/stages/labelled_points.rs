@@ -9,26 +9,26 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// Points of one step: by cycle, pose and target, in the order in which they were measured.
-pub(crate) type Step = BTreeMap<(i64, i64, String), Vec<Vector>>;
+pub(crate) type PointGroup = BTreeMap<(i64, i64, String), Vec<Vector>>;
 
 /// All points of a campaign by their labels.
 #[derive(Clone, Debug)]
-pub(crate) struct Steps<'a> {
+pub(crate) struct LabelledPoints<'a> {
     pub campaign: &'a Campaign,
     points: &'a [Point],
 }
 
-impl<'a> Steps<'a> {
+impl<'a> LabelledPoints<'a> {
     /// Of these points.
     pub fn new(campaign: &'a Campaign, points: &'a [Point]) -> Self {
         Self { campaign, points }
     }
 
     /// Points whose labels have the form of `pattern`.
-    pub fn of(&self, pattern: &Spanned<String>) -> Result<Step> {
+    pub fn of(&self, pattern: &Spanned<String>) -> Result<PointGroup> {
         let place = || self.campaign.place(pattern);
         let form = LabelPattern::parse(pattern.get_ref()).map_err(|m| m.at(place()))?;
-        let mut step = Step::new();
+        let mut step = PointGroup::new();
         for point in self.points {
             let Some(named) = form.read(&point.label) else { continue };
             let key = (named.cycle.unwrap_or(1), named.pose.unwrap_or(1), named.target.unwrap_or_default());
