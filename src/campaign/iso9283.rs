@@ -146,13 +146,13 @@ fn central_percent() -> f64 {
 }
 
 impl StreamDefinition {
-    /// A file whose units are not told, or told twice.
+    /// A file whose units are not stated, or stated twice.
     pub fn problems(&self, campaign: &Campaign) -> Problems {
         if self.format.is_some() == self.unit.is_some() {
             return Problems::default();
         }
         let message = Message::error("a recording with a `format` needs its `unit`, and only then one");
-        let message = message.hint("without both it is a table time_s,x_mm,y_mm,z_mm, which tells its units");
+        let message = message.hint("without both it is a table time_s,x_mm,y_mm,z_mm, whose header states the units");
         message.at(campaign.place(&self.name)).into()
     }
 }

@@ -31,9 +31,9 @@ pub(crate) use toml_file::parse;
 /// A campaign with the folder it lives in and the text it was read from.
 #[derive(Clone, Debug)]
 pub struct Campaign {
-    /// What `campaign.toml` says.
+    /// `campaign.toml`.
     pub file: CampaignFile,
-    /// What `robot.toml` says.
+    /// `robot.toml`.
     pub robot: RobotFile,
     /// The folder of `campaign.toml`.
     pub folder: PathBuf,

@@ -94,7 +94,7 @@ pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str) -> Recovered<
             if filled.iter().any(|p| p.path == path) {
                 break None;
             }
-            // what was taken away, or stands in a table that is filled in itself, is told already
+            // what was removed, or is in a table that is filled in itself, is reported already
             if !unread.contains(&path) && span.start <= text.len() {
                 problems.0.push(missing(file, text, &span, &key, &section));
             }

@@ -34,7 +34,7 @@ pub fn compliance(readings: &[Loaded], direction: Vector) -> Result<Compliance> 
     super::positions(&ends, 2, "static compliance")?;
     if readings.iter().any(|r| !(r.force_n > 0.0 && r.force_n.is_finite())) {
         let message = Message::error("static compliance: a force is not positive");
-        return Err(message.expected("the size of the force; its direction says the sign").into());
+        return Err(message.expected("the size of the force; its direction gives the sign").into());
     }
     let given: Vec<f64> = readings.iter().map(|r| dot(minus(r.position_mm, r.unloaded_mm), direction)).collect();
     let squares: f64 = readings.iter().map(|r| r.force_n * r.force_n).sum();

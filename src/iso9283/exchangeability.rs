@@ -5,7 +5,7 @@ use super::sample::mean_position;
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Vector, minus, norm};
 
-/// How far robots of one type stand apart.
+/// How far apart the mean poses of robots of one type are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exchangeability {
     /// E: the largest distance between the barycentres of two robots at any pose.

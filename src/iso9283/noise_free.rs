@@ -31,7 +31,7 @@ pub fn without_noise(visits_mm: &[Vec<Vector>]) -> Result<NoiseFree> {
     let degrees: usize = repeated.iter().map(|readings| readings.len() - 1).sum();
     if degrees == 0 {
         let message = Message::error("repeatability without noise: no visit was read twice");
-        return Err(message.hint("readings of one visit tell the instrument's noise").into());
+        return Err(message.hint("readings of one visit give the instrument's noise").into());
     }
     let mut noise = [[0.0; 3]; 3];
     for readings in repeated {

@@ -50,7 +50,7 @@ impl Stream {
             if i > 0 && time_s[i] <= time_s[i - 1] {
                 let what = format!("time does not go on: {} s after {} s", time_s[i], time_s[i - 1]);
                 let message = Message::error(what).hint(
-                    "stamps that are coarser than the sampling rate tell no time: state the rate (--rate-hz) instead",
+                    "stamps that are coarser than the sampling rate give no times: state the rate (--rate-hz) instead",
                 );
                 return Err(Unusable { sample: i, message });
             }

@@ -1,4 +1,4 @@
-//! Names that nothing bears: labels, features, targets, parameters, columns.
+//! Names that do not exist: labels, features, targets, parameters, columns.
 
 use crate::base::message::{Message, Problems};
 use crate::base::pattern::matches_pattern;
@@ -11,10 +11,10 @@ use crate::stages::gather::Gathered;
 use std::collections::BTreeSet;
 use toml::Spanned;
 
-/// Labels and features that nothing bears. Where some exports are not read, they may bear them: then it is a warning.
+/// Labels and features that do not exist. Where some exports are not read, they may be there: then it is a warning.
 pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, problems: &mut Problems) {
     let points = &imported.points;
-    // nobody means a label that names a target at a pose
+    // a label that names a target at a pose is never meant
     let plain: BTreeSet<&str> = points.iter().filter(|p| p.target.is_none()).map(|p| p.label.as_str()).collect();
     let labels: BTreeSet<String> = points.iter().map(|p| p.label.clone()).collect();
     let targets: BTreeSet<String> = points.iter().map(|p| p.target.clone().unwrap_or_default()).collect();
@@ -35,7 +35,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
     };
     for feature in file.features.values() {
         for label in feature.element().map_or(&[][..], |(_, labels)| labels) {
-            want(label, &[&labels], "point bears the label");
+            want(label, &[&labels], "point has the label");
         }
     }
     let features: BTreeSet<String> = file.features.keys().cloned().collect();
@@ -142,17 +142,17 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
     }
 }
 
-/// Targets of the robot that nobody measured.
+/// Targets of the robot that were not measured.
 pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathered, problems: &mut Problems) {
-    // what the log says it touches need not be called as the robot's target
+    // points that a log touches need not have the name of the robot's target
     if campaign.file.join_by() == Some(JoinBy::Label) {
         return;
     }
     let mut measured: BTreeSet<String> = imported.points.iter().filter_map(|p| p.target.clone()).collect();
     measured.remove("");
-    // those that [join] names are told with the labels
-    let told = |target: &String| campaign.file.join_targets().any(|t| t.get_ref() == target);
-    let mut missing = robot.targets().iter().filter(|t| !measured.contains(*t) && !told(t)).peekable();
+    // those that [join] names are reported with the labels
+    let reported = |target: &String| campaign.file.join_targets().any(|t| t.get_ref() == target);
+    let mut missing = robot.targets().iter().filter(|t| !measured.contains(*t) && !reported(t)).peekable();
     let odd: Vec<Message> = campaign.file.exports.iter().filter_map(|e| other_form(campaign, e, imported)).collect();
     if missing.peek().is_some() && !odd.is_empty() {
         return problems.0.extend(odd);

@@ -53,7 +53,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(message.at(campaign.place_of(&["limits", key])));
         }
         let labelled = file.repeatability.as_ref();
-        let (needs, told) = match key {
+        let (needs, stated) = match key {
             "repeatability_max_mm" => ("[repeatability] or [poses]", labelled.is_some() || file.poses.is_some()),
             "accuracy_max_mm" => {
                 let commanded = labelled.is_some_and(|r| r.commanded.is_some()) || file.poses.is_some();
@@ -61,7 +61,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             }
             _ => ("[identify]", campaign.identifies()),
         };
-        if limit.is_some() && !told {
+        if limit.is_some() && !stated {
             let message = Message::error(format!("the limit `{key}` needs {needs}"));
             problems.0.push(message.at(campaign.place_of(&["limits", key])).hint("remove it, or state what it judges"));
         }

@@ -1,9 +1,9 @@
-//! What a report says about its campaign.
+//! The campaign as its report states it.
 
 use crate::campaign::Campaign;
 use crate::document::{CampaignSummary, ContactSummary, Presentation};
 
-/// What a report says about the campaign.
+/// The campaign as its report states it.
 pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
     let file = &campaign.file;
     CampaignSummary {

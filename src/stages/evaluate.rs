@@ -78,7 +78,7 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
     let measured: Vec<Vector> = seen.iter().map(|s| s.1).collect();
     let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
     let (b, a) = (predict(before), predict(after));
-    // a rotation can be told from three targets that are not on one line
+    // a rotation needs three targets that are not on one line
     let turned = |from: &[Vector]| {
         let fitted = fit::rigid(from, &measured).ok()?;
         Some(fitted.to_T_from.angle_rad().to_degrees())
@@ -92,7 +92,7 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
         at_mm: measured[i],
         before_mm: minus(measured[i], b[i]),
         after_mm: minus(measured[i], a[i]),
-        // one rotation a pose: told with its first target
+        // one rotation a pose: with its first target
         before_deg: before_deg.filter(|_| i == 0),
         after_deg: after_deg.filter(|_| i == 0),
     };
@@ -124,7 +124,7 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
     for (name, limit, value) in stated {
         let Some(limit) = limit else { continue };
         let (value, unit) = value.ok_or_else(|| {
-            Message::error(format!("the limit `{name}` cannot be judged: these data tell no such error"))
+            Message::error(format!("the limit `{name}` cannot be judged: these data give no such error"))
                 .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")
         })?;
         verdicts.push(LimitVerdict { name: name.to_owned(), unit, limit, value, met: value <= limit });

@@ -13,7 +13,7 @@ use toml::Spanned;
 /// Pose and cycle of targets measured together.
 type Key = (i64, i64);
 
-/// Fits the features of a campaign to the points that bear their labels.
+/// Fits the features of a campaign to the points with their labels.
 pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     let labelled = Labelled(points);
     let (mut features, mut messages, mut problems) = (Vec::new(), Vec::new(), Problems::default());
@@ -42,7 +42,7 @@ pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDoc
         let direction_deg = fitted.standard_uncertainty().and_then(|u| u.direction_rad).unwrap_or(0.0).to_degrees();
         if direction_deg > DIRECTION_UNKNOWN_DEG {
             let what =
-                format!("feature `{name}`: its points do not tell its direction ({direction_deg:.0} deg, k = 1)");
+                format!("feature `{name}`: its points do not determine its direction ({direction_deg:.0} deg, k = 1)");
             let message = Message::error(what).hint("measure points farther apart, not all on one line");
             problems.0.push(labels.first().map_or(message.clone(), |l| message.at(campaign.place(l))));
         } else if direction_deg > DIRECTION_POOR_DEG {
@@ -70,7 +70,7 @@ pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDoc
 const DIRECTION_POOR_DEG: f64 = 0.1;
 /// A direction worse known than this is none.
 const DIRECTION_UNKNOWN_DEG: f64 = 3.0;
-/// `towards` must stand off the axis by this share of its distance from the origin.
+/// `towards` must be off the axis by this share of its distance from the origin.
 const OFF_AXIS: f64 = 0.01;
 
 /// Makes the world frame of a campaign; `planar` for robots that move in its xy plane.
@@ -140,7 +140,7 @@ fn from_plane(
     let off_axis = minus(side, first.map(|v| v * dot(side, first)));
     let other = unit(off_axis)
         .filter(|_| norm(off_axis) > OFF_AXIS * norm(side))
-        .ok_or_else(|| wrong("`towards` lies on the axis: it cannot tell the side of the other one"))?;
+        .ok_or_else(|| wrong("`towards` lies on the axis: it does not determine the side of the other one"))?;
     let (x, y) = if axis_name == "x" { (first, other) } else { (other, first) };
     let definition = format!(
         "xy plane: feature `{}`; origin: `{}`; {axis_name} axis: {}; other axis towards `{}`",

@@ -35,7 +35,7 @@ impl<'a> LabelledPoints<'a> {
             step.entry(key).or_default().push(point.xyz_mm);
         }
         if step.is_empty() {
-            let what = format!("no point bears a label of the form `{}`", pattern.get_ref());
+            let what = format!("no point has a label of the form `{}`", pattern.get_ref());
             return Err(Message::error(what).at(place()).hint("correct the pattern, or add the export").into());
         }
         Ok(step)

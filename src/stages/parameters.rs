@@ -46,8 +46,10 @@ pub fn parameters_document(
     let mut messages = found.warnings.clone();
     if !found.groups.is_empty() {
         messages.push(
-            Message::warning("of parameters that act alike the one that stands last in the model's list is held at its nominal value")
-                .hint("name another one under `hold` in [identify] to hold that instead"),
+            Message::warning(
+                "of parameters that act alike the last one in the model's list is held at its nominal value",
+            )
+            .hint("name another one under `hold` in [identify] to hold that instead"),
         );
     }
     ParametersDocument {

@@ -13,7 +13,7 @@ const LEFT: f64 = 0.02;
 /// Errors after over errors before beyond which it is not noise that makes an already good robot look no better.
 const WORSE: f64 = 1.1;
 
-/// What to say of `found` and the errors that it leaves: errors where it can be no robot, and which of the observations to
+/// Messages about `found` and the errors that it leaves: errors where it can be no robot, and which of the observations to
 /// look at first where they do not fit.
 pub fn doubts(
     robot: &dyn Robot,
@@ -33,7 +33,7 @@ pub fn doubts(
     messages
 }
 
-/// Errors to say with the parameters `values` and the errors that they leave; empty where the result is plausible.
+/// Errors about the parameters `values` and the errors that they leave; empty where the result is plausible.
 fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<Message> {
     let mut messages = Vec::new();
     if let Some((p, value)) = exchanged(robot, values) {
@@ -71,7 +71,7 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
                     "on the {set} poses the identified robot is worse than the nominal one: {before:.4} mm before, {after:.4} mm \
                      after (root mean square)"
                 ))
-                .hint("measure more poses, spread over the workspace, or hold parameters that they cannot tell"),
+                .hint("measure more poses, spread over the workspace, or hold parameters that they do not determine"),
             );
         }
     }

@@ -50,7 +50,7 @@ fn is_coordinate_axis(d: Vector) -> bool {
     d.iter().filter(|x| **x == 0.0).count() == 2
 }
 
-/// The probe whose centres the points are, and what its side was told from; `None` for contact points.
+/// The probe whose centres the points are, and what its side was taken from; `None` for contact points.
 fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, String)>> {
     let Touch::Centre { radius_mm } = feature.touch else { return Ok(None) };
     let label = feature.label();

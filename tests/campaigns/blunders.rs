@@ -81,7 +81,7 @@ fn rows_that_cannot_be_grouped_are_an_error_with_its_place() {
     let time = rows(4, |k, pose| (k < 2).then(|| format!("{} {} {}", pose / 4, NAMES[k], place(k, pose))));
     let stated = "format = { delimiter = \"blank\", columns = [\"time_s\", \"target\", \"x\", \"y\", \"z\"] }";
     let said = imported(&[(stated, time)], RIGID).unwrap_err().to_string();
-    assert!(said.contains("two of its rows bear the same time") && said.contains("a.txt:3"), "{said}");
+    assert!(said.contains("two of its rows have the same time") && said.contains("a.txt:3"), "{said}");
 }
 
 #[test]

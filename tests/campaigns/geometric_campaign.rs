@@ -120,7 +120,7 @@ fn a_single_ball_repeats_as_its_readings_scatter() {
     let scratch = copy_sample(SAMPLE);
     scratch.replace("campaign.toml", "single-{cycle}", "lone-{cycle}");
     let said = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
-    assert!(said.contains("no point bears a label of the form `lone-{cycle}`"), "{said}");
+    assert!(said.contains("no point has a label of the form `lone-{cycle}`"), "{said}");
 }
 
 #[test]
@@ -152,7 +152,7 @@ fn what_does_not_fit_is_said_with_its_place() {
     let cases: [(&str, &str, &str, &str); 8] = [
         ("exports/geometric.txt", "turn-L-7 ", "turn-M-7 ", "ball `L` is missing (pose 7, cycle 1)"),
         ("exports/geometric.txt", "offset-K-2-3 ", "offset-K-2-33 ", "ball `K` is missing (pose 2, cycle 3)"),
-        ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"X-{pose}\"", "no point bears a label of the form `X-{pose}`"),
+        ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"X-{pose}\"", "no point has a label of the form `X-{pose}`"),
         ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"N-{number}\"", "means nothing in a label"),
         ("campaign.toml", "actuator = 3", "actuator = 4", "there is no actuator 4"),
         ("campaign.toml", "positions_mm = [0.0, 28.0,", "positions_mm = [28.0,", "position 7 of actuator 1"),

@@ -143,8 +143,8 @@ fn what_does_not_fit_is_told_by_check_and_by_run() {
         ),
         ("exports/visits.txt", "P3-7 ", "P7-7 ", "pose 7 (cycle 7) is not in the trajectory"),
         ("campaign.toml", "coplanar = [2, 3, 4, 5]", "coplanar = [2, 3, 4, 4]", "does not name four poses"),
-        ("campaign.toml", "label = \"P{pose}", "label = \"Q{pose}", "no point bears a label of the form"),
-        ("campaign.toml", "\"home-{cycle}\"", "\"house-{cycle}\"", "no point bears a label of the form"),
+        ("campaign.toml", "label = \"P{pose}", "label = \"Q{pose}", "no point has a label of the form"),
+        ("campaign.toml", "\"home-{cycle}\"", "\"house-{cycle}\"", "no point has a label of the form"),
         ("campaign.toml", "trajectory = [1, 2, 1, 3, 1, 4, 1, 5]", "trajectory = []", "the trajectory has no pose"),
         ("campaign.toml", "repeatability_max_mm = 0.040", "position_max_mm = 0.040", "needs [identify]"),
     ] {

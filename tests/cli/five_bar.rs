@@ -90,7 +90,7 @@ fn a_touched_point_that_nobody_measured_is_told_with_its_line() {
     let refused = etalon(&sample.path(), &["run", "."]);
     assert_eq!(refused.status.code(), Some(2));
     let said = text_of(&refused);
-    assert!(said.contains("no measured point bears the label `P22`") && said.contains("encoders.csv:5"), "{said}");
+    assert!(said.contains("no measured point has the label `P22`") && said.contains("encoders.csv:5"), "{said}");
     let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "label = \"ball\", ", "");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));

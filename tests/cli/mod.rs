@@ -119,7 +119,7 @@ fn check_answers_in_json_what_is_right_and_what_is_wrong() {
         |code| answer::<etalon::document::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], code);
     let found = check(2);
     let [error] = &found.errors[..] else { panic!("{found:?}") };
-    assert_eq!(error.what, "no point bears the label `rail2_b`");
+    assert_eq!(error.what, "no point has the label `rail2_b`");
     assert_eq!(error.file.as_deref(), Some("campaign/campaign.toml"));
     assert_eq!((error.line, error.column), (Some(31), Some(21)));
     assert_eq!(error.text.as_deref(), Some("plane = [\"rail2_a\", \"rail2_b\", \"rail3_a\"]"));

@@ -17,7 +17,7 @@ fn unreadable_rows_hide_nothing() {
         "exports/poses.txt:1:7",
         "`one` is no number",
         "encoders.csv:2:3",
-        "no point bears the label `rail3_b`",
+        "no point has the label `rail3_b`",
         "`calibration` selects no pose that was measured",
         "the limit `position_max_mm` must be positive",
         "`bending` means nothing for this model",

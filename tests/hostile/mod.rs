@@ -85,7 +85,7 @@ fn a_label_that_no_point_bears() {
         "campaign.toml",
         "plane = [\"rail2_a\"",
         "plane = [\"rail2_x\"",
-        &["no point bears the label `rail2_x`", "campaign.toml:31:10", "did you mean `rail2_"],
+        &["no point has the label `rail2_x`", "campaign.toml:31:10", "did you mean `rail2_"],
     );
 }
 
@@ -321,7 +321,7 @@ fn a_frame_that_its_points_cannot_carry_is_refused() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "[\"rail2_a\", \"rail2_b\", \"rail3_a\"]", "[\"rail2_a\"]");
     let (code, said) = etalon(&scratch, "run");
-    assert!(code == Some(2) && said.contains("feature `rails`: its points do not tell its direction"), "{said}");
+    assert!(code == Some(2) && said.contains("feature `rails`: its points do not determine its direction"), "{said}");
 }
 
 #[test]

@@ -14,7 +14,7 @@ fn a_robot_file_that_does_not_read_hides_nothing() {
     scratch.replace("robot.toml", "[nominal]", "[nominal");
     scratch.replace("campaign.toml", "[join]", "[join]\ncolour = 1");
     scratch.replace("campaign.toml", "\"rail2_a\",", "\"rail2_x\",");
-    said(&scratch, &["robot.toml:5", "unknown key `colour`", "no point bears the label `rail2_x`"]);
+    said(&scratch, &["robot.toml:5", "unknown key `colour`", "no point has the label `rail2_x`"]);
     scratch.replace("campaign.toml", "robot = \"robot.toml\"", "robot = \"robto.toml\"");
     said(&scratch, &["robto.toml`", "campaign.toml:2:9", "unknown key `colour`", "`rail2_x`"]);
     scratch.replace("campaign.toml", "robot = \"robto.toml\"", "robot = \"../robot.toml\"");
@@ -30,7 +30,7 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
     scratch.replace("campaign.toml", "y_axis = [\"R_home\", \"R_end\"]", "y_axis = [\"R_home\"]");
     scratch.replace("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\"");
     let parts = [
-        "no point bears the label `R_no`",
+        "no point has the label `R_no`",
         "no point or feature is called `rail9_a`",
         "feature `rails`: ",
         "the axis of the world frame has no direction",

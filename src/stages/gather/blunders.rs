@@ -17,7 +17,7 @@ enum Together {
     Time(u64),
 }
 
-/// With fewer distances of a pair the median cannot tell which one is wrong.
+/// With fewer distances of a pair the median does not show which one is wrong.
 const FEWEST: usize = 3;
 
 impl Together {
@@ -78,7 +78,7 @@ fn place(campaign: &Campaign, rigid: &Rigid) -> Place {
     rigid.targets.first().map_or_else(|| Place::file(campaign.path.as_str()), |target| campaign.place(target))
 }
 
-/// A rule that says something: two targets or more, each once, and a tolerance that some distances exceed.
+/// A rule that means something: two targets or more, each once, and a tolerance that some distances exceed.
 fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Result<(), Message> {
     let names: BTreeSet<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     if names.len() < 2 || names.len() < rigid.targets.len() {
@@ -103,12 +103,12 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
         let Some(k) = point.target.as_deref().and_then(|t| names.iter().position(|n| *n == t)) else { continue };
         let at = || Place::line(&point.export, point.line, &point.text);
         let key = Together::of(point).ok_or_else(|| {
-            let what = format!("[[rigid]] names `{}`, and its row says neither pose nor time", names[k]);
+            let what = format!("[[rigid]] names `{}`, and its row has neither pose nor time", names[k]);
             Message::error(what).at(at()).hint("name the pose in label or columns, or take the target out of [[rigid]]")
         })?;
         let slot = &mut groups.entry(key).or_insert_with(|| vec![None; names.len()])[k];
         if let Some(first) = slot.map(|first: usize| points[first].line) {
-            let what = format!("[[rigid]] names `{}`, and two of its rows bear the same time", names[k]);
+            let what = format!("[[rigid]] names `{}`, and two of its rows have the same time", names[k]);
             return Err(Message::error(what)
                 .at(at())
                 .hint(format!("the first is line {first}; name the pose as well")));
@@ -117,7 +117,7 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
         measured.insert(k);
     }
     let together = groups.values().any(|seen| seen.iter().flatten().count() > 1);
-    // a target that no export brings is told by the check of names
+    // a target that no export brings is reported by the check of names
     if !together && measured.len() == names.len() {
         let what = format!("[[rigid]]: {} are never measured together", names.join(", "));
         return Err(Message::error(what)

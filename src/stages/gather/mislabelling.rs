@@ -1,4 +1,4 @@
-//! Points that lie where another one is, and reference targets that drift: told, never dropped.
+//! Points that lie where another one is, and reference targets that drift: reported, never dropped.
 
 use crate::base::message::{Message, Place, Problems, count};
 use crate::base::pose::{Vector, minus, norm};
@@ -15,12 +15,12 @@ fn near_mm(campaign: &Campaign) -> f64 {
     (10.0 * campaign.file.instrument.expanded_uncertainty_um / 1000.0).clamp(0.1, 1.0)
 }
 
-/// The name that a row bears: its target, or its label.
+/// The name of a row: its target, or its label.
 fn name(point: &Point) -> &str {
     point.target.as_deref().unwrap_or(&point.label)
 }
 
-/// Warnings about rows that bear the name of one point and lie where another is: in the same pose, or, of points that
+/// Warnings about rows that have the name of one point and lie where another is: in the same pose, or, of points that
 /// stand still, where no other row of their own name lies. One warning for each pair of names; none where most rows of
 /// one lie at rows of the other: these are repeats of the same places.
 pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {

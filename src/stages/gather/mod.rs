@@ -35,7 +35,7 @@ pub fn gather(campaign: &Campaign) -> Result<Gathered> {
     Ok(imported)
 }
 
-/// Reads what can be read of all exports and logs of a campaign, and tells everything that is wrong with them. Points
+/// Reads what can be read of all exports and logs of a campaign, and reports everything that is wrong with them. Points
 /// with a coordinate that does not read are there without it.
 pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     let mut problems = Problems::default();
@@ -53,7 +53,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             .resolve(&export.file)
             .and_then(|path| import::read_export(&path, export.encoding, &export.format, campaign.place(&export.file)));
         match read {
-            // what it states of itself is told already
+            // what it states of itself is reported already
             Ok(_) if !campaign.export_reads(i) => {}
             Ok((text, bytes)) => {
                 let mut source = statement("export", export.file.get_ref(), &bytes);

@@ -80,7 +80,7 @@ impl PointColumns {
         problems
     }
 
-    /// Errors about points that bear the same target, pose and cycle as one before them.
+    /// Errors about points that have the same target, pose and cycle as one before them.
     pub fn measured_twice(&self) -> Vec<Message> {
         let mut first = std::collections::BTreeMap::new();
         let mut errors = Vec::new();
@@ -104,7 +104,7 @@ impl PointColumns {
         let geometric = campaign.file.geometric.iter().flat_map(|g| g.patterns());
         let visits = campaign.file.repeatability.iter().flat_map(|r| r.patterns());
         let forms: Vec<Pattern> = geometric.chain(visits).filter_map(|p| Pattern::parse(p.get_ref()).ok()).collect();
-        // a join by label tells which points are not touched
+        // a join by label reports which points are not touched
         let joined = campaign.file.join_by() == Some(JoinBy::Label);
         let idle = |p: &&Point| {
             let used = joined || used.iter().any(|u| matches_pattern(u, &p.label));

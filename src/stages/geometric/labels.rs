@@ -22,7 +22,7 @@ pub struct Gathered {
     pub balls: Vec<Vec<Vector>>,
 }
 
-/// Finds the points of every step by their labels; everything that is missing is said at once.
+/// Finds the points of every step by their labels; everything that is missing is reported at once.
 pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[Point]) -> Result<Gathered> {
     let all = LabelledPoints::new(campaign, points);
     let mut problems = Problems::default();

@@ -101,7 +101,7 @@ fn readings(table: NamedTable) -> Result<Vec<Reading>> {
         let force_n = forces[i].parse().ok().filter(|f: &f64| f.is_finite() && *f >= 0.0);
         if force_n.is_none() {
             let message = Message::error(format!("`{}` is not a force", forces[i]));
-            problems.0.push(table.at_row(message, i).expected("newtons, zero or more: the direction says the sign"));
+            problems.0.push(table.at_row(message, i).expected("newtons, zero or more: the direction gives the sign"));
         }
         if let (Some(direction), Some(force_n)) = (direction, force_n) {
             all.push(Reading { direction, cycle: cycles[i], force_n, position_mm });

@@ -1,4 +1,4 @@
-//! Recorded motions of a campaign: files become what ISO 9283 says of them.
+//! Recorded motions of a campaign: files become characteristics of ISO 9283.
 
 use crate::base::message::{Message, Problems, Result};
 use crate::campaign::{Campaign, StreamDefinition};

@@ -1,7 +1,7 @@
 //! Points and rows of the log with equal keys.
 
 use super::unmatched::At;
-use super::{Row, Said, Target, contradictions};
+use super::{Remarks, Row, Target, contradictions};
 use crate::base::message::{Message, Problems, Result, count};
 use crate::document::Unmatched;
 use crate::import::JointLog;
@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 type Keys = BTreeMap<Vec<i64>, Vec<usize>>;
 
 /// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a warning.
-pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], said: &mut Said) -> Result<Vec<Row>> {
+pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks: &mut Remarks) -> Result<Vec<Row>> {
     let number = |key: &str, row: i64, pose: Option<i64>, cycle: Option<i64>| match key {
         "row" => Some(row),
         "pose" => pose,
@@ -46,10 +46,10 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], said: &m
                 keys.join(", "),
                 shown.join(", ")
             );
-            said.messages.push(Message::warning(text));
+            remarks.messages.push(Message::warning(text));
         }
         for key in alone {
-            said.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), reason)));
+            remarks.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), reason)));
         }
     };
     let point = |i: usize, key, reason: &str| At::point(targets[i].point).unmatched(key, reason);

@@ -1,7 +1,7 @@
 //! The log says which measured point the robot touches: a plate measured once, then encoders alone.
 
 use super::unmatched::At;
-use super::{Row, Said};
+use super::{Remarks, Row};
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::Vector;
 use crate::campaign::Campaign;
@@ -18,7 +18,7 @@ pub(super) fn by_label(
     frames: &FramesDocument,
     log: &JointLog,
     robot: &dyn Robot,
-    said: &mut Said,
+    remarks: &mut Remarks,
 ) -> Result<Vec<Row>> {
     let name = &log.name;
     if robot.targets().len() != 1 {
@@ -37,7 +37,7 @@ pub(super) fn by_label(
         let label = row.label.as_deref().unwrap_or_default();
         used.insert(label);
         let Some(p) = measured.get(label) else {
-            let message = Message::error(format!("no measured point bears the label `{label}`"));
+            let message = Message::error(format!("no measured point has the label `{label}`"));
             let message = message.at(At::log(log, row).place());
             problems.0.push(message.hint_names(label, measured.keys().copied()));
             continue;
@@ -57,10 +57,10 @@ pub(super) fn by_label(
     let idle: BTreeSet<&str> = measured.keys().copied().filter(idle).collect();
     if let Some(first) = idle.first() {
         let what = format!("points that no row of log `{name}` touches: {}, the first is `{first}`", idle.len());
-        said.messages.push(Message::warning(what));
+        remarks.messages.push(Message::warning(what));
         let reason = format!("no row of log `{name}` touches it");
         let alone = points.iter().filter(|p| idle.contains(p.label.as_str()));
-        said.unmatched.extend(alone.map(|p| At::point(p).unmatched(p.label.clone(), &reason)));
+        remarks.unmatched.extend(alone.map(|p| At::point(p).unmatched(p.label.clone(), &reason)));
     }
     Ok(rows)
 }

@@ -1,7 +1,7 @@
 //! Points meet the log by the clock: with the nearest row, with the standstill they fall into, or between two rows.
 
 use super::unmatched::At;
-use super::{Row, Said, Target, contradictions};
+use super::{Remarks, Row, Target, contradictions};
 use crate::base::message::{Message, Problems, Result, count};
 use crate::document::Unmatched;
 use crate::import::JointLog;
@@ -27,7 +27,7 @@ struct Met {
 
 /// Joins each point with what the log says of its time; where no label names a pose, the log's row becomes the pose, or
 /// between rows the number of the time.
-pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, said: &mut Said) -> Result<Vec<Row>> {
+pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remarks: &mut Remarks) -> Result<Vec<Row>> {
     let name = &log.name;
     let times = nanoseconds(targets.iter().map(|t| t.point.time_s), clocks.offset_s, "the export")?;
     let spans = spans(log)?;
@@ -41,12 +41,12 @@ pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, said: 
             let before = spans.partition_point(|s| s.1 < t.saturating_sub(tolerance_ns));
             spans.partition_point(|s| s.0 <= t.saturating_add(tolerance_ns)).saturating_sub(before)
         };
-        report_several(targets, &times, &within, clocks, name, said);
+        report_several(targets, &times, &within, clocks, name, remarks);
     }
-    report_alone(targets, &met, clocks, name, said);
+    report_alone(targets, &met, clocks, name, remarks);
     let used: BTreeSet<usize> =
         met.iter().flatten().flat_map(|m| [Some(m.row), m.other.map(|(row, _)| row)]).flatten().collect();
-    report_idle(log, &used, clocks, said);
+    report_idle(log, &used, clocks, remarks);
     refuse_twice(targets, &times, &met, clocks, log)?;
     if !clocks.interpolate {
         let pairs = targets.iter().zip(&met).filter_map(|(t, met)| Some((t.point, &log.rows[met.as_ref()?.row])));
@@ -118,7 +118,7 @@ fn report_several(
     within: &dyn Fn(i64) -> usize,
     clocks: Clocks,
     name: &str,
-    said: &mut Said,
+    remarks: &mut Remarks,
 ) {
     let tolerance_s = clocks.tolerance_s;
     let several: Vec<(usize, usize)> =
@@ -130,15 +130,15 @@ fn report_several(
         "{} with several rows of log `{name}` within {tolerance_s} s: the nearest counts",
         count(several.len(), "measured point")
     );
-    said.messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
-    said.unmatched.extend(several.into_iter().map(|(i, rows)| {
+    remarks.messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
+    remarks.unmatched.extend(several.into_iter().map(|(i, rows)| {
         let reason = format!("{rows} rows of log `{name}` are within {tolerance_s} s: the nearest counts");
         unmatched(&targets[i], &reason)
     }));
 }
 
 /// Points that met no row.
-fn report_alone(targets: &[Target], met: &[Option<Met>], clocks: Clocks, name: &str, said: &mut Said) {
+fn report_alone(targets: &[Target], met: &[Option<Met>], clocks: Clocks, name: &str, remarks: &mut Remarks) {
     let reason = match clocks.interpolate {
         true => format!("no rows of log `{name}` before and after it are within {} s", clocks.tolerance_s),
         false => format!("no row of log `{name}` is within {} s", clocks.tolerance_s),
@@ -147,22 +147,22 @@ fn report_alone(targets: &[Target], met: &[Option<Met>], clocks: Clocks, name: &
     if !alone.is_empty() {
         let points = count(alone.len(), "measured point");
         let what = format!("{points} without a row of log `{name}` within {} s", clocks.tolerance_s);
-        said.messages.push(Message::warning(what));
+        remarks.messages.push(Message::warning(what));
     }
-    said.unmatched.extend(alone.into_iter().map(|i| unmatched(&targets[i], &reason)));
+    remarks.unmatched.extend(alone.into_iter().map(|i| unmatched(&targets[i], &reason)));
 }
 
 /// Rows of the log that no point met; between the rows of a log that runs on there are many.
-fn report_idle(log: &JointLog, used: &BTreeSet<usize>, clocks: Clocks, said: &mut Said) {
+fn report_idle(log: &JointLog, used: &BTreeSet<usize>, clocks: Clocks, remarks: &mut Remarks) {
     let idle: Vec<usize> = (0..log.rows.len()).filter(|i| !used.contains(i)).collect();
     if idle.is_empty() || clocks.interpolate {
         return;
     }
     let what = format!("{} of log `{}` without a measured point", count(idle.len(), "row"), log.name);
-    said.messages.push(Message::warning(what));
+    remarks.messages.push(Message::warning(what));
     let reason = "no measured point is nearest to it";
     let row = |i: usize| At::log(log, &log.rows[i]).unmatched(at(log.rows[i].time_s.unwrap_or(f64::NAN)), reason);
-    said.unmatched.extend(idle.into_iter().map(row));
+    remarks.unmatched.extend(idle.into_iter().map(row));
 }
 
 /// An error about points of one target that met the same row, or between rows have the same time.

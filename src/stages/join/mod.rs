@@ -34,7 +34,7 @@ pub struct Joined {
 
 /// What a join says beside its observations.
 #[derive(Default)]
-struct Said {
+struct Remarks {
     messages: Vec<Message>,
     unmatched: Vec<Unmatched>,
 }
@@ -76,18 +76,18 @@ pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, r
     let Some(definition) = &campaign.file.join else {
         return Err(Message::error("a join needs [join]").at(Place::file(campaign.path.as_str())).into());
     };
-    let (mut said, mut problems) = (Said::default(), Problems::default());
-    let targets = targets_in_world(imported, frames, robot, &mut said);
+    let (mut remarks, mut problems) = (Remarks::default(), Problems::default());
+    let targets = targets_in_world(imported, frames, robot, &mut remarks);
     let mut observations = Vec::new();
     for log in &imported.logs {
         let joined = match definition.by {
-            JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot, &mut said),
-            _ => with_log(campaign, definition, imported, &targets, log, &mut said),
+            JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot, &mut remarks),
+            _ => with_log(campaign, definition, imported, &targets, log, &mut remarks),
         };
         match joined.and_then(|rows| tidy(rows, log, robot)) {
             Ok(table) => {
                 if observations.is_empty() {
-                    said.messages.extend(incomplete(&table, robot)?);
+                    remarks.messages.extend(incomplete(&table, robot)?);
                 }
                 observations.push((log.name.clone(), table));
             }
@@ -95,7 +95,7 @@ pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, r
         }
     }
     problems.check()?;
-    Ok(Joined { observations, messages: said.messages, unmatched: said.unmatched })
+    Ok(Joined { observations, messages: remarks.messages, unmatched: remarks.unmatched })
 }
 
 /// Joins targets in the world with one log, by the key that the campaign states.
@@ -105,19 +105,19 @@ fn with_log(
     imported: &Gathered,
     targets: &[Target],
     log: &JointLog,
-    said: &mut Said,
+    remarks: &mut Remarks,
 ) -> Result<Vec<Row>> {
     let joined = match join.by {
-        JoinBy::PoseAndCycle => by_key(targets, log, &["pose", "cycle"], said)?,
-        JoinBy::Pose => by_key(targets, log, &["pose"], said)?,
+        JoinBy::PoseAndCycle => by_key(targets, log, &["pose", "cycle"], remarks)?,
+        JoinBy::Pose => by_key(targets, log, &["pose"], remarks)?,
         JoinBy::Row => {
             equal_counts(campaign, imported, targets.iter().map(|t| t.point), log)?;
-            by_key(targets, log, &["row"], said)?
+            by_key(targets, log, &["row"], remarks)?
         }
         JoinBy::Time => {
-            let offset_s = offset_s(campaign, join, targets, log, said)?;
+            let offset_s = offset_s(campaign, join, targets, log, remarks)?;
             let tolerance_s = join.tolerance_s.unwrap_or(0.0);
-            by_time(targets, log, Clocks { offset_s, tolerance_s, interpolate: join.interpolate }, said)?
+            by_time(targets, log, Clocks { offset_s, tolerance_s, interpolate: join.interpolate }, remarks)?
         }
         // what the log touches has no partner among the robot's targets
         JoinBy::Label => Vec::new(),
@@ -138,8 +138,14 @@ fn with_log(
     Ok(joined)
 }
 
-/// The offset of the clocks: as stated, or from the standstills of the log, which is said.
-fn offset_s(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, said: &mut Said) -> Result<f64> {
+/// The offset of the clocks: as stated, or from the standstills of the log, which is remarked.
+fn offset_s(
+    campaign: &Campaign,
+    join: &Join,
+    targets: &[Target],
+    log: &JointLog,
+    remarks: &mut Remarks,
+) -> Result<f64> {
     if join.clock_offset_s != Some(ClockOffset::Standstills) {
         return Ok(join.stated_offset_s().unwrap_or(0.0));
     }
@@ -154,7 +160,7 @@ fn offset_s(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog
         found.offset_s,
         found.half_width_s
     );
-    said.messages.push(Message::warning(what).at(place()).hint("every measured point falls into a standstill so"));
+    remarks.messages.push(Message::warning(what).at(place()).hint("every measured point falls into a standstill so"));
     Ok(found.offset_s)
 }
 
@@ -186,7 +192,7 @@ fn targets_in_world<'a>(
     imported: &'a Gathered,
     frames: &FramesDocument,
     robot: &dyn Robot,
-    said: &mut Said,
+    remarks: &mut Remarks,
 ) -> Vec<Target<'a>> {
     let mut by_pose: BTreeMap<(i64, i64), Pose> = BTreeMap::new();
     let mut for_all = None;
@@ -204,13 +210,13 @@ fn targets_in_world<'a>(
         let Some(world_T_export) = for_all.or_else(|| by_pose.get(&key?).copied()) else {
             lost.extend(point.pose);
             let key = point.pose.map_or_else(String::new, |pose| format!("pose {pose}"));
-            said.unmatched.push(At::point(point).unmatched(key, "its pose has no world frame"));
+            remarks.unmatched.push(At::point(point).unmatched(key, "its pose has no world frame"));
             continue;
         };
         targets.push(Target { point, index, world_mm: world_T_export.apply(point.xyz_mm) });
     }
     if !lost.is_empty() {
-        said.messages.push(
+        remarks.messages.push(
             Message::warning(format!(
                 "{} without a world frame, left out: {}",
                 count(lost.len(), "pose"),

@@ -20,13 +20,13 @@ pub use stated::Stated;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Arrivals of a pose that are told with their course: the standard's cycles.
+/// Arrivals of a pose that are reported with their course: the standard's cycles.
 const SHOWN_ARRIVALS: usize = 3;
 /// At least this long, with at most so many samples.
 const SHOWN_S: f64 = 0.2;
 const SHOWN_SAMPLES: usize = 200;
 
-/// What the recording does not say.
+/// What the recording does not state.
 #[derive(Clone, Debug)]
 pub struct Settings {
     /// What counts as standing.
@@ -60,7 +60,7 @@ pub struct PathSettings {
     pub weave: Option<(Vector, f64, f64)>,
 }
 
-/// All characteristics that the recording tells.
+/// All characteristics of the recording.
 pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283StreamDocument> {
     let stream = &recording.stream;
     let mut messages = Vec::new();
@@ -91,7 +91,7 @@ pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283Str
         settling: settling(&standing),
         arrivals: arrivals(stream, &stood, &standing),
         posing: moves(&standing),
-        standstills: standing.into_iter().map(|s| s.told).collect(),
+        standstills: standing.into_iter().map(|s| s.standstill).collect(),
         path: None,
         weaving: None,
         messages,
@@ -131,7 +131,7 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
         if !path.path.corners(CORNER_RAD).is_empty() {
             let _ = write!(
                 text,
-                "; none within {} mm of a corner (at most a quarter of its leg), which is told by itself",
+                "; none within {} mm of a corner (at most a quarter of its leg), which is reported by itself",
                 settings.near_mm
             );
         }
@@ -164,9 +164,9 @@ fn visits(stood: &[Standstill], places: &[(i64, Vector)], near_mm: f64) -> Vec<O
     visited(stood, &positions, near_mm).into_iter().map(&mut visit).collect()
 }
 
-/// A standstill with what the document says of it, and its arrival.
+/// A standstill in the document, and its arrival.
 struct Standing {
-    told: Iso9283Standstill,
+    standstill: Iso9283Standstill,
     arrival: Option<Arrival>,
     posing: Option<Posing>,
 }
@@ -192,7 +192,7 @@ fn standing(
         let arrived = arrived.as_ref().map(|(arrival, band)| (arrival, *band));
         let posing = before.zip(arrived).map(|(before, arrived)| posing(stream, before, s, arrived));
         all.push(Standing {
-            told: Iso9283Standstill {
+            standstill: Iso9283Standstill {
                 pose: visits[i].map(|v| v.0),
                 cycle: visits[i].map(|v| v.1),
                 from_s,
@@ -219,25 +219,28 @@ fn standing(
 fn settling(standing: &[Standing]) -> Vec<Iso9283Settling> {
     let mut by_pose: BTreeMap<i64, (Vec<Arrival>, f64)> = BTreeMap::new();
     for s in standing {
-        let (Some(pose), Some(arrival), Some(overshoot)) = (s.told.pose, s.arrival, s.told.overshoot_mm) else {
+        let (Some(pose), Some(arrival), Some(overshoot)) = (s.standstill.pose, s.arrival, s.standstill.overshoot_mm)
+        else {
             continue;
         };
         let (arrivals, largest) = by_pose.entry(pose).or_default();
         arrivals.push(arrival);
         *largest = largest.max(overshoot);
     }
-    let told = |(pose, (arrivals, overshoot_mm)): (i64, (Vec<Arrival>, f64))| {
+    let settled = |(pose, (arrivals, overshoot_mm)): (i64, (Vec<Arrival>, f64))| {
         let stabilisation_s = stabilisation_time_s(&arrivals)?;
         Some(Iso9283Settling { pose, arrivals: arrivals.len(), stabilisation_s, overshoot_mm })
     };
-    by_pose.into_iter().filter_map(told).collect()
+    by_pose.into_iter().filter_map(settled).collect()
 }
 
 /// The first arrivals at each pose, until twice the time that they took to settle.
 fn arrivals(stream: &Stream, stood: &[Standstill], standing: &[Standing]) -> Vec<Iso9283Arrival> {
     let mut all: Vec<Iso9283Arrival> = Vec::new();
-    for (i, (s, told)) in stood.iter().zip(standing).enumerate() {
-        let (Some(arrival), Some(pose), Some(cycle)) = (told.arrival, told.told.pose, told.told.cycle) else {
+    for (i, (s, standing)) in stood.iter().zip(standing).enumerate() {
+        let (Some(arrival), Some(pose), Some(cycle)) =
+            (standing.arrival, standing.standstill.pose, standing.standstill.cycle)
+        else {
             continue;
         };
         if all.iter().filter(|a| a.pose == pose).count() == SHOWN_ARRIVALS {
@@ -261,11 +264,12 @@ fn arrivals(stream: &Stream, stood: &[Standstill], standing: &[Standing]) -> Vec
 fn moves(standing: &[Standing]) -> Vec<Iso9283Posing> {
     let mut by_pair: BTreeMap<(i64, i64), Vec<Posing>> = BTreeMap::new();
     for pair in standing.windows(2) {
-        if let (Some(from), Some(to), Some(posing)) = (pair[0].told.pose, pair[1].told.pose, pair[1].posing) {
+        if let (Some(from), Some(to), Some(posing)) = (pair[0].standstill.pose, pair[1].standstill.pose, pair[1].posing)
+        {
             by_pair.entry((from, to)).or_default().push(posing);
         }
     }
-    let told = |((from, to), moves): ((i64, i64), Vec<Posing>)| {
+    let mean_move = |((from, to), moves): ((i64, i64), Vec<Posing>)| {
         let mean = |of: fn(&Posing) -> f64| moves.iter().map(of).sum::<f64>() / moves.len() as f64;
         Iso9283Posing {
             from,
@@ -275,5 +279,5 @@ fn moves(standing: &[Standing]) -> Vec<Iso9283Posing> {
             posing_s: mean(|p| p.time_s),
         }
     };
-    by_pair.into_iter().map(told).collect()
+    by_pair.into_iter().map(mean_move).collect()
 }

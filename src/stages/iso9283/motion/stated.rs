@@ -36,8 +36,8 @@ pub struct Stated<'a> {
 }
 
 impl Stated<'_> {
-    /// Statements that mean nothing; `told` makes a name what its reader wrote.
-    pub fn check(&self, told: impl Fn(&str) -> String) -> Result<()> {
+    /// Statements that mean nothing; `name` makes a key what its reader wrote.
+    pub fn check(&self, name: impl Fn(&str) -> String) -> Result<()> {
         let numbers = [
             ("rate_hz", self.rate_hz),
             ("still_mm", Some(self.still_mm)),
@@ -50,14 +50,14 @@ impl Stated<'_> {
             ("weave_hz", self.weave_hz),
         ];
         let wrong = numbers.iter().filter(|(_, value)| value.is_some_and(|v| !(v > 0.0 && v.is_finite())));
-        let told_wrong = wrong.map(|(key, _)| Message::error(format!("{} must be positive", told(key))));
-        let mut problems = Problems(told_wrong.collect());
-        let mut say = |message: Message| problems.0.push(message);
+        let wrong = wrong.map(|(key, _)| Message::error(format!("{} must be positive", name(key))));
+        let mut problems = Problems(wrong.collect());
+        let mut add = |message: Message| problems.0.push(message);
         if self.central_percent > 100.0 {
-            say(Message::error(format!("{} is more than the path", told("central_percent"))));
+            add(Message::error(format!("{} is more than the path", name("central_percent"))));
         }
         if !(2..=100_000).contains(&self.path_points) {
-            say(Message::error(format!("{} must be 2 to 100000", told("path_points"))));
+            add(Message::error(format!("{} must be 2 to 100000", name("path_points"))));
         }
         let weave = [
             ("weave_stroke_mm", self.weave_stroke_mm.is_some()),
@@ -66,18 +66,18 @@ impl Stated<'_> {
         ];
         let of_a_path = weave.into_iter().chain([("velocity_mm_s", self.velocity_mm_s.is_some())]);
         for (key, _) in of_a_path.filter(|(_, stated)| *stated && !self.path) {
-            let message = Message::error(format!("{} is that of a {}", told(key), told("path")));
-            say(message.hint("state the file of the commanded path"));
+            let message = Message::error(format!("{} is that of a {}", name(key), name("path")));
+            add(message.hint("state the file of the commanded path"));
         }
         if weave.iter().any(|(_, stated)| *stated) {
             for (key, _) in weave.iter().filter(|(_, stated)| !stated) {
-                say(Message::error(format!("a weave has no {}", told(key))).hint("a weave is stated by all three"));
+                add(Message::error(format!("a weave has no {}", name(key))).hint("a weave is stated by all three"));
             }
         }
         let across = self.weave_across;
         if !(across.is_empty() || across.len() == 3 && across.iter().all(|v| v.is_finite())) {
-            let message = Message::error(format!("{} has not three numbers", told("weave_across")));
-            say(message.expected("x, y and z of the way it swings"));
+            let message = Message::error(format!("{} has not three numbers", name("weave_across")));
+            add(message.expected("x, y and z of the way it swings"));
         }
         problems.check().map(|_| ())
     }
