@@ -7,9 +7,9 @@ use crate::base::message::{Message, Problems, Result, one_line};
 use crate::campaign::Campaign;
 use crate::compare::{Compared, compare};
 use crate::document::{CompareDocument, CompareFamily, CompareTogether};
-use crate::report::compare::{WRITERS, Writer, family, words};
-use crate::report::number;
 use crate::report::words::Words;
+use crate::report::words::comparison::{self, family};
+use crate::report::{self, number};
 use crate::run::output;
 use serde::de::DeserializeOwned;
 use std::collections::{BTreeMap, BTreeSet};
@@ -38,10 +38,10 @@ pub struct Compare {
 impl Compare {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let mut problems = Problems::default();
-        let mut writers = Vec::new();
+        let mut kinds = Vec::new();
         for path in &self.report {
-            match writer(path) {
-                Ok(writer) => writers.push((path, writer)),
+            match kind(path) {
+                Ok(kind) => kinds.push((path, kind)),
                 Err(more) => problems.0.extend(more.0),
             }
         }
@@ -61,10 +61,10 @@ impl Compare {
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }
-        if let Some(first) = all.first().filter(|_| !writers.is_empty()) {
+        if let Some(first) = all.first().filter(|_| !kinds.is_empty()) {
             let presentation = self.dressed.over(first.campaign.report.clone())?;
-            for (path, write) in writers {
-                files::write(path, &write(&document, &presentation)?)?;
+            for (path, kind) in kinds {
+                files::write(path, &report::comparison(&kind, &document, &presentation)?)?;
             }
         }
         print(if self.json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
@@ -72,13 +72,13 @@ impl Compare {
     }
 }
 
-/// The writer of a report, by the ending of its file name.
-fn writer(path: &Path) -> Result<Writer> {
+/// The kind of report that the ending of its file names.
+fn kind(path: &Path) -> Result<String> {
     let ending = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).unwrap_or_default();
-    if let Some((_, write)) = WRITERS.iter().find(|(kind, _)| *kind == ending) {
-        return Ok(*write);
+    if report::kinds().any(|kind| kind == ending) {
+        return Ok(ending);
     }
-    let kinds: Vec<String> = WRITERS.iter().map(|(kind, _)| format!(".{kind}")).collect();
+    let kinds: Vec<String> = report::kinds().map(|kind| format!(".{kind}")).collect();
     let message = Message::error(format!("`{}` does not end like a report", path.display()));
     Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
 }
@@ -160,10 +160,10 @@ fn as_text(document: &CompareDocument) -> String {
                 document.together.iter().for_each(|t| together(&mut text, t));
             }
         }
-        let values: Vec<String> = t.values.iter().map(|v| words::value(v, english)).collect();
-        let _ = writeln!(text, "  {} {}  {}", one_line(&t.name), words::unit(&t.unit), values.join("  "));
+        let values: Vec<String> = t.values.iter().map(|v| comparison::value(v, english)).collect();
+        let _ = writeln!(text, "  {} {}  {}", one_line(&t.name), comparison::unit(&t.unit), values.join("  "));
         for c in &t.changes {
-            let w = words::change(t, c, english);
+            let w = comparison::change(t, c, english);
             let _ = writeln!(
                 text,
                 "    {}: {} [{}], p {} (Holm {}): {}",

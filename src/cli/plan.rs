@@ -125,7 +125,7 @@ impl Plan {
             files::write(path, &export::targets(&document, &path.display().to_string())?)?;
         }
         if let Some(path) = &self.report {
-            files::write(path, report::plan_html(&document, &self.dressed.over(Presentation::default())?)?.as_bytes())?;
+            files::write(path, &report::plan("html", &document, &self.dressed.over(Presentation::default())?)?)?;
         }
         if self.json {
             print(output::to_json(&document)?)?;

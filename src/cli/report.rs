@@ -115,8 +115,7 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
 
 /// Writes the built-in templates, over none that is there.
 fn write_templates(folder: &Path) -> Result<Vec<String>> {
-    let built_in = report::templates::BUILT_IN.into_iter().chain([report::templates::TYPESET]);
-    let named: Vec<(PathBuf, &str)> = built_in.map(|(name, text)| (folder.join(name), text)).collect();
+    let named: Vec<(PathBuf, &str)> = report::templates().map(|(name, text)| (folder.join(name), text)).collect();
     if let Some((path, _)) = named.iter().find(|(path, _)| path.exists()) {
         let message = Message::error(format!("`{}` is there already", path.display()));
         return Err(message.hint("name a new folder").into());

@@ -1,58 +1,34 @@
-//! The report, made from the documents alone: one page that needs no network, the same typeset to be signed, and its tables
+//! The report: sections made once from the documents, and drawn as a page that needs no network, typeset to be signed, and
 //! as a workbook.
 //!
-//! `html`, `pdf` and `workbook` are pure functions: they read nothing but their argument and write the same bytes for the
-//! same documents.
+//! Every face is a pure function: it reads nothing but its arguments and writes the same bytes for the same documents. To
+//! add a section: its file in `sections`, a line in `sections::ALL`, and its words in `words`.
 
-mod arrows;
-mod axis;
 pub mod branding;
-mod by_pose;
-pub(crate) mod compare;
-mod correlation;
-#[cfg(test)]
-mod demo;
-#[cfg(test)]
-mod demo_iso9283;
-#[cfg(test)]
-mod demo_streams;
-mod facts;
-mod geometric;
-mod histogram;
-mod intervals;
-mod iso9283;
-mod map;
+mod html;
+mod model;
 pub(crate) mod number;
-mod parameters;
-mod part;
 #[cfg(feature = "pdf")]
 mod pdf;
-mod pictures;
-mod plan;
-mod plane;
-mod points;
-mod residuals;
-mod singular;
-mod streams;
-mod svg;
-mod tables;
-pub mod templates;
+mod plots;
+mod sections;
 #[cfg(test)]
 mod tests;
-mod verdict;
 pub(crate) mod words;
 mod workbook;
 
-pub use plan::html as plan_html;
-
-use crate::base::message::{Message, Result};
+use crate::base::message::{Message, Result, one_line};
 use crate::document::{
-    AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
-    ImportDocument, LimitVerdict, ParametersDocument, PointError, Provenance, WorldFrame,
+    AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, FeaturesDocument, FramesDocument,
+    GeometricDocument, ImportDocument, LimitVerdict, ParametersDocument, PlanDocument, PointError, Presentation,
+    Provenance,
 };
-use pictures::pictures;
+use model::Contents;
 use serde::Serialize;
-use words::Words;
+use words::{Words, isolated};
+
+/// The template of report.pdf, in the language of typst.
+const TYPESET: (&str, &str) = ("report.typ", include_str!("pdf/report.typ"));
 
 /// The documents that a report is made from.
 pub struct Report<'a> {
@@ -96,6 +72,52 @@ impl<'a> Report<'a> {
         self.identified.iter().flat_map(|i| &i.accuracy.limits).chain(self.tested.limits()).collect()
     }
 
+    /// What the numbers come from.
+    fn provenance(&self) -> Provenance {
+        let imported = || {
+            let version = env!("CARGO_PKG_VERSION").to_owned();
+            Provenance { version, inputs: self.import.inputs(), seed: None }
+        };
+        self.identified.map_or_else(imported, |i| i.parameters.provenance.clone())
+    }
+
+    /// The sections and all that stands around them.
+    fn contents(&self, words: &Words) -> Contents {
+        let subtitle = match self.identified {
+            Some(i) => words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&i.parameters.robot))]),
+            None => sections::verdict::title(self.tested, words),
+        };
+        Contents {
+            title: self.campaign.name.clone(),
+            subtitle,
+            synthetic: self.campaign.synthetic.iter().cloned().collect(),
+            date: self.campaign.date.clone(),
+            version: self.provenance().version,
+            verdict: sections::verdict::verdict(self, words),
+            sections: sections::all(self, words),
+            signed: true,
+        }
+    }
+
+    /// The documents that go along with the PDF.
+    fn attachments(&self) -> Result<Vec<Attachment>> {
+        let mut all = Vec::new();
+        if let Some(i) = self.identified {
+            let description = "Identified parameters, covariance, provenance";
+            all.push(Attachment::of("parameters.json", "data", description, i.parameters));
+            all.push(Attachment::of("accuracy.json", "data", "Errors before and after", i.accuracy));
+            all.extend(i.geometric.map(|d| Attachment::of("geometric.json", "data", "Geometric calibration", d)));
+        }
+        let Characteristics { poses, streams, compliance } = self.tested;
+        all.extend(poses.as_ref().map(|d| Attachment::of("iso9283.json", "data", "Characteristics of ISO 9283", d)));
+        all.extend(streams.as_ref().map(|d| Attachment::of("iso9283-streams.json", "data", "Recorded motions", d)));
+        all.extend(
+            compliance.as_ref().map(|d| Attachment::of("iso9283-compliance.json", "data", "Static compliance", d)),
+        );
+        all.push(Attachment::of("campaign.json", "source", "What the campaign states", self.campaign));
+        all.into_iter().collect()
+    }
+
     /// Whether every limit is met, and the result can be that of a robot.
     pub fn is_met(&self) -> bool {
         let plausible = self.identified.is_none_or(|i| i.parameters.is_plausible());
@@ -103,118 +125,118 @@ impl<'a> Report<'a> {
     }
 }
 
-/// What the template sees: documents as they are, and what was computed from them.
-#[derive(Serialize)]
-struct Page<'a> {
-    campaign: &'a CampaignSummary,
-    facts: Vec<facts::Fact>,
-    import: &'a ImportDocument,
-    features: &'a FeaturesDocument,
-    world: &'a WorldFrame,
-    fit: &'a ParametersDocument,
-    messages: Vec<&'a Message>,
-    verdict: verdict::Verdict,
-    definition: &'a str,
-    sets: Vec<tables::Set>,
-    poses: tables::Poses,
-    parameters: Vec<parameters::Row>,
-    parameter_pictures: Vec<points::Picture>,
-    pictures: Vec<points::Picture>,
-    residual_pictures: Vec<points::Picture>,
-    observability_pictures: Vec<points::Picture>,
-    geometric: Option<geometric::Section<'a>>,
-    iso9283: Option<iso9283::Section<'a>>,
-    compliance: Vec<part::Part>,
-    streams: Vec<streams::Section<'a>>,
-    /// errors that are not finite
-    undrawn: usize,
+/// A document that goes with a PDF.
+#[derive(Debug, Serialize)]
+struct Attachment {
+    name: &'static str,
+    /// how it relates to the report (ISO 19005-3, 6.8)
+    relationship: &'static str,
+    description: &'static str,
+    text: String,
+}
+
+impl Attachment {
+    fn of<T: Serialize>(
+        name: &'static str,
+        relationship: &'static str,
+        description: &'static str,
+        document: &T,
+    ) -> Result<Self> {
+        let text = serde_json::to_string_pretty(document)
+            .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
+        Ok(Self { name, relationship, description, text: text + "\n" })
+    }
 }
 
 /// A file of a report: its name and its bytes.
 pub type File = (&'static str, Vec<u8>);
 
-/// All files of a report.
-pub fn files(report: &Report) -> Result<Vec<File>> {
-    Ok(vec![
-        ("report.html", html(report)?.into_bytes()),
-        #[cfg(feature = "pdf")]
-        ("report.pdf", pdf::pdf(report)?),
-        ("report.xlsx", workbook::workbook(report)?),
-    ])
+/// The files of a report by their endings.
+const FILES: &[(&str, &str)] = &[
+    ("html", "report.html"),
+    #[cfg(feature = "pdf")]
+    ("pdf", "report.pdf"),
+    ("xlsx", "report.xlsx"),
+];
+
+/// The kinds of a report by the endings of their files.
+pub fn kinds() -> impl Iterator<Item = &'static str> {
+    FILES.iter().map(|(kind, _)| *kind)
 }
 
-/// The report as one HTML page.
-pub fn html(report: &Report) -> Result<String> {
+/// All files of the report of a campaign.
+pub fn files(report: &Report) -> Result<Vec<File>> {
     let presentation = &report.campaign.report;
     let words = &Words::of(presentation.language)?;
-    let Some(identified) = &report.identified else { return test_html(report, words) };
-    let drawn = pictures(report, identified, words);
-    let page = Page {
-        campaign: report.campaign,
-        facts: facts::facts(report.campaign, report.tested, words),
-        import: report.import,
-        features: report.features,
-        world: &report.frames.world,
-        fit: identified.parameters,
-        messages: report.messages(),
-        verdict: verdict::verdict(report, identified, words),
-        definition: &identified.accuracy.definition,
-        sets: tables::sets(identified.accuracy, words),
-        poses: tables::poses(identified.errors, words),
-        parameters: parameters::rows(&identified.parameters.parameters, words),
-        parameter_pictures: drawn.parameters,
-        pictures: drawn.errors,
-        residual_pictures: drawn.residuals,
-        observability_pictures: drawn.observability,
-        geometric: identified.geometric.map(|g| geometric::section(g, words)),
-        iso9283: report.tested.poses.as_ref().map(|i| iso9283::section(i, words)),
-        compliance: iso9283::compliance(report.tested.compliance.as_ref(), words),
-        streams: report.tested.streams.as_ref().map(|s| streams::sections(s, words)).unwrap_or_default(),
-        undrawn: identified.errors.len() - points::drawable(identified.errors).len(),
-    };
-    templates::render("report.html", presentation, words, page)
+    let (contents, attachments) = (report.contents(words), report.attachments()?);
+    let draw =
+        |(kind, name): &(&str, &'static str)| Ok((*name, draw(kind, &contents, &attachments, presentation, words)?));
+    FILES.iter().map(draw).collect()
 }
 
-/// What the template of a test by ISO 9283 sees.
-#[derive(Serialize)]
-struct TestPage<'a> {
-    campaign: &'a CampaignSummary,
-    facts: Vec<facts::Fact>,
-    import: &'a ImportDocument,
-    features: &'a FeaturesDocument,
-    world: &'a WorldFrame,
-    provenance: Provenance,
-    messages: Vec<&'a Message>,
-    class: &'static str,
-    sentences: Vec<String>,
-    title: String,
-    iso9283: Option<iso9283::Section<'a>>,
-    compliance: Vec<part::Part>,
-    streams: Vec<streams::Section<'a>>,
+/// The report of a comparison of campaigns, of one of the [`kinds`].
+pub fn comparison(kind: &str, document: &CompareDocument, presentation: &Presentation) -> Result<Vec<u8>> {
+    use sections::changes::{lead, sections, verdict};
+    let words = &Words::of(presentation.language)?;
+    let attachments = [Attachment::of("compare.json", "data", "What changed between campaigns", document)?];
+    let synthetic =
+        document.campaigns.iter().filter_map(|c| Some(format!("{}: {}", one_line(&c.folder), c.synthetic.as_ref()?)));
+    let contents = Contents {
+        title: words.say("What changed"),
+        subtitle: lead(document, words),
+        synthetic: synthetic.collect(),
+        date: document.campaigns.iter().rev().find_map(|c| c.date.clone()),
+        version: document.provenance.version.clone(),
+        verdict: verdict(document, words),
+        sections: sections(document, words),
+        signed: false,
+    };
+    draw(kind, &contents, &attachments, presentation, words)
 }
 
-/// The report of a test by ISO 9283 alone as one HTML page.
-fn test_html(report: &Report, words: &Words) -> Result<String> {
-    let presentation = &report.campaign.report;
-    let iso9283::Verdict { class, sentences } = iso9283::verdict(report.tested, words);
-    let page = TestPage {
-        campaign: report.campaign,
-        facts: facts::facts(report.campaign, report.tested, words),
-        import: report.import,
-        features: report.features,
-        world: &report.frames.world,
-        provenance: Provenance {
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            inputs: report.import.inputs(),
-            seed: None,
-        },
-        messages: report.messages(),
-        class,
-        sentences,
-        title: iso9283::title(report.tested, words),
-        iso9283: report.tested.poses.as_ref().map(|i| iso9283::section(i, words)),
-        compliance: iso9283::compliance(report.tested.compliance.as_ref(), words),
-        streams: report.tested.streams.as_ref().map(|s| streams::sections(s, words)).unwrap_or_default(),
+/// The report of a plan, of one of the [`kinds`].
+pub fn plan(kind: &str, document: &PlanDocument, presentation: &Presentation) -> Result<Vec<u8>> {
+    use sections::plan::{sections, verdict};
+    let words = &Words::of(presentation.language)?;
+    let robot = isolated(&one_line(&document.robot));
+    let contents = Contents {
+        title: words.say("Poses to measure"),
+        subtitle: words.fill("Plan for the calibration of robot {0}", &[&robot]),
+        synthetic: Vec::new(),
+        date: None,
+        version: document.provenance.version.clone(),
+        verdict: verdict(document, words),
+        sections: sections(document, words),
+        signed: false,
     };
-    templates::render("repeatability.html", presentation, words, page)
+    let attachments = [Attachment::of("plan.json", "data", "The chosen poses", document)?];
+    draw(kind, &contents, &attachments, presentation, words)
+}
+
+fn draw(
+    kind: &str,
+    contents: &Contents,
+    attachments: &[Attachment],
+    presentation: &Presentation,
+    words: &Words,
+) -> Result<Vec<u8>> {
+    match kind {
+        "xlsx" => workbook::workbook(contents, words),
+        #[cfg(feature = "pdf")]
+        "pdf" => pdf::pdf(contents, attachments, presentation, words),
+        _ => Ok(html::html(contents, presentation, words)?.into_bytes()),
+    }
+}
+
+/// The built-in templates by their names.
+pub fn templates() -> impl Iterator<Item = (&'static str, &'static str)> {
+    html::BUILT_IN.into_iter().chain([TYPESET])
+}
+
+/// Whether the laboratory's templates read, without a report to fill.
+pub fn check_templates(presentation: &Presentation) -> Result<()> {
+    html::check(presentation)?;
+    #[cfg(feature = "pdf")]
+    presentation.templates.get(TYPESET.0).map_or(Ok(()), |text| pdf::check(text))?;
+    Ok(())
 }

@@ -39,6 +39,11 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// A number as somebody stated it.
+pub(super) fn stated(value: f64) -> String {
+    if value.is_finite() { value.to_string() } else { fixed(value, 0) }
+}
+
 /// `value` to the second significant digit of its standard uncertainty; 4 decimals without one.
 pub(crate) fn with_uncertainty(value: f64, u: Option<f64>) -> String {
     fixed(value, u.and_then(|u| decimals(u, 2)).unwrap_or(4))

@@ -8,7 +8,7 @@ use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Presentation};
 use crate::import::Point;
 use crate::math::robots::Robot;
-use crate::report::{branding, templates};
+use crate::report::{self, branding};
 use crate::stages::frames;
 use crate::stages::gather::{self, Gathered};
 use crate::stages::geometric;
@@ -159,6 +159,6 @@ fn presentation(campaign: &Campaign) -> Result<Presentation> {
         let read = branding::templates(&campaign.resolve(folder)?);
         presentation.templates = read.map_err(|more| more.at(&campaign.place(folder)))?;
     }
-    templates::check(&presentation)?;
+    report::check_templates(&presentation)?;
     Ok(presentation)
 }

@@ -7,7 +7,7 @@ use std::process::Command;
 /// Pages, in a folder that goes away with them.
 pub struct Pages {
     pub pages: Vec<PathBuf>,
-    /// A comparison, which has no marks to point at, and no script.
+    /// A comparison, which has no marks of poses to point at.
     pub comparison: PathBuf,
     pub folder: tempfile::TempDir,
 }

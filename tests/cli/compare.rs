@@ -54,7 +54,8 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
     assert_eq!(document.campaigns[0].date.as_deref(), Some("2026-04-01"));
     let html = std::fs::read_to_string(at.join("compare.html")).unwrap();
     assert!(html.contains("Parameter s") && html.contains("2026-10-01") && html.contains("<svg"));
-    assert!(!html.contains("http://") && !html.contains("https://") && !html.contains("<script"));
+    assert!(!html.contains("http://") && !html.contains("https://"));
+    assert_eq!(html.matches("<script").count(), 1);
     let other = ["compare.pdf", "compare.xlsx", "vergleich.html"].map(|file| ["--report", file]).concat();
     let german = [&["compare", "spring", "autumn", "--language", "de"][..], &other].concat();
     assert!(etalon(at, &german).status.success());
@@ -125,7 +126,7 @@ fn hostile_names_stay_text() {
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(!text(&output.stdout).contains('\u{1b}'));
     let html = std::fs::read_to_string(at.join("compare.html")).unwrap();
-    assert!(!html.contains("<script") && !html.contains('\u{1b}'), "a name became markup");
+    assert!(html.matches("<script").count() == 1 && !html.contains('\u{1b}'), "a name became markup");
 }
 
 #[test]

@@ -1,79 +1,26 @@
-//! The report as PDF: what the HTML page tells, in the order of a document that is signed, typeset by typst.
+//! The report as PDF: what the HTML page shows, in the order of a document that is signed, typeset by typst.
 //!
 //! PDF/A-3 (ISO 19005-3), tagged, fonts embedded, pictures as vectors, the documents that it is made from attached.
 
-mod annex;
-mod calibration;
-mod compare;
-mod fit;
-mod geometric;
-mod iso9283;
-mod paper;
-mod places;
 mod printable;
-mod stated;
-mod streams;
-mod test;
 #[cfg(test)]
 mod tests;
 mod world;
 
-use super::Report;
-use super::templates::TYPESET;
+use super::branding::logo_file;
+use super::model::Contents;
 use super::words::Words;
+use super::{Attachment, TYPESET};
 use crate::base::message::{Message, Result};
-use crate::document::{Characteristics, CompareDocument, Presentation};
-use crate::report::branding::logo_file;
-use crate::run::output::to_json;
-use paper::Paper;
-use serde::Serialize;
+use crate::document::Presentation;
+use serde_json::{Value, json};
 use typst::foundations::Bytes;
 use world::Desk;
 
 /// Date of a PDF whose campaign states none: the first that a ZIP file can state.
 const UNDATED: (i32, u8, u8) = (1980, 1, 1);
-
-/// A document that goes with the report.
-#[derive(Serialize)]
-struct Attachment {
-    name: &'static str,
-    /// how it stands to the report (ISO 19005-3, 6.8)
-    relationship: &'static str,
-    description: &'static str,
-    text: String,
-}
-
-/// The report of a campaign.
-pub fn pdf(report: &Report) -> Result<Vec<u8>> {
-    let presentation = &report.campaign.report;
-    let words = &Words::of(presentation.language)?;
-    let mut attachments = Vec::new();
-    if let Some(i) = &report.identified {
-        attachments.push(attachment(
-            "parameters.json",
-            "data",
-            "Identified parameters, covariance, provenance",
-            i.parameters,
-        )?);
-        attachments.push(attachment("accuracy.json", "data", "Errors before and after", i.accuracy)?);
-        if let Some(document) = i.geometric {
-            attachments.push(attachment("geometric.json", "data", "Geometric calibration", document)?);
-        }
-    }
-    attachments.extend(tested(report.tested)?);
-    attachments.push(attachment("campaign.json", "source", "What the campaign states", report.campaign)?);
-    let paper = match &report.identified {
-        Some(identified) => calibration::paper(report, identified, words),
-        None => test::paper(report, words),
-    };
-    typeset(&paper, &attachments, presentation)
-}
-
-/// The report of a comparison of campaigns.
-pub(super) fn compare_pdf(document: &CompareDocument, presentation: &Presentation) -> Result<Vec<u8>> {
-    let attachments = [attachment("compare.json", "data", "What changed between campaigns", document)?];
-    typeset(&compare::paper(document, presentation, &Words::of(presentation.language)?), &attachments, presentation)
-}
+/// Warnings between a reader and the results; the others are in an annex.
+const NOTICES: usize = 6;
 
 /// Whether a laboratory's template reads, without a report to lay out.
 pub(super) fn check(template: &str) -> Result<()> {
@@ -81,41 +28,73 @@ pub(super) fn check(template: &str) -> Result<()> {
     Desk::new(files.into(), UNDATED)?.check(TYPESET.0)
 }
 
-fn tested(found: &Characteristics) -> Result<Vec<Attachment>> {
-    let poses = found.poses.as_ref().map(|d| attachment("iso9283.json", "data", "Characteristics of ISO 9283", d));
-    let streams = found.streams.as_ref().map(|d| attachment("iso9283-streams.json", "data", "Recorded motions", d));
-    let loads =
-        found.compliance.as_ref().map(|d| attachment("iso9283-compliance.json", "data", "Static compliance", d));
-    [poses, streams, loads].into_iter().flatten().collect()
-}
-
-fn attachment<T: Serialize>(
-    name: &'static str,
-    relationship: &'static str,
-    description: &'static str,
-    document: &T,
-) -> Result<Attachment> {
-    let text = String::from_utf8_lossy(&to_json(document)?).into_owned();
-    Ok(Attachment { name, relationship, description, text })
-}
-
-/// Names reach the template as data, never as markup.
-fn typeset(paper: &Paper, attachments: &[Attachment], dressed: &Presentation) -> Result<Vec<u8>> {
+/// The report typeset. Names reach the template as data, never as markup.
+pub(super) fn pdf(
+    contents: &Contents,
+    attachments: &[Attachment],
+    presentation: &Presentation,
+    words: &Words,
+) -> Result<Vec<u8>> {
     let fail = |e: serde_json::Error| Message::error(format!("cannot typeset report.pdf: {e}"));
-    let mut data = serde_json::to_value(paper).map_err(fail)?;
+    let mut data = paper(contents, presentation, words).map_err(fail)?;
     printable::printable(&mut data);
-    let own = dressed.templates.get(TYPESET.0).cloned();
+    let own = presentation.templates.get(TYPESET.0).cloned();
     let mut files = vec![
         (TYPESET.0, Bytes::from_string(own.unwrap_or_else(|| TYPESET.1.to_owned()))),
         ("report.json", Bytes::new(serde_json::to_vec(&data).map_err(fail)?)),
         ("attachments.json", Bytes::new(serde_json::to_vec(attachments).map_err(fail)?)),
     ];
-    if let Some((_, logo)) = dressed.logo.as_deref().and_then(logo_file) {
+    if let Some((_, logo)) = presentation.logo.as_deref().and_then(logo_file) {
         files.push(("logo", Bytes::new(logo)));
     }
     let files = files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect();
-    let date = paper.date.as_deref().and_then(day).unwrap_or(UNDATED);
-    Desk::new(files, date)?.pdf(&paper.title)
+    let date = contents.date.as_deref().and_then(day).unwrap_or(UNDATED);
+    Desk::new(files, date)?.pdf(&contents.title)
+}
+
+/// The contents as a typesetter gets them: what only some readers want is in annexes, behind the signatures.
+fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> serde_json::Result<Value> {
+    let mut data = serde_json::to_value(contents)?;
+    let mut annexes = Vec::new();
+    for section in data["sections"].as_array_mut().into_iter().flatten() {
+        let Value::Array(blocks) = section["blocks"].take() else { continue };
+        let (mut kept, mut notices) = (Vec::new(), Vec::new());
+        for block in blocks {
+            match block["kind"].as_str() {
+                Some("aside") => annexes.push(block),
+                Some("notice") if kept.len() >= NOTICES => notices.push(block),
+                _ => kept.push(block),
+            }
+        }
+        if !notices.is_empty() {
+            let more = [json!({ "text": words.fill("{0} more are in the annex.", &[&notices.len()]), "mark": "own" })];
+            kept.push(json!({ "kind": "text", "tone": "plain", "text": more }));
+            annexes.push(json!({ "title": words.say("More warnings and remarks"), "blocks": notices }));
+        }
+        section["blocks"] = kept.into();
+    }
+    data["annexes"] = annexes.into();
+    data["labels"] = labels(presentation, words);
+    Ok(data)
+}
+
+/// What the layout itself says, and in which language.
+fn labels(presentation: &Presentation, words: &Words) -> Value {
+    let note = words.say(
+        "Numbers have a decimal point; texts of the campaign and messages of the program are in their own language.",
+    );
+    let lang = presentation.language.code();
+    json!({
+        "lang": lang,
+        "synthetic": words.say("Synthetic data:"),
+        "page": words.say("page {0} of {1}"),
+        "left_out": words.say("{0} more rows are left out: the workbook has all."),
+        "logo": presentation.logo.as_ref().map(|_| words.say("Logo of the laboratory")),
+        "signatures": words.say("Signatures"),
+        "signs": [words.say("Tested by"), words.say("Approved by")],
+        "line": words.say("name, date, signature"),
+        "note": if lang == "en" { String::new() } else { note },
+    })
 }
 
 /// Year, month and day of a text that starts with a date of ISO 8601.

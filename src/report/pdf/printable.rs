@@ -1,5 +1,6 @@
 //! Text as the embedded fonts can show it: PDF/A forbids what they cannot.
 
+use super::super::model::is_checksum;
 use super::world::fonts;
 use serde_json::Value;
 
@@ -19,10 +20,23 @@ pub(super) fn printable(value: &mut Value) {
         }
         Value::Array(values) => values.iter_mut().for_each(printable),
         Value::Object(values) => values.iter_mut().for_each(|(key, value)| match (key.as_str(), value) {
-            ("svg", Value::String(svg)) => *svg = shown(svg).unwrap_or_else(|| std::mem::take(svg)),
+            ("svg", Value::String(svg)) => *svg = styled(&shown(svg).unwrap_or_else(|| std::mem::take(svg))),
             (_, value) => printable(value),
         }),
         _ => {}
+    }
+}
+
+/// An inline picture as a file of its own, with the style that it has on a page.
+fn styled(svg: &str) -> String {
+    const STYLE: &str = concat!(
+        "<style>text { font-family: 'Libertinus Serif'; font-size: 12px }\n",
+        include_str!("../html/picture.css"),
+        "</style>"
+    );
+    match svg.split_once('>') {
+        Some((open, rest)) => format!("{open} xmlns=\"http://www.w3.org/2000/svg\">{STYLE}{rest}"),
+        None => String::new(),
     }
 }
 
@@ -33,11 +47,6 @@ fn breakable(text: &str) -> String {
         false => word.to_owned(),
     };
     text.split(' ').map(broken).collect::<Vec<_>>().join(" ")
-}
-
-/// SHA-256 in hexadecimal.
-pub(super) fn is_checksum(word: &str) -> bool {
-    word.len() == 64 && word.bytes().all(|b| b.is_ascii_hexdigit())
 }
 
 /// The text with what cannot be shown replaced, where there is any. Marks that turn the direction of what follows are
@@ -72,11 +81,12 @@ mod tests {
     #[test]
     fn long_words_may_break_and_checksums_not() {
         let (long, checksum) = ("n".repeat(29), "0".repeat(64));
-        let mut value = serde_json::json!([format!("a {long} b"), checksum, "n".repeat(28), { "svg": long }]);
+        let svg = format!("<svg><text>{long}</text>");
+        let mut value = serde_json::json!([format!("a {long} b"), checksum, "n".repeat(28), { "svg": svg }]);
         printable(&mut value);
         assert_eq!(value[0], format!("a {} b", "n\u{200b}".repeat(29)));
         assert_eq!((value[1].as_str(), value[2].as_str()), (Some(&*checksum), Some(&*"n".repeat(28))));
-        assert_eq!(value[3]["svg"], long);
+        assert!(value[3]["svg"].as_str().unwrap().ends_with(&format!("</style><text>{long}</text>")));
     }
 
     #[test]

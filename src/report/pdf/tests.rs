@@ -1,11 +1,12 @@
 //! What the typesetter is given, and what it must survive.
 
 use super::*;
-use crate::report::demo::{Documents, point};
-use crate::report::tests::with_text;
+use crate::report::tests::demo::{Documents, point};
+use crate::report::tests::page::with_text;
 
 fn typeset_of(documents: &Documents) -> Vec<u8> {
-    pdf(&documents.report()).unwrap()
+    let (words, report) = (Words::default(), documents.report());
+    pdf(&report.contents(&words), &report.attachments().unwrap(), &documents.campaign.report, &words).unwrap()
 }
 
 /// What `pdftotext` reads; `None` where it is not installed.
@@ -26,7 +27,9 @@ fn the_demo_is_typeset_and_its_bytes_are_the_same_twice() {
     assert!(pdf.starts_with(b"%PDF-1.7") && pdf == typeset_of(&documents));
     if let Some(folder) = std::env::var_os("ETALON_REPORT_DEMO") {
         let folder = std::path::PathBuf::from(folder);
-        let paper = calibration::paper(&documents.report(), &documents.identified(), &Words::default());
+        let paper =
+            paper(&documents.report().contents(&Words::default()), &documents.campaign.report, &Words::default())
+                .unwrap();
         std::fs::write(folder.join("report.pdf"), pdf).unwrap();
         std::fs::write(folder.join("report.json"), serde_json::to_vec(&paper).unwrap()).unwrap();
     }

@@ -32,7 +32,7 @@ impl Desk {
         files.insert(MAIN.to_owned(), Bytes::from_string(START));
         let (year, month, day) = date;
         let date = Datetime::from_ymd(year, month, day)
-            .ok_or_else(|| Message::error(format!("{year}-{month}-{day} is no date")))?;
+            .ok_or_else(|| Message::error(format!("{year}-{month}-{day} is not a date")))?;
         Ok(Self { library: LazyHash::new(Library::default()), main: id(MAIN)?, files, date })
     }
 
@@ -40,13 +40,14 @@ impl Desk {
     pub fn check(&self, name: &str) -> Result<()> {
         let source = self.source(id(name)?).map_err(|e| Message::error(format!("{name}: {e}")))?;
         let (errors, _) = source.root().errors_and_warnings();
-        let wrong = errors.into_iter().map(|e| self.told(&SourceDiagnostic::from(e)));
+        let wrong = errors.into_iter().map(|e| self.message(&SourceDiagnostic::from(e)));
         Problems(wrong.collect()).check().map(|_| ())
     }
 
     /// The typeset document as PDF/A-3a, identified by `ident`.
     pub fn pdf(&self, ident: &str) -> Result<Vec<u8>> {
-        let problems = |diagnostics: &[SourceDiagnostic]| Problems(diagnostics.iter().map(|d| self.told(d)).collect());
+        let problems =
+            |diagnostics: &[SourceDiagnostic]| Problems(diagnostics.iter().map(|d| self.message(d)).collect());
         let document = typst::compile::<PagedDocument>(self).output.map_err(|e| problems(&e))?;
         let standards = PdfStandards::new(&[PdfStandard::A_3a]).map_err(|e| Message::error(e.message().as_str()))?;
         let options = PdfOptions {
@@ -60,7 +61,7 @@ impl Desk {
     }
 
     /// A diagnostic with its place in the template.
-    fn told(&self, diagnostic: &SourceDiagnostic) -> Message {
+    fn message(&self, diagnostic: &SourceDiagnostic) -> Message {
         let message = Message::error(format!("cannot typeset report.pdf: {}", diagnostic.message));
         let place = diagnostic.span.id().and_then(|id| {
             let (source, span) = (self.source(id).ok()?, self.range(diagnostic.span)?);

@@ -1,0 +1,81 @@
+//! The report as one HTML page that needs no network: layout by templates, which a laboratory may replace by its own.
+
+use super::TYPESET;
+use super::model::Contents;
+use super::words::{Words, isolated};
+use crate::base::message::{Message, Place, Problems, Result, one_line};
+use crate::document::Presentation;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::{Rest, Serde};
+use minijinja::{Environment, UndefinedBehavior, Value};
+use sha2::{Digest, Sha256};
+use std::error::Error;
+
+/// Every template by its name; the ending turns escaping on.
+pub(super) const BUILT_IN: [(&str, &str); 6] = [
+    ("report.html", include_str!("html/report.html")),
+    ("blocks.html", include_str!("html/blocks.html")),
+    ("head.html", include_str!("html/head.html")),
+    ("signatures.html", include_str!("html/signatures.html")),
+    ("style.html", include_str!("html/style.html")),
+    ("picture.css", include_str!("html/picture.css")),
+];
+
+/// What makes marks answer; the page's policy lets no other script run.
+pub(super) const SCRIPT: &str = include_str!("html/script.js");
+
+/// The page; of control characters, which no name is known to need, line feeds and tabs stay.
+pub(super) fn html(contents: &Contents, presentation: &Presentation, words: &Words) -> Result<String> {
+    let environment = environment(presentation, words)?;
+    let fail = |e: minijinja::Error| Problems::from(failure(&e, presentation));
+    let page = environment.get_template("report.html").map_err(fail)?.render(Serde(contents)).map_err(fail)?;
+    Ok(page.chars().map(|c| if c.is_control() && !matches!(c, '\n' | '\t') { '\u{fffd}' } else { c }).collect())
+}
+
+/// Whether the laboratory's templates read, without a page to fill.
+pub(super) fn check(presentation: &Presentation) -> Result<()> {
+    environment(presentation, &Words::default()).map(|_| ())
+}
+
+fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Environment<'a>> {
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build();
+    environment.set_syntax(syntax.map_err(|e| failure(&e, presentation))?);
+    environment.add_filter("one_line", |text: String| one_line(&text));
+    environment.add_filter("isolated", |text: String| isolated(&text));
+    let words = words.clone();
+    environment.add_filter("t", move |text: String, values: Rest<Value>| {
+        let values: Vec<&dyn std::fmt::Display> = values.iter().map(|v| v as &dyn std::fmt::Display).collect();
+        words.fill(&text, &values)
+    });
+    environment.add_global("lang", presentation.language.code());
+    environment.add_global("logo", presentation.logo.as_deref());
+    environment.add_global("script", SCRIPT);
+    environment.add_global("script_sha256", STANDARD.encode(Sha256::digest(SCRIPT)));
+    for (name, text) in BUILT_IN {
+        environment.add_template(name, text).map_err(|e| failure(&e, presentation))?;
+    }
+    let own = presentation.templates.iter().filter(|(name, _)| *name != TYPESET.0);
+    let read = |(name, text): (&'a String, &'a String)| environment.add_template(name, text).err();
+    let problems = Problems(own.filter_map(read).map(|e| failure(&e, presentation)).collect());
+    problems.check()?;
+    Ok(environment)
+}
+
+/// What is wrong with a template, with its line where it is the laboratory's.
+fn failure(error: &minijinja::Error, presentation: &Presentation) -> Message {
+    // of a template within a template the innermost is wrong
+    if let Some(inner) = error.source().and_then(|inner| inner.downcast_ref()) {
+        return failure(inner, presentation);
+    }
+    let what = error.detail().map_or_else(|| error.kind().to_string(), |detail| format!("{}: {detail}", error.kind()));
+    let message = Message::error(format!("the report's template does not work: {what}"));
+    let Some((name, line)) = error.name().zip(error.line()) else { return message };
+    match presentation.templates.get(name).and_then(|text| text.lines().nth(line.saturating_sub(1))) {
+        Some(text) => message.at(Place::line(name, line, text)),
+        None => message.at(Place::file(name)),
+    }
+}

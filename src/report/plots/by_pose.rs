@@ -1,0 +1,202 @@
+//! Error by pose, before and after in one picture.
+
+use super::axis::{Axis, left_margin, range};
+use super::points;
+use super::svg::{Shape, Svg};
+use crate::document::PointError;
+use crate::report::model::Figure;
+use crate::report::number;
+use crate::report::words::Words;
+use std::collections::BTreeSet;
+
+pub(in crate::report) const WIDTH: f64 = 760.0;
+pub(in crate::report) const HEIGHT: f64 = 340.0;
+pub(in crate::report) const RIGHT: f64 = 12.0;
+pub(in crate::report) const TOP: f64 = 36.0;
+pub(in crate::report) const BOTTOM: f64 = 296.0;
+const TICKS: usize = 5;
+/// More marks than this hide each other.
+const LIMIT: usize = 1500;
+/// The axis is logarithmic where the largest error before is more than this many times the median after.
+const RATIO: f64 = 20.0;
+
+/// Position and, where there is one, orientation.
+pub(in crate::report) fn pictures(errors: &[&PointError], words: &Words) -> Vec<Figure> {
+    let position = |p: &PointError| Some((points::before_mm(p), points::after_mm(p)));
+    let orientation = |p: &PointError| Some((p.before_deg?.abs(), p.after_deg?.abs()));
+    let all =
+        [picture(errors, "position", "mm", position, words), picture(errors, "orientation", "deg", orientation, words)];
+    all.into_iter().flatten().collect()
+}
+
+fn picture(
+    errors: &[&PointError],
+    quantity: &str,
+    unit: &str,
+    value: impl Fn(&PointError) -> Option<(f64, f64)>,
+    words: &Words,
+) -> Option<Figure> {
+    let sizes = |p: &PointError| value(p).filter(|(before, after)| before.is_finite() && after.is_finite());
+    let all: Vec<_> = errors.iter().copied().filter(|p| sizes(p).is_some()).collect();
+    let drawn = points::thin(&all, LIMIT, |p| sizes(p).map_or(0.0, |s| s.1));
+    let pairs: Vec<_> = drawn.iter().filter_map(|p| sizes(p).map(|s| (*p, s))).collect();
+    if pairs.is_empty() {
+        return None;
+    }
+    let largest = range(pairs.iter().flat_map(|(_, s)| [s.0, s.1])).map_or(0.0, |r| r.1);
+    let shown = number::shown(unit, largest);
+    // a few errors that happen to be nearly zero must not squeeze all others
+    let smallest = quantile(pairs.iter().map(|(_, s)| s.1), 0.02);
+    let largest_before = range(pairs.iter().map(|(_, s)| s.0)).map_or(0.0, |r| r.1);
+    let logarithmic = largest_before > RATIO * quantile(pairs.iter().map(|(_, s)| s.1), 0.5) && smallest > 0.0;
+    let axis = match logarithmic {
+        true => Axis::logarithmic(smallest * shown.factor, largest * shown.factor, BOTTOM, TOP),
+        false => Axis::from_zero(largest * shown.factor, BOTTOM, TOP),
+    };
+    let (title, name) = match quantity {
+        "orientation" => (
+            words.say("Orientation error by pose, before and after calibration"),
+            words.fill("orientation error in {0}", &[&shown.unit]),
+        ),
+        _ => (
+            words.say("Position error by pose, before and after calibration"),
+            words.fill("position error in {0}", &[&shown.unit]),
+        ),
+    };
+    let description = match logarithmic {
+        true => words.fill("One mark for each pose, cycle and target; logarithmic axis in {0}.", &[&shown.unit]),
+        false => words.fill("One mark for each pose, cycle and target; linear axis in {0}.", &[&shown.unit]),
+    };
+    let mut svg = Svg::new(&format!("by-pose-{quantity}"), WIDTH, HEIGHT, &title, &description);
+    let poses: Vec<i64> = pairs.iter().map(|(p, _)| p.pose).collect::<BTreeSet<_>>().into_iter().collect();
+    let left = left_margin(&axis.ticks(TICKS));
+    let across = Axis::linear(-0.7, poses.len() as f64 - 0.3, left, WIDTH - RIGHT);
+    draw_axes(&mut svg, left, (&across, &axis), &poses, [&name, &words.say("pose")]);
+    for after in [false, true] {
+        for (p, s) in &pairs {
+            let place = poses.binary_search(&p.pose).unwrap_or(0) as f64;
+            let size = if after { s.1 } else { s.0 };
+            let class = if after { points::class(p) } else { "before" };
+            let at = (across.at(place), axis.at(size * shown.factor));
+            svg.mark(points::shape(p), class, at, 2.8, "", &points::tooltip(p, s.0, s.1, shown, words));
+        }
+    }
+    legend(&mut svg, left, &drawn, words);
+    let rule = match logarithmic {
+        true => words.fill(
+            "The error axis is logarithmic: the largest error before is more than {0} times the median after.",
+            &[&RATIO],
+        ),
+        false => words.fill(
+            "The error axis is linear: the largest error before is no more than {0} times the median after.",
+            &[&RATIO],
+        ),
+    };
+    let low = axis.low() / shown.factor;
+    let lower = match pairs.iter().flat_map(|(_, s)| [s.0, s.1]).filter(|&v| v < low).count() {
+        0 => String::new(),
+        1 => format!(" {}", words.say("1 smaller error is drawn at the lower edge.")),
+        n => format!(" {}", words.fill("{0} smaller errors are drawn at the lower edge.", &[&n])),
+    };
+    let caption = rule + &lower + &points::how_many(drawn.len(), all.len(), words);
+    Some(Figure { title, svg: svg.finish(), caption, wide: true, ..Figure::default() })
+}
+
+/// An upright axis with its name, and the numbers of the poses along the other.
+pub(in crate::report) fn draw_axes(
+    svg: &mut Svg,
+    left: f64,
+    (across, axis): (&Axis, &Axis),
+    poses: &[i64],
+    [up, along]: [&str; 2],
+) {
+    for (value, label) in axis.ticks(TICKS) {
+        let y = axis.at(value);
+        svg.line("grid", (left, y), (WIDTH - RIGHT, y));
+        svg.text("end", (left - 6.0, y + 4.0), &label);
+    }
+    let stride = (super::axis::step(poses.len() as f64, 15) as usize).max(1);
+    for (i, pose) in poses.iter().enumerate() {
+        // round pose numbers where poses are counted from 1
+        if pose % stride as i64 == 0 || poses.len() <= 15 {
+            let x = across.at(i as f64);
+            svg.line("axis", (x, BOTTOM), (x, BOTTOM + 4.0));
+            svg.text("mid", (x, BOTTOM + 17.0), &pose.to_string());
+        }
+    }
+    svg.line("axis", (left, BOTTOM), (WIDTH - RIGHT, BOTTOM));
+    svg.line("axis", (left, TOP), (left, BOTTOM));
+    svg.text("mid", ((left + WIDTH - RIGHT) / 2.0, BOTTOM + 36.0), along);
+    svg.text_upwards((14.0, (TOP + BOTTOM) / 2.0), up);
+}
+
+fn legend(svg: &mut Svg, left: f64, drawn: &[&PointError], words: &Words) {
+    let sets = points::sets(drawn);
+    let before = sets.iter().map(|&(shape, _, name)| (shape, "before", words.fill("{0}, before", &[&words.say(name)])));
+    let after = sets.iter().map(|&(shape, class, name)| (shape, class, words.fill("{0}, after", &[&words.say(name)])));
+    let entries: Vec<(Shape, &str, String)> = before.chain(after).collect();
+    for (i, (shape, class, name)) in entries.iter().enumerate() {
+        let x = left + 8.0 + 160.0 * i as f64;
+        svg.mark(*shape, class, (x, 16.0), 4.0, "", "");
+        svg.text("start", (x + 10.0, 20.0), name);
+    }
+}
+
+fn quantile(values: impl Iterator<Item = f64>, share: f64) -> f64 {
+    let mut sorted: Vec<f64> = values.collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get((sorted.len() as f64 * share) as usize).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::tests::demo::point;
+
+    #[test]
+    fn the_axis_follows_its_stated_rule() {
+        let caption = |before: f64| {
+            let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [before, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
+            pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[0].caption.clone()
+        };
+        assert!(caption(0.19).starts_with("The error axis is linear: the largest error before is no more than 20"));
+        assert!(caption(0.21).starts_with("The error axis is logarithmic: the largest error before is more than 20"));
+        assert!(caption(0.0).contains("linear"));
+    }
+
+    #[test]
+    fn errors_below_the_axis_are_counted() {
+        let mut errors: Vec<_> = (0..99).map(|i| point(i, [0.0; 3], [0.5, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
+        assert!(!pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[0].caption.contains("lower edge"));
+        errors[7].after_mm = [1e-9, 0.0, 0.0];
+        assert!(
+            pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[0]
+                .caption
+                .contains(" 1 smaller error is drawn")
+        );
+    }
+
+    #[test]
+    fn the_name_of_the_axis_stays_clear_of_the_widest_label() {
+        let mut errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [0.5; 3], [0.01; 3])).collect();
+        for p in &mut errors {
+            (p.before_deg, p.after_deg) = (Some(0.02), Some(0.000_13));
+        }
+        let svg = &pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[1].svg;
+        let labels = svg.lines().filter(|l| l.starts_with("<text class=\"end\"") && l.contains(">0.0001<"));
+        let right: Vec<f64> = labels.filter_map(|l| l.split('"').nth(3)?.parse().ok()).collect();
+        // the name is centred at 14 and 12 high, six characters are some 42 wide
+        assert!(!right.is_empty() && right.iter().all(|x| x - 42.0 > 20.0), "{right:?}");
+    }
+
+    #[test]
+    fn orientation_is_drawn_where_there_is_one() {
+        let mut errors = vec![point(1, [0.0; 3], [0.1; 3], [0.01; 3]); 3];
+        assert_eq!(pictures(&errors.iter().collect::<Vec<_>>(), &Words::default()).len(), 1);
+        (errors[0].before_deg, errors[0].after_deg) = (Some(-0.1), Some(0.01));
+        (errors[1].before_deg, errors[1].after_deg) = (Some(f64::NAN), Some(0.01));
+        let both = pictures(&errors.iter().collect::<Vec<_>>(), &Words::default());
+        assert_eq!((both.len(), both[1].svg.matches("pose 1, ").count()), (2, 2));
+        assert!(both[1].svg.contains("0.100 deg before, 0.0100 deg after"));
+    }
+}

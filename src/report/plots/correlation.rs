@@ -1,0 +1,114 @@
+//! Which parameters the data tell apart badly: the correlation of every pair.
+
+use super::svg::Svg;
+use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
+use crate::report::model::Figure;
+use crate::report::number;
+use crate::report::words::Words;
+
+const WIDTH: f64 = 380.0;
+/// More than this are not lettered.
+const LETTERED: usize = 14;
+const LETTERS: usize = 14;
+/// Pairs from here on are named.
+const STRONG: f64 = 0.9;
+
+/// The matrix of correlations; `None` without a covariance of the identified parameters.
+pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -> Option<Figure> {
+    let identified = |p: &&ParameterEntry| p.status == ParameterStatus::Identified;
+    let names: Vec<&str> = document.parameters.iter().filter(identified).map(|p| p.name.as_str()).collect();
+    let (covariance, n) = (&document.covariance, names.len());
+    if n < 2 || covariance.len() != n || covariance.iter().any(|row| row.len() != n) {
+        return None;
+    }
+    let r = |i: usize, j: usize| covariance[i][j] / (covariance[i][i] * covariance[j][j]).sqrt();
+    let pairs = || (0..n).flat_map(|i| (0..i).map(move |j| (i, j)));
+    if pairs().any(|(i, j)| !r(i, j).is_finite()) {
+        return None;
+    }
+    let title = words.say("Correlation of the identified parameters");
+    let description =
+        words.say("One cell for each pair: blue where they rise together, orange where one falls as the other rises.");
+    let short = |name: &str| match name.chars().count() > LETTERS {
+        true => name.chars().take(LETTERS - 1).chain(['…']).collect::<String>(),
+        false => name.to_owned(),
+    };
+    let longest = names.iter().map(|name| short(name).chars().count()).max().unwrap_or(0);
+    let margin = if n <= LETTERED { 12.0 + 7.2 * longest as f64 } else { 12.0 };
+    let cell = (WIDTH - margin - 4.0) / n as f64;
+    let mut svg = Svg::new("correlation", WIDTH, 4.0 + cell * n as f64 + margin, &title, &description);
+    for (i, name) in names.iter().enumerate() {
+        for (j, other) in names.iter().enumerate().take(i + 1) {
+            let value = if i == j { 1.0 } else { r(i, j) };
+            let at = (margin + cell * j as f64, 4.0 + cell * i as f64);
+            let tip = words.fill("{0} and {1}: {2}", &[name, other, &number::fixed(value, 3)]);
+            svg.cell(at, cell - 1.0, &colour(value), &tip);
+        }
+        if n <= LETTERED {
+            let middle = 4.0 + cell * (i as f64 + 0.5);
+            svg.text("end", (margin - 6.0, middle + 4.0), &short(name));
+            svg.text_below((margin + cell * (i as f64 + 0.5) + 4.0, 4.0 + cell * n as f64 + 6.0), &short(name));
+        }
+    }
+    let mut strong: Vec<(usize, usize)> = pairs().filter(|&(i, j)| r(i, j).abs() >= STRONG).collect();
+    strong.sort_by(|a, b| r(b.0, b.1).abs().total_cmp(&r(a.0, a.1).abs()));
+    let said = |&(i, j): &(usize, usize)| format!("{} – {} {}", names[j], names[i], number::fixed(r(i, j), 3));
+    let listed = strong.iter().take(6).map(said).collect::<Vec<_>>().join(", ");
+    let caption = match strong.len() {
+        0 => words.say("No pair is correlated by 0.9 or more."),
+        1..=6 => words.fill("Correlated by 0.9 or more: {0}.", &[&listed]),
+        n => words.fill("{0} pairs are correlated by 0.9 or more, the strongest: {1}.", &[&n, &listed]),
+    };
+    let caption = format!("{description} {caption}");
+    let row = |i: usize| {
+        std::iter::once(names[i].to_owned())
+            .chain((0..n).map(|j| number::fixed(if i == j { 1.0 } else { r(i, j) }, 3)))
+            .collect()
+    };
+    Some(Figure {
+        title,
+        svg: svg.finish(),
+        caption,
+        table_title: words.say("Numbers of this picture"),
+        header: std::iter::once(words.say("name")).chain(names.iter().map(|name| (*name).to_owned())).collect(),
+        rows: (0..n).map(row).collect(),
+        ..Figure::default()
+    })
+}
+
+/// White at nought, blue at one, orange at minus one: both dark enough to tell where the other is not seen.
+fn colour(r: f64) -> String {
+    let end = if r > 0.0 { [0.0, 90.0, 160.0] } else { [200.0, 90.0, 0.0] };
+    let [red, green, blue] = end.map(|c| (255.0 + r.abs().min(1.0) * (c - 255.0)).round() as u8);
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::tests::demo::Documents;
+
+    #[test]
+    fn correlations_are_those_of_the_covariance() {
+        let mut document = Documents::demo().parameters;
+        document.parameters.retain(|p| ["beta", "gamma", "s"].contains(&p.name.as_str()));
+        document.covariance = vec![vec![4.0, 3.0, 0.0], vec![3.0, 9.0, -2.91], vec![0.0, -2.91, 1.0]];
+        let picture = picture(&document, &Words::default()).unwrap();
+        // 3 / (2 * 3), -2.91 / (3 * 1)
+        assert!(picture.svg.contains("gamma and beta: 0.500") && picture.svg.contains("s and gamma: -0.970"));
+        assert!(picture.caption.ends_with("Correlated by 0.9 or more: gamma – s -0.970."), "{}", picture.caption);
+        assert_eq!(picture.rows[2], ["s", "0.000", "-0.970", "1.000"]);
+        assert_eq!(colour(1.0), "#005aa0");
+    }
+
+    #[test]
+    fn a_covariance_that_is_none_is_not_drawn() {
+        let mut document = Documents::demo().parameters;
+        assert!(picture(&document, &Words::default()).is_none());
+        document.parameters.truncate(2);
+        for odd in [0.0, -1.0, f64::NAN] {
+            document.covariance = vec![vec![odd, 0.1], vec![0.1, 1.0]];
+            assert!(picture(&document, &Words::default()).is_none());
+        }
+    }
+}

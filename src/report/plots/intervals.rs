@@ -1,0 +1,96 @@
+//! Parameters as points with their intervals: what calibration changed, and how well it is known.
+
+use super::axis::{Axis, range};
+use super::svg::{Shape, Svg};
+use crate::document::{ParameterEntry, ParameterStatus};
+use crate::report::model::Figure;
+use crate::report::number;
+use crate::report::words::Words;
+
+const WIDTH: f64 = 380.0;
+/// room for the half width of an interval, in numbers
+const RIGHT: f64 = 84.0;
+const TOP: f64 = 12.0;
+const ROW: f64 = 20.0;
+/// Letters of a name that are drawn.
+const LETTERS: usize = 14;
+
+/// One picture for each unit that occurs.
+pub(in crate::report) fn pictures(parameters: &[ParameterEntry], words: &Words) -> Vec<Figure> {
+    let mut units: Vec<&str> = parameters.iter().map(|p| p.unit.as_str()).collect();
+    units.sort_unstable();
+    units.dedup();
+    units.into_iter().enumerate().filter_map(|(i, unit)| picture(parameters, unit, i, words)).collect()
+}
+
+fn picture(parameters: &[ParameterEntry], unit: &str, index: usize, words: &Words) -> Option<Figure> {
+    let change = |p: &ParameterEntry| p.value - p.nominal;
+    let expanded = |p: &ParameterEntry| 2.0 * p.standard_uncertainty.unwrap_or(0.0);
+    let drawable = |p: &&ParameterEntry| {
+        p.unit == unit && p.status == ParameterStatus::Identified && change(p).is_finite() && expanded(p).is_finite()
+    };
+    let all: Vec<&ParameterEntry> = parameters.iter().filter(drawable).collect();
+    let largest = range(all.iter().flat_map(|p| [change(p) - expanded(p), change(p) + expanded(p)]).map(f64::abs))?.1;
+    let shown = number::shown(unit, largest);
+    let unit = if shown.unit.is_empty() { unit } else { shown.unit };
+    let bottom = TOP + ROW * all.len() as f64 + 6.0;
+    // a ratio has no unit to name
+    let (title, along) = match unit {
+        "1" => (words.say("Change of the ratios, with ± 2u"), words.say("identified minus nominal")),
+        _ => (
+            words.fill("Change of the parameters in {0}, with ± 2u", &[&unit]),
+            words.fill("identified minus nominal in {0}", &[&unit]),
+        ),
+    };
+    let description = words.say("One mark for each identified parameter: identified minus nominal; the line is ± 2u.");
+    let mut svg = Svg::new(&format!("intervals-{index}"), WIDTH, bottom + 40.0, &title, &description);
+    let name = |p: &ParameterEntry| match p.name.chars().count() > LETTERS {
+        true => p.name.chars().take(LETTERS - 1).chain(['…']).collect(),
+        false => p.name.clone(),
+    };
+    let longest = all.iter().map(|p| name(p).chars().count()).max().unwrap_or(0);
+    let left = 16.0 + 7.2 * longest as f64;
+    let reach = Axis::from_zero(largest * shown.factor, 0.0, 1.0).high();
+    let across = Axis::linear(-reach, reach, left, WIDTH - RIGHT);
+    for (value, label) in across.ticks(5) {
+        let x = across.at(value);
+        svg.line("grid", (x, TOP), (x, bottom));
+        svg.text("mid", (x, bottom + 15.0), &label);
+    }
+    svg.line("axis", (across.at(0.0), TOP), (across.at(0.0), bottom));
+    svg.text("mid", ((left + WIDTH - RIGHT) / 2.0, bottom + 33.0), &along);
+    for (i, p) in all.iter().enumerate() {
+        let y = TOP + ROW * (i as f64 + 0.5);
+        let at = |v: f64| (across.at(v * shown.factor), y);
+        svg.text("end", (left - 8.0, y + 4.0), &name(p));
+        svg.line("interval", at(change(p) - expanded(p)), at(change(p) + expanded(p)));
+        let u = p.standard_uncertainty.map(|u| u * shown.factor);
+        let (value, half) =
+            (number::with_uncertainty(change(p) * shown.factor, u), number::significant(2.0 * u.unwrap_or(0.0), 2));
+        let tip = words.fill("{0}: {1} ± {2} {3}", &[&p.name, &value, &half, &if unit == "1" { "" } else { unit }]);
+        svg.mark(Shape::Circle, "cal", at(change(p)), 3.4, "", &tip);
+        svg.text("end", (WIDTH - 4.0, y + 4.0), &format!("± {half}"));
+    }
+    Some(Figure {
+        title,
+        svg: svg.finish(),
+        caption: words.say("Identified minus nominal; the line through a mark is ± 2u, often narrower than the mark. Values are in the table above."),
+        ..Figure::default()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::tests::demo::Documents;
+
+    #[test]
+    fn every_identified_parameter_is_drawn_once_in_its_unit() {
+        let parameters = Documents::demo().parameters.parameters;
+        let pictures = pictures(&parameters, &Words::default());
+        let identified = parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
+        assert_eq!(pictures.iter().map(|p| p.svg.matches("<circle").count()).sum::<usize>(), identified);
+        assert!(pictures.iter().any(|p| p.title.contains("in deg")) && pictures.len() == 3);
+        assert!(pictures[1].svg.contains("beta: 0.12346 ± 0.00074 deg"), "{}", pictures[1].svg);
+    }
+}

@@ -1,0 +1,20 @@
+//! The pictures, as SVG that is made once: what a pointer or a screen reader reads off them is in it.
+
+pub(super) mod arrows;
+mod axis;
+pub(super) mod by_pose;
+pub(super) mod chart;
+pub(super) mod chosen;
+pub(super) mod correlation;
+pub(super) mod curve;
+pub(super) mod histogram;
+pub(super) mod intervals;
+pub(super) mod map;
+pub(super) mod parameter_errors;
+pub(super) mod plane;
+pub(super) mod points;
+pub(super) mod residuals;
+pub(super) mod singular;
+pub(super) mod svg;
+pub(super) mod trend;
+pub(super) mod visits;

@@ -1,0 +1,172 @@
+//! Inline SVG, one mark at a time; every text is escaped here and nowhere else.
+
+use std::fmt::Write;
+
+/// Colours that every eye tells apart (Okabe & Ito 2008).
+pub(in crate::report) const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
+
+/// A place in the picture, in its own units.
+pub(in crate::report) type Place = (f64, f64);
+
+/// Form of a mark: calibration and validation differ by more than colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::report) enum Shape {
+    Circle,
+    Diamond,
+}
+
+/// A picture being drawn.
+pub(in crate::report) struct Svg {
+    out: String,
+}
+
+impl Svg {
+    /// An empty picture with what it is and what it shows.
+    pub fn new(id: &str, width: f64, height: f64, title: &str, description: &str) -> Self {
+        let mut out = format!(
+            "<svg viewBox=\"0 0 {width:.0} {height:.0}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n"
+        );
+        let _ = writeln!(out, "<title id=\"{id}-title\">{}</title>", escape(title));
+        let _ = writeln!(out, "<desc id=\"{id}-desc\">{}</desc>", escape(description));
+        Self { out }
+    }
+
+    /// A straight line.
+    pub fn line(&mut self, class: &str, a: Place, b: Place) {
+        let (x1, y1, x2, y2) = (px(a.0), px(a.1), px(b.0), px(b.1));
+        let _ = writeln!(self.out, "<line class=\"{class}\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>");
+    }
+
+    /// A rectangle with a tooltip.
+    pub fn rect(&mut self, class: &str, corner: Place, size: Place, tooltip: &str) {
+        let (x, y, w, h) = (px(corner.0), px(corner.1), px(size.0), px(size.1));
+        let _ = write!(self.out, "<rect class=\"{class}\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"");
+        self.close("rect", tooltip);
+    }
+
+    /// A square of a colour of the program's own, with a tooltip.
+    pub fn cell(&mut self, corner: Place, side: f64, fill: &str, tooltip: &str) {
+        let (x, y, side) = (px(corner.0), px(corner.1), px(side));
+        let _ = write!(self.out, "<rect x=\"{x}\" y=\"{y}\" width=\"{side}\" height=\"{side}\" fill=\"{fill}\"");
+        self.close("rect", tooltip);
+    }
+
+    /// A circle or diamond with a tooltip; `fill` is a colour of the program's own, empty to leave it to the class.
+    pub fn mark(&mut self, shape: Shape, class: &str, (x, y): Place, radius: f64, fill: &str, tooltip: &str) {
+        let fill = if fill.is_empty() { String::new() } else { format!(" fill=\"{fill}\"") };
+        match shape {
+            Shape::Circle => {
+                let (x, y, r) = (px(x), px(y), px(radius));
+                let _ = write!(self.out, "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}");
+                self.close("circle", tooltip);
+            }
+            Shape::Diamond => {
+                // the diamond's area is that of the circle
+                let half = radius * (std::f64::consts::PI / 2.0).sqrt();
+                let corners = [(x, y - half), (x + half, y), (x, y + half), (x - half, y)];
+                let points = corners.map(|(x, y)| format!("{},{}", px(x), px(y))).join(" ");
+                let _ = write!(self.out, "<polygon class=\"{class}\" points=\"{points}\"{fill}");
+                self.close("polygon", tooltip);
+            }
+        }
+    }
+
+    /// An arrow from `a` to `b`, its head shorter than the arrow.
+    pub fn arrow(&mut self, class: &str, a: Place, b: Place) {
+        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+        let length = dx.hypot(dy);
+        if length > 0.0 {
+            self.line(class, a, b);
+        }
+        if length > 0.5 {
+            let (ux, uy) = (dx / length, dy / length);
+            let head = 4.5f64.min(0.6 * length);
+            let back = |side: f64| (b.0 - head * ux - side * head * uy, b.1 - head * uy + side * head * ux);
+            self.line(class, b, back(0.4));
+            self.line(class, b, back(-0.4));
+        }
+    }
+
+    /// A text; the class says where it is anchored.
+    pub fn text(&mut self, class: &str, (x, y): Place, text: &str) {
+        let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y), escape(text));
+    }
+
+    /// A text that reads upwards, around its middle.
+    pub fn text_upwards(&mut self, (x, y): Place, text: &str) {
+        let (x, y) = (px(x), px(y));
+        let turn = format!("transform=\"rotate(-90 {x} {y})\"");
+        let _ = writeln!(self.out, "<text class=\"mid\" x=\"{x}\" y=\"{y}\" {turn}>{}</text>", escape(text));
+    }
+
+    /// A text that reads upwards and ends here.
+    pub fn text_below(&mut self, (x, y): Place, text: &str) {
+        let (x, y) = (px(x), px(y));
+        let turn = format!("transform=\"rotate(-90 {x} {y})\"");
+        let _ = writeln!(self.out, "<text class=\"end\" x=\"{x}\" y=\"{y}\" {turn}>{}</text>", escape(text));
+    }
+
+    /// The whole element.
+    pub fn finish(mut self) -> String {
+        self.out.push_str("</svg>");
+        self.out
+    }
+
+    fn close(&mut self, element: &str, tooltip: &str) {
+        let _ = match tooltip {
+            "" => writeln!(self.out, "/>"),
+            _ => writeln!(self.out, "><title>{}</title></{element}>", escape(tooltip)),
+        };
+    }
+}
+
+/// Two decimals are a fiftieth of a printed dot.
+fn px(value: f64) -> String {
+    crate::report::number::fixed(if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 }, 2)
+}
+
+/// Text as it may stand between tags and in quotes; control characters replaced.
+pub(in crate::report) fn escape(text: &str) -> String {
+    let printable: String = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    quick_xml::escape::escape(printable).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_cannot_leave_their_element() {
+        let hostile = "</title><script>alert(\"1\")</script>&'\0";
+        let mut svg = Svg::new("p", 10.0, 10.0, hostile, hostile);
+        svg.text("mid", (0.0, 0.0), hostile);
+        svg.text_upwards((0.0, 0.0), hostile);
+        svg.mark(Shape::Circle, "c", (0.0, 0.0), 1.0, "", hostile);
+        svg.mark(Shape::Diamond, "c", (0.0, 0.0), 1.0, "#fff", hostile);
+        svg.rect("bar", (0.0, 0.0), (1.0, 1.0), hostile);
+        let out = svg.finish();
+        let safe = "&lt;/title&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&apos;\u{fffd}";
+        assert_eq!(out.matches(safe).count(), 7);
+        assert!(!out.contains("<script") && !out.contains('\0'));
+    }
+
+    #[test]
+    fn it_is_well_formed_xml() {
+        let mut svg = Svg::new("p", 10.0, 10.0, "a & b", "<c>");
+        svg.arrow("a", (0.0, 1.0), (1e300, 3.0));
+        svg.line("a", (0.0, f64::NAN), (1.0, 1.0));
+        svg.mark(Shape::Diamond, "c", (f64::INFINITY, 0.0), 1.0, "#fff", "tip");
+        let text = svg.finish();
+        let mut reader = quick_xml::Reader::from_str(&text);
+        let mut elements = 0;
+        loop {
+            match reader.read_event().unwrap() {
+                quick_xml::events::Event::Eof => break,
+                quick_xml::events::Event::Empty(_) | quick_xml::events::Event::Start(_) => elements += 1,
+                _ => {}
+            }
+        }
+        assert_eq!(elements, 1 + 2 + 3 + 1 + 2);
+        assert!(!text.contains("NaN") && !text.contains("inf") && !text.contains("xmlns"), "{text}");
+    }
+}

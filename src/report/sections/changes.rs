@@ -1,0 +1,218 @@
+//! What changed between campaigns, and what is chance: a section for each family of quantities.
+
+use crate::base::message::one_line;
+use crate::document::{
+    CompareChange, CompareDocument, CompareFamily, CompareTogether, CompareTrend, CompareValue, ComparedCampaign,
+};
+use crate::report::model::{Block, Cell, Columns, Section, Table, Text, Verdict, numbers, strong_term, term};
+use crate::report::number::{self, stated};
+use crate::report::plots::trend;
+use crate::report::words::comparison::{Change, change, family, quantity, unit, value};
+use crate::report::words::{Words, isolated};
+use std::fmt::Display;
+
+/// More pictures than this nobody looks at.
+const PICTURES: usize = 60;
+
+/// Campaigns, how changes are judged, and every family.
+pub(in crate::report) fn sections(compare: &CompareDocument, words: &Words) -> Vec<Section> {
+    let mut all = vec![campaigns(compare, words), rules(compare, words)];
+    all.push(super::messages::of(&compare.messages.iter().collect::<Vec<_>>(), words));
+    let mut drawn = 0;
+    let mut trends = compare.trends.iter().enumerate().peekable();
+    while let Some((_, first)) = trends.peek().copied() {
+        let mut of_family = Vec::new();
+        while let Some(next) = trends.next_if(|(_, t)| t.family == first.family) {
+            of_family.push(next);
+        }
+        let mut figures = figures(compare, &of_family, words);
+        let room = PICTURES.saturating_sub(drawn);
+        let undrawn = figures.len().saturating_sub(room);
+        figures.truncate(room);
+        drawn += figures.len();
+        let trends: Vec<&CompareTrend> = of_family.into_iter().map(|(_, t)| t).collect();
+        let id = format!("family-{}", all.len() - 2);
+        let mut section = Section::new(id, family(first.family, words));
+        section.table(words.say("Changes"), "", changes(&trends, words));
+        section.figures(figures);
+        if undrawn > 0 {
+            let note = words.fill("{0} more quantities have no picture: the tables have them all.", &[&undrawn]);
+            section.push(Block::note(note));
+        }
+        let title = words.say("Values of every campaign");
+        section.push(Block::Aside { title, blocks: vec![Block::Table(values(compare, &trends, words))] });
+        section.push(Block::Table(all_values(&trends, words)));
+        all.push(section);
+    }
+    all.push(super::provenance::of(&compare.provenance, &[], words));
+    all
+}
+
+fn figures(
+    compare: &CompareDocument,
+    trends: &[(usize, &CompareTrend)],
+    words: &Words,
+) -> Vec<crate::report::model::Figure> {
+    let label = |date: Option<&String>| date.filter(|d| d.chars().count() <= 12).cloned().unwrap_or_default();
+    let labels: Vec<String> = compare.campaigns.iter().map(|c| label(c.date.as_ref())).collect();
+    trends.iter().filter_map(|(i, t)| trend::picture(t, *i, &labels, words)).collect()
+}
+
+/// How many campaigns, and of which robot.
+pub(in crate::report) fn lead(compare: &CompareDocument, words: &Words) -> String {
+    let count = compare.campaigns.len();
+    match &compare.robot {
+        Some(robot) => {
+            words.fill("{0} campaigns of robot {1}, in the order named", &[&count, &isolated(&one_line(robot))])
+        }
+        None => words.fill("{0} campaigns, in the order named", &[&count]),
+    }
+}
+
+fn campaigns(compare: &CompareDocument, words: &Words) -> Section {
+    let instrument = |c: &ComparedCampaign| {
+        let k = c.coverage_factor.map(|k| format!(" (k = {})", stated(k))).unwrap_or_default();
+        let u = c.expanded_uncertainty_um.map(|u| format!("U = {} µm{k}", stated(u)));
+        c.instrument.as_deref().map(one_line).into_iter().chain(u).collect::<Vec<_>>().join(", ")
+    };
+    let rows: Vec<(usize, &ComparedCampaign)> = (1..).zip(&compare.campaigns).collect();
+    let date = |c: &ComparedCampaign| c.date.as_deref().map_or_else(|| term(words, "not stated"), Cell::from);
+    let columns = Columns::<(usize, &ComparedCampaign)>::new()
+        .both("number", "", |(i, _)| *i)
+        .both("campaign", "", |(_, c)| c.name.as_str())
+        .page("date", "", move |(_, c)| date(c))
+        .sheet("date", "", |(_, c)| c.date.as_deref())
+        .page("instrument", "", move |(_, c)| instrument(c))
+        .sheet("instrument", "", |(_, c)| c.instrument.as_deref())
+        .sheet("expanded uncertainty", "µm", |(_, c)| c.expanded_uncertainty_um)
+        .sheet("coverage factor", "", |(_, c)| c.coverage_factor)
+        .sheet("synthetic data", "", |(_, c)| c.synthetic.as_deref())
+        .sheet("degrees of freedom", "", |(_, c)| c.degrees_of_freedom)
+        .both("folder", "", |(_, c)| c.folder.as_str());
+    let mut section = Section::new("campaigns", words.say("Campaigns"));
+    section.summarise(words.say("model of the robot"), compare.robot.as_deref(), "");
+    section.summarise(words.say("conventions"), compare.conventions.join("; "), "");
+    section.push(Block::Table(Table::of(words, &rows, columns).on("Campaigns")));
+    section
+}
+
+fn rules(compare: &CompareDocument, words: &Words) -> Section {
+    let columns = Columns::<CompareTogether>::new()
+        .sheet("campaign", "", |t| t.to)
+        .sheet("against", "", |t| t.from)
+        .sheet("parameters", "", |t| t.parameters)
+        .sheet("F", "", |t| t.f)
+        .sheet("degrees of freedom", "", |t| t.degrees_of_freedom)
+        .sheet("p", "", |t| t.p)
+        .sheet("changed", "", |t| if t.significant { "yes" } else { "no" });
+    let mut section = Section::new("rules", words.say("How changes are judged"));
+    compare.together.iter().for_each(|t| section.push(Block::text(together(t, words))));
+    compare.conventions.iter().for_each(|c| section.push(Block::note(Text::english(c))));
+    section.push(Block::Table(Table::of(words, &compare.together, columns).on("All together")));
+    section
+}
+
+fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
+    type Row<'a> = (&'a CompareTrend, &'a CompareChange, Change);
+    let rows: Vec<Row> =
+        trends.iter().flat_map(|t| t.changes.iter().map(move |c| (*t, c, change(t, c, words)))).collect();
+    let judged = |c: &CompareChange| match c.significant {
+        Some(true) => strong_term(words, "changed"),
+        Some(false) => term(words, "no significant change"),
+        None => term(words, "no uncertainty is known"),
+    };
+    let columns = Columns::<Row>::new()
+        .sheet("family", "", |(t, ..)| family(t.family, &Words::default()))
+        .page("quantity", "", |(t, ..)| quantity(t, words))
+        .sheet("quantity", "", |(t, ..)| t.name.as_str())
+        .sheet("unit", "", |(t, ..)| t.unit.as_str())
+        .page("campaign", "", |(.., w)| Text::from(w.pair.clone()))
+        .sheet("campaign", "", |(_, c, _)| c.to)
+        .sheet("against", "", |(_, c, _)| c.from)
+        .page("change", "", |(.., w)| numbers(w.change.clone()))
+        .sheet("change", "", |(_, c, _)| c.change)
+        .sheet("ratio", "", |(_, c, _)| c.ratio)
+        .page("95 % interval", "", |(.., w)| numbers(w.interval.clone()))
+        .sheet("95 % from", "", |(_, c, _)| c.low)
+        .sheet("95 % to", "", |(_, c, _)| c.high)
+        .sheet("interval of", "", |(_, c, _)| if c.ratio.is_some() { "ratio" } else { "change" })
+        .page("p", "", |(.., w)| numbers(w.p.clone()))
+        .sheet("p", "", |(_, c, _)| c.p)
+        .page("p by Holm", "", |(.., w)| numbers(w.p_holm.clone()))
+        .sheet("p by Holm", "", |(_, c, _)| c.p_holm)
+        .sheet("changed", "", |(_, c, _)| c.significant.map(|yes| if yes { "yes" } else { "no" }))
+        .page("verdict", "", move |(_, c, _)| judged(c));
+    Table::of(words, &rows, columns).on("Changes")
+}
+
+/// One column for each campaign.
+fn values(compare: &CompareDocument, trends: &[&CompareTrend], words: &Words) -> Table {
+    let titles: Vec<String> = (1..=compare.campaigns.len()).map(|i| format!("{i} [95 %]")).collect();
+    let first = Columns::<&CompareTrend>::new()
+        .page("quantity", "", |t| quantity(t, words))
+        .page("unit", "", |t| unit(&t.unit));
+    let columns = titles.iter().enumerate().fold(first, |columns, (i, title)| {
+        columns.page(title, "", move |t| numbers(t.values.get(i).map(|v| value(v, words))))
+    });
+    Table::of(words, trends, columns).repeating(2)
+}
+
+fn all_values(trends: &[&CompareTrend], words: &Words) -> Table {
+    type Row<'a> = (&'a CompareTrend, usize, &'a CompareValue);
+    let rows: Vec<Row> =
+        trends.iter().flat_map(|t| t.values.iter().enumerate().map(move |(i, v)| (*t, i + 1, v))).collect();
+    let columns = Columns::<Row>::new()
+        .sheet("family", "", |(t, ..)| family(t.family, &Words::default()))
+        .sheet("quantity", "", |(t, ..)| t.name.as_str())
+        .sheet("unit", "", |(t, ..)| t.unit.as_str())
+        .sheet("campaign", "", |(_, i, _)| *i)
+        .sheet("value", "", |(.., v)| v.value)
+        .sheet("u (k = 1)", "", |(.., v)| v.standard_uncertainty)
+        .sheet("95 % from", "", |(.., v)| v.low)
+        .sheet("95 % to", "", |(.., v)| v.high);
+    Table::of(words, &rows, columns).on("Values")
+}
+
+/// What the first box says: its style, and a sentence.
+pub(in crate::report) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
+    const NAMED: usize = 6;
+    // a frame that was found again elsewhere moves mean positions: they are no quantity of the robot alone
+    let robot = |t: &&CompareTrend| !matches!(t.family, CompareFamily::SetUp | CompareFamily::MeanPosition);
+    let of = |t: &CompareTrend| t.changes.iter().any(|c| c.significant == Some(true));
+    let name = |t: &CompareTrend| isolated(&quantity(t, words));
+    let changed: Vec<String> = compare.trends.iter().filter(robot).filter(|t| of(t)).map(name).collect();
+    let judged = |t: &&CompareTrend| t.changes.iter().any(|c| c.significant.is_some());
+    let all = compare.trends.iter().filter(robot).filter(judged).count();
+    let (class, found) = match (changed.is_empty(), compare.together.iter().any(|t| t.significant)) {
+        (true, false) => ("good", words.fill("None of {0} quantities of the robot changed significantly.", &[&all])),
+        (true, true) => {
+            ("open", words.say("The robot's parameters changed significantly, all together; no single quantity did."))
+        }
+        (false, _) => {
+            let first = changed.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
+            let more = if changed.len() > NAMED { ", ..." } else { "" };
+            let named = format!("{first}{more}");
+            let values: [&dyn Display; 3] = [&changed.len(), &all, &named];
+            ("open", words.fill("{0} of {1} quantities of the robot changed significantly: {2}.", &values))
+        }
+    };
+    let unjudged = compare.trends.iter().filter(robot).filter(|t| !judged(t)).count();
+    let unknown = words.fill("{0} could not be judged: no uncertainty is known.", &[&unjudged]);
+    let moved = compare.trends.iter().any(|t| t.family == CompareFamily::MeanPosition && of(t));
+    let elsewhere = words.say("Mean positions changed: the robot, or how its frame was found.");
+    let more: Vec<String> =
+        [(unjudged > 0, unknown), (moved, elsewhere)].into_iter().filter(|m| m.0).map(|m| m.1).collect();
+    let class = if more.is_empty() { class } else { "open" };
+    let sentence = std::iter::once(found).chain(more).collect::<Vec<_>>().join(" ");
+    Verdict { class, sentences: vec![sentence], ..Verdict::default() }
+}
+
+fn together(t: &CompareTogether, words: &Words) -> String {
+    let degrees = t.degrees_of_freedom.map_or_else(|| "∞".to_owned(), |d| number::significant(d, 3));
+    let (f, p) = (number::significant(t.f, 3), number::significant(t.p, 2));
+    let values: [&dyn Display; 6] = [&t.to, &t.from, &t.parameters, &f, &degrees, &p];
+    match t.significant {
+        true => words.fill("Campaign {0} against {1}: the {2} parameters of the robot, all together, changed significantly (F = {3} with {2} and {4} degrees of freedom, p = {5}).", &values),
+        false => words.fill("Campaign {0} against {1}: the {2} parameters of the robot, all together, did not change significantly (F = {3} with {2} and {4} degrees of freedom, p = {5}).", &values),
+    }
+}

@@ -1,0 +1,33 @@
+//! How a robot gives way under load.
+
+use crate::document::Iso9283Compliance;
+use crate::report::Report;
+use crate::report::model::{Block, Columns, Section, Table, Text, shown, um};
+use crate::report::number::significant;
+use crate::report::words::Words;
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    let document = report.tested.compliance.as_ref()?;
+    let per_newton = |mm: Option<f64>| shown(mm, |mm| significant(1e3 * mm, 3));
+    let columns = Columns::<Iso9283Compliance>::new()
+        .both("direction", "", |d| d.direction.as_str())
+        .both("compliance", "mm/N", move |d| per_newton(Some(d.compliance_mm_n)))
+        .shown_in("µm/N")
+        .both("u (k = 1)", "mm/N", move |d| per_newton(d.standard_uncertainty_mm_n))
+        .shown_in("µm/N")
+        .both("force up to", "N", |d| shown(d.force_n, |v| v.to_string()))
+        .both("displacement up to", "mm", |d| um(d.largest_mm))
+        .shown_in("µm")
+        .both("off the line", "mm", |d| um(d.off_line_mm))
+        .shown_in("µm")
+        .both("readings", "", |d| d.readings)
+        .both("cycles", "", |d| d.cycles);
+    let note = words.say(
+        "Displacement along the force by force, as a line through the unloaded position fits it (ISO 9283:1998, 10).",
+    );
+    let table = Table::of(words, &document.directions, columns).on("ISO 9283 compliance").without_empty_columns();
+    let mut section = Section::new("compliance", words.say("Static compliance"));
+    section.table("", note, table);
+    section.push(Block::note(Text::conventions(&document.conventions)));
+    section.whole()
+}

@@ -1,0 +1,100 @@
+//! What changes in the course of a test: characteristics by set of cycles, and targets that should stand still.
+
+use crate::document::{Iso9283Document, Iso9283Drift, Iso9283Epoch};
+use crate::report::Report;
+use crate::report::model::{Columns, Figure, Section, Table, term, um};
+use crate::report::plots::chart::{Chart, Curve};
+use crate::report::words::Words;
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    let document = report.tested.poses.as_ref()?;
+    let mut section = Section::new("drift", words.say("Drift"));
+    let note = words.say("dAP and dRP: the last set against the first (ISO 9283:1998, 7.6).");
+    section.table(words.say("Drift of accuracy and repeatability"), note, drifts(&document.drifts, words));
+    section.table("", "", sets(document, words));
+    let (title, caption) = (words.say("AP by set"), words.say("Accuracy of each pose in the course of the test."));
+    section.figures(by_set("drift-ap", title, caption, &document.drifts, |d| &d.ap_mm, words));
+    let (title, caption) = (words.say("RP by set"), words.say("Repeatability of each pose in the course of the test."));
+    section.figures(by_set("drift-rp", title, caption, &document.drifts, |d| &d.rp_mm, words));
+    if !document.reference.is_empty() {
+        let note = words.say("How far targets that stand still have moved since they were first measured, and what is left of it where positions are carried back by them (not of the standard).");
+        section.table(words.say("Movement of the set-up"), note, reference(&document.reference, words));
+        section.figures(moved(&document.reference, words));
+    }
+    section.whole()
+}
+
+fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {
+    let columns = Columns::<Iso9283Drift>::new()
+        .page("pose", "", |d| d.pose)
+        .page("sets", "", |d| d.ap_mm.len())
+        .page("dAP", "µm", |d| um(d.dap_mm))
+        .page("dRP", "µm", |d| um(d.drp_mm))
+        .page("settled after set", "", |d| d.settled_after.map_or_else(|| term(words, "–"), Into::into));
+    Table::of(words, drifts, columns)
+}
+
+/// A set of cycles of a pose.
+struct Set<'a> {
+    of: &'a Iso9283Drift,
+    i: usize,
+}
+
+fn sets<'a>(document: &'a Iso9283Document, words: &Words) -> Table {
+    let sets = |of: &'a Iso9283Drift| (0..of.ap_mm.len().max(of.rp_mm.len())).map(move |i| Set { of, i });
+    let rows: Vec<Set> = document.drifts.iter().flat_map(sets).collect();
+    let columns = Columns::<Set>::new()
+        .sheet("pose", "", |s| s.of.pose)
+        .sheet("set", "", |s| s.i + 1)
+        .sheet("AP", "mm", |s| s.of.ap_mm.get(s.i).copied())
+        .sheet("RP", "mm", |s| s.of.rp_mm.get(s.i).copied())
+        .sheet("dAP", "mm", |s| s.of.dap_mm)
+        .sheet("dRP", "mm", |s| s.of.drp_mm)
+        .sheet("settled after set", "", |s| s.of.settled_after);
+    Table::of(words, &rows, columns).on("ISO 9283 drift")
+}
+
+fn by_set(
+    id: &str,
+    title: String,
+    caption: String,
+    drifts: &[Iso9283Drift],
+    values: fn(&Iso9283Drift) -> &[f64],
+    words: &Words,
+) -> Option<Figure> {
+    let curve = |d: &Iso9283Drift| Curve {
+        name: words.fill("pose {0}", &[&d.pose]),
+        points: values(d).iter().enumerate().map(|(i, v)| (i as f64 + 1.0, 1e3 * v)).collect(),
+    };
+    let (across, up) = (words.say("set of cycles"), "µm".to_owned());
+    let curves = drifts.iter().map(curve).collect();
+    Chart { id: id.to_owned(), title, caption, across, up, curves, marks: vec![] }.picture(words)
+}
+
+fn reference(epochs: &[Iso9283Epoch], words: &Words) -> Table {
+    let columns = Columns::<Iso9283Epoch>::new()
+        .both("from cycle on", "", |e| e.cycle)
+        .both("moved", "mm", |e| um(e.moved_mm))
+        .shown_in("µm")
+        .both("left, RMS", "mm", |e| um(e.rms_mm))
+        .shown_in("µm");
+    Table::of(words, epochs, columns).on("ISO 9283 reference targets")
+}
+
+fn moved(epochs: &[Iso9283Epoch], words: &Words) -> Option<Figure> {
+    let curve = |name: String, value: fn(&Iso9283Epoch) -> f64| Curve {
+        name,
+        points: epochs.iter().map(|e| (e.cycle as f64, 1e3 * value(e))).collect(),
+    };
+    Chart {
+        id: "reference".to_owned(),
+        title: words.say("Reference targets"),
+        caption: words
+            .say("Largest movement of a target since the first time, and the root mean square of what is left."),
+        across: words.say("cycle"),
+        up: "µm".to_owned(),
+        curves: vec![curve(words.say("moved"), |e| e.moved_mm), curve(words.say("left"), |e| e.rms_mm)],
+        marks: vec![],
+    }
+    .picture(words)
+}

@@ -1,0 +1,232 @@
+//! Errors before and after: by set of poses, by pose, every one of them, and in pictures.
+
+use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, PointError, Statistics};
+use crate::report::model::{Block, Columns, Section, Table, Text, shown};
+use crate::report::number::{self, Shown};
+use crate::report::plots::points::{self, after_mm, before_mm};
+use crate::report::plots::{arrows, by_pose, histogram, map};
+use crate::report::words::Words;
+use crate::report::{Identified, Report};
+use std::collections::BTreeMap;
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    let Identified { accuracy, errors, .. } = report.identified?;
+    let mut section = Section::new("errors", words.say("Errors before and after"));
+    section.summarise(words.say("definition of errors"), Text::english(&accuracy.definition), "");
+    section.push(Block::text(Text::english(&accuracy.definition)));
+    if accuracy.sets.is_empty() {
+        section.push(Block::text(words.say("No errors are given.")));
+    }
+    for set in &accuracy.sets {
+        let title = words.fill("{0}: {1} poses, {2} errors", &[&words.say(&set.name), &set.poses, &set.count]);
+        section.push(Block::heading(title));
+        section.push(Block::Table(statistics(accuracy, set, words)));
+    }
+    let table = poses(errors, words);
+    if !table.is_empty() {
+        section.push(Block::Aside { title: words.say("Errors of each pose"), blocks: vec![Block::Table(table)] });
+    }
+    section.push(Block::Table(residuals(errors, words)));
+    section.whole()
+}
+
+/// Every picture of the errors.
+pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
+    let errors = report.identified?.errors;
+    let mut section = Section::new("pictures", words.say("Pictures"));
+    let drawable = points::drawable(errors);
+    let planar = points::planar(&drawable, report.frames.world.planar);
+    if drawable.is_empty() {
+        section.push(Block::text(words.say("There is no error that could be drawn.")));
+        return section.whole();
+    }
+    section.push(Block::note(words.say("Circles are calibration poses, diamonds validation poses. On a screen, point at a mark to read its pose, cycle, target and error; the numbers are in the table of each pose and under the pictures.")));
+    let undrawn = errors.len() - drawable.len();
+    if undrawn > 0 {
+        let note = words.fill("{0} errors have no finite position or size and are not drawn.", &[&undrawn]);
+        section.push(Block::note(note));
+    }
+    let mut figures = map::maps(&drawable, planar, words);
+    figures.extend(arrows::arrows(&drawable, planar, words));
+    figures.extend(histogram::histogram(&drawable, words));
+    figures.extend(by_pose::pictures(&drawable, words));
+    section.figures(figures);
+    section.whole()
+}
+
+/// Mean, RMS, 95 % and max of every quantity of a set.
+fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Table {
+    // one unit for all lengths, so that rows and sets can be compared
+    let lengths = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == "mm");
+    let largest_mm = lengths.map(|e| e.before.max.max(e.after.max)).fold(0.0, f64::max);
+    let cell = move |e: &ErrorStatistics, value: f64| {
+        let factor = number::shown(&e.unit, largest_mm).factor;
+        shown(value, |v| number::fixed(v * factor, decimals(accuracy, &e.unit, largest_mm)))
+    };
+    let unit = move |e: &ErrorStatistics| {
+        let Shown { unit, .. } = number::shown(&e.unit, largest_mm);
+        if unit.is_empty() { e.unit.clone() } else { unit.to_owned() }
+    };
+    let ratio = |e: &ErrorStatistics| {
+        let ratio = e.before.rms / e.after.rms;
+        ratio.is_finite().then(|| shown(ratio, |r| number::significant(r, 2)))
+    };
+    let columns = Columns::<ErrorStatistics>::new()
+        .sheet("set", "", |_| set.name.as_str())
+        .sheet("poses", "", |_| set.poses)
+        .sheet("errors", "", |_| set.count)
+        .sheet("quantity", "", |e| e.quantity.as_str())
+        .sheet("unit", "", |e| e.unit.as_str())
+        .page("error", "", |e| Text::name(&words.say(&e.quantity)))
+        .page("unit", "", unit)
+        .both("mean", "", move |e| cell(e, e.before.mean))
+        .both("RMS", "", move |e| cell(e, e.before.rms))
+        .both("95 %", "", move |e| cell(e, e.before.p95))
+        .both("max", "", move |e| cell(e, e.before.max))
+        .below(4, "before")
+        .both("mean", "", move |e| cell(e, e.after.mean))
+        .both("RMS", "", move |e| cell(e, e.after.rms))
+        .both("95 %", "", move |e| cell(e, e.after.p95))
+        .both("max", "", move |e| cell(e, e.after.max))
+        .below(4, "after")
+        .both("RMS ratio", "", ratio);
+    Table::of(words, &set.errors, columns).on("Errors")
+}
+
+/// Decimals of all numbers in `unit`: the smallest error after that is not zero shows three digits.
+fn decimals(accuracy: &AccuracyDocument, unit: &str, largest_mm: f64) -> usize {
+    let factor = number::shown(unit, largest_mm).factor;
+    let errors = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == unit);
+    let all = |s: &Statistics| [s.mean, s.rms, s.p95, s.max];
+    let after = errors.flat_map(|e| all(&e.after)).map(|v| v * factor).filter(|&v| v > 0.0);
+    number::decimals(after.fold(f64::INFINITY, f64::min), 3).unwrap_or(1).clamp(1, 5)
+}
+
+/// Set and number of a pose, and its errors.
+struct OfPose<'a> {
+    set: &'a str,
+    pose: i64,
+    errors: Vec<&'a PointError>,
+}
+
+impl OfPose<'_> {
+    fn mean(&self, size: fn(&PointError) -> f64) -> f64 {
+        self.errors.iter().map(|p| size(p)).sum::<f64>() / self.errors.len() as f64
+    }
+
+    fn largest(&self, size: fn(&PointError) -> Option<f64>) -> Option<f64> {
+        // f64::max would let what is not a number vanish
+        self.errors.iter().filter_map(|p| size(p)).map(f64::abs).max_by(f64::total_cmp)
+    }
+}
+
+/// Mean and largest error of every pose.
+fn poses(errors: &[PointError], words: &Words) -> Table {
+    let mut by_pose: BTreeMap<(&str, i64), Vec<&PointError>> = BTreeMap::new();
+    for p in errors {
+        by_pose.entry((&p.set, p.pose)).or_default().push(p);
+    }
+    let rows: Vec<OfPose> = by_pose.into_iter().map(|((set, pose), errors)| OfPose { set, pose, errors }).collect();
+    let largest = errors.iter().flat_map(|p| [before_mm(p), after_mm(p)]).fold(0.0, f64::max);
+    let Shown { unit, factor } = number::shown("mm", largest);
+    let length = move |v: Option<f64>| shown(v, |v| number::significant(v * factor, 3));
+    let angle = |v: Option<f64>| shown(v, |v| number::significant(v, 3));
+    let columns = Columns::<OfPose>::new()
+        .sheet("set", "", |r| r.set)
+        .both("pose", "", |r| r.pose)
+        .page("set", "", |r| Text::name(&words.say(r.set)))
+        .both("errors", "", |r| r.errors.len())
+        .sheet("position before, mean", "mm", |r| r.mean(before_mm))
+        .both("position before, max", "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))
+        .shown_in(unit)
+        .sheet("position after, mean", "mm", |r| r.mean(after_mm))
+        .both("position after, max", "mm", move |r| length(r.largest(|p| Some(after_mm(p)))))
+        .shown_in(unit)
+        .both("orientation before, max", "deg", move |r| angle(r.largest(|p| p.before_deg)))
+        .both("orientation after, max", "deg", move |r| angle(r.largest(|p| p.after_deg)));
+    Table::of(words, &rows, columns).on("Errors by pose").without_empty_columns()
+}
+
+fn residuals(errors: &[PointError], words: &Words) -> Table {
+    let columns = Columns::<PointError>::new()
+        .sheet("set", "", |p| p.set.as_str())
+        .sheet("pose", "", |p| p.pose)
+        .sheet("cycle", "", |p| p.cycle)
+        .sheet("target", "", |p| p.target.as_str())
+        .sheet("x", "mm", |p| p.at_mm[0])
+        .sheet("y", "mm", |p| p.at_mm[1])
+        .sheet("z", "mm", |p| p.at_mm[2])
+        .sheet("before, x", "mm", |p| p.before_mm[0])
+        .sheet("before, y", "mm", |p| p.before_mm[1])
+        .sheet("before, z", "mm", |p| p.before_mm[2])
+        .sheet("after, x", "mm", |p| p.after_mm[0])
+        .sheet("after, y", "mm", |p| p.after_mm[1])
+        .sheet("after, z", "mm", |p| p.after_mm[2])
+        .sheet("before, orientation", "deg", |p| p.before_deg)
+        .sheet("after, orientation", "deg", |p| p.after_deg);
+    Table::of(words, errors, columns).on("Residuals")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::tests::demo::point;
+
+    fn set(name: &str, errors: Vec<ErrorStatistics>) -> AccuracySet {
+        AccuracySet { name: name.into(), poses: 1, count: 1, errors }
+    }
+
+    fn errors(quantity: &str, before_mm: f64, after_mm: f64) -> ErrorStatistics {
+        let of = |size: f64| Statistics { mean: 0.8 * size, rms: size, p95: 1.8 * size, max: 2.0 * size };
+        let (quantity, unit) = (quantity.to_owned(), "mm".to_owned());
+        ErrorStatistics { quantity, unit, before: of(before_mm), after: of(after_mm) }
+    }
+
+    /// Rows of the table of a set as a page shows them.
+    fn shown(all: Vec<ErrorStatistics>) -> Vec<Vec<String>> {
+        let set = set("validation", all);
+        let document = AccuracyDocument {
+            schema: String::new(),
+            definition: String::new(),
+            sets: vec![set.clone()],
+            limits: vec![],
+        };
+        page_of(&statistics(&document, &set, &Words::default()))
+    }
+
+    fn page_of(table: &Table) -> Vec<Vec<String>> {
+        let page = serde_json::to_value(table).unwrap();
+        let cell = |c: &serde_json::Value| c["text"][0]["text"].as_str().unwrap_or_default().to_owned();
+        page["rows"].as_array().unwrap().iter().map(|r| r.as_array().unwrap().iter().map(cell).collect()).collect()
+    }
+
+    #[test]
+    fn small_lengths_are_in_micrometres_with_the_digits_of_the_smallest() {
+        let small = &shown(vec![errors("position", 0.4, 0.008)])[0];
+        let expected =
+            ["position", "µm", "320.00", "400.00", "720.00", "800.00", "6.40", "8.00", "14.40", "16.00", "50"];
+        assert_eq!(small[..], expected);
+        let large = &shown(vec![errors("position", 4.0, 0.008)])[0];
+        assert_eq!((large[7].as_str(), large[1].as_str()), ("0.00800", "mm"));
+        assert_eq!(shown(vec![errors("position", 0.4, 0.0)])[0][10], "");
+    }
+
+    #[test]
+    fn numbers_in_one_unit_have_the_same_decimals_and_three_digits_after() {
+        // the case of a robot that is better along x than in all: 0.1366 against a limit of 0.137
+        let rows = shown(vec![errors("position", 2.0, 0.1366), errors("x", 1.0, 0.0747)]);
+        assert_eq!((rows[0][7].as_str(), rows[1][7].as_str()), ("0.1366", "0.0747"));
+        assert_eq!(rows[0][3], "2.0000");
+    }
+
+    #[test]
+    fn a_pose_has_the_largest_of_its_errors_and_long_tables_are_cut() {
+        let two = [point(1, [0.0; 3], [0.3, 0.0, 0.0], [0.02, 0.0, 0.0]), point(1, [0.0; 3], [0.2; 3], [0.01; 3])];
+        assert_eq!(page_of(&poses(&two, &Words::default())), [["1", "calibration", "2", "346", "20.0"]]);
+        let many: Vec<_> = (0..600).map(|i| point(i, [0.0; 3], [0.1; 3], [0.01; 3])).collect();
+        let table = poses(&many, &Words::default());
+        let page = serde_json::to_value(&table).unwrap();
+        assert_eq!((table.rows.len(), page_of(&table).len(), page["left_out"].as_u64()), (600, 500, Some(100)));
+        assert!(poses(&[], &Words::default()).is_empty());
+    }
+}

@@ -1,0 +1,82 @@
+//! The world frame and the features that it is made from, in the coordinates of the exports.
+
+use crate::base::pose::Vector;
+use crate::document::{Feature, FramePose, WorldFrame};
+use crate::report::Report;
+use crate::report::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, significant as digits, term};
+use crate::report::number::{fixed as number, significant};
+use crate::report::words::Words;
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    let (features, world) = (&report.features.features, &report.frames.world);
+    let mut section = Section::new("frames", words.say("Frames and features"));
+    section.push(Block::heading(words.say("World frame")));
+    section.push(Block::facts(frame(world, words)));
+    section.push(Block::Table(poses(world, words)));
+    section.push(Block::heading(words.say("Features")));
+    if features.is_empty() {
+        section.push(Block::text(words.say("The campaign fits no features.")));
+    }
+    section.push(Block::Table(elements(features, words)));
+    section.whole()
+}
+
+fn frame(world: &WorldFrame, words: &Words) -> Vec<(String, Cell)> {
+    let seen = if world.planar { words.say("projected into the xy plane") } else { words.say("in space") };
+    let mm = |v: f64| format!("{} mm", significant(v, 3));
+    let (what, said) = match &world.poses[..] {
+        [only] => (words.say("origin in the exports"), format!("{} mm", triple(only.export_T_world.translation_mm, 4))),
+        poses => (words.say("measured"), words.fill("{0} times, once for each pose and cycle", &[&poses.len()])),
+    };
+    vec![
+        (words.say("definition"), Text::english(&world.definition).into()),
+        (words.say("observations"), seen.into()),
+        (words.say("targets from their places"), world.rms_mm.map(|v| format!("RMS {}", mm(v))).into()),
+        (words.say("largest distance"), world.max_mm.map(mm).into()),
+        (what, said.into()),
+    ]
+}
+
+fn elements(features: &[Feature], words: &Words) -> Table {
+    let columns = Columns::<Feature>::new()
+        .both("name", "", |f| f.name.as_str())
+        .both("element", "", |f| term(words, &f.element))
+        .both("points", "", |f| f.points)
+        .page("point", "mm", |f| numbers(triple(f.point_mm, 4)))
+        .page("direction", "", |f| numbers(triple(f.direction, 6)))
+        .sheet("point x", "mm", |f| f.point_mm[0])
+        .sheet("point y", "mm", |f| f.point_mm[1])
+        .sheet("point z", "mm", |f| f.point_mm[2])
+        .sheet("direction x", "", |f| f.direction[0])
+        .sheet("direction y", "", |f| f.direction[1])
+        .sheet("direction z", "", |f| f.direction[2])
+        .both("radius", "mm", |f| fixed(f.radius_mm, 4))
+        .both("distances, RMS", "mm", |f| digits(f.rms_mm, 3))
+        .both("distances, max", "mm", |f| digits(f.max_mm, 3))
+        .both("u (k = 1)", "mm", |f| digits(f.standard_uncertainty_mm, 2))
+        .sheet("labels", "", |f| f.labels.join(", "));
+    Table::of(words, features, columns).on("Features")
+}
+
+/// Where the world frame was each time it was measured.
+fn poses(world: &WorldFrame, words: &Words) -> Table {
+    let first = Columns::<FramePose>::new()
+        .sheet("pose", "", |f| f.pose)
+        .sheet("cycle", "", |f| f.cycle)
+        .sheet("origin x", "mm", |f| f.export_T_world.translation_mm[0])
+        .sheet("origin y", "mm", |f| f.export_T_world.translation_mm[1])
+        .sheet("origin z", "mm", |f| f.export_T_world.translation_mm[2]);
+    let titles = [
+        ["x axis, x", "x axis, y", "x axis, z"],
+        ["y axis, x", "y axis, y", "y axis, z"],
+        ["z axis, x", "z axis, y", "z axis, z"],
+    ];
+    let titles = titles.into_iter().flatten().enumerate();
+    let columns = titles
+        .fold(first, |columns, (i, title)| columns.sheet(title, "", move |f| f.export_T_world.rotation[i % 3][i / 3]));
+    Table::of(words, &world.poses, columns).on("Frames")
+}
+
+fn triple(v: Vector, decimals: usize) -> String {
+    v.map(|v| number(v, decimals)).join(", ")
+}

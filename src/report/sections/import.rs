@@ -1,0 +1,41 @@
+//! What was read, and every row that was refused or met no partner.
+
+use crate::base::message::one_line;
+use crate::document::{Refused, Source, Unmatched};
+use crate::report::Report;
+use crate::report::model::{Block, Columns, Section, Table, Text, term};
+use crate::report::words::{Words, isolated};
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    let mut section = Section::new("import", words.say("Import"));
+    section.push(Block::Table(sources(&report.import.sources, words)));
+    for source in report.import.sources.iter().filter(|s| !s.refused.is_empty()) {
+        let file = isolated(&one_line(&source.file));
+        let title = words.fill("{0} refused rows of {1}", &[&source.refused.len(), &file]);
+        let columns = Columns::<Refused>::new()
+            .sheet("file", "", |_| source.file.as_str())
+            .both("line", "", |r| r.line)
+            .both("reason", "", |r| Text::english(&r.reason))
+            .both("text", "", |r| Text::code(&r.text));
+        let table = Table::of(words, &source.refused, columns).on("Refused rows");
+        section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
+    }
+    let columns = Columns::<Unmatched>::new()
+        .sheet("file", "", |u| u.file.as_str())
+        .sheet("line", "", |u| u.line)
+        .sheet("key", "", |u| u.key.as_str())
+        .sheet("reason", "", |u| u.reason.as_str());
+    section.push(Block::Table(Table::of(words, &report.import.unmatched, columns).on("Without partner")));
+    section.whole()
+}
+
+fn sources(sources: &[Source], words: &Words) -> Table {
+    let columns = Columns::<Source>::new()
+        .page("file", "", |s| s.file.as_str())
+        .page("kind", "", |s| term(words, &one_line(&s.kind)))
+        .page("bytes", "", |s| s.bytes)
+        .page("read as", "", |s| Text::english(&s.dialect))
+        .page("rows", "", |s| s.rows_read)
+        .page("refused", "", |s| s.refused.len());
+    Table::of(words, sources, columns)
+}

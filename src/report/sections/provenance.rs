@@ -1,0 +1,32 @@
+//! What the numbers come from: the program, its seed, and every input with its checksum.
+
+use crate::document::{Provenance, Source};
+use crate::report::Report;
+use crate::report::model::{Block, Cell, Columns, Section, Table, Text};
+use crate::report::words::Words;
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    Some(of(&report.provenance(), &report.import.sources, words))
+}
+
+/// The section; `sources` says more of the inputs where they were read by this campaign.
+pub(in crate::report) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> Section {
+    let mut section = Section::new("provenance", words.say("Provenance"));
+    section.push(Block::facts(vec![
+        (words.say("written by"), format!("etalon {}", provenance.version).into()),
+        (words.say("seed"), provenance.seed.map(|seed| seed.to_string()).into()),
+    ]));
+    let source = |name: &str| sources.iter().find(|s| s.file == name);
+    let rows: Vec<(&String, &String, Option<&Source>)> =
+        provenance.inputs.iter().map(|(name, sha256)| (name, sha256, source(name))).collect();
+    let columns = Columns::<(&String, &String, Option<&Source>)>::new()
+        .both("file", "", |(name, ..)| Cell::from(*name))
+        .both("SHA-256", "", |(_, sha256, _)| Text::code(sha256))
+        .sheet("kind", "", |r| r.2.map(|s| s.kind.as_str()))
+        .sheet("bytes", "", |r| r.2.map(|s| s.bytes))
+        .sheet("read as", "", |r| r.2.map(|s| s.dialect.as_str()))
+        .sheet("rows", "", |r| r.2.map(|s| s.rows_read))
+        .sheet("refused", "", |r| r.2.map(|s| s.refused.len()));
+    section.push(Block::Table(Table::of(words, &rows, columns).on("Inputs")));
+    section
+}

@@ -1,0 +1,329 @@
+//! Visited poses: table 2.1 of the thesis, the uncertainty of RP, the 25 % rule, approaches, coplanarity.
+
+use super::accuracy::angles;
+use crate::base::pose::{Vector, centroid, minus};
+use crate::document::{
+    Iso9283Approach, Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane, Iso9283Pose,
+    Iso9283Variation, Iso9283Visit,
+};
+use crate::report::Report;
+use crate::report::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
+use crate::report::number;
+use crate::report::plots::visits::{self, approach, of_pose};
+use crate::report::words::{Words, isolated};
+use std::collections::BTreeMap;
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    let document = report.tested.poses.as_ref()?;
+    let poses = named(document, words);
+    let mut section = Section::new("repeatability", words.say("Repeatability"));
+    section.summarise(words.say("conventions"), document.conventions.join("; "), "");
+    section.push(Block::Table(spheres(&poses, words)));
+    let source = words.say("Thesis, table 2.1 (eq. 2.7 to 2.10).") + " ";
+    section.push(Block::note(Text::from(source).and(Text::conventions(&document.conventions))));
+    let note = words.say("RP: ISO 9283:1998, 7.2.2. Not of the standard: RP without the instrument's noise, where visits were read several times, and the ellipsoid that holds the next position with 95 % probability.");
+    section.table(words.say("Uncertainty of RP"), note, intervals(&poses, words));
+    let rule = quarter_rule(&poses, words);
+    if !rule.is_empty() {
+        section.push(Block::heading(words.say("Is the instrument good enough?")));
+        section.push(Block::strong(quarter_sentence(document, words)));
+        let note = words.say("ISO 9283: its expanded uncertainty may be at most a quarter of what it verifies.");
+        section.table("", note, rule);
+    }
+    section.push(Block::Table(characteristics(&poses, words)));
+    by_approach(document, &mut section, words);
+    if !document.visits.is_empty() {
+        section.table(words.say("Poses"), places_note(document, words), places(document, words));
+    }
+    section.figures(visits::pictures(document, words));
+    let columns = Columns::<Iso9283OutOfPlane>::new().page("pose", "", |p| p.pose).page(
+        "mean position from the plane of the other three",
+        "µm",
+        |p| um(p.distance_mm),
+    );
+    section.table(words.say("Coplanarity"), "", Table::of(words, &document.coplanarity_of_four, columns));
+    section.push(Block::Table(of_robot(document, words)));
+    section.push(Block::Table(attained(document, words)));
+    section.whole()
+}
+
+/// An interval in µm.
+pub(super) fn interval(of: Option<Iso9283Interval>, words: &Words) -> Cell {
+    let um = |mm: f64| number::fixed(1e3 * mm, 1);
+    numbers(of.map(|i| words.fill("{0} to {1}", &[&um(i.low_mm), &um(i.high_mm)])))
+}
+
+/// What the interval proves about a stated limit.
+pub(super) fn conformity(of: Option<Iso9283Conformity>, words: &Words) -> Cell {
+    of.map_or(Cell::Missing, |c| match c {
+        Iso9283Conformity::Conforming => term(words, "conforming"),
+        Iso9283Conformity::NotConforming => strong_term(words, "not conforming"),
+        Iso9283Conformity::Neither => term(words, "undecided"),
+    })
+}
+
+/// A pose with its number, or homing by its name.
+struct Named<'a> {
+    name: Cell,
+    pose: &'a Iso9283Pose,
+}
+
+fn named<'a>(document: &'a Iso9283Document, words: &Words) -> Vec<Named<'a>> {
+    let poses = document.poses.iter().map(|pose| Named { name: pose.pose.into(), pose });
+    let homing = document.homing.iter().map(|pose| Named { name: term(words, "homing"), pose });
+    poses.chain(homing).collect()
+}
+
+/// Table 2.1 of the thesis.
+fn spheres(poses: &[Named], words: &Words) -> Table {
+    let columns = Columns::<Named>::new()
+        .page("pose", "", |n| n.name.clone())
+        .page("visits", "", |n| n.pose.cycles)
+        .page("sphere x, y, z", "", |n| um(n.pose.enclosing_radius_mm))
+        .page("circle x, y", "", |n| um(n.pose.enclosing_circle_radius_mm))
+        .below(2, "smallest enclosing sphere and circle, radius in µm")
+        .page("x, y, z (RP)", "", |n| um(n.pose.rp_mm))
+        .page("x, y", "", |n| um(n.pose.rp_xy_mm))
+        .page("x", "", |n| um(n.pose.rp_along_x_mm))
+        .page("y", "", |n| um(n.pose.rp_along_y_mm))
+        .page("z", "", |n| um(n.pose.rp_along_z_mm))
+        .below(5, "mean + 3 s of the distance from the mean, µm");
+    Table::of(words, poses, columns)
+}
+
+/// RP with what is known of it beside its value.
+fn intervals(poses: &[Named], words: &Words) -> Table {
+    let axes = |n: &Named| {
+        let um = |mm: f64| number::fixed(1e3 * mm, 1);
+        numbers(n.pose.ellipsoid.map(|e| e.semi_axes_mm.map(um).join(" × ")))
+    };
+    let columns = Columns::<Named>::new()
+        .page("pose", "", |n| n.name.clone())
+        .page("RP", "µm", |n| um(n.pose.rp_mm))
+        .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
+        .page("RP without noise", "µm", |n| um(n.pose.rp_without_noise_mm))
+        .page("ellipsoid, semi-axes", "µm", axes)
+        .page("verdict (ISO 14253-1)", "", |n| conformity(n.pose.rp_conformity, words));
+    let known = poses.iter().filter(|n| n.pose.rp_interval.is_some());
+    Table::of(words, known, columns).without_empty_columns()
+}
+
+/// Whether the instrument is good enough, pose by pose.
+fn quarter_rule(poses: &[Named], words: &Words) -> Table {
+    let over = |of: Option<f64>| of.map_or_else(|| term(words, "nothing to verify"), |r| fixed(r, 2));
+    let columns = Columns::<Named>::new()
+        .page("pose", "", |n| n.name.clone())
+        .page("U over AP", "", |n| n.pose.ap_mm.map(|_| over(n.pose.uncertainty_over_ap)))
+        .page("U over RP", "", |n| over(n.pose.uncertainty_over_rp))
+        .page("25 % rule", "", |n| n.pose.quarter_rule_met.map(|met| term(words, if met { "met" } else { "not met" })));
+    let judged = poses.iter().filter(|n| n.pose.quarter_rule_met.is_some());
+    Table::of(words, judged, columns).without_empty_columns()
+}
+
+/// Whether the instrument is good enough.
+fn quarter_sentence(document: &Iso9283Document, words: &Words) -> String {
+    let of =
+        |met: bool| document.poses.iter().filter(move |p| p.quarter_rule_met == Some(met)).map(|p| p.pose.to_string());
+    let (met, missed): (Vec<String>, Vec<String>) = (of(true).collect(), of(false).collect());
+    match (met.is_empty(), missed.is_empty()) {
+        (true, true) => String::new(),
+        (_, true) => words.say("The instrument is good enough for every pose."),
+        (true, _) => {
+            words.say("The instrument is good enough for no pose: the values are upper bounds of the robot's.")
+        }
+        _ => words.fill(
+            "The instrument is good enough for pose {0}, and not for pose {1}: there the values are upper bounds of the robot's.",
+            &[&met.join(", "), &missed.join(", ")],
+        ),
+    }
+}
+
+/// Everything of every pose, for the workbook.
+fn characteristics(poses: &[Named], words: &Words) -> Table {
+    let proved = |c: Option<Iso9283Conformity>| {
+        c.map(|c| match c {
+            Iso9283Conformity::Conforming => "proved",
+            Iso9283Conformity::NotConforming => "disproved",
+            Iso9283Conformity::Neither => "neither proved nor disproved",
+        })
+    };
+    let columns = Columns::<Named>::new()
+        .sheet("pose", "", |n| n.name.clone())
+        .sheet("visits", "", |n| n.pose.cycles)
+        .sheet("AP", "mm", |n| n.pose.ap_mm)
+        .sheet("AP x", "mm", |n| n.pose.ap_x_mm)
+        .sheet("AP y", "mm", |n| n.pose.ap_y_mm)
+        .sheet("AP z", "mm", |n| n.pose.ap_z_mm)
+        .sheet("RP", "mm", |n| n.pose.rp_mm)
+        .sheet("RP, 95 % from", "mm", |n| n.pose.rp_interval.map(|i| i.low_mm))
+        .sheet("RP, 95 % to", "mm", |n| n.pose.rp_interval.map(|i| i.high_mm))
+        .sheet("RP without noise", "mm", |n| n.pose.rp_without_noise_mm)
+        .sheet("RP in x, y", "mm", |n| n.pose.rp_xy_mm)
+        .sheet("RP along x", "mm", |n| n.pose.rp_along_x_mm)
+        .sheet("RP along y", "mm", |n| n.pose.rp_along_y_mm)
+        .sheet("RP along z", "mm", |n| n.pose.rp_along_z_mm)
+        .sheet("3 s of x", "mm", |n| n.pose.rp_x_mm)
+        .sheet("3 s of y", "mm", |n| n.pose.rp_y_mm)
+        .sheet("3 s of z", "mm", |n| n.pose.rp_z_mm)
+        .sheet("mean distance from the barycentre", "mm", |n| n.pose.mean_radius_mm)
+        .sheet("its standard deviation", "mm", |n| n.pose.sd_radius_mm)
+        .sheet("enclosing sphere, radius", "mm", |n| n.pose.enclosing_radius_mm)
+        .sheet("enclosing circle in x, y, radius", "mm", |n| n.pose.enclosing_circle_radius_mm)
+        .sheet("AP, 95 % from", "mm", |n| n.pose.ap_interval.map(|i| i.low_mm))
+        .sheet("AP, 95 % to", "mm", |n| n.pose.ap_interval.map(|i| i.high_mm))
+        .sheet("AP a", "deg", |n| n.pose.ap_a_deg)
+        .sheet("AP b", "deg", |n| n.pose.ap_b_deg)
+        .sheet("AP c", "deg", |n| n.pose.ap_c_deg)
+        .sheet("RP a", "deg", |n| n.pose.rp_a_deg)
+        .sheet("RP b", "deg", |n| n.pose.rp_b_deg)
+        .sheet("RP c", "deg", |n| n.pose.rp_c_deg)
+        .sheet("noise of a reading, x", "mm", |n| n.pose.noise_mm.map(|n| n[0]))
+        .sheet("noise of a reading, y", "mm", |n| n.pose.noise_mm.map(|n| n[1]))
+        .sheet("noise of a reading, z", "mm", |n| n.pose.noise_mm.map(|n| n[2]))
+        .sheet("ellipsoid, semi-axis 1", "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[0]))
+        .sheet("ellipsoid, semi-axis 2", "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[1]))
+        .sheet("ellipsoid, semi-axis 3", "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[2]))
+        .sheet("AP within its limit", "", |n| proved(n.pose.ap_conformity))
+        .sheet("RP within its limit", "", |n| proved(n.pose.rp_conformity))
+        .sheet("U over AP", "", |n| n.pose.uncertainty_over_ap)
+        .sheet("U over RP", "", |n| n.pose.uncertainty_over_rp)
+        .sheet("25 % rule", "", |n| n.pose.quarter_rule_met.map(|met| if met { "met" } else { "not met" }));
+    Table::of(words, poses, columns).on("ISO 9283 poses").without_empty_columns()
+}
+
+/// An approach of a pose, and the mean of all visits of the pose.
+struct OfApproach<'a> {
+    pose: i64,
+    approach: &'a Iso9283Approach,
+    middle: Vector,
+    spatial: bool,
+}
+
+fn by_approach(document: &Iso9283Document, section: &mut Section, words: &Words) {
+    if document.approaches.is_empty() {
+        return;
+    }
+    section.push(Block::heading(words.say("By approach")));
+    section.push(Block::note(
+        words.say("vAP: largest distance between the means of two approaches (ISO 9283:1998, 7.2.3)."),
+    ));
+    for v in &document.approaches {
+        let [a, b] = v.between.each_ref().map(|name| isolated(&approach(name, words)));
+        let um = number::fixed(1e3 * v.vap_mm, 1);
+        section.push(Block::text(words.fill(
+            "Pose {0}: the means {1} and {2} lie {3} µm apart, the farthest of all approaches.",
+            &[&v.pose, &a, &b, &um],
+        )));
+    }
+    section.push(Block::Table(approaches(document, words)));
+    section.push(Block::Table(turned(document, words)));
+    let columns = Columns::<Iso9283Variation>::new()
+        .sheet("pose", "", |v| v.pose)
+        .sheet("vAP", "mm", |v| v.vap_mm)
+        .sheet("between", "", |v| v.between[0].as_str())
+        .sheet("and", "", |v| v.between[1].as_str())
+        .sheet("vAP of the first angle", "deg", |v| v.vap_angles_deg.first().copied())
+        .sheet("vAP of the second angle", "deg", |v| v.vap_angles_deg.get(1).copied())
+        .sheet("vAP of the third angle", "deg", |v| v.vap_angles_deg.get(2).copied());
+    let variation = Table::of(words, &document.approaches, columns).on("ISO 9283 variation");
+    section.push(Block::Table(variation.without_empty_columns()));
+}
+
+fn approaches(document: &Iso9283Document, words: &Words) -> Table {
+    let mut rows = Vec::new();
+    for v in &document.approaches {
+        let all: Vec<Vector> = of_pose(document, v.pose).map(|v| v.attained_mm).collect();
+        let middle = centroid(&all).unwrap_or_default();
+        let spatial = document.poses.iter().any(|p| p.pose == v.pose && p.rp_z_mm.is_some());
+        rows.extend(v.approaches.iter().map(|approach| OfApproach { pose: v.pose, approach, middle, spatial }));
+    }
+    let off = |r: &OfApproach, axis: usize| um(minus(r.approach.mean_mm, r.middle)[axis]);
+    let columns = Columns::<OfApproach>::new()
+        .both("pose", "", |r| r.pose)
+        .page("approached", "", |r| Text::name(&approach(&r.approach.name, words)))
+        .sheet("approached", "", |r| r.approach.name.as_str())
+        .both("visits", "", |r| r.approach.cycles)
+        .page("x", "", move |r| off(r, 0))
+        .page("y", "", move |r| off(r, 1))
+        .page("z", "", move |r| r.spatial.then(|| off(r, 2)))
+        .below(3, "its mean from that of all, µm")
+        .sheet("mean x", "mm", |r| r.approach.mean_mm[0])
+        .sheet("mean y", "mm", |r| r.approach.mean_mm[1])
+        .sheet("mean z", "mm", |r| r.approach.mean_mm[2])
+        .both("RP", "mm", |r| um(r.approach.rp_mm))
+        .shown_in("µm")
+        .both("enclosing sphere, radius", "mm", |r| um(r.approach.enclosing_radius_mm))
+        .shown_in("µm");
+    Table::of(words, &rows, columns).on("ISO 9283 approaches")
+}
+
+/// vAP of the angles, where there are any.
+fn turned(document: &Iso9283Document, words: &Words) -> Table {
+    let titles: Vec<String> = angles(document).iter().map(|a| format!("vAP {a}")).collect();
+    if titles.is_empty() {
+        return Table::default();
+    }
+    let first = Columns::<Iso9283Variation>::new().page("pose", "", |v| v.pose);
+    let columns = titles.iter().enumerate().fold(first, |columns, (k, title)| {
+        columns.page(title, "deg", move |v| fixed(v.vap_angles_deg.get(k).copied(), 4))
+    });
+    Table::of(words, &document.approaches, columns)
+}
+
+fn places_note(document: &Iso9283Document, words: &Words) -> String {
+    let means = words.say("Mean of the attained positions.");
+    match document.poses.iter().any(|p| p.ap_mm.is_some()) {
+        true => means,
+        false => format!("{means} {}", words.say("The campaign commands no positions: accuracy (AP) is not tested.")),
+    }
+}
+
+/// Where the poses are: means of the attained positions.
+fn places(document: &Iso9283Document, words: &Words) -> Table {
+    let mut by_pose: BTreeMap<i64, Vec<Vector>> = BTreeMap::new();
+    for visit in &document.visits {
+        by_pose.entry(visit.pose).or_default().push(visit.attained_mm);
+    }
+    let rows: Vec<(i64, usize, Vector)> =
+        by_pose.into_iter().filter_map(|(pose, places)| Some((pose, places.len(), centroid(&places)?))).collect();
+    let columns = Columns::<(i64, usize, Vector)>::new()
+        .page("pose", "", |(pose, ..)| *pose)
+        .page("visits", "", |(_, visits, _)| *visits)
+        .page("x", "mm", |(.., mean)| fixed(mean[0], 3))
+        .page("y", "mm", |(.., mean)| fixed(mean[1], 3))
+        .page("z", "mm", |(.., mean)| fixed(mean[2], 3));
+    Table::of(words, &rows, columns)
+}
+
+/// A characteristic of the whole robot.
+struct Whole {
+    what: &'static str,
+    pose: Option<i64>,
+    mm: f64,
+}
+
+fn of_robot(document: &Iso9283Document, words: &Words) -> Table {
+    let one = |what, pose, mm| Whole { what, pose, mm };
+    let mut rows = Vec::new();
+    rows.extend(document.exchangeability_mm.map(|v| one("exchangeability", None, v)));
+    rows.extend(document.coplanarity_mm.map(|v| one("coplanarity, peak to valley", None, v)));
+    let four = document.coplanarity_of_four.iter();
+    rows.extend(four.map(|p| one("mean position from the plane of the other three", Some(p.pose), p.distance_mm)));
+    let columns = Columns::<Whole>::new().sheet("characteristic", "", |r| r.what).sheet("pose", "", |r| r.pose).sheet(
+        "value",
+        "mm",
+        |r| r.mm,
+    );
+    Table::of(words, &rows, columns).on("ISO 9283 robot")
+}
+
+fn attained(document: &Iso9283Document, words: &Words) -> Table {
+    let columns = Columns::<Iso9283Visit>::new()
+        .sheet("pose", "", |v| v.pose)
+        .sheet("cycle", "", |v| v.cycle)
+        .sheet("approached", "", |v| v.approach.as_deref())
+        .sheet("x", "mm", |v| v.attained_mm[0])
+        .sheet("y", "mm", |v| v.attained_mm[1])
+        .sheet("z", "mm", |v| v.attained_mm[2]);
+    Table::of(words, &document.visits, columns).on("ISO 9283 visits")
+}

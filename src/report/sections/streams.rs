@@ -1,0 +1,288 @@
+//! Recorded motions: characteristics of ISO 9283 in a table, the path, drift and arrivals in pictures.
+
+use crate::document::{
+    Iso9283Arrival, Iso9283Corner, Iso9283Interval, Iso9283NamedStream, Iso9283Path, Iso9283PathPoint, Iso9283Settling,
+    Iso9283Standstill, Iso9283StreamsDocument, Iso9283Weaving,
+};
+use crate::report::Report;
+use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, um};
+use crate::report::number;
+use crate::report::plots::chart::{Chart, Curve, Mark};
+use crate::report::words::Words;
+use std::collections::BTreeMap;
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    let document = report.tested.streams.as_ref()?;
+    let mut section = Section::new("streams", words.say("Recorded motion"));
+    section.push(Block::Table(characteristics(document, words)));
+    for (i, named) in document.streams.iter().enumerate() {
+        let stream = &named.stream;
+        section.push(Block::heading(&named.name));
+        section.push(Block::facts(facts(named, words)));
+        section.push(Block::Table(settling(named, words)));
+        section.push(Block::Table(corners(named, words)));
+        let figures = [
+            path_picture(i, stream.path.as_ref(), words),
+            drift(i, &stream.standstills, words),
+            arrivals(i, named, words),
+        ];
+        section.figures(figures.into_iter().flatten());
+        section.push(Block::note(Text::conventions(&stream.conventions)));
+        section.push(Block::Table(standstills(named, words)));
+        section.push(Block::Table(points(named, words)));
+    }
+    section.whole()
+}
+
+fn micrometres(mm: f64) -> String {
+    number::fixed(1e3 * mm, 1)
+}
+
+fn with_interval(mm: f64, interval: Option<Iso9283Interval>, words: &Words) -> String {
+    match interval {
+        Some(i) => words
+            .fill("{0} µm (95 %: {1} to {2})", &[&micrometres(mm), &micrometres(i.low_mm), &micrometres(i.high_mm)]),
+        None => format!("{} µm", micrometres(mm)),
+    }
+}
+
+fn facts(named: &Iso9283NamedStream, words: &Words) -> Vec<(String, Cell)> {
+    let stream = &named.stream;
+    let recorded = words.fill("{0} samples in {1} s", &[&stream.samples, &number::significant(stream.duration_s, 4)]);
+    let mut facts = vec![
+        (words.say("file"), Cell::from(&named.file)),
+        (words.say("recorded"), recorded.into()),
+        (words.say("standstills"), stream.standstills.len().into()),
+    ];
+    facts.extend(stream.path.iter().flat_map(|path| of_path(path, words)));
+    facts.extend(stream.weaving.iter().flat_map(|weave| of_weave(weave, words)));
+    facts
+}
+
+fn of_path(path: &Iso9283Path, words: &Words) -> Vec<(String, Cell)> {
+    let passes = match path.incomplete {
+        0 => words.fill("{0} mm, {1} passes", &[&number::fixed(path.length_mm, 1), &path.passes]),
+        left => {
+            words.fill("{0} mm, {1} passes, {2} incomplete", &[&number::fixed(path.length_mm, 1), &path.passes, &left])
+        }
+    };
+    let at = |mm: f64, interval, along: f64| {
+        words.fill("{0}, at {1} mm", &[&with_interval(mm, interval, words), &number::fixed(along, 1)])
+    };
+    let accuracy = match path.reorientation {
+        true => words.say("path accuracy AT on reorientation"),
+        false => words.say("path accuracy AT"),
+    };
+    let mut facts = vec![
+        (words.say("path"), Cell::from(passes)),
+        (accuracy, at(path.at_mm, path.at_interval, path.at_along_mm).into()),
+    ];
+    if let (Some(rt), Some(along)) = (path.rt_mm, path.rt_along_mm) {
+        facts.push((words.say("path repeatability RT"), at(rt, path.rt_interval, along).into()));
+    }
+    if let Some(v) = &path.velocity {
+        let rv = v.rv_percent.map(|rv| format!(", RV {} %", number::fixed(rv, 2))).unwrap_or_default();
+        let (mean, av, fv) =
+            (number::fixed(v.mean_mm_s, 2), number::fixed(v.av_percent, 2), number::fixed(v.fv_mm_s, 2));
+        facts.push((words.say("path velocity"), format!("{mean} mm/s: AV {av} %{rv}, FV {fv} mm/s").into()));
+    }
+    facts
+}
+
+fn of_weave(w: &Iso9283Weaving, words: &Words) -> [(String, Cell); 3] {
+    let of = |attained: f64, commanded: f64| [attained, commanded].map(|v| number::significant(v, 4));
+    let ([stroke, wanted], ws) = (of(w.stroke_mm, w.commanded_stroke_mm), number::fixed(w.ws_percent, 2));
+    let ([frequency, asked], wf) = (of(w.frequency_hz, w.commanded_frequency_hz), number::fixed(w.wf_percent, 2));
+    [
+        (words.say("weave"), words.fill("{0} passes, {1} turns", &[&w.passes, &w.turns]).into()),
+        (
+            words.say("weaving stroke"),
+            words.fill("{0} mm, commanded {1} mm: WS {2} %", &[&stroke, &wanted, &ws]).into(),
+        ),
+        (
+            words.say("weaving frequency"),
+            words.fill("{0} Hz, commanded {1} Hz: WF {2} %", &[&frequency, &asked, &wf]).into(),
+        ),
+    ]
+}
+
+/// How the mean path deviates, and how passes scatter, along the path.
+fn path_picture(index: usize, path: Option<&Iso9283Path>, words: &Words) -> Option<Figure> {
+    let path = path?;
+    let of = |value: &dyn Fn(&Iso9283PathPoint) -> Option<f64>| -> Vec<(f64, f64)> {
+        path.points.iter().filter_map(|p| Some((p.along_mm, 1e3 * value(p)?))).collect()
+    };
+    let deviation = Curve { name: words.say("deviation of the mean path"), points: of(&|p| Some(p.deviation_mm)) };
+    let scatter = Curve { name: words.say("mean radius + 3 s of the passes"), points: of(&|p| p.rt_mm) };
+    let mark = |along: f64, mm: f64, interval: Option<Iso9283Interval>, name: &str| Mark {
+        at: (along, 1e3 * mm),
+        interval: interval.map(|i| (1e3 * i.low_mm, 1e3 * i.high_mm)),
+        name: name.to_owned(),
+    };
+    let mut marks = vec![mark(path.at_along_mm, path.at_mm, path.at_interval, "AT")];
+    if let (Some(along), Some(rt)) = (path.rt_along_mm, path.rt_mm) {
+        marks.push(mark(along, rt, path.rt_interval, "RT"));
+    }
+    Chart {
+        id: format!("path-{index}"),
+        title: words.say("Deviation along the path"),
+        caption: words.say("Diamonds: AT and RT, the largest of each, with their intervals. The largest of many values that scatter lies high: RT may be above the interval of what infinitely many passes would give."),
+        across: words.say("along the path in mm"),
+        up: "µm".to_owned(),
+        curves: vec![deviation, scatter],
+        marks,
+    }
+    .picture(words)
+}
+
+/// How far the mean of each visit lies from that of the first visit of its pose, over time.
+fn drift(index: usize, standstills: &[Iso9283Standstill], words: &Words) -> Option<Figure> {
+    let mut by_pose: BTreeMap<i64, Vec<&Iso9283Standstill>> = BTreeMap::new();
+    for s in standstills {
+        if let Some(pose) = s.pose {
+            by_pose.entry(pose).or_default().push(s);
+        }
+    }
+    let curve = |(pose, visits): (i64, Vec<&Iso9283Standstill>)| {
+        let first = visits.first()?.mean_mm.clone();
+        let away = |s: &&Iso9283Standstill| {
+            let squares: f64 = s.mean_mm.iter().zip(&first).map(|(a, b)| (a - b).powi(2)).sum();
+            (s.from_s, 1e3 * squares.sqrt())
+        };
+        let points = visits.iter().map(away).collect();
+        (visits.len() > 2).then(|| Curve { name: words.fill("pose {0}", &[&pose]), points })
+    };
+    let curves: Vec<Curve> = by_pose.into_iter().filter_map(curve).collect();
+    Chart {
+        id: format!("drift-{index}"),
+        title: words.say("Visits over time"),
+        caption: words.say("How far the mean of each standstill lies from that of the first at its pose: drift where it grows, repeatability where it does not."),
+        across: words.say("time in s"),
+        up: "µm".to_owned(),
+        curves,
+        marks: vec![],
+    }
+    .picture(words)
+}
+
+/// Distance from where the robot comes to stand, from the first entry into the limit band on.
+fn arrivals(index: usize, named: &Iso9283NamedStream, words: &Words) -> Option<Figure> {
+    let curve = |a: &Iso9283Arrival| Curve {
+        name: words.fill("pose {0}, visit {1}", &[&a.pose, &a.cycle]),
+        points: a.time_s.iter().zip(&a.away_mm).map(|(t, d)| (*t, 1e3 * d)).collect(),
+    };
+    let shown = words.say(
+        "Distance from the attained pose after the first entry into the limit band, the first arrivals of each pose.",
+    );
+    let band =
+        named.band_mm.map(|band| words.fill("The limit band is {0} µm.", &[&micrometres(band)])).unwrap_or_default();
+    Chart {
+        id: format!("arrivals-{index}"),
+        title: words.say("Arrivals"),
+        caption: format!("{shown} {band}").trim_end().to_owned(),
+        across: words.say("time since the entry in s"),
+        up: "µm".to_owned(),
+        curves: named.stream.arrivals.iter().map(curve).collect(),
+        marks: vec![],
+    }
+    .picture(words)
+}
+
+fn characteristics(document: &Iso9283StreamsDocument, words: &Words) -> Table {
+    let columns = Columns::<Iso9283NamedStream>::new()
+        .sheet("stream", "", |s| s.name.as_str())
+        .sheet("file", "", |s| s.file.as_str())
+        .sheet("samples", "", |s| s.stream.samples)
+        .sheet("duration", "s", |s| s.stream.duration_s)
+        .sheet("passes", "", |s| s.stream.path.as_ref().map(|p| p.passes))
+        .sheet("path", "mm", |s| s.stream.path.as_ref().map(|p| p.length_mm))
+        .sheet("AT", "mm", |s| s.stream.path.as_ref().map(|p| p.at_mm))
+        .sheet("AT, 95 % from", "mm", |s| s.stream.path.as_ref().and_then(|p| p.at_interval).map(|i| i.low_mm))
+        .sheet("AT, 95 % to", "mm", |s| s.stream.path.as_ref().and_then(|p| p.at_interval).map(|i| i.high_mm))
+        .sheet("AT at", "mm", |s| s.stream.path.as_ref().map(|p| p.at_along_mm))
+        .sheet("RT", "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_mm))
+        .sheet("RT, 95 % from", "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_interval).map(|i| i.low_mm))
+        .sheet("RT, 95 % to", "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_interval).map(|i| i.high_mm))
+        .sheet("RT at", "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_along_mm))
+        .sheet("mean velocity", "mm/s", |s| {
+            s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.mean_mm_s)
+        })
+        .sheet("AV", "%", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.av_percent))
+        .sheet("RV", "%", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).and_then(|v| v.rv_percent))
+        .sheet("FV", "mm/s", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.fv_mm_s))
+        .sheet("weaving, passes", "", |s| s.stream.weaving.as_ref().map(|w| w.passes))
+        .sheet("weaving, turns", "", |s| s.stream.weaving.as_ref().map(|w| w.turns))
+        .sheet("commanded stroke", "mm", |s| s.stream.weaving.as_ref().map(|w| w.commanded_stroke_mm))
+        .sheet("stroke", "mm", |s| s.stream.weaving.as_ref().map(|w| w.stroke_mm))
+        .sheet("WS", "%", |s| s.stream.weaving.as_ref().map(|w| w.ws_percent))
+        .sheet("commanded frequency", "Hz", |s| s.stream.weaving.as_ref().map(|w| w.commanded_frequency_hz))
+        .sheet("frequency", "Hz", |s| s.stream.weaving.as_ref().map(|w| w.frequency_hz))
+        .sheet("WF", "%", |s| s.stream.weaving.as_ref().map(|w| w.wf_percent));
+    Table::of(words, &document.streams, columns).on("Streams")
+}
+
+fn standstills(named: &Iso9283NamedStream, words: &Words) -> Table {
+    let axis = |values: &[f64], i: usize| values.get(i).copied();
+    let columns = Columns::<Iso9283Standstill>::new()
+        .sheet("stream", "", |_| named.name.as_str())
+        .sheet("pose", "", |s| s.pose)
+        .sheet("cycle", "", |s| s.cycle)
+        .sheet("from", "s", |s| s.from_s)
+        .sheet("to", "s", |s| s.to_s)
+        .sheet("samples", "", |s| s.samples)
+        .sheet("mean x", "mm", |s| axis(&s.mean_mm, 0))
+        .sheet("mean y", "mm", |s| axis(&s.mean_mm, 1))
+        .sheet("mean z", "mm", |s| axis(&s.mean_mm, 2))
+        .sheet("mean a", "deg", |s| axis(&s.mean_deg, 0))
+        .sheet("mean b", "deg", |s| axis(&s.mean_deg, 1))
+        .sheet("mean c", "deg", |s| axis(&s.mean_deg, 2))
+        .sheet("noise", "mm", |s| s.noise_mm)
+        .sheet("stabilisation time", "s", |s| s.stabilisation_s)
+        .sheet("overshoot", "mm", |s| s.overshoot_mm)
+        .sheet("posing time", "s", |s| s.posing_s);
+    Table::of(words, &named.stream.standstills, columns).on("Standstills")
+}
+
+fn settling(named: &Iso9283NamedStream, words: &Words) -> Table {
+    let columns = Columns::<Iso9283Settling>::new()
+        .sheet("stream", "", |_| named.name.as_str())
+        .both("pose", "", |s| s.pose)
+        .both("arrivals", "", |s| s.arrivals)
+        .both("stabilisation time", "s", |s| fixed(s.stabilisation_s, 3))
+        .both("overshoot", "mm", |s| um(s.overshoot_mm))
+        .shown_in("µm");
+    Table::of(words, &named.stream.settling, columns).on("Stabilisation")
+}
+
+fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
+    let at = |c: &Iso9283Corner| c.position_mm.iter().map(|v| number::fixed(*v, 2)).collect::<Vec<_>>().join(", ");
+    let axis = |values: &[f64], i: usize| values.get(i).copied();
+    let columns = Columns::<Iso9283Corner>::new()
+        .sheet("stream", "", |_| named.name.as_str())
+        .page("corner", "mm", at)
+        .sheet("x", "mm", move |c| axis(&c.position_mm, 0))
+        .sheet("y", "mm", move |c| axis(&c.position_mm, 1))
+        .sheet("z", "mm", move |c| axis(&c.position_mm, 2))
+        .both("round-off CR", "mm", |c| um(c.cr_mm))
+        .shown_in("µm")
+        .both("overshoot CO", "mm", |c| um(c.co_mm))
+        .shown_in("µm")
+        .sheet("stabilisation path length", "mm", |c| c.stabilisation_mm);
+    Table::of(words, named.stream.path.iter().flat_map(|p| &p.corners), columns).on("Corners")
+}
+
+fn points(named: &Iso9283NamedStream, words: &Words) -> Table {
+    let axis = |values: &[f64], i: usize| values.get(i).copied();
+    let columns = Columns::<Iso9283PathPoint>::new()
+        .sheet("stream", "", |_| named.name.as_str())
+        .sheet("along", "mm", |p| p.along_mm)
+        .sheet("commanded x", "mm", |p| axis(&p.commanded_mm, 0))
+        .sheet("commanded y", "mm", |p| axis(&p.commanded_mm, 1))
+        .sheet("commanded z", "mm", |p| axis(&p.commanded_mm, 2))
+        .sheet("mean x", "mm", |p| axis(&p.mean_mm, 0))
+        .sheet("mean y", "mm", |p| axis(&p.mean_mm, 1))
+        .sheet("mean z", "mm", |p| axis(&p.mean_mm, 2))
+        .sheet("deviation", "mm", |p| p.deviation_mm)
+        .sheet("mean radius + 3 s", "mm", |p| p.rt_mm);
+    Table::of(words, named.stream.path.iter().flat_map(|p| &p.points), columns).on("Path")
+}

@@ -1,0 +1,281 @@
+//! Documents to try the report on: a campaign like the thesis', with synthetic errors.
+
+use crate::base::message::{Message, Place};
+use crate::base::noise::Noise;
+use crate::base::pose::{Pose, Vector};
+use crate::document::ResidualKind;
+use crate::document::Termination;
+use crate::document::*;
+use crate::report::{Identified, Report};
+
+/// An error of pose `pose`, cycle 1, target K, calibration.
+pub(in crate::report) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vector) -> PointError {
+    let (set, target) = ("calibration".to_owned(), "K".to_owned());
+    PointError { set, pose, cycle: 1, target, at_mm, before_mm, after_mm, before_deg: None, after_deg: None }
+}
+
+/// All that a report is made from.
+pub(in crate::report) struct Documents {
+    pub campaign: CampaignSummary,
+    pub import: ImportDocument,
+    pub features: FeaturesDocument,
+    pub frames: FramesDocument,
+    pub parameters: ParametersDocument,
+    pub accuracy: AccuracyDocument,
+    pub errors: Vec<PointError>,
+    pub tested: Characteristics,
+}
+
+impl Documents {
+    pub fn report(&self) -> Report<'_> {
+        Report {
+            campaign: &self.campaign,
+            import: &self.import,
+            features: &self.features,
+            frames: &self.frames,
+            identified: Some(self.identified()),
+            tested: &self.tested,
+        }
+    }
+
+    pub fn identified(&self) -> Identified<'_> {
+        Identified { parameters: &self.parameters, accuracy: &self.accuracy, errors: &self.errors, geometric: None }
+    }
+
+    /// A campaign like the thesis': 59 poses on two circles, 5 cycles, errors of table 3.4's size.
+    pub fn demo() -> Self {
+        let errors = errors();
+        let statistics =
+            |factor: f64| Statistics { mean: 0.9 * factor, rms: factor, p95: 1.4 * factor, max: 1.7 * factor };
+        let error = |quantity: &str, unit: &str, before: f64, after: f64| ErrorStatistics {
+            quantity: quantity.to_owned(),
+            unit: unit.to_owned(),
+            before: statistics(before),
+            after: statistics(after),
+        };
+        let set = |name: &str, poses: usize| AccuracySet {
+            name: name.to_owned(),
+            poses,
+            count: 5 * poses,
+            errors: vec![
+                error("position", "mm", 1.2291, 0.0260),
+                error("x", "mm", 1.2245, 0.0188),
+                error("y", "mm", 0.1063, 0.0180),
+                error("orientation", "deg", 0.1035, 0.0033),
+            ],
+        };
+        let limit = |name: &str, unit: &str, limit: f64, value: f64| LimitVerdict {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            limit,
+            value,
+            met: value <= limit,
+        };
+        Self {
+            tested: Characteristics::default(),
+            campaign: CampaignSummary {
+                name: "PreXYT, CMM, spring check".to_owned(),
+                robot: None,
+                synthetic: Some("made by `etalon simulate` with seed 7".to_owned()),
+                notes: None,
+                date: Some("2011-05-12".to_owned()),
+                operator: Some("N. N.".to_owned()),
+                instrument: Some("Mitutoyo BRIGHT-STRATO 7106".to_owned()),
+                expanded_uncertainty_um: Some(2.7),
+                coverage_factor: Some(2.0),
+                contact: None,
+                temperature_c: Some(20.1),
+                conditions: Conditions::default(),
+                report: Presentation::default(),
+            },
+            import: import(),
+            features: features(),
+            frames: frames(),
+            parameters: parameters(),
+            accuracy: AccuracyDocument {
+                schema: "etalon/accuracy/1".to_owned(),
+                definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
+                    .to_owned(),
+                sets: vec![set("calibration", 8), set("validation", 51)],
+                limits: vec![
+                    limit("position_max_mm", "mm", 0.050, 0.0442),
+                    limit("orientation_max_deg", "deg", 0.010, 0.0056),
+                ],
+            },
+            errors,
+        }
+    }
+}
+
+fn errors() -> Vec<PointError> {
+    let mut noise = Noise::new(7, 0);
+    let mut errors = vec![];
+    for pose in 1..=59 {
+        let (ring, turn) = (pose % 3, f64::from(pose) * 2.399_963);
+        let radius = [0.0, 42.5, 85.0][ring as usize];
+        let (x, y) = (150.0 + radius * turn.cos(), 120.0 + radius * turn.sin());
+        for cycle in 1..=5 {
+            let mut draw = || noise.gaussian(0.003);
+            let bend = 0.02 * (y - 120.0) / 85.0;
+            errors.push(PointError {
+                set: if pose <= 8 { "calibration" } else { "validation" }.to_owned(),
+                pose: pose.into(),
+                cycle,
+                target: "C".to_owned(),
+                at_mm: [x, y, 0.0],
+                before_mm: [1.2 + 0.0022 * (x - 150.0) + draw(), 0.1 + 0.0012 * (y - 120.0) + draw(), 0.0],
+                after_mm: [bend + draw(), 0.008 * (x - 150.0) / 85.0 + draw(), 0.0],
+                before_deg: Some(0.1 + draw()),
+                after_deg: Some(draw()),
+            });
+        }
+    }
+    errors
+}
+
+fn import() -> ImportDocument {
+    let source = |file: &str, kind: &str, dialect: &str, refused: Vec<Refused>| Source {
+        file: file.to_owned(),
+        sha256: crate::base::files::sha256(file.as_bytes()),
+        bytes: 48_211,
+        kind: kind.to_owned(),
+        dialect: dialect.to_owned(),
+        rows_read: 590,
+        refused,
+        standstills: Vec::new(),
+    };
+    let refused = Refused {
+        line: 17,
+        text: "K_12_3;412,331;n/a;20,001".to_owned(),
+        reason: "`n/a` is not a number (column y)".to_owned(),
+    };
+    ImportDocument {
+        schema: "etalon/import/1".to_owned(),
+        campaign: "PreXYT, CMM, spring check".to_owned(),
+        sources: vec![
+            source("exports/poses.txt", "export", "delimited by `;`, decimal comma, mm", vec![refused]),
+            source("encoders.csv", "log", "delimited by `,`, decimal point", vec![]),
+        ],
+        messages: vec![
+            Message::warning("pose 12, cycle 3: target K has no measurement")
+                .at(Place::line("exports/poses.txt", 17, "K_12_3;412,331;n/a;20,001"))
+                .hint("measure the pose again, or leave it out"),
+        ],
+        unmatched: vec![],
+    }
+}
+
+fn features() -> FeaturesDocument {
+    let feature = |name: &str, element: &str, radius_mm: Option<f64>| Feature {
+        name: name.to_owned(),
+        element: element.to_owned(),
+        labels: vec!["rail2_a".to_owned()],
+        points: 24,
+        point_mm: [412.301_24, 310.885_12, -12.000_4],
+        direction: [0.000_012, -0.000_304, 1.0],
+        radius_mm,
+        rms_mm: 0.0031,
+        max_mm: 0.0077,
+        standard_uncertainty_mm: Some(0.0006),
+    };
+    let features = vec![feature("rails", "plane", None), feature("R_home", "circle", Some(19.05))];
+    FeaturesDocument { schema: "etalon/features/1".to_owned(), features, messages: Vec::new() }
+}
+
+fn frames() -> FramesDocument {
+    let export_T_world = Pose::from_xyz_rpy([412.3, 310.9, -12.0], [0.0, 0.0, 0.1]);
+    FramesDocument {
+        schema: "etalon/frames/1".to_owned(),
+        world: WorldFrame {
+            definition: "plane rails, origin R_home, y axis from R_home to R_end".to_owned(),
+            planar: true,
+            poses: vec![FramePose { pose: None, cycle: None, export_T_world }],
+            rms_mm: None,
+            max_mm: None,
+            reference_mm: vec![],
+        },
+    }
+}
+
+fn parameters() -> ParametersDocument {
+    let names = "beta gamma epsilon_theta s d3 d x_c y_c x_o y_o delta delta2 delta3";
+    let entry = |(i, name): (usize, &str)| {
+        let (unit, nominal) = match i {
+            0..=2 => ("deg", [90.0, 90.0, 0.0][i]),
+            3..=9 => ("mm", 50.0 * (i - 3) as f64),
+            _ => ("1", 1.0),
+        };
+        let status = match i {
+            5 => ParameterStatus::Fixed,
+            10 => ParameterStatus::NotIdentifiable,
+            _ => ParameterStatus::Identified,
+        };
+        let value = nominal + if status == ParameterStatus::Identified { 0.123_456_789 - 0.03 * i as f64 } else { 0.0 };
+        ParameterEntry {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            nominal,
+            before: nominal,
+            value,
+            standard_uncertainty: (status == ParameterStatus::Identified).then_some(0.000_37 * (1 + i * i) as f64),
+            status,
+            confounded_with: if i == 10 { vec!["delta2".to_owned(), "d".to_owned()] } else { vec![] },
+        }
+    };
+    let termination = Termination::StepVanished;
+    ParametersDocument {
+        schema: "etalon/parameters/1".to_owned(),
+        robot: "prexyt".to_owned(),
+        parameters: names.split(' ').enumerate().map(entry).collect(),
+        covariance: vec![],
+        residuals: ResidualSummary {
+            kind: ResidualKind::Targets,
+            count: 160,
+            rms: 0.0162,
+            max: 0.0431,
+            degrees_of_freedom: 149,
+            stated_standard_uncertainty_mm: Some(0.001_35),
+            common_standard_uncertainty_mm: None,
+            chi_square: Some(212.4),
+            uncertainties_from: crate::document::UncertaintyFrom::Instrument,
+            uncertainties_enlarged_by: 1.194,
+        },
+        observability: Some(ObservabilitySummary {
+            o1: 12.31,
+            o2: 0.0213,
+            o3: 0.801,
+            o4: 0.0171,
+            o5: 0.114,
+            condition: 46.9,
+            rank: 11,
+            scaling: "columns in mm and degrees, as the parameters are".to_owned(),
+            singular_values: singular_values(),
+            held_singular_values: vec![SingularValueEntry { value: 3e-13, parameters: vec!["x_c".to_owned()] }],
+            rank_cut: 1e-9,
+        }),
+        solver: SolverSummary {
+            method: "Levenberg-Marquardt".to_owned(),
+            iterations: 6,
+            termination,
+            meaning: termination.to_string(),
+        },
+        messages: vec![
+            Message::warning("the residuals are larger than the instrument's uncertainty explains (p = 0.0004)")
+                .hint("uncertainties are enlarged by 1.19; look at the residual arrows for a pattern"),
+        ],
+        provenance: Provenance {
+            version: "0.1.0".to_owned(),
+            inputs: ["campaign.toml", "robot.toml", "exports/poses.txt"]
+                .map(|f| (f.to_owned(), crate::base::files::sha256(f.as_bytes())))
+                .into(),
+            seed: Some(7),
+        },
+    }
+}
+
+/// Eleven values over a condition number of 46.9.
+fn singular_values() -> Vec<SingularValueEntry> {
+    let value = |i: i32| 2.345 * 46.9f64.powf(-f64::from(i) / 10.0);
+    let parameters = |i: i32| if i == 10 { vec!["beta".to_owned(), "x_o".to_owned()] } else { vec![] };
+    (0..11).map(|i| SingularValueEntry { value: value(i), parameters: parameters(i) }).collect()
+}

@@ -1,0 +1,126 @@
+//! A test of repeatability to try the report on: two poses, thirty visits each, synthetic.
+
+use crate::base::noise::Noise;
+use crate::document::*;
+
+/// The test alone.
+pub(in crate::report) fn tested() -> Characteristics {
+    Characteristics { poses: Some(iso9283()), ..Characteristics::default() }
+}
+
+/// With everything that commanded poses, sets, reference targets, robots and loads add.
+pub(in crate::report) fn whole() -> Characteristics {
+    let mut poses = iso9283();
+    let interval = |low_mm, high_mm| Some(Iso9283Interval { low_mm, high_mm });
+    for p in &mut poses.poses {
+        (p.ap_mm, p.ap_x_mm, p.ap_y_mm, p.ap_z_mm) = (Some(0.0512), Some(0.03), Some(-0.04), Some(0.01));
+        (p.ap_c_deg, p.rp_c_deg, p.uncertainty_over_ap) = (Some(-0.0123), Some(0.0045), Some(0.05));
+        (p.ap_interval, p.rp_interval) = (interval(0.0489, 0.0536), interval(0.018, 0.0261));
+        (p.ap_conformity, p.rp_conformity) = (Some(Iso9283Conformity::Neither), Some(Iso9283Conformity::Conforming));
+        p.rp_without_noise_mm = Some(0.0201);
+        p.ellipsoid = Some(Iso9283Ellipsoid {
+            semi_axes_mm: [0.017, 0.009, 0.006],
+            axes: [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+        });
+    }
+    poses.distances = vec![Iso9283Distance {
+        poses: [1, 2],
+        cycles: 30,
+        ad_mm: -0.0212,
+        ad_axes_mm: vec![-0.02, 0.003, 0.001],
+        rd_mm: 0.0151,
+        rd_axes_mm: vec![0.015, 0.02, 0.008],
+        ad_angles_deg: vec![0.001],
+        rd_angles_deg: vec![0.006],
+    }];
+    poses.approaches[0].vap_angles_deg = vec![0.0021];
+    poses.drifts = vec![Iso9283Drift {
+        pose: 1,
+        ap_mm: vec![0.04, 0.05, 0.056],
+        rp_mm: vec![0.02, 0.021, 0.02],
+        dap_mm: 0.016,
+        drp_mm: 0.0,
+        settled_after: None,
+    }];
+    poses.exchangeability_mm = Some(0.0321);
+    let epoch = |cycle, moved_mm| Iso9283Epoch { cycle, moved_mm, rms_mm: 0.1 * moved_mm };
+    poses.reference = vec![epoch(1, 0.0), epoch(11, 0.012), epoch(21, 0.019)];
+    let limit = |name: &str, limit, value| LimitVerdict {
+        name: name.to_owned(),
+        unit: "mm".to_owned(),
+        limit,
+        value,
+        met: value <= limit,
+    };
+    poses.limits = vec![limit("accuracy_max_mm", 0.052, 0.0512), limit("repeatability_max_mm", 0.03, 0.0217)];
+    let direction = Iso9283Compliance {
+        direction: "+x".to_owned(),
+        readings: 30,
+        cycles: 3,
+        force_n: 50.0,
+        compliance_mm_n: 0.0021,
+        standard_uncertainty_mm_n: Some(1.3e-5),
+        largest_mm: 0.107,
+        off_line_mm: 0.006,
+    };
+    let compliance = Iso9283ComplianceDocument {
+        schema: "etalon/iso9283-compliance/1".to_owned(),
+        conventions: vec!["least squares".to_owned()],
+        directions: vec![direction],
+        messages: vec![],
+    };
+    Characteristics { poses: Some(poses), compliance: Some(compliance), ..Characteristics::default() }
+}
+
+pub(in crate::report) fn iso9283() -> Iso9283Document {
+    let mut noise = Noise::new(7, 1);
+    let mut visits = vec![];
+    for (i, pose) in (1..=30).flat_map(|_| [1, 2]).enumerate() {
+        let approach = (i > 0).then(|| format!("from pose {}", 3 - pose));
+        let x_mm = 100.0 * f64::from(pose) + noise.gaussian(0.003);
+        let attained_mm = [x_mm, 50.0 + noise.gaussian(0.006), noise.gaussian(0.002)];
+        visits.push(Iso9283Visit { pose: pose.into(), cycle: 1 + i as i64 / 2, approach, attained_mm });
+    }
+    let pose = |pose| Iso9283Pose {
+        pose,
+        cycles: 30,
+        rp_mm: Some(0.0217),
+        enclosing_radius_mm: Some(0.0173),
+        uncertainty_over_rp: Some(0.124),
+        quarter_rule_met: Some(true),
+        ..Iso9283Pose::default()
+    };
+    let approach = |name: &str, mean_mm| Iso9283Approach {
+        name: name.to_owned(),
+        cycles: 15,
+        mean_mm,
+        deviation_mm: None,
+        rp_mm: Some(0.0111),
+        enclosing_radius_mm: Some(0.0098),
+    };
+    Iso9283Document {
+        schema: "etalon/iso9283/1".to_owned(),
+        conventions: vec!["positions alone".to_owned()],
+        poses: vec![pose(1), pose(2)],
+        distances: vec![],
+        approaches: vec![Iso9283Variation {
+            pose: 1,
+            vap_mm: 0.0123,
+            between: ["from pose 2".to_owned(), "from pose 3".to_owned()],
+            vap_angles_deg: vec![],
+            approaches: vec![
+                approach("from pose 2", [100.0, 50.006, 0.0]),
+                approach("from pose 3", [100.0, 49.994, 0.0]),
+            ],
+        }],
+        drifts: vec![],
+        exchangeability_mm: None,
+        coplanarity_mm: None,
+        coplanarity_of_four: vec![],
+        homing: None,
+        visits,
+        limits: vec![],
+        reference: vec![],
+        messages: vec![],
+    }
+}

@@ -1,0 +1,8 @@
+//! What every kind of report must show, survive and never contain.
+
+mod comparison;
+pub(super) mod demo;
+pub(super) mod demo_iso9283;
+mod demo_streams;
+pub(super) mod page;
+mod workbook;

@@ -1,0 +1,261 @@
+//! The whole page: what it must show, what it must survive, what it must never contain.
+
+use super::demo::{Documents, point};
+use super::{demo_iso9283, demo_streams};
+use crate::base::message::Place;
+use crate::document::{Language, Refused, Statistics};
+use crate::report::*;
+
+fn html(report: &Report) -> Result<String> {
+    Ok(String::from_utf8(files(report)?.swap_remove(0).1).unwrap())
+}
+
+/// The page alone.
+fn page(documents: &Documents) -> String {
+    let words = &Words::of(documents.campaign.report.language).unwrap();
+    super::super::html::html(&documents.report().contents(words), &documents.campaign.report, words).unwrap()
+}
+
+#[test]
+fn the_demo_page_tells_what_a_reader_needs() {
+    let page = page(&Documents::demo());
+    if let Some(path) = std::env::var_os("ETALON_REPORT_DEMO") {
+        std::fs::write(path, &page).unwrap();
+    }
+    let needed = [
+        "Synthetic data: ",
+        "Both limits of the campaign are met.",
+        "<b>2.09 → 0.0442 <small>mm</small></b>",
+        "U = 2.7 µm for one coordinate (k = 2)",
+        "held: not separately identifiable",
+        "arrows enlarged ",
+        "is not a number (column y)",
+        "1.19 times what the instrument alone",
+    ];
+    for text in needed {
+        assert!(page.contains(text), "{text}");
+    }
+    for id in ["verdict", "messages", "errors", "pictures", "parameters", "fit", "frames", "import", "provenance"] {
+        assert!(page.contains(&format!("<section id=\"{id}\">")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
+    }
+    // six of the errors, three of the parameters, two of the residuals, one of the singular values
+    assert_eq!(page.matches("<svg").count(), 12);
+}
+
+#[test]
+fn the_page_needs_no_network_and_runs_no_script_but_its_own() {
+    let page = page(&Documents::demo());
+    for text in ["http:", "https:", "src=", "url(", "@import", "<link", "xmlns", "javascript"] {
+        assert!(!page.contains(text), "{text}");
+    }
+    assert_eq!(page.matches("<script").count(), 1);
+    assert!(page.contains(&format!("<script>{}</script>", super::super::html::SCRIPT)));
+    let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'sha256-";
+    assert!(page.contains(policy) && !page.contains("unsafe-inline' 'unsafe") && !page.contains("unsafe-eval"));
+}
+
+#[test]
+fn the_same_documents_make_the_same_bytes() {
+    assert_eq!(page(&Documents::demo()), page(&Documents::demo()));
+}
+
+/// Puts a text wherever a campaign, a file or a person can put one.
+pub(in crate::report) fn with_text(text: &str) -> Documents {
+    let mut d = Documents::demo();
+    let t = || text.to_owned();
+    let c = &mut d.campaign;
+    (c.name, c.synthetic, c.notes, c.date) = (t(), Some(t()), Some(t()), Some(t()));
+    (c.operator, c.instrument) = (Some(t()), Some(t()));
+    let given = &mut c.conditions;
+    (given.laboratory, given.robot, given.controller) = (Some(t()), Some(t()), Some(t()));
+    (given.mounting, given.measurement_point) = (Some(t()), Some(t()));
+    (given.environment, given.instrument_calibration) = (Some(t()), Some(t()));
+    given.deviations = Some(vec![t(), t()]);
+    let message = || Message::error(t()).at(Place::line(t(), 1, t())).expected(t()).hint(t());
+    d.import.messages = vec![message()];
+    for s in &mut d.import.sources {
+        (s.file, s.kind, s.dialect, s.sha256) = (t(), t(), t(), t());
+        s.refused = vec![Refused { line: 1, text: t(), reason: t() }];
+    }
+    d.features.features.iter_mut().for_each(|f| (f.name, f.element) = (t(), t()));
+    d.frames.world.definition = t();
+    let p = &mut d.parameters;
+    (p.robot, p.messages) = (t(), vec![message()]);
+    p.parameters.iter_mut().for_each(|p| (p.name, p.unit, p.confounded_with) = (t(), t(), vec![t()]));
+    (p.solver.method, p.solver.meaning) = (t(), t());
+    if let Some(o) = &mut p.observability {
+        o.scaling = t();
+        o.singular_values.iter_mut().chain(&mut o.held_singular_values).for_each(|s| s.parameters = vec![t(), t()]);
+    }
+    (p.provenance.version, p.provenance.inputs) = (t(), [(t(), t())].into());
+    d.accuracy.definition = t();
+    d.accuracy.sets.iter_mut().for_each(|s| s.name = t());
+    d.accuracy.sets.iter_mut().flat_map(|s| &mut s.errors).for_each(|e| (e.quantity, e.unit) = (t(), t()));
+    d.accuracy.limits.iter_mut().for_each(|l| (l.name, l.unit) = (t(), t()));
+    d.errors.iter_mut().for_each(|e| (e.set, e.target) = (t(), t()));
+    d
+}
+
+#[test]
+fn no_text_leaves_its_place() {
+    let tags = page(&with_text("plain")).matches('<').count();
+    let hostile = "</td></script><script>alert(1)</script>&\"'<!--{{ 7*7 }}";
+    let page = page(&with_text(hostile));
+    assert_eq!(page.matches('<').count(), tags);
+    assert!(page.matches("<script").count() == 1 && !page.contains("<!--") && page.contains("{{ 7*7 }}"));
+    assert!(page.matches("&lt;script&gt;alert(1)").count() > 300);
+}
+
+#[test]
+fn long_and_right_to_left_names_are_kept_apart() {
+    let long = "n".repeat(200);
+    assert!(page(&with_text(&long)).contains(&format!("<h1><bdi>{long}</bdi></h1>")));
+    let hebrew = "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8}";
+    let page = page(&with_text(hebrew));
+    assert!(page.contains(&format!("<h1><bdi>{hebrew}</bdi></h1>")));
+    assert!(page.contains(&format!("cycle 1, \u{2068}{hebrew}\u{2069} (calibration)")));
+}
+
+#[test]
+fn nothing_to_draw_is_said() {
+    let mut documents = Documents::demo();
+    documents.errors.clear();
+    documents.accuracy.sets.clear();
+    documents.import.sources.clear();
+    documents.import.messages.clear();
+    documents.parameters.messages.clear();
+    documents.parameters.parameters.clear();
+    documents.parameters.observability = None;
+    documents.features.features.clear();
+    documents.frames.world.poses.clear();
+    let page = page(&documents);
+    assert!(page.contains("There is no error that could be drawn.") && !page.contains("<svg"));
+    assert!(page.contains("No errors are given.") && page.contains("The campaign fits no features."));
+}
+
+#[test]
+fn numbers_that_are_none_and_lone_points_do_no_harm() {
+    for size in [0.0, 0.3, 1e-12, 1e300, f64::NAN, f64::INFINITY] {
+        for count in [1, 2, 300] {
+            let mut d = Documents::demo();
+            d.errors = vec![point(1, [size; 3], [size; 3], [size; 3]); count];
+            d.errors[0].before_deg = Some(size);
+            d.errors[0].after_deg = Some(size);
+            d.frames.world.planar = false;
+            d.parameters.residuals.rms = size;
+            d.parameters.residuals.uncertainties_enlarged_by = size;
+            if let Some(o) = &mut d.parameters.observability {
+                (o.condition, o.singular_values[0].value) = (size, size);
+            }
+            d.parameters.parameters[0].value = size;
+            d.parameters.parameters[1].standard_uncertainty = Some(size);
+            d.campaign.expanded_uncertainty_um = Some(size);
+            d.features.features[0].direction = [size; 3];
+            d.accuracy.sets[0].errors[0].before = Statistics { mean: size, rms: size, p95: size, max: size };
+            d.accuracy.sets[1].errors[0].after = Statistics { mean: size, rms: size, p95: size, max: size };
+            d.accuracy.limits[0].value = size;
+            let page = page(&d);
+            assert!(!page.contains("NaN") && !page.contains(">inf"), "{size}");
+            assert_eq!(page.contains("id=\"histogram-title\""), size.is_finite() && size < 1e7, "{size}");
+        }
+    }
+}
+
+#[test]
+fn spatial_data_are_seen_from_above_and_from_the_side() {
+    let mut documents = Documents::demo();
+    documents.frames.world.planar = false;
+    documents.errors[0].at_mm[2] = 100.0;
+    let page = page(&documents);
+    assert!(page.contains("Position error before calibration, xz plane") && page.contains("z in mm"));
+    assert_eq!(page.matches("<svg").count(), 15);
+}
+
+#[test]
+fn a_test_report_has_what_the_standard_asks_for() {
+    let (documents, tested) = (Documents::demo(), demo_iso9283::tested());
+    let page = html(&Report { identified: None, tested: &tested, ..documents.report() }).unwrap();
+    for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from ISO 9283", "SHA-256"] {
+        assert!(page.contains(what), "{what}");
+    }
+    let sha256 = &documents.import.sources[0].sha256;
+    assert!(page.contains(sha256) && page.contains(env!("CARGO_PKG_VERSION")));
+    assert!(page.matches("not stated").count() > 8 && page.contains("2 poses, 30 visits of each"));
+}
+
+/// The calibration report and the test report in a language, both with recorded motions.
+fn in_language(language: Language) -> [String; 2] {
+    let mut documents = Documents::demo();
+    documents.campaign.report.language = language;
+    let tested = Characteristics { streams: Some(demo_streams::streams()), ..demo_iso9283::whole() };
+    let report = Report { tested: &tested, ..documents.report() };
+    [html(&report).unwrap(), html(&Report { identified: None, ..report }).unwrap()]
+}
+
+/// Texts of a section of a page, those left out that are marked as English.
+fn texts<'a>(page: &'a str, id: &str) -> impl Iterator<Item = &'a str> {
+    let section = page.split_once(&format!("<section id=\"{id}\">")).unwrap().1;
+    let section = section.split_once("</section>").unwrap().0;
+    let marked = |piece: &&str| !piece.starts_with("bdi lang=\"en\"");
+    section.split('<').filter(marked).filter_map(|piece| Some(piece.split_once('>')?.1.trim()))
+}
+
+#[test]
+fn recorded_motions_are_told_in_the_language_of_the_report() {
+    let english = in_language(Language::En);
+    let is_word = |text: &str| text.split(|c: char| !c.is_alphabetic()).any(|word| word.len() > 3);
+    for language in [Language::Fr, Language::De] {
+        let (words, pages) = (Words::of(language).unwrap(), in_language(language));
+        let mut told = 0;
+        for (english, other) in texts(&english[1], "streams").zip(texts(&pages[1], "streams")) {
+            if ["square", "seam", "motion.csv"].contains(&english) || !is_word(english) {
+                continue;
+            }
+            told += 1;
+            // what reads alike in both languages
+            let numbers: String = english.chars().map(|c| if c.is_ascii_digit() { '0' } else { c }).collect();
+            let is_alike = words.knows(english) || numbers == words.fill("pose {0}", &[&0]);
+            assert!(other != english || is_alike, "{language:?}: {english}");
+        }
+        assert!(told > 40, "{told}");
+    }
+}
+
+#[test]
+fn a_page_speaks_one_language_and_marks_what_is_english() {
+    let english = in_language(Language::En);
+    for (language, verdict) in [(Language::Fr, "Les 4 limites de la campagne"), (Language::De, "Alle 4 Grenzwerte der")]
+    {
+        let pages = in_language(language);
+        assert!(pages[0].contains(verdict) && pages[0].contains("<bdi lang=\"en\">Error: measured minus predicted."));
+        for (page, english) in pages.iter().zip(&english) {
+            assert!(page.contains(&format!("<html lang=\"{}\">", language.code())));
+            // one note more: on the decimal point
+            assert_eq!(page.matches('<').count(), english.matches('<').count() + 2);
+            let own = |text: &&String| text.len() > 9 && english.contains(&format!(">{text}<"));
+            for text in Words::of(language).unwrap().differing().filter(own) {
+                assert!(!page.contains(&format!(">{text}<")), "{language:?}: {text}");
+            }
+        }
+    }
+    assert!(english[0].contains("<html lang=\"en\">"));
+}
+
+#[test]
+fn a_laboratory_puts_its_own_template_and_logo_in_place() {
+    let mut documents = Documents::demo();
+    let report = &mut documents.campaign.report;
+    report.logo = Some("data:image/png;base64,iVBORw==".to_owned());
+    report.templates.insert("signatures.html".to_owned(), "<p>Seal of {{ title }}</p>".to_owned());
+    let dressed = page(&documents);
+    assert!(dressed.contains("<p>Seal of PreXYT, CMM, spring check</p>") && !dressed.contains("Approved by"));
+    assert_eq!(dressed.matches("<img class=\"logo\" src=\"data:image&#x2f;png;base64,iVBORw==\"").count(), 1);
+    let mut broken = |text: &str| {
+        documents.campaign.report.templates.insert("signatures.html".to_owned(), text.to_owned());
+        html(&documents.report()).unwrap_err().to_string()
+    };
+    let unknown = broken("<p>\n{{ no_such_key }}</p>");
+    assert!(unknown.contains("signatures.html:2") && unknown.contains("{{ no_such_key }}"), "{unknown}");
+    let unclosed = broken("{% if true %}");
+    assert!(unclosed.contains("signatures.html:1"), "{unclosed}");
+}

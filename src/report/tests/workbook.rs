@@ -1,0 +1,68 @@
+//! What the workbook must survive.
+
+use super::demo::Documents;
+use super::page::with_text;
+use crate::report::*;
+use calamine::{Data, Reader, Xlsx};
+use std::io::Cursor;
+
+fn book(documents: &Documents) -> Vec<u8> {
+    let words = Words::default();
+    super::super::workbook::workbook(&documents.report().contents(&words), &words).unwrap()
+}
+
+fn read(documents: &Documents) -> Xlsx<Cursor<Vec<u8>>> {
+    let bytes = book(documents);
+    assert!(bytes == book(documents));
+    calamine::open_workbook_from_rs(Cursor::new(bytes)).unwrap()
+}
+
+/// A workbook without a formula, whatever its texts look like.
+pub(in crate::report) fn only_texts_and_numbers(bytes: Vec<u8>) -> Xlsx<Cursor<Vec<u8>>> {
+    let mut book: Xlsx<_> = calamine::open_workbook_from_rs(Cursor::new(bytes)).unwrap();
+    for sheet in book.sheet_names() {
+        assert!(book.worksheet_formula(&sheet).unwrap().is_empty(), "{sheet}");
+        for (row, column, cell) in book.worksheet_range(&sheet).unwrap().used_cells() {
+            assert!(matches!(cell, Data::String(_) | Data::Float(_)), "{sheet} {row} {column}: {cell:?}");
+        }
+    }
+    book
+}
+
+#[test]
+fn hostile_names_are_texts() {
+    let texts = [
+        "<script>alert(1)</script>&\"'",
+        "=HYPERLINK(\"http://192.0.2.1\")",
+        "+1",
+        "{=1+1}",
+        "http://192.0.2.1",
+        "#import \"x\"",
+        "_x0041_",
+        "\u{202e}\u{5e8}\u{5d5}",
+        "1.5",
+    ];
+    for text in texts {
+        let mut book = only_texts_and_numbers(book(&with_text(text)));
+        let names = book.worksheet_range("Parameters").unwrap();
+        assert_eq!(names.get((1, 0)), Some(&Data::String(text.to_owned())));
+    }
+}
+
+#[test]
+fn what_a_cell_cannot_hold_is_cut_or_replaced() {
+    let mut documents = Documents::demo();
+    documents.campaign.notes = Some("ü".repeat(40_000));
+    documents.campaign.operator = Some("a\0b\u{fffe}c".to_owned());
+    documents.parameters.parameters[0].value = f64::NAN;
+    documents.parameters.parameters[1].value = f64::INFINITY;
+    documents.errors[0].pose = i64::MAX;
+    let mut book = read(&documents);
+    let summary = book.worksheet_range("Summary").unwrap();
+    let cells: Vec<String> = summary.rows().map(|row| row[1].to_string()).collect();
+    assert!(cells.contains(&"a\u{fffd}b\u{fffd}c".to_owned()) && cells.contains(&"ü".repeat(32_767)));
+    let parameters = book.worksheet_range("Parameters").unwrap();
+    assert_eq!(parameters.get((1, 4)), Some(&Data::String("not a number".to_owned())));
+    let residuals = book.worksheet_range("Residuals").unwrap();
+    assert_eq!(residuals.get((1, 1)), Some(&Data::String(i64::MAX.to_string())));
+}

@@ -1,0 +1,123 @@
+//! What quantities and families of a comparison are called, and their changes in words, for the report and for the terminal.
+//!
+//! Documents name them in English; names of parameters and streams stay.
+
+use super::Words;
+use crate::base::message::one_line;
+use crate::document::{CompareChange, CompareFamily, CompareTrend, CompareValue};
+use crate::report::number;
+
+/// A family in words.
+pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
+    match family {
+        CompareFamily::Robot => words.say("Parameters of the robot"),
+        CompareFamily::SetUp => words.say("Parameters of base and targets"),
+        CompareFamily::MeanError => words.say("Accuracy"),
+        CompareFamily::PoseAccuracy => words.say("Pose accuracy AP"),
+        CompareFamily::MeanPosition => words.say("Mean positions"),
+        CompareFamily::PoseRepeatability => words.say("Pose repeatability RP"),
+        CompareFamily::PathAccuracy => words.say("Path accuracy AT"),
+        CompareFamily::PathRepeatability => words.say("Path repeatability RT"),
+    }
+}
+
+/// What a picture or a row is of.
+pub(crate) fn quantity(trend: &CompareTrend, words: &Words) -> String {
+    let name = &one_line(&trend.name);
+    let named = match trend.family {
+        CompareFamily::Robot => Some(words.fill("Parameter {0}", &[name])),
+        CompareFamily::SetUp => Some(words.fill("Parameter {0} (base or target)", &[name])),
+        CompareFamily::MeanError => error(name, words),
+        CompareFamily::PoseAccuracy | CompareFamily::MeanPosition | CompareFamily::PoseRepeatability => {
+            of_pose(name, words)
+        }
+        CompareFamily::PathAccuracy | CompareFamily::PathRepeatability => None,
+    };
+    named.unwrap_or_else(|| name.clone())
+}
+
+/// `position of calibration poses, before`
+fn error(name: &str, words: &Words) -> Option<String> {
+    let (quantity, rest) = name.split_once(" of ")?;
+    let (set, when) = rest.rsplit_once(" poses, ")?;
+    Some(words.fill("Mean error: {0} of {1} poses, {2}", &[&words.say(quantity), &words.say(set), &words.say(when)]))
+}
+
+/// `AP, pose 3`, `mean x, pose 3` or `RP, homing`
+fn of_pose(name: &str, words: &Words) -> Option<String> {
+    let (what, place) = name.split_once(", ")?;
+    let what = match what.strip_prefix("mean ") {
+        Some(axis) => words.fill("mean {0}", &[&axis]),
+        None => what.to_owned(),
+    };
+    let place = match place.strip_prefix("pose ") {
+        Some(pose) => words.fill("pose {0}", &[&pose]),
+        None => words.say(place),
+    };
+    Some(format!("{what}, {place}"))
+}
+
+/// A change ready to print; what is not known is empty.
+pub(crate) struct Change {
+    /// Which campaign from which.
+    pub pair: String,
+    /// The change with its unit, or the ratio.
+    pub change: String,
+    /// Its interval.
+    pub interval: String,
+    /// Probability by chance.
+    pub p: String,
+    /// The same, corrected for the number of quantities.
+    pub p_holm: String,
+    /// What follows.
+    pub verdict: String,
+}
+
+/// A unit as it stands behind a number.
+pub(crate) fn unit(unit: &str) -> String {
+    if unit == "1" { String::new() } else { one_line(unit) }
+}
+
+/// Half the interval: what the digits of a value follow.
+pub(crate) fn half(v: &CompareValue) -> Option<f64> {
+    Some(0.5 * (v.high? - v.low?))
+}
+
+/// A value with its interval.
+pub(crate) fn value(v: &CompareValue, words: &Words) -> String {
+    let shown = |number: f64| number::with_uncertainty(number, half(v));
+    match (v.value, v.low, v.high) {
+        (None, ..) => words.say("not known"),
+        (Some(value), Some(low), Some(high)) => format!("{} [{}, {}]", shown(value), shown(low), shown(high)),
+        (Some(value), ..) => shown(value),
+    }
+}
+
+/// Which campaign from which.
+pub(crate) fn pair(c: &CompareChange, words: &Words) -> String {
+    words.fill("{0} from {1}", &[&c.to, &c.from])
+}
+
+/// A change of a quantity.
+pub(crate) fn change(t: &CompareTrend, c: &CompareChange, words: &Words) -> Change {
+    let half = c.low.zip(c.high).map(|(low, high)| 0.5 * (high - low));
+    let shown = |number: f64| number::with_uncertainty(number, half);
+    let change = match c.ratio {
+        Some(ratio) => format!("× {}", shown(ratio)),
+        None => format!("{}{} {}", if c.change > 0.0 { "+" } else { "" }, shown(c.change), unit(&t.unit)),
+    };
+    let interval = c.low.zip(c.high).map(|(low, high)| words.fill("{0} to {1}", &[&shown(low), &shown(high)]));
+    let probability = |p: Option<f64>| p.map_or_else(String::new, |p| number::significant(p, 2));
+    Change {
+        pair: pair(c, words),
+        change: change.trim_end().to_owned(),
+        interval: interval.unwrap_or_default(),
+        p: probability(c.p),
+        p_holm: probability(c.p_holm),
+        verdict: match c.significant {
+            Some(true) => words.say("changed"),
+            Some(false) => words.say("no significant change"),
+            None => words.say("no uncertainty is known"),
+        },
+    }
+}

@@ -1,0 +1,167 @@
+//! The report as an Excel workbook: the verdict and its numbers first, then a sheet for each kind of table, every number
+//! with all its digits.
+
+use super::model::{Block, Cell, Columns, Contents, Fact, Table};
+use super::words::Words;
+use crate::base::message::{Message, Result};
+use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
+
+/// What Excel holds on one sheet, less the header and a line that says what is left out.
+const ROWS: usize = 1_048_574;
+/// What Excel holds in one cell, UTF-16 units.
+const CELL: usize = 32_767;
+/// Excel holds whole numbers up to this one; beyond, a number would be another one.
+const WHOLE: u64 = 1 << 53;
+const WIDTH: std::ops::RangeInclusive<usize> = 8..=60;
+/// Rows that are looked at for the width of a column.
+const LOOKED_AT: usize = 1000;
+
+/// One sheet: title and unit of its columns, and its rows.
+struct Sheet<'a> {
+    name: &'a str,
+    columns: Vec<(&'a str, &'a str)>,
+    rows: Vec<Vec<&'a Cell>>,
+}
+
+/// All tables as a workbook (.xlsx), as bytes that depend on nothing else.
+pub(super) fn workbook(contents: &Contents, words: &Words) -> Result<Vec<u8>> {
+    let fail = |e: XlsxError| Message::error(format!("cannot write the workbook: {e}"));
+    let mut workbook = Workbook::new();
+    let created = rust_xlsxwriter::ExcelDateTime::from_ymd(1980, 1, 1).map_err(fail)?;
+    let properties = rust_xlsxwriter::DocProperties::new().set_creation_datetime(&created);
+    workbook.set_properties(
+        &properties.set_title(printable(&contents.title)).set_comment(concat!("etalon ", env!("CARGO_PKG_VERSION"))),
+    );
+    let summary = summary(contents, words);
+    fill(workbook.add_worksheet(), &sheet("Summary", &summary)).map_err(fail)?;
+    for sheet in sheets(contents) {
+        fill(workbook.add_worksheet(), &sheet).map_err(fail)?;
+    }
+    Ok(workbook.save_to_buffer().map_err(fail)?)
+}
+
+/// The first sheet: the verdict, and the lines that every section has for it.
+fn summary(contents: &Contents, words: &Words) -> Table {
+    let line = |what: String, said: &str| Fact { what, said: said.into(), unit: "" };
+    let mut lines = vec![line(words.say("verdict"), &contents.verdict.sentences.join(" "))];
+    lines.push(line(words.say("report"), &contents.title));
+    lines.extend(contents.synthetic.iter().map(|why| line(words.say("synthetic data"), why)));
+    let facts = lines.iter().chain(contents.sections.iter().flat_map(|s| &s.summary));
+    let version = line(words.say("written by"), &format!("etalon {}", contents.version));
+    let stated = facts.chain([&version]).filter(|f| !f.said.is_missing());
+    let columns = Columns::<Fact>::new()
+        .sheet("what", "", |f| f.what.as_str())
+        .sheet("value", "", |f| f.said.clone())
+        .sheet("unit", "", |f| f.unit);
+    Table::of(words, stated, columns)
+}
+
+fn sheet<'a>(name: &'a str, table: &'a Table) -> Sheet<'a> {
+    let columns = table.sheet_columns();
+    let row = |row: &'a Vec<Cell>| columns.iter().map(|(i, ..)| &row[*i]).collect();
+    let rows = table.rows.iter().map(row).collect();
+    Sheet { name, columns: columns.iter().map(|(_, title, unit)| (*title, *unit)).collect(), rows }
+}
+
+/// Every table that has a sheet, those of one sheet below each other.
+fn sheets(contents: &Contents) -> Vec<Sheet<'_>> {
+    let mut all: Vec<Sheet> = Vec::new();
+    for table in contents.sections.iter().flat_map(|s| tables(&s.blocks).into_iter().chain(&s.data)) {
+        let more = sheet(table.sheet, table);
+        if table.sheet.is_empty() || table.rows.is_empty() {
+            continue;
+        }
+        match all.iter_mut().find(|s| s.name == more.name && s.columns == more.columns) {
+            Some(sheet) => sheet.rows.extend(more.rows),
+            None => all.push(more),
+        }
+    }
+    all
+}
+
+fn tables(blocks: &[Block]) -> Vec<&Table> {
+    blocks
+        .iter()
+        .flat_map(|block| match block {
+            Block::Table(table) => vec![table],
+            Block::Aside { blocks, .. } => tables(blocks),
+            _ => vec![],
+        })
+        .collect()
+}
+
+fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxError> {
+    let head =
+        Format::new().set_bold().set_background_color(Color::RGB(0x00F3_F5F8)).set_border_bottom(FormatBorder::Thin);
+    let text = Format::new().set_num_format("@").set_align(FormatAlign::Top);
+    page.set_name(sheet.name)?;
+    let last = sheet.columns.len().saturating_sub(1) as u16;
+    let mut numbers = Vec::new();
+    for (i, (title, unit)) in (0u16..).zip(&sheet.columns) {
+        page.write_string_with_format(0, i, printable(title), &head)?;
+        page.set_column_width(i, width(sheet, usize::from(i)) as f64)?;
+        numbers.push(Format::new().set_num_format(number_format(unit)).set_align(FormatAlign::Top));
+    }
+    for (i, row) in (1u32..).zip(sheet.rows.iter().take(ROWS)) {
+        for ((j, cell), number) in (0u16..).zip(row).zip(&numbers) {
+            match cell {
+                Cell::Missing => continue,
+                Cell::Number { value, .. } if value.is_finite() => {
+                    page.write_number_with_format(i, j, *value, number)?
+                }
+                Cell::Number { .. } => page.write_string_with_format(i, j, "not a number", &text)?,
+                Cell::Count(count) if count.unsigned_abs() <= WHOLE => {
+                    page.write_number_with_format(i, j, *count as f64, number)?
+                }
+                // a text is written as text, also where it looks like a formula, a number or a link
+                cell => page.write_string_with_format(i, j, printable(&cell.plain()), &text)?,
+            };
+        }
+    }
+    let written = sheet.rows.len().min(ROWS) as u32;
+    if let Some(left_out) = sheet.rows.len().checked_sub(ROWS).filter(|n| *n > 0) {
+        page.write_string(written + 1, 0, format!("{left_out} more rows are left out: the documents have all"))?;
+    }
+    page.set_freeze_panes(1, 0)?;
+    page.autofilter(0, 0, written, last)?;
+    page.set_landscape().set_print_fit_to_pages(1, 0).set_repeat_rows(0, 0)?;
+    Ok(())
+}
+
+/// Characters that column `i` needs.
+fn width(sheet: &Sheet, i: usize) -> usize {
+    let shown = |cell: &Cell| match cell {
+        Cell::Missing => 0,
+        Cell::Number { .. } | Cell::Count(_) => 11,
+        cell => cell.plain().lines().map(|l| l.chars().count()).max().unwrap_or(0),
+    };
+    let rows = sheet.rows.iter().take(LOOKED_AT).map(|row| shown(row[i])).max().unwrap_or(0);
+    // room for the button of the filter
+    rows.max(sheet.columns[i].0.chars().count() + 3).clamp(*WIDTH.start(), *WIDTH.end())
+}
+
+/// Digits that a reader wants to see; the cell holds all.
+fn number_format(unit: &str) -> &'static str {
+    match unit {
+        "mm" => "0.00000",
+        "deg" => "0.000000",
+        "µm" => "0.00",
+        _ => "General",
+    }
+}
+
+/// Text that a workbook can hold: no character that XML forbids, and no more than a cell takes.
+fn printable(text: &str) -> String {
+    let allowed = |c: char| match c {
+        '\n' | '\t' => c,
+        '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
+        c if c.is_control() => '\u{fffd}',
+        c => c,
+    };
+    let mut units = 0;
+    let fits = |c: &char| {
+        units += c.len_utf16();
+        units <= CELL
+    };
+    text.chars().map(allowed).take_while(fits).collect()
+}
