@@ -1,5 +1,6 @@
 //! What every kind of report must show, survive and never contain.
 
+#[cfg(test)]
 mod comparison;
 pub(super) mod demo;
 pub(super) mod demo_iso9283;
