@@ -30,7 +30,7 @@ pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
 
 /// A column of whole numbers without gaps.
 pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
-    let wrong = || Message::error(format!("column `{name}` holds something that is no whole number"));
+    let wrong = || Message::error(format!("column `{name}` holds a value that is not a whole number"));
     let column = column(table, name)?;
     // a cast would cut 1.5 and 1e300
     let cut = |v: Option<f64>| v.is_some_and(|v| v.fract() != 0.0 || v.abs() > 9e15);

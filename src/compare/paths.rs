@@ -38,7 +38,7 @@ pub(super) fn trends(all: &[&Iso9283StreamsDocument], messages: &mut Vec<Message
         let fewest = paths.iter().map(|p| p.passes).min().unwrap_or(0);
         if fewest < TESTED_PASSES {
             let what = format!(
-                "AT and RT of stream `{name}` rest on {}: what is said of a change was tested with {TESTED_PASSES}, and is less \
+                "AT and RT of stream `{name}` rest on {}: the test of a change was validated with {TESTED_PASSES}, and is less \
                  sure",
                 count(fewest, "pass")
             );

@@ -67,7 +67,7 @@ pub fn parameters_document(
             common_standard_uncertainty_mm: settings.common_uncertainty_mm,
             chi_square: found.chi_square,
             uncertainties_from: found.uncertainty_from,
-            uncertainties_enlarged_by: found.enlarged_by,
+            uncertainties_enlarged_by: found.inflation_factor,
         },
         observability: found.observability.as_ref().map(|o| observability_summary(robot, o)),
         solver: SolverSummary {

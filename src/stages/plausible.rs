@@ -3,7 +3,7 @@
 use crate::base::message::Message;
 use crate::base::pose::{centroid, minus, norm};
 use crate::document::PointError;
-use crate::math::identify::{Identification, Observation, Settings, chi_square_exceeds, suspects};
+use crate::math::identify::{Identification, Observation, Settings, chi_square_exceeds, outliers};
 use crate::math::robots::{Parameter, Quantity, Robot, Role};
 
 /// Gains and couplings further than this from nominal are no errors of a transmission.
@@ -28,7 +28,7 @@ pub fn doubts(
         None => !messages.is_empty(),
     };
     if misfit {
-        messages.extend(suspects(robot, observations, settings, found));
+        messages.extend(outliers(robot, observations, settings, found));
     }
     messages
 }

@@ -65,7 +65,7 @@ fn one_working_mode_says_what_it_cannot_tell() {
     }
     std::fs::write(folder.path().join("c.csv"), &csv).unwrap();
     let found = plan(folder.path(), &["--positions", "7", "--nodes", "0"]);
-    assert!(found.messages.iter().any(|m| m.what.contains("tell apart")), "{:?}", found.messages);
+    assert!(found.messages.iter().any(|m| m.what.contains("identifiable")), "{:?}", found.messages);
     assert!(found.parameters.iter().filter(|p| !p.confounded_with.is_empty()).count() >= 2, "{:?}", found.parameters);
     // a candidate without its assembly mode is refused, with the way out
     std::fs::write(

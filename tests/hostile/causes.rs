@@ -35,9 +35,9 @@ fn one_pose_names_the_parameters_that_it_does_not_tell() {
     scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"1\"");
     // pose 1 is K and L at one place: four equations, each five times
     let parts = [
-        "20 residuals from 1 pose, 4 of them independent, cannot tell 14 parameters",
-        "the data do not see `beta`",
-        "`y_o` cannot be told apart from",
+        "20 residuals from 1 pose, 4 of them independent, do not determine 14 parameters",
+        "the data do not depend on `beta`",
+        "`y_o` is not separately identifiable from",
         "measure more poses",
     ];
     run(&scratch, 2, &parts);
@@ -106,11 +106,11 @@ fn targets_exchanged_at_one_pose_are_found_there() {
     let scratch = copy_sample("prexyt-cmm");
     let at_pose_3 = |line: &str| if line[1..].starts_with("_3_") { exchanged(line) } else { line.to_owned() };
     rewrite(&scratch, "exports/poses.txt", at_pose_3);
-    let said = run(&scratch, 1, &["the model does not describe this robot", "leaves most, 14"]);
+    let said = run(&scratch, 1, &["the model does not describe this robot", "largest residuals of a robust fit: 14"]);
     // about l_kl at both balls of pose 3
-    let most: Vec<&str> = said.split("leaves most, ").nth(1).unwrap().split(", ").collect();
+    let most: Vec<&str> = said.split("robust fit: ").nth(1).unwrap().split("), ").collect();
     for (most, ball) in most.iter().zip(["K", "L"]) {
-        assert!(most.starts_with("14") && most.contains(&format!(" mm at {ball} of pose 3 in cycle")), "{most}");
+        assert!(most.starts_with("14") && most.contains(&format!(" mm ({ball}, pose 3, cycle ")), "{most}");
     }
 }
 
@@ -124,9 +124,13 @@ fn a_blunder_of_one_ball_is_found_with_its_size() {
         }
         None => line.to_owned(),
     });
-    let said = run(&scratch, 1, &["times what the instrument's uncertainty explains", "leaves most, 1.00"]);
-    let most = said.split("leaves most, ").nth(1).unwrap();
-    assert!(most.split(", ").next().unwrap().ends_with(" mm at K of pose 5 in cycle 3"), "{most}");
+    let said = run(
+        &scratch,
+        1,
+        &["times what the instrument's uncertainty explains", "largest residuals of a robust fit: 1.00"],
+    );
+    let most = said.split("robust fit: ").nth(1).unwrap();
+    assert!(most.split("), ").next().unwrap().ends_with(" mm (K, pose 5, cycle 3"), "{most}");
 }
 
 #[test]

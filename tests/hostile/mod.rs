@@ -244,7 +244,8 @@ fn too_few_poses_are_said_so() {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("campaign.toml", "calibration = \"1-8\"", &format!("calibration = \"{poses}\""));
         let (_, said) = etalon(&scratch, "run");
-        let named = said.contains("cannot tell apart `") || said.contains("` cannot be told apart from `");
+        let named = said.contains("` are not separately identifiable")
+            || said.contains("` is not separately identifiable from `");
         assert!(named && !said.contains("panicked"), "{said}");
     }
 }

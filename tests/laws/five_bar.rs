@@ -112,7 +112,7 @@ fn one_working_mode_alone_leaves_parameters_that_are_named() {
             found.observability.as_ref().expect("told").condition
         );
         assert!(!told(&found).is_empty());
-        assert!(found.warnings.iter().any(|w| w.what.contains("tell apart")), "{:?}", found.warnings);
+        assert!(found.warnings.iter().any(|w| w.what.contains("identifiable")), "{:?}", found.warnings);
     }
 }
 

@@ -141,9 +141,9 @@ fn a_wrong_side_and_a_probe_that_does_not_fit_are_refused_with_a_hint() {
             refused(element, radius, right, None, "the probe radius is");
         }
         match element {
-            Element::Plane => refused(element, 2.0, Side::Towards([1.0, 2.0, 1e-3]), None, "says no side"),
+            Element::Plane => refused(element, 2.0, Side::Towards([1.0, 2.0, 1e-3]), None, "does not give a side"),
             Element::Line | Element::Line2d => {
-                refused(element, 2.0, Side::Towards([1.0, 1e-3, 0.0]), None, "says no side")
+                refused(element, 2.0, Side::Towards([1.0, 1e-3, 0.0]), None, "does not give a side")
             }
             _ => refused(element, 1e3, Side::Outside, None, "cannot have touched"),
         }

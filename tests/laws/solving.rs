@@ -145,10 +145,8 @@ fn the_covariance_of_a_robust_fit_is_the_scatter_of_many() {
 #[test]
 fn priors_are_rows_and_count_in_chi_square_and_degrees_of_freedom() {
     let line = line();
-    let priors = [
-        Prior { parameter: 0, value: 2.0, standard_uncertainty: 0.1 },
-        Prior { parameter: 1, value: 0.4, standard_uncertainty: 0.02 },
-    ];
+    let priors =
+        [Prior { parameter: 0, value: 2.0, weight: 1.0 / 0.1 }, Prior { parameter: 1, value: 0.4, weight: 1.0 / 0.02 }];
     let solution = solve(&WithPriors::new(&line, &priors), &[0.0, 0.0], Options::default());
     // the closed solution: (JᵀJ + P)⁻¹ (Jᵀy + P p)
     let (mut a, mut b, mut c, mut g, mut h) = (100.0, 0.0, 2500.0, 200.0, 1000.0);
@@ -175,7 +173,7 @@ fn no_loss_weighs_a_prior_down() {
     // the prior lies ten of its uncertainties away: with a loss on it, it would hardly pull
     let alone = Line { t: vec![0.0, 0.0, 0.0], y: vec![0.0, 0.1, -0.1] };
     let flat = Held::new(&alone, &[0.0, 0.0], &[0]);
-    let prior = [Prior { parameter: 0, value: 10.0, standard_uncertainty: 1.0 }];
+    let prior = [Prior { parameter: 0, value: 10.0, weight: 1.0 / 1.0 }];
     let options = Options { loss: Loss::Huber(100.0), ..Options::default() };
     let squares = solve(&WithPriors::new(&flat, &prior), &[0.0], options);
     assert!((squares.x[0] - 2.5).abs() < 1e-14);
@@ -189,7 +187,7 @@ fn a_prior_settles_what_the_residuals_leave_open() {
     let one = Line { t: vec![1.0, 1.0], y: vec![3.0, 3.0] };
     let open = solve(&one, &[0.0, 0.0], Options::default());
     assert_eq!(open.rank(), Some(1));
-    let prior = [Prior { parameter: 1, value: 2.0, standard_uncertainty: 0.5 }];
+    let prior = [Prior { parameter: 1, value: 2.0, weight: 1.0 / 0.5 }];
     let settled = solve(&WithPriors::new(&one, &prior), &[0.0, 0.0], Options::default());
     assert!((settled.x[0] - 1.0).abs() < 1e-14 && (settled.x[1] - 2.0).abs() < 1e-14);
     assert_eq!(settled.rank(), Some(2));

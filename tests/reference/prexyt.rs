@@ -126,7 +126,7 @@ fn the_spread_of_each_parameter_is_its_stated_uncertainty_and_chi_square_has_its
                 Settings { kind, standard_uncertainty_mm: Some(0.005), common_uncertainty_mm: None, hold: Vec::new() };
             let found = identify(&robot, &observations, &settings).expect("identified");
             // once in a thousand chi-square rejects by chance: that enlarges, and is not what is tested here
-            for &i in found.free.iter().filter(|_| found.enlarged_by == 1.0) {
+            for &i in found.free.iter().filter(|_| found.inflation_factor == 1.0) {
                 let pull = (found.values[i] - truth()[i]) / found.standard_uncertainty(i).expect("identified");
                 squares[i] += pull * pull / SEEDS as f64;
             }

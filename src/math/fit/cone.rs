@@ -46,7 +46,7 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &Settings) ->
     fit.apex_angle_rad = Some(2.0 * half_angle.abs());
     let uncertain = fit.standard_uncertainty().and_then(|u| u.apex_angle_rad);
     if uncertain.is_some_and(|u| u > half_angle.abs()) {
-        let what = "the apex angle of the cone cannot be told from zero (k = 2)";
+        let what = "the apex angle of the cone is not distinguishable from zero (k = 2)";
         fit.warnings.push(Message::warning(what).hint("fit a cylinder"));
     }
     Ok(fit.compensated(settings.probe)?.with_warnings())

@@ -182,7 +182,7 @@ fn larger_than_nothing(element: Element, probe: &Probe, radius_mm: Option<f64>, 
 
 fn no_side(element: Element, to: Vector) -> crate::base::message::Problems {
     refuse(
-        format!("the direction {to:?} to the probe runs along the {element}: it says no side"),
+        format!("the direction {to:?} to the probe runs along the {element} and does not give a side"),
         format!("a direction away from the {element}"),
         "state the direction from what was touched to the probe",
     )

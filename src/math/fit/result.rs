@@ -287,7 +287,7 @@ impl Fit {
         if let Some((u, radius)) = uncertain.filter(|(u, radius)| 2.0 * u > 0.1 * radius) {
             let covered = self.coverage_deg().map_or(String::new(), |d| format!(" over {d:.0} degrees"));
             let what = format!(
-                "the radius {radius:.6} mm of the {} is known to ±{:.2e} mm (k = 2) only{covered}",
+                "the radius {radius:.6} mm of the {} has an expanded uncertainty of {:.2e} mm (k = 2){covered}",
                 self.element,
                 2.0 * u
             );

@@ -125,8 +125,10 @@ fn with_uncertainty(to_T_from: Pose, residuals_mm: Vec<Vector>, from: &Cloud) ->
     let inertia = from.spread[1].hypot(from.spread[2]) * from.scale_mm;
     let mut warnings = Vec::new();
     if sigma > 0.0 && sigma / inertia > 0.01 {
-        let what =
-            format!("the rotation is known to ±{:.1} degrees (k = 2) only", (2.0 * sigma / inertia).to_degrees());
+        let what = format!(
+            "the rotation has an expanded uncertainty of {:.1} degrees (k = 2)",
+            (2.0 * sigma / inertia).to_degrees()
+        );
         warnings.push(
             Message::warning(what).hint("use targets farther apart, and check that their names are not mixed up"),
         );

@@ -1,4 +1,4 @@
-//! A circle through points in the plane, its centre known as well as they are.
+//! A circle through points in the plane, with the uncertainty of its centre.
 
 use super::readings::{Flat, Point, Readings, Scatter, shifts, values};
 use super::uncertain::Uncertain;
@@ -14,7 +14,7 @@ pub struct Circle {
     pub radius: Uncertain,
     /// How much of the turn has points.
     pub coverage_deg: f64,
-    /// Radial residuals (thesis 2.6.1 tells their largest and their norm).
+    /// Radial residuals (thesis 2.6.1 gives their largest and their norm).
     pub scatter: Scatter,
 }
 

@@ -42,7 +42,7 @@ impl Lead {
         }
         let ratio = norm(g);
         if n < 3 || !(ratio.is_finite() && ratio > 0.0) {
-            return Err(Message::error("the lead of an actuator cannot be told from these positions")
+            return Err(Message::error("the lead of an actuator cannot be determined from these positions")
                 .expected("three readings or more, at two commanded displacements or more")
                 .into());
         }

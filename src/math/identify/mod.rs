@@ -1,34 +1,29 @@
-//! Identification: parameters from observations, with what the data can and cannot tell, and how well.
+//! Identification: parameters from observations, which of them the data determine, and how well.
 
-mod assembly;
-mod common;
+mod diagnosis;
 mod identifiability;
 mod logs;
 mod observability;
 mod observation;
 mod predict;
 mod residuals;
-mod settle;
 mod start;
-mod stopped;
-mod suspects;
 mod uncertainty;
 
-pub use assembly::stated_modes;
+pub use diagnosis::outliers;
 pub use identifiability::{Group, RANK_TOLERANCE};
 pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, SingularValue, WeakGroup};
-pub use observation::Observation;
+pub use observation::{Observation, stated_modes};
 pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use residuals::ResidualKind;
-pub use suspects::suspects;
 pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
 
 use crate::base::message::{Message, Result};
 use crate::base::pattern::matches_pattern;
 use crate::math::robots::{Robot, Role};
 use crate::math::solve::Termination;
-use settle::settle;
+use identifiability::solve_identifiable;
 
 /// What is identified from which residuals.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +47,7 @@ pub enum Status {
     Identified,
     /// Held by the settings, or not part of these residuals.
     Fixed,
-    /// Held because the data cannot tell it apart from others, or do not see it at all.
+    /// Held because the data do not determine it separately from others, or not at all.
     NotIdentifiable,
 }
 
@@ -65,15 +60,15 @@ pub struct Identification {
     pub status: Vec<Status>,
     /// Indices of the identified parameters: the order of `covariance`.
     pub free: Vec<usize>,
-    /// Covariance of the identified parameters, row by row (mm, rad, 1); `None` where nothing tells it.
+    /// Covariance of the identified parameters, row by row (mm, rad, 1); `None` where it cannot be determined.
     pub covariance: Option<Vec<f64>>,
     /// What the covariance rests on.
     pub uncertainty_from: UncertaintyFrom,
     /// By how much standard uncertainties are larger than the instrument's uncertainty alone makes them (median).
-    pub enlarged_by: f64,
-    /// Sets of parameters that the data cannot tell apart.
+    pub inflation_factor: f64,
+    /// Sets of parameters that are not separately identifiable.
     pub groups: Vec<Group>,
-    /// Sets of parameters that the data hardly tell apart.
+    /// Sets of parameters that are weakly identifiable.
     pub weak: Vec<WeakGroup>,
     /// Singular values of the Jacobian and what follows from them; `None` where they are not numbers.
     pub observability: Option<Observability>,
@@ -89,7 +84,7 @@ pub struct Identification {
     pub iterations: usize,
     /// How the solver ended.
     pub termination: Termination,
-    /// What the user should know, with remedies.
+    /// Warnings, with remedies.
     pub warnings: Vec<Message>,
 }
 
@@ -104,8 +99,8 @@ impl Identification {
 /// Identifies the parameters of `robot` from `observations`.
 ///
 /// Redundant parameters are found by the rank of the scaled Jacobian, at the start and again at the solution; of each
-/// group the one that stands last in the model's list is held at its nominal value, so that base and targets, which
-/// come first, take up what cannot be told apart from them.
+/// group the one that is last in the model's list is held at its nominal value, so that base and targets, which
+/// come first, take up what is not separately identifiable from them.
 pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     let start = start::start(robot, observations, &wanted)?;
@@ -120,8 +115,8 @@ pub fn identify_from(
     start: &[f64],
 ) -> Result<Identification> {
     let wanted = wanted_parameters(robot, observations, settings)?;
-    let settled = settle(robot, observations, settings, &wanted, start)?;
-    uncertainty::conclude(robot, observations, settings, &wanted, settled)
+    let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
+    uncertainty::with_uncertainty(robot, observations, settings, &wanted, found)
 }
 
 /// Parameters of the nominal robot with only base and targets fitted, wherever they are: what accuracy is before a
@@ -133,7 +128,7 @@ pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Se
         return Ok(robot.nominal());
     }
     let start = start::start(robot, observations, &frames)?;
-    Ok(settle(robot, observations, settings, &frames, &start)?.values)
+    Ok(solve_identifiable(robot, observations, settings, &frames, &start)?.values)
 }
 
 fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
@@ -158,7 +153,7 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in &settings.hold {
         if !names().any(|name| matches_pattern(pattern, name)) {
-            let what = format!("`hold` names `{pattern}`, which is no parameter of this robot");
+            let what = format!("`hold` names `{pattern}`, which is not a parameter of this robot");
             return Err(Message::error(what).hint_names(pattern, names()).into());
         }
     }

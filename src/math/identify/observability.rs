@@ -1,4 +1,4 @@
-//! What the poses can tell: observability indices, and parameters that are hardly told apart.
+//! Observability of the parameters: its indices, and parameters that are weakly identifiable.
 
 use super::residuals::Residuals;
 use crate::base::message::Message;
@@ -15,7 +15,7 @@ pub struct Observability {
     pub indices: [f64; 5],
     /// Condition number with scaled columns.
     pub condition: f64,
-    /// Number of parameters told apart.
+    /// Number of parameters that are separately identifiable.
     pub rank: usize,
     /// Singular values of the Jacobian with its columns divided by their norms, descending: the first over the last is the
     /// condition number.
@@ -34,7 +34,7 @@ pub struct SingularValue {
     pub parameters: Vec<usize>,
 }
 
-/// Parameters that the data can hardly tell apart: their uncertainties are large and cancel each other.
+/// Parameters that are weakly identifiable: their uncertainties are large and cancel each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WeakGroup {
     /// Indices of the parameters.
@@ -45,7 +45,7 @@ pub struct WeakGroup {
     pub correlation: f64,
 }
 
-/// Parameters are hardly told apart where their uncertainty alone would move the targets by more than this many times
+/// Parameters are weakly identifiable where their uncertainty alone would move the targets by more than this many times
 /// what the instrument resolves (root mean square over the residuals, each pose measured once).
 const WEAK_EFFECT: f64 = 10.0;
 /// Share of a singular vector above which a parameter takes part.
@@ -53,7 +53,7 @@ const MEMBER: f64 = 0.3;
 /// Correlation, by size, that binds two of them.
 const BOUND: f64 = 0.9;
 
-/// Observability at a solution, and the groups of parameters that are hardly told apart there.
+/// Observability at a solution, and the groups of parameters that are weakly identifiable there.
 pub(super) fn observe(
     problem: &Residuals,
     solution: &Solution,
@@ -77,7 +77,7 @@ pub(super) fn observe(
     let Some(covariance) = covariance else { return Some((observability, Vec::new())) };
     let u = |k: usize| covariance[k * n + k].sqrt();
     let correlation = |i: usize, j: usize| covariance[i * n + j] / (u(i) * u(j));
-    // repeats make everything better known, not better told apart
+    // repeats make every parameter better known, not better separable
     let mut poses = problem.poses();
     let rows = poses.len() as f64;
     poses.dedup();
@@ -133,7 +133,7 @@ fn plain(problem: &Residuals, x: &[f64]) -> (Factor, Vec<f64>) {
 }
 
 /// Splits `members` into sets bound by correlation: vectors of nearly equal singular values mix what has nothing to do
-/// with each other. Where no two are bound, all of them are only together not told.
+/// with each other. Where no two are bound, all of them are not identifiable together.
 fn bind(members: &[usize], correlation: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<usize>> {
     let mut sets: Vec<Vec<usize>> = Vec::new();
     for &j in members {
@@ -182,7 +182,7 @@ pub(super) fn weak_message(robot: &dyn Robot, weak: &WeakGroup) -> Message {
     };
     let uncertainties: Vec<String> = parameters.iter().zip(&weak.standard_uncertainties).map(say).collect();
     let what = format!(
-        "these poses can hardly tell apart `{}`: predicted standard uncertainties {} (correlation {:.6})",
+        "`{}` are weakly identifiable from these poses: predicted standard uncertainties {} (correlation {:.6})",
         names.join("` and `"),
         uncertainties.join(", "),
         weak.correlation

@@ -1,9 +1,8 @@
-//! Observations: where the targets were, and what the joints said.
+//! Observations: where the targets were, the joint values, and which of two assembly modes they leave.
 
-use super::assembly::{assign_modes, stated_modes};
 use crate::base::message::{Message, Place, Result};
-use crate::base::pose::Vector;
-use crate::base::table;
+use crate::base::pose::{Vector, minus, norm};
+use crate::base::table::{self, ASSEMBLY};
 use crate::math::robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 
@@ -24,7 +23,7 @@ impl Observation {
     /// Observations of `robot` from the tidy table (one row per pose, cycle and target), in the order of the table.
     ///
     /// Robots with assembly modes may bring several working modes to one pose and cycle: other joint values are then
-    /// another observation. What was taken from the measurement is told in `messages`.
+    /// another observation. What was taken from the measurement is in `messages`.
     pub fn from_table(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Self>> {
         let needed = ["pose", "cycle", "target", table::XYZ[0], table::XYZ[1]].map(str::to_owned);
         table::require(table, &[&needed[..], &robot.joints().iter().map(Joint::column).collect::<Vec<_>>()].concat())?;
@@ -49,7 +48,7 @@ impl Observation {
         for row in 0..table.height() {
             let what = || format!("pose {} cycle {} of the observations", poses[row], cycles[row]);
             let target = robot.targets().iter().position(|t| *t == names[row]).ok_or_else(|| {
-                let message = Message::error(format!("{}: `{}` is no target of this robot", what(), names[row]));
+                let message = Message::error(format!("{}: `{}` is not a target of this robot", what(), names[row]));
                 message.at(line(row)).hint_names(&names[row], robot.targets().iter().map(String::as_str))
             })?;
             let here: Vec<f64> = joints.iter().map(|j| j[row]).collect();
@@ -87,4 +86,111 @@ impl Observation {
         }
         Ok(observations)
     }
+}
+
+/// The farther position must be off by this many times what the nearer one is, to be distinguished from it.
+const CLEAR: f64 = 2.0;
+
+/// The assembly mode that each row of a table states; all `None` for robots without, or without the column.
+pub fn stated_modes(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Option<f64>>> {
+    if !robot.has_assembly_modes() || table.column(ASSEMBLY).is_err() {
+        return Ok(vec![None; table.height()]);
+    }
+    let mode = |(row, value): (usize, f64)| match value {
+        value if value.is_nan() => Ok(None),
+        value if value.abs() == 1.0 => Ok(Some(value)),
+        value => Err(Message::error(format!("row {} states the assembly mode {value}", row + 1))
+            .expected("1, -1 or nothing in the column `assembly`")
+            .into()),
+    };
+    table::numbers(table, ASSEMBLY)?.into_iter().enumerate().map(mode).collect()
+}
+
+/// Appends to the joint values of every observation its assembly mode: as `stated`, or the one whose position at nominal
+/// parameters is nearer to the measured one. Gives a message that says what was taken.
+fn assign_modes(
+    robot: &dyn Robot,
+    observations: &mut [Observation],
+    stated: &[Option<f64>],
+) -> Result<Option<Message>> {
+    let nominal = robot.nominal();
+    let (mut taken, mut least_clear): ([usize; 2], Option<(i64, f64, f64)>) = ([0, 0], None);
+    for (o, stated) in observations.iter_mut().zip(stated) {
+        let mode = match stated {
+            Some(mode) => *mode,
+            None => {
+                let (mode, near_mm, far_mm) = nearer(robot, &nominal, o)?;
+                taken[usize::from(mode < 0.0)] += 1;
+                if least_clear.is_none_or(|(_, near, far)| near_mm / far_mm > near / far) {
+                    least_clear = Some((o.pose, near_mm, far_mm));
+                }
+                mode
+            }
+        };
+        o.joints.push(mode);
+    }
+    Ok(least_clear.map(|(pose, near_mm, far_mm)| {
+        Message::warning(format!(
+            "the assembly mode of {} observations was taken from the measurement: {} in mode +1, {} in mode -1; least \
+             clear is pose {pose}, {near_mm:.1} mm from one and {far_mm:.1} mm from the other",
+            taken[0] + taken[1],
+            taken[0],
+            taken[1]
+        ))
+        .hint("state a column `assembly` with 1 or -1 where the log has it")
+    }))
+}
+
+/// Observations that the parameters `values` put far from where they were measured in the assembly mode that they state,
+/// and near in the other; how far in both, in mm. Empty where most are: the base is then elsewhere.
+pub(super) fn misplaced<'o>(
+    robot: &dyn Robot,
+    observations: &'o [Observation],
+    values: &[f64],
+) -> Vec<(&'o Observation, (f64, f64))> {
+    if !robot.has_assembly_modes() {
+        return Vec::new();
+    }
+    let both = |o: &'o Observation| {
+        let mode = *o.joints.last()?;
+        let (stated, other) = (off(robot, values, o, mode), off(robot, values, o, -mode));
+        (CLEAR * other < stated).then_some((o, (stated, other)))
+    };
+    let wrong: Vec<_> = observations.iter().filter_map(both).collect();
+    if 2 * wrong.len() < observations.len() { wrong } else { Vec::new() }
+}
+
+/// How far the farthest target was measured from where `values` put it in an assembly mode, mm.
+fn off(robot: &dyn Robot, values: &[f64], o: &Observation, mode: f64) -> f64 {
+    let mut joints = o.joints[..robot.joints().len()].to_vec();
+    joints.push(mode);
+    let miss =
+        |(k, measured): (usize, &Option<Vector>)| Some(norm(minus((*measured)?, robot.position(values, &joints, k))));
+    let larger = |worst: f64, d: f64| if d > worst || d.is_nan() { d } else { worst };
+    o.targets.iter().enumerate().filter_map(miss).fold(0.0, larger)
+}
+
+/// The mode that fits better, and by how much both are off.
+fn nearer(robot: &dyn Robot, nominal: &[f64], o: &Observation) -> Result<(f64, f64, f64)> {
+    let (plus, minus) = (off(robot, nominal, o, 1.0), off(robot, nominal, o, -1.0));
+    let (mode, near_mm, far_mm) = if minus < plus { (-1.0, minus, plus) } else { (1.0, plus, minus) };
+    let at = || format!("pose {} cycle {}", o.pose, o.cycle);
+    if !near_mm.is_finite() || !far_mm.is_finite() {
+        return Err(Message::error(format!(
+            "{}: with nominal parameters the arms do not meet at these joint values",
+            at()
+        ))
+        .hint("check unit, sign and offset of the joints, and the nominal parameters")
+        .into());
+    }
+    if CLEAR * near_mm >= far_mm {
+        let what = format!(
+            "{}: both assembly modes fit equally well, {near_mm:.2} mm and {far_mm:.2} mm from the measured position",
+            at()
+        );
+        return Err(Message::error(what)
+            .hint("state a column `assembly` with 1 or -1; or state the place of the base (x_o, y_o, phi) under [nominal]")
+            .into());
+    }
+    Ok((mode, near_mm, far_mm))
 }

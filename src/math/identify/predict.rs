@@ -1,4 +1,4 @@
-//! What an identification from planned observations would know, before anything is measured.
+//! The uncertainty of an identification from planned observations, before anything is measured.
 
 use super::identifiability::{Analysis, Group, RANK_TOLERANCE};
 use super::observability::{Observability, WeakGroup, observe, weak_message};
@@ -13,9 +13,9 @@ use std::collections::BTreeSet;
 /// Parameters that can be identified, and how the targets move with them, at nominal values.
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
-    /// Indices of the parameters that the observations can tell apart.
+    /// Indices of the parameters that are separately identifiable.
     pub free: Vec<usize>,
-    /// Sets of parameters that they cannot tell apart.
+    /// Sets of parameters that are not.
     pub groups: Vec<Group>,
     /// d positions / d free parameters (mm per mm, rad and 1), row by row.
     pub jacobian: Vec<f64>,
@@ -30,7 +30,7 @@ pub struct Sensitivity {
 pub struct Prediction {
     /// O1 to O5 and the condition number; `None` where they are not numbers.
     pub observability: Option<Observability>,
-    /// Sets of parameters that the observations hardly tell apart.
+    /// Sets of parameters that are weakly identifiable.
     pub weak: Vec<WeakGroup>,
     /// Covariance of the free parameters, row by row (mm, rad, 1).
     pub covariance: Vec<f64>,
@@ -38,7 +38,7 @@ pub struct Prediction {
     pub messages: Vec<Message>,
 }
 
-/// How `observations` depend on the parameters that they can tell apart; where the targets are does not matter.
+/// How `observations` depend on the parameters that are separately identifiable; where the targets are does not matter.
 pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Sensitivity> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     let nominal = robot.nominal();
@@ -58,7 +58,7 @@ pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &S
     Ok(Sensitivity { free, groups, jacobian, rows, messages })
 }
 
-/// What an identification of the parameters `free` from `observations` would know; an error where they do not suffice.
+/// What an identification of the parameters `free` from `observations` would determine; an error where they do not suffice.
 pub fn predict(
     robot: &dyn Robot,
     observations: &[Observation],

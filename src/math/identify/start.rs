@@ -1,4 +1,4 @@
-//! Starting values: a tracker stands anywhere, so base and targets of an arm are found, not assumed.
+//! Starting values: a tracker may be anywhere, so base and targets of an arm are found, not assumed.
 //!
 //! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube, and the nominal one,
 //! are tried in closed form, the best few refined on a subset of the poses, and the best of those taken.
@@ -73,7 +73,7 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[u
     }
     if (values[4].abs() - FRAC_PI_2).abs() < 0.1 {
         return Err(Message::error(
-            "the base stands with its x axis upright in the world: base_rx and base_rz turn about the same axis",
+            "the x axis of the base is upright in the world: base_rx and base_rz turn about the same axis",
         )
         .hint("set `base_turn_y_deg = 90` in the robot file: base_rx, base_ry and base_rz are then counted from there")
         .into());
@@ -145,7 +145,7 @@ fn linear_start(
     values[..3].copy_from_slice(&nominal[..3]);
     let factor = Factor::new(&a, &b, &vec![1.0; free.len()]);
     if !free.is_empty() {
-        // where base and targets cannot be told apart, the shortest solution
+        // where base and targets are not separable, the shortest solution
         for (&j, x) in free.iter().zip(factor.damped(1e-6).solve()?) {
             values[j] = x;
         }

@@ -1,8 +1,8 @@
-//! How well parameters are known: covariance and chi-square.
+//! Uncertainty of the parameters: covariance and chi-square.
 
+use super::identifiability::Identifiable;
 use super::observability::{held_singular_values, observe, weak_message};
 use super::residuals::Residuals;
-use super::settle::Settled;
 use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
 use crate::math::robots::{Quantity, Robot};
@@ -30,19 +30,19 @@ pub enum UncertaintyFrom {
 
 /// Probability with which a chi-square test rejects a right model.
 const REJECT: f64 = 1e-3;
-/// Poses per parameter from which their scatter tells a covariance.
+/// Poses per parameter from which their scatter gives a covariance.
 const POSES_PER_PARAMETER: usize = 3;
 
-/// What a settled solution means.
-pub(super) fn conclude(
+/// The identification that a solution is, with its uncertainty.
+pub(super) fn with_uncertainty(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
     wanted: &[usize],
-    settled: Settled,
+    found: Identifiable,
 ) -> Result<Identification> {
-    let problem = &Residuals::new(robot, observations, settings, &settled.free, &settled.values)?;
-    let Settled { values, groups, solution, iterations, .. } = settled;
+    let problem = &Residuals::new(robot, observations, settings, &found.free, &found.values)?;
+    let Identifiable { values, groups, solution, iterations, .. } = found;
     let solution = &solution;
     let (m, n) = (problem.residual_count(), problem.free.len());
     let dof = m - n;
@@ -65,7 +65,7 @@ pub(super) fn conclude(
         (Some(instrument), None) => (Some(instrument.clone()), UncertaintyFrom::Instrument),
         (None, _) if dof == 0 => {
             warnings.push(
-                Message::warning("there are as many equations as parameters: nothing tells how well they are known")
+                Message::warning("there are as many equations as parameters: their uncertainty cannot be determined")
                     .hint("measure more poses, or state the uncertainty of the instrument"),
             );
             (None, UncertaintyFrom::Nothing)
@@ -82,12 +82,12 @@ pub(super) fn conclude(
             }
         },
     };
-    let enlarged_by = match (&instrument, &covariance) {
+    let inflation_factor = match (&instrument, &covariance) {
         (Some(before), Some(after)) => median((0..n).map(|k| (after[k * n + k] / before[k * n + k]).sqrt()).collect()),
         _ => 1.0,
     };
     if let Some(chi) = rejected {
-        warnings.push(rejection(chi, dof, enlarged_by, uncertainty_from));
+        warnings.push(rejection(chi, dof, inflation_factor, uncertainty_from));
     } else if let Some(chi) = chi_square.filter(|&chi| falls_short(chi, dof)) {
         warnings.push(shortfall(chi, dof));
     }
@@ -113,7 +113,7 @@ pub(super) fn conclude(
         free: problem.free.clone(),
         covariance,
         uncertainty_from,
-        enlarged_by,
+        inflation_factor,
         groups,
         weak,
         observability,
@@ -146,14 +146,14 @@ fn shortfall(chi_square: f64, dof: usize) -> Message {
     .hint("check the instrument's uncertainty, its unit and its coverage factor; errors common to all poses do not show in residuals")
 }
 
-fn rejection(chi_square: f64, dof: usize, enlarged_by: f64, from: UncertaintyFrom) -> Message {
+fn rejection(chi_square: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Message {
     let rest = match from {
         UncertaintyFrom::ResidualsByPose => "standard uncertainties are taken from the scatter of the poses",
         _ => "standard uncertainties are enlarged, as if residuals of one pose were independent",
     };
     Message::warning(format!(
         "residuals are {:.1} times what the instrument's uncertainty explains (chi-square {chi_square:.0} for {dof} \
-         degrees of freedom): {rest} ({enlarged_by:.1} times the instrument's, median)",
+         degrees of freedom): {rest} ({inflation_factor:.1} times the instrument's, median)",
         (chi_square / dof as f64).sqrt()
     ))
     .hint("the robot has errors that the model does not describe, or the stated uncertainty is too small")
@@ -166,14 +166,14 @@ pub(super) fn held_message(robot: &dyn Robot, group: &Group) -> Message {
     let quantity = held.quantity;
     match group.useless_uncertainty {
         _ if names.is_empty() => {
-            Message::warning(format!("the data do not see `{name}`: it is held at its nominal value"))
+            Message::warning(format!("the data do not depend on `{name}`: it is held at its nominal value"))
         }
         None => Message::warning(format!(
-            "the data cannot tell apart `{name}` and `{names}`: `{name}` is held at its nominal value"
+            "`{name}` and `{names}` are not separately identifiable: `{name}` is held at its nominal value"
         )),
         Some(u) => Message::warning(format!(
-            "the data can tell `{name}` from `{names}` only with a standard uncertainty of {:.2}{}, which is worse than \
-             its nominal value: it is held there",
+            "`{name}` is separable from `{names}` only with a standard uncertainty of {:.2}{}, worse than that of its \
+             nominal value: it is held there",
             quantity.outward(u),
             if quantity == Quantity::Ratio { String::new() } else { format!(" {}", quantity.unit()) },
         ))

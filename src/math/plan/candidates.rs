@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 pub struct Candidates {
     /// In the order of the table; those of one pose stand together.
     pub observations: Vec<Observation>,
-    /// Tells which are left out because they are out of reach with nominal parameters ([`Robot::limit_violation`]).
+    /// Which are left out because they are out of reach with nominal parameters ([`Robot::limit_violation`]).
     pub beyond: Option<Message>,
 }
 
@@ -85,7 +85,7 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[i64]) -> Result<Ve
         if let Some(name) = names.as_ref().map(|n| &n[row]) {
             let target = robot.targets().iter().position(|t| t == name).ok_or_else(|| {
                 let message =
-                    Message::error(format!("pose {pose} of the candidates: `{name}` is no target of this robot"));
+                    Message::error(format!("pose {pose} of the candidates: `{name}` is not a target of this robot"));
                 message.hint_names(name, robot.targets().iter().map(String::as_str))
             })?;
             all[k].targets[target] = Some([0.0; 3]);
@@ -105,7 +105,7 @@ fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[i64]) -> Result
     }
     if all.is_empty() {
         return Err(Message::error(format!(
-            "no position is reached by the `{}`, or its inverse is not known",
+            "no position is reached by the `{}`, or the model has no inverse",
             robot.model()
         ))
         .hint("state joint values, one column per joint with its unit")

@@ -59,7 +59,7 @@ pub struct Step {
 pub struct Plan {
     /// Configurations of each candidate, as indices of the observations given.
     pub members: Vec<Vec<usize>>,
-    /// What the candidates can tell apart.
+    /// What the candidates determine.
     pub sensitivity: Sensitivity,
     /// The choice of the thesis' way.
     pub greedy: Vec<usize>,

@@ -96,7 +96,7 @@ fn log_update(inverse: &DMatrix<f64>, candidate: &Candidate) -> f64 {
 
 /// Adds the best candidate to `start`, one after the other, until `count` are chosen (section 4.5).
 ///
-/// As long as those chosen cannot tell all parameters apart, the determinant decides, whatever the criterion.
+/// As long as those chosen do not determine all parameters, the determinant decides, whatever the criterion.
 pub fn greedy(pool: &Pool, criterion: Criterion, start: &[usize], count: usize) -> Choice {
     let mut chosen = start.to_vec();
     let mut gains = vec![f64::INFINITY; pool.candidates.len()];

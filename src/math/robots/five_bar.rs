@@ -3,9 +3,12 @@
 //!
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
-use super::{Definition, Joint, Parameter, Quantity, Robot, Role};
+use super::{Definition, Description, Joint, Model, Parameter, Quantity, Robot, Role};
+use crate::base::message::{Place, Result};
 use crate::base::pose::Vector;
 use crate::base::scalar::{Dual, Scalar, duals};
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::f64::consts::PI;
 
 const PARAMETERS: usize = 12;
@@ -24,6 +27,57 @@ const TABLE: [(&str, Quantity, Role, f64); PARAMETERS] = [
     ("y_o", Quantity::Length, Role::Base, 75.0),
     ("phi", Quantity::Angle, Role::Base, 0.0),
 ];
+
+/// Five-bar with twelve parameters.
+pub(super) const MODEL: Model = Model::new::<Keys>(
+    "five_bar",
+    &[
+        &["reach", "theta1_deg"],
+        &["reach", "theta2_deg"],
+        &["reach", "clearance_mm"],
+        &["reach", "type1_margin_deg"],
+        &["reach", "type2_margin_deg"],
+    ],
+    &[],
+);
+
+/// Keys of a five-bar in robot.toml.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    /// What the robot can reach.
+    #[serde(default)]
+    reach: LimitKeys,
+}
+
+/// What a five-bar can reach; a limit not given is none.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct LimitKeys {
+    /// Least and greatest encoder angle of joint 1.
+    theta1_deg: Option<[f64; 2]>,
+    /// Least and greatest encoder angle of joint 2.
+    theta2_deg: Option<[f64; 2]>,
+    /// The proximal link of one arm and the distal link of the other stay farther apart than this; 0 forbids that they cross.
+    clearance_mm: Option<f64>,
+    /// Least angle by which an arm must miss being stretched or folded.
+    type1_margin_deg: Option<f64>,
+    /// Least angle by which the distal links must miss being in line.
+    type2_margin_deg: Option<f64>,
+}
+
+impl Description for Keys {
+    fn build(&self, _targets: &[String], _place: &dyn Fn(&[&str]) -> Place) -> Result<Box<dyn Robot>> {
+        let (given, none) = (self.reach, Limits::default());
+        let limits = |given: Option<[f64; 2]>, none: [f64; 2]| given.map_or(none, |l| l.map(f64::to_radians));
+        Ok(Box::new(FiveBar::default().with_limits(Limits {
+            limits_rad: [limits(given.theta1_deg, none.limits_rad[0]), limits(given.theta2_deg, none.limits_rad[1])],
+            clearance_mm: given.clearance_mm,
+            type1_margin_rad: given.type1_margin_deg.map_or(none.type1_margin_rad, f64::to_radians),
+            type2_margin_rad: given.type2_margin_deg.map_or(none.type2_margin_rad, f64::to_radians),
+        })))
+    }
+}
 
 /// Branch indices ζ1, ζ2 of the four working modes.
 pub const WORKING_MODES: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];

@@ -1,7 +1,8 @@
 //! Robots as functions of their parameters: direct and inverse kinematics, exact Jacobians.
 //!
-//! Each model is written once, generic over the [`Scalar`](crate::base::scalar::Scalar); nothing here knows a file.
-//! Lengths are in millimetres, angles in radians.
+//! Each model is one file: its equations, written once and generic over the [`Scalar`](crate::base::scalar::Scalar), and
+//! its keys of robot.toml; and one line of [`MODELS`]. What not all models can do is a capability: [`Platform`],
+//! [`RailTable`], [`FreeBase`]. Lengths are in millimetres, angles in radians.
 
 mod definition;
 mod five_bar;
@@ -13,7 +14,55 @@ pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance,
 pub use prexyt::Prexyt;
 pub use serial::{Serial, SerialJoint};
 
+use crate::base::message::{Place, Result};
 use crate::base::pose::{Pose, Vector};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::DeserializeOwned;
+use std::fmt::Debug;
+use std::sync::Arc;
+use toml::Spanned;
+use toml::de::{DeTable, Deserializer};
+
+/// All models.
+pub const MODELS: [&Model; 4] = [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &serial::MODEL];
+
+/// A kinematic model as robot.toml names it.
+#[derive(Debug)]
+pub struct Model {
+    /// Value of the key `model`.
+    pub name: &'static str,
+    /// The model's own keys, each by the keys that lead to it.
+    pub keys: &'static [&'static [&'static str]],
+    /// Keys at the top without which there is no robot, and keys of tables that stray there where a head is missing.
+    pub essential: &'static [&'static str],
+    /// Reads the model's own keys.
+    pub read: fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>,
+    /// JSON Schema of these keys.
+    pub schema: fn(&mut SchemaGenerator) -> Schema,
+}
+
+impl Model {
+    /// A model with the keys `K`.
+    const fn new<K: Description + DeserializeOwned + JsonSchema + 'static>(
+        name: &'static str,
+        keys: &'static [&'static [&'static str]],
+        essential: &'static [&'static str],
+    ) -> Self {
+        let read = |keys: Spanned<DeTable<'_>>| K::deserialize(Deserializer::from(keys)).map(|k| Arc::new(k) as _);
+        Self { name, keys, essential, read, schema: K::json_schema }
+    }
+}
+
+/// What the model's own keys of a robot.toml state.
+pub trait Description: Debug + Send + Sync {
+    /// Whether they state the geometry, so that `[nominal]` need not.
+    fn states_geometry(&self) -> bool {
+        false
+    }
+
+    /// The robot, with these targets where the model has none of its own; `place` is where the value of a key is.
+    fn build(&self, targets: &[String], place: &dyn Fn(&[&str]) -> Place) -> Result<Box<dyn Robot>>;
+}
 
 /// A robot whose targets are seen by a measuring system.
 pub trait Robot: Send + Sync {

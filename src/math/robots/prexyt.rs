@@ -3,8 +3,11 @@
 //! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
 //! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
 
-use super::{Definition, Joint, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot, Role};
+use super::{Definition, Description, Joint, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot, Role};
+use crate::base::message::{Place, Result};
 use crate::base::scalar::{Dual, Scalar, constants, duals};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 const PARAMETERS: usize = 16;
 /// Names, quantities, roles and nominal values (thesis, table 3.3; l_kl is twice the nominal x_C).
@@ -24,6 +27,34 @@ const COMMON: [(&str, Quantity, Role, f64); 14] = [
     ("delta3", Quantity::Ratio, Role::Robot, 1.0),
     ("l_kl", Quantity::Length, Role::Target, 146.0),
 ];
+
+/// Thirteen parameters.
+pub(super) const REDUCED: Model = Model::new::<Keys<false>>("prexyt", &[&["reach", "travel_mm"]], &[]);
+/// Fifteen parameters.
+pub(super) const FULL: Model = Model::new::<Keys<true>>("prexyt_full", &[&["reach", "travel_mm"]], &[]);
+
+/// Keys of a PreXYT in robot.toml; `FULL` before the reduction of section 3.4.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Keys<const FULL: bool> {
+    /// What the table can reach.
+    #[serde(default)]
+    reach: Travel,
+}
+
+/// What a PreXYT can reach; a limit not given is none.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Travel {
+    /// How far each actuator goes from zero.
+    travel_mm: Option<[f64; 3]>,
+}
+
+impl<const FULL: bool> Description for Keys<FULL> {
+    fn build(&self, _targets: &[String], _place: &dyn Fn(&[&str]) -> Place) -> Result<Box<dyn Robot>> {
+        Ok(Box::new(Prexyt { travel_mm: self.reach.travel_mm, ..Prexyt::new(FULL) }))
+    }
+}
 
 /// The PreXYT with its nominal parameters.
 #[derive(Clone, Debug)]

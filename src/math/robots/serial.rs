@@ -5,10 +5,139 @@
 //! Jacobian come from the same sequence: the derivative by a rotation is axis × lever, by a translation the axis (Corke,
 //! "A simple and systematic approach to assigning Denavit–Hartenberg parameters", 2007).
 
-use super::{Definition, FreeBase, Joint, Parameter, Quantity, Robot, Role};
+use super::{Definition, Description, FreeBase, Joint, Model, Parameter, Quantity, Robot, Role};
+use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use crate::base::scalar::Scalar;
 use crate::math::solve;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Serial arm.
+pub(super) const MODEL: Model = Model::new::<Keys>(
+    "serial",
+    &[&["joint"], &["gravity"], &["bending"], &["coupling"], &["base_turn_y_deg"]],
+    &["joint", "alpha_deg", "a_mm", "theta_deg", "d_mm"],
+);
+
+/// Axes whose twist is below this are near-parallel: d is replaced by Hayati's beta (3 degrees).
+const NEAR_PARALLEL_RAD: f64 = 0.052;
+
+/// Keys of a serial arm in robot.toml.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    /// Joints, from the base.
+    #[serde(default, rename = "joint")]
+    joints: Vec<JointKeys>,
+    /// Direction of gravity in the base.
+    #[serde(default = "down")]
+    gravity: Vector,
+    /// Joints that bend under gravity, from 1.
+    #[serde(default)]
+    bending: Vec<usize>,
+    /// Pairs (joint, by which joint) of a coupled wrist, from 1.
+    #[serde(default)]
+    coupling: Vec<(usize, usize)>,
+    /// base_rx, base_ry, base_rz are counted after this turn about the world's y axis.
+    #[serde(default)]
+    base_turn_y_deg: f64,
+}
+
+fn down() -> Vector {
+    [0.0, 0.0, -1.0]
+}
+
+/// Nominal modified Denavit-Hartenberg parameters of a joint (Craig).
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct JointKeys {
+    /// Twist of the link before the joint.
+    alpha_deg: f64,
+    /// Length of the link before the joint.
+    a_mm: f64,
+    /// Joint offset.
+    theta_deg: f64,
+    /// Link offset.
+    d_mm: f64,
+    /// The joint slides instead of turning.
+    #[serde(default)]
+    prismatic: bool,
+    /// Near-parallel to the axis before: beta replaces d. By default decided by alpha.
+    parallel: Option<bool>,
+}
+
+impl Keys {
+    /// What is wrong with numbers of joints and names of targets.
+    fn check(&self, targets: &[String], place: &dyn Fn(&[&str]) -> Place) -> Problems {
+        let n = self.joints.len();
+        let mut problems = Problems::default();
+        let mut wrong = |key: &str, i: usize, what: String| {
+            let message = Message::error(what).at(place(&[key, &i.to_string()]));
+            problems.0.push(message.expected(format!("joints from 1 to {n}, each once")));
+        };
+        for (i, &j) in self.bending.iter().enumerate() {
+            if j == 0 || j > n {
+                wrong("bending", i, format!("there is no joint {j}"));
+            } else if self.bending[..i].contains(&j) {
+                wrong("bending", i, format!("joint {j} is there twice"));
+            }
+        }
+        for (i, pair) in self.coupling.iter().enumerate() {
+            if let Some(j) = [pair.0, pair.1].into_iter().find(|&j| j == 0 || j > n) {
+                wrong("coupling", i, format!("there is no joint {j}"));
+            } else if pair.0 == pair.1 {
+                wrong("coupling", i, format!("joint {} is coupled with itself: that is its gain", pair.0));
+            } else if self.coupling[..i].contains(pair) {
+                wrong("coupling", i, format!("the pair {}, {} is there twice", pair.0, pair.1));
+            }
+        }
+        if targets.is_empty() {
+            problems.0.push(Message::error("a serial arm needs at least one target").hint("name them in `targets`"));
+        }
+        if targets.iter().any(|target| target == "base") {
+            let what = "no target can be called `base`: its parameters would be those of the robot's base";
+            problems.0.push(Message::error(what).hint("give the target another name in label or columns"));
+        }
+        problems
+    }
+}
+
+impl Description for Keys {
+    fn states_geometry(&self) -> bool {
+        true
+    }
+
+    fn build(&self, targets: &[String], place: &dyn Fn(&[&str]) -> Place) -> Result<Box<dyn Robot>> {
+        if self.joints.is_empty() {
+            return Err(Message::error("a serial arm needs its joints")
+                .at(place(&["joint"]))
+                .hint("add one [[joint]] with alpha_deg, a_mm, theta_deg, d_mm per joint, from the base")
+                .into());
+        }
+        self.check(targets, place).check()?;
+        let joint = |(i, j): (usize, &JointKeys)| {
+            let alpha_rad = j.alpha_deg.to_radians();
+            let near = i > 0 && alpha_rad.sin().abs() < NEAR_PARALLEL_RAD && !j.prismatic;
+            SerialJoint {
+                alpha_rad,
+                a_mm: j.a_mm,
+                theta_rad: j.theta_deg.to_radians(),
+                d_mm: j.d_mm,
+                prismatic: j.prismatic,
+                parallel: j.parallel.unwrap_or(near),
+            }
+        };
+        let joints: Vec<SerialJoint> = self.joints.iter().enumerate().map(joint).collect();
+        let gravity = unit(self.gravity).ok_or_else(|| {
+            Message::error("`gravity` has no direction")
+                .at(place(&["gravity"]))
+                .expected("a direction in the base, e.g. [0, 0, -1]")
+        })?;
+        let serial = Serial::new(&joints, targets, gravity, &self.bending, &self.coupling);
+        Ok(Box::new(serial.with_base_turn_y(self.base_turn_y_deg.to_radians())))
+    }
+}
 
 /// Nominal modified Denavit-Hartenberg parameters of one joint: Rx(alpha) Tx(a) [Ry(beta)] Rz(theta + q) Tz(d).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -98,8 +98,8 @@ pub struct Prior {
     pub parameter: usize,
     /// Its expected value.
     pub value: f64,
-    /// Standard uncertainty of that, positive.
-    pub standard_uncertainty: f64,
+    /// One over the standard uncertainty of that.
+    pub weight: f64,
 }
 
 /// A problem with one row (x − value) / u more for every prior: it counts as a residual in chi-square and degrees of
@@ -127,7 +127,7 @@ impl<P: Problem> Problem for WithPriors<'_, P> {
         self.problem.residuals(x, measured);
         for (r, prior) in known.iter_mut().zip(&self.priors) {
             let x = x.get(prior.parameter).copied().unwrap_or(f64::NAN);
-            *r = (x - prior.value) / prior.standard_uncertainty;
+            *r = prior.weight * (x - prior.value);
         }
     }
 
@@ -138,7 +138,7 @@ impl<P: Problem> Problem for WithPriors<'_, P> {
         known.fill(0.0);
         for (row, prior) in known.chunks_exact_mut(n.max(1)).zip(&self.priors) {
             if let Some(j) = row.get_mut(prior.parameter) {
-                *j = 1.0 / prior.standard_uncertainty;
+                *j = prior.weight;
             }
         }
     }

@@ -96,7 +96,7 @@ impl Solution {
         k * k * pulls / (m - n) / (mean * mean)
     }
 
-    /// Number of free parameters, or combinations of them, that the residuals tell apart.
+    /// Number of free parameters, or combinations of them, that the residuals determine.
     pub fn rank(&self) -> Option<usize> {
         self.factor.as_ref().map(|f| svd(f).rank(RANK_TOLERANCE))
     }

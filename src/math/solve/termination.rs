@@ -19,7 +19,7 @@ pub enum Termination {
     LostPatience,
     /// A residual or derivative is not a number at the start or on the way.
     NotANumber,
-    /// The Jacobian has dependent columns: the parameters cannot all be told apart.
+    /// The Jacobian has dependent columns: not all parameters are separately identifiable.
     RankDeficient,
     /// There are fewer equations than parameters.
     TooFewEquations,
@@ -42,7 +42,7 @@ impl fmt::Display for Termination {
             Self::NoImprovementPossible => "converged as far as rounding allows: no shorter step lowers the residuals",
             Self::LostPatience => "not converged within the iterations allowed: check the starting values",
             Self::NotANumber => "stopped: a residual is not a number, check the starting values and the data",
-            Self::RankDeficient => "stopped: the data cannot tell some parameters apart, hold one of them",
+            Self::RankDeficient => "stopped: some parameters are not separately identifiable, hold one of them",
             Self::TooFewEquations => "stopped: fewer equations than parameters, measure more poses or hold parameters",
         })
     }

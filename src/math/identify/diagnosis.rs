@@ -1,0 +1,242 @@
+//! Diagnosis: why an identification ended without a result, and outliers, the largest residuals of a robust fit.
+
+use super::identifiability::{Analysis, Group};
+use super::observation::misplaced;
+use super::residuals::Residuals;
+use super::{Identification, Observation, ResidualKind, Settings, unseen_by};
+use crate::base::message::{Message, Problems};
+use crate::base::pose::{Vector, minus, norm};
+use crate::math::robots::{Robot, Role};
+use crate::math::solve::{self, Loss, Options, Problem, Termination};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Measured and predicted positions whose extents differ by more than this are not in the same unit.
+const SAME_UNIT: f64 = 3.0;
+/// Poses that a message names.
+const NAMED_POSES: usize = 8;
+
+/// The error when the solver ended with `termination` on its way from `start` (all parameters of the robot).
+pub(super) fn diagnose_failure(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+    start: &[f64],
+    termination: Termination,
+) -> Problems {
+    if matches!(termination, Termination::RankDeficient | Termination::TooFewEquations)
+        && let Ok(all) = Residuals::new(robot, observations, settings, wanted, start)
+    {
+        return too_little(robot, observations, &all, start);
+    }
+    let ended = "the identification ended without a result";
+    match cause(robot, observations, start) {
+        Some((what, hint)) => Message::error(format!("{ended}: {what}")).hint(hint),
+        None => Message::error(format!("{ended}: {termination}"))
+            .hint("check units, order and signs of the joints and the nominal parameters; `hold` in [identify] holds parameters"),
+    }
+    .into()
+}
+
+/// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
+pub(super) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Message {
+    let what = "no parameter is left to identify";
+    match cause(robot, observations, start) {
+        Some((why, hint)) => Message::error(format!("{what}: {why}")).hint(hint),
+        None => Message::error(what).hint("hold fewer parameters, and measure more poses"),
+    }
+}
+
+/// The parameters that too few poses do not determine, group by group.
+fn too_little(robot: &dyn Robot, observations: &[Observation], all: &Residuals, start: &[f64]) -> Problems {
+    let poses: BTreeSet<i64> = observations.iter().map(|o| o.pose).collect();
+    let groups = Analysis::at(all, start, 0.0).groups;
+    let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+    let message = Message::error(format!(
+        "{} from {}, {} of them independent, do not determine {}",
+        count(all.residual_count(), "residual"),
+        count(poses.len(), "pose"),
+        all.free.len() - groups.len(),
+        count(all.free.len(), "parameter"),
+    ))
+    .hint("measure more poses (repeats of a pose add nothing), or hold parameters with `hold` in [identify] or --hold");
+    let name = |i: usize| format!("`{}`", robot.parameters()[i].name);
+    let group = |g: &Group| match &g.with[..] {
+        [] => format!("the data do not depend on {}", name(g.held)),
+        with => {
+            let with: Vec<String> = with.iter().map(|&i| name(i)).collect();
+            format!("{} is not separately identifiable from {}", name(g.held), with.join(", "))
+        }
+    };
+    let mut problems = vec![message];
+    problems.extend(groups.iter().map(|g| Message::error(group(g))));
+    Problems(problems)
+}
+
+/// What is wrong with the observations beside the robot at `start`, and what to do about it.
+fn cause(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Option<(String, String)> {
+    let (mut measured, mut predicted) = (Vec::<Vector>::new(), Vec::<Vector>::new());
+    let mut unreachable = BTreeSet::new();
+    for o in observations {
+        for (k, target) in o.targets.iter().enumerate() {
+            let Some(target) = target else { continue };
+            let place = robot.position(start, &o.joints, k);
+            measured.push(*target);
+            match place.iter().all(|v| v.is_finite()) {
+                true => predicted.push(place),
+                false => drop(unreachable.insert(o.pose)),
+            }
+        }
+    }
+    if !unreachable.is_empty() {
+        let what = format!("the nominal robot cannot be where the joints put it in {}", poses(&unreachable));
+        return Some((
+            what,
+            "check unit (degrees or radians), sign and offset of the joints, and the nominal parameters".into(),
+        ));
+    }
+    let (there, here) = (extent(&measured), extent(&predicted));
+    if there > SAME_UNIT * here || here > SAME_UNIT * there {
+        let what = format!("measured points spread over {there:.0} mm, the model's over {here:.0} mm");
+        return Some((
+            what,
+            "check `unit` of the exports, the units of the joints in the log, and the lengths of the robot".into(),
+        ));
+    }
+    let wrong = misplaced(robot, observations, start);
+    let (worst, other) = wrong.first()?;
+    let of: BTreeSet<i64> = wrong.iter().map(|(o, _)| o.pose).collect();
+    let mode = worst.joints.last()?;
+    let what = format!(
+        "the tool is not where the assembly mode puts it in {}: pose {} is stated in mode {mode:+}, where the model is {:.1} mm \
+         from the measured position, in mode {:+} {:.1} mm",
+        poses(&of),
+        worst.pose,
+        other.0,
+        -mode,
+        other.1
+    );
+    Some((
+        what,
+        "correct the column `assembly` of these poses, or leave it empty: the mode is then taken from the measurement"
+            .into(),
+    ))
+}
+
+/// Diagonal of the smallest box around points, mm.
+fn extent(points: &[Vector]) -> f64 {
+    let end = |pick: fn(f64, f64) -> f64| {
+        points.iter().copied().reduce(|a, b| [0, 1, 2].map(|i| pick(a[i], b[i]))).unwrap_or_default()
+    };
+    norm(minus(end(f64::max), end(f64::min)))
+}
+
+fn poses(numbers: &BTreeSet<i64>) -> String {
+    let shown: Vec<String> = numbers.iter().take(NAMED_POSES).map(i64::to_string).collect();
+    match numbers.len() {
+        1 => format!("pose {}", shown.join("")),
+        n if n > NAMED_POSES => format!("{n} poses ({}, ...)", shown.join(", ")),
+        n => format!("{n} poses ({})", shown.join(", ")),
+    }
+}
+
+/// Measurements that are named.
+const NAMED: usize = 3;
+/// Constant of the Cauchy loss that costs 5 % of the precision where there are no outliers (Holland & Welsch 1977).
+const CAUCHY: f64 = 2.385;
+/// Root mean square of normal residuals over their median size.
+const MEDIAN: f64 = 1.4826;
+/// Fits, each with the scale that the one before it shows.
+const FITS: usize = 12;
+/// Least scale of residuals in mm: below it nothing is measured.
+const LEAST_MM: f64 = 1e-6;
+
+/// The largest residuals of a robust fit: targets and poses to look at first, where least squares `found`
+/// what the instrument does not explain. `None` where no such fit is found.
+pub fn outliers(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+) -> Option<Message> {
+    let mut free = found.free.clone();
+    free.extend(unseen_by(robot, settings.kind).filter(|i| !found.free.contains(i)));
+    let values = robust(robot, observations, &free, &found.values)?;
+    // the worst repeat of each target of each pose
+    let mut worst: BTreeMap<(i64, usize), (f64, i64)> = BTreeMap::new();
+    for o in observations {
+        for (k, measured) in o.targets.iter().enumerate() {
+            let Some(measured) = measured else { continue };
+            let left_mm = norm(minus(*measured, robot.position(&values, &o.joints, k)));
+            let entry = worst.entry((o.pose, k)).or_insert((left_mm, o.cycle));
+            if left_mm > entry.0 {
+                *entry = (left_mm, o.cycle);
+            }
+        }
+    }
+    let mut all: Vec<_> = worst.into_iter().collect();
+    all.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
+    let named: Vec<String> = all
+        .iter()
+        .take(NAMED)
+        .map(|((pose, k), (left_mm, cycle))| {
+            format!("{left_mm:.4} mm ({}, pose {pose}, cycle {cycle})", robot.targets()[*k])
+        })
+        .collect();
+    let what = format!("largest residuals of a robust fit: {}", named.join(", "));
+    let hint =
+        "look there first for exchanged labels and wrong readings; errors of the robot are spread over all poses";
+    Some(Message::warning(what).hint(hint))
+}
+
+/// Parameters at which the bulk of the measurements is met best: fits with the Cauchy loss, the scale of which follows
+/// the median residual down, from the identified and from the nominal parameters.
+fn robust(robot: &dyn Robot, observations: &[Observation], free: &[usize], found: &[f64]) -> Option<Vec<f64>> {
+    let start = |values: Vec<f64>| {
+        let mut best = (median_mm(robot, observations, &values)?, values);
+        for _ in 0..FITS {
+            let scaled = Settings {
+                kind: ResidualKind::Targets,
+                standard_uncertainty_mm: Some((MEDIAN * best.0).max(LEAST_MM)),
+                common_uncertainty_mm: None,
+                hold: Vec::new(),
+            };
+            let problem = Residuals::new(robot, observations, &scaled, free, &best.1).ok()?;
+            let x: Vec<f64> = free.iter().map(|&i| best.1[i]).collect();
+            let options = Options { iterations: 50, step: 1e-6, loss: Loss::Cauchy(CAUCHY), ..Options::default() };
+            let values = problem.all(&solve::solve(&problem, &x, options).x);
+            let median = median_mm(robot, observations, &values)?;
+            let settled = median > 0.9 * best.0;
+            if median < best.0 {
+                best = (median, values);
+            }
+            if settled {
+                break;
+            }
+        }
+        Some(best)
+    };
+    let mut nominal = found.to_vec();
+    for &i in free.iter().filter(|&&i| robot.parameters()[i].role == Role::Robot) {
+        nominal[i] = robot.parameters()[i].nominal;
+    }
+    let all = [found.to_vec(), nominal].into_iter().filter_map(start);
+    all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
+}
+
+/// Median size of the differences of coordinates, mm; `None` where one is not a number.
+fn median_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
+    let mut sizes = Vec::new();
+    for o in observations {
+        for (k, measured) in o.targets.iter().enumerate() {
+            let Some(measured) = measured else { continue };
+            let predicted = robot.position(values, &o.joints, k);
+            sizes.extend((0..robot.dimension()).map(|i| (measured[i] - predicted[i]).abs()));
+        }
+    }
+    let middle = sizes.len() / 2;
+    sizes.iter().all(|s| s.is_finite()).then(|| {
+        sizes.sort_by(f64::total_cmp);
+        sizes.get(middle).copied()
+    })?
+}
