@@ -1,11 +1,8 @@
-//! Least squares with outliers, prior knowledge, weights and held parameters.
+//! Least squares with outliers and prior knowledge.
 
 #![allow(clippy::excessive_precision)] // digits as computed
 
-use etalon::base::noise::Noise;
-use etalon::math::solve::{
-    Bounds, Held, Loss, Options, Prior, Problem, Side, Weighted, WithPriors, solve, solve_within,
-};
+use etalon::math::solve::{Loss, Options, Prior, Problem, WithPriors, solve, svd};
 
 /// y = a + b t.
 struct Line {
@@ -79,13 +76,13 @@ fn robust(problem: &impl Problem, start: &[f64], loss: Loss, expected: &[f64], c
     for (x, e) in solution.x.iter().zip(expected) {
         assert!((x - e).abs() < 1e-12 * e.abs().max(1.0), "{loss:?}: {:?} {expected:?}", solution.x);
     }
-    assert!((solution.cost() / cost - 1.0).abs() < 1e-13, "{loss:?}: {} {cost}", solution.cost());
-    // the slope of the robust cost, from the pulls of the residuals
+    assert!((solution.cost / cost - 1.0).abs() < 1e-13, "{loss:?}: {} {cost}", solution.cost);
+    // the slope of the robust cost, from the influence of the residuals
     let n = start.len();
     let mut jacobian = vec![0.0; n * problem.residual_count()];
     problem.jacobian(&solution.x, &mut jacobian);
     for k in 0..n {
-        let terms = jacobian.chunks_exact(n).zip(&solution.residuals).map(|(row, r)| row[k] * loss.pull(*r));
+        let terms = jacobian.chunks_exact(n).zip(&solution.residuals).map(|(row, r)| row[k] * loss.influence(*r));
         let (slope, size) = terms.fold((0.0, 0.0), |(s, a): (f64, f64), t| (s + t, a + t.abs()));
         assert!(slope.abs() < 1e-13 * size, "{loss:?}: slope {slope:e}");
     }
@@ -96,13 +93,9 @@ fn robust_fits_match_scipy_polished_to_forty_digits() {
     // SciPy 1.17 least_squares(loss=..., f_scale=...) on these data, then the zero of the gradient in 40-digit
     // arithmetic (mpmath 1.3 findroot); the cost is the sum of rho, twice SciPy's
     let start = [0.0, 1.0];
-    let huber = [1.990_073_023_158_773_2, 0.500_967_035_259_753_8];
-    robust(&line(), &start, Loss::Huber(0.345), &huber, 20.750_384_446_067_18);
     let cauchy = [1.975_750_848_759_201_6, 0.500_131_442_330_662_5];
     robust(&line(), &start, Loss::Cauchy(0.5), &cauchy, 4.843_555_351_754_58);
     let start = [0.0, 0.0, 8.0];
-    let huber = [2.997_295_278_261_900_1, -1.994_672_701_664_315, 10.005_084_043_236_814];
-    robust(&circle(), &start, Loss::Huber(0.05), &huber, 0.252_557_058_839_507_3);
     let cauchy = [2.997_754_586_774_891_9, -1.997_042_118_469_923, 10.001_242_340_811_07];
     robust(&circle(), &start, Loss::Cauchy(0.1), &cauchy, 0.131_372_493_398_863_36);
 }
@@ -110,40 +103,16 @@ fn robust_fits_match_scipy_polished_to_forty_digits() {
 #[test]
 fn a_loss_that_no_residual_reaches_is_least_squares() {
     let plain = solve(&circle(), &[0.0, 0.0, 8.0], Options::default());
-    let huge = solve(&circle(), &[0.0, 0.0, 8.0], Options { loss: Loss::Huber(1e6), ..Options::default() });
-    assert_eq!(plain.x, huge.x);
+    let huge = solve(&circle(), &[0.0, 0.0, 8.0], Options { loss: Loss::Cauchy(1e12), ..Options::default() });
+    for (plain, huge) in plain.x.iter().zip(&huge.x) {
+        assert!((plain - huge).abs() < 1e-13, "{plain} {huge}");
+    }
     let wrong = solve(&circle(), &[0.0, 0.0, 8.0], Options { loss: Loss::Cauchy(0.0), ..Options::default() });
     assert!(!wrong.termination.is_success());
 }
 
 #[test]
-fn the_covariance_of_a_robust_fit_is_the_scatter_of_many() {
-    // one in ten readings is ten times as uncertain
-    let t: Vec<f64> = (0..60).map(|i| f64::from(i) / 30.0 - 1.0).collect();
-    for loss in [Loss::Huber(1.345), Loss::Cauchy(2.385)] {
-        let trials = 3000;
-        let (mut squares, mut stated) = ([0.0; 2], [0.0; 2]);
-        for trial in 0..trials {
-            let mut noise = Noise::new(5, trial);
-            let mut reading = |i: usize| noise.gaussian(if i % 10 == 3 { 10.0 } else { 1.0 });
-            let y = t.iter().enumerate().map(|(i, t)| 1.0 - 2.0 * t + reading(i)).collect();
-            let solution = solve(&Line { t: t.clone(), y }, &[0.0, 0.0], Options { loss, ..Options::default() });
-            let covariance = solution.covariance().unwrap();
-            for (k, truth) in [1.0, -2.0].into_iter().enumerate() {
-                squares[k] += (solution.x[k] - truth).powi(2) / trials as f64;
-                stated[k] += covariance[3 * k] / trials as f64;
-            }
-        }
-        for k in 0..2 {
-            let ratio = (stated[k] / squares[k]).sqrt();
-            println!("{loss:?}: stated over true deviation of parameter {k}: {ratio:.3}");
-            assert!((ratio - 1.0).abs() < 0.05, "{loss:?}: {ratio}");
-        }
-    }
-}
-
-#[test]
-fn priors_are_rows_and_count_in_chi_square_and_degrees_of_freedom() {
+fn priors_are_rows_and_count_in_chi_square() {
     let line = line();
     let priors =
         [Prior { parameter: 0, value: 2.0, weight: 1.0 / 0.1 }, Prior { parameter: 1, value: 0.4, weight: 1.0 / 0.02 }];
@@ -158,10 +127,10 @@ fn priors_are_rows_and_count_in_chi_square_and_degrees_of_freedom() {
     for (x, e) in solution.x.iter().zip(exact) {
         assert!((x - e).abs() < 1e-13, "{x} {e}");
     }
-    assert_eq!(solution.degrees_of_freedom(), 20);
+    assert_eq!(solution.residuals.len(), 22);
     let measured: f64 = line.t.iter().zip(&line.y).map(|(t, y)| (exact[0] + exact[1] * t - y).powi(2)).sum();
     let known = ((exact[0] - 2.0) / 0.1).powi(2) + ((exact[1] - 0.4) / 0.02).powi(2);
-    assert!((solution.cost() - measured - known).abs() < 1e-10);
+    assert!((solution.cost - measured - known).abs() < 1e-10);
     let covariance = solution.covariance().unwrap();
     for (found, e) in covariance.iter().zip([c / d, -b / d, -b / d, a / d]) {
         assert!((found - e).abs() < 1e-15, "{covariance:?}");
@@ -170,81 +139,30 @@ fn priors_are_rows_and_count_in_chi_square_and_degrees_of_freedom() {
 
 #[test]
 fn no_loss_weighs_a_prior_down() {
-    // the prior lies ten of its uncertainties away: with a loss on it, it would hardly pull
-    let alone = Line { t: vec![0.0, 0.0, 0.0], y: vec![0.0, 0.1, -0.1] };
-    let flat = Held::new(&alone, &[0.0, 0.0], &[0]);
-    let prior = [Prior { parameter: 0, value: 10.0, weight: 1.0 / 1.0 }];
-    let options = Options { loss: Loss::Huber(100.0), ..Options::default() };
-    let squares = solve(&WithPriors::new(&flat, &prior), &[0.0], options);
+    // the prior lies ten of its uncertainties away: with a loss on it, it would hardly count
+    let flat = Line { t: vec![0.0, 0.0, 0.0], y: vec![0.0, 0.1, -0.1] };
+    let priors = [Prior { parameter: 0, value: 10.0, weight: 1.0 }, Prior { parameter: 1, value: 0.0, weight: 1.0 }];
+    let squares = solve(&WithPriors::new(&flat, &priors), &[0.0, 0.0], Options::default());
     assert!((squares.x[0] - 2.5).abs() < 1e-14);
-    let options = Options { loss: Loss::Huber(3.0), ..Options::default() };
-    let huber = solve(&WithPriors::new(&flat, &prior), &[0.0], options);
-    assert!((huber.x[0] - 2.5).abs() < 1e-14, "{:?}", huber.x);
+    for loss in [Loss::Cauchy(2.385), Loss::Cauchy(3.0)] {
+        let found = solve(&WithPriors::new(&flat, &priors), &[0.0, 0.0], Options { loss, ..Options::default() }).x[0];
+        let slope: f64 = flat.y.iter().map(|y| loss.influence(found - y)).sum::<f64>() + found - 10.0;
+        assert!(slope.abs() < 1e-12 && found > 2.5, "{loss:?}: {found}, slope {slope:e}");
+    }
 }
 
 #[test]
 fn a_prior_settles_what_the_residuals_leave_open() {
     let one = Line { t: vec![1.0, 1.0], y: vec![3.0, 3.0] };
     let open = solve(&one, &[0.0, 0.0], Options::default());
-    assert_eq!(open.rank(), Some(1));
+    assert_eq!(svd(open.factor.as_ref().unwrap()).rank(1e-13), 1);
     let prior = [Prior { parameter: 1, value: 2.0, weight: 1.0 / 0.5 }];
     let settled = solve(&WithPriors::new(&one, &prior), &[0.0, 0.0], Options::default());
     assert!((settled.x[0] - 1.0).abs() < 1e-14 && (settled.x[1] - 2.0).abs() < 1e-14);
-    assert_eq!(settled.rank(), Some(2));
+    let settled = svd(settled.factor.as_ref().unwrap());
+    assert_eq!(settled.rank(1e-13), 2);
     // sqrt(cond) of columns of length one: cosine 2 / sqrt(2 · 6)
     let cosine = 2.0 / 12f64.sqrt();
     let condition = ((1.0 + cosine) / (1.0 - cosine)).sqrt();
-    assert!((settled.condition().unwrap() - condition).abs() < 1e-13);
-}
-
-#[test]
-fn a_weight_is_that_many_equal_residuals() {
-    let line = line();
-    let weights: Vec<f64> = (0..20).map(|i| f64::from(1 + i % 3)).collect();
-    let weighted = solve(&Weighted::new(&line, &weights), &[0.0, 0.0], Options::default());
-    let repeated: Vec<usize> = (0..20).flat_map(|i| vec![i; 1 + i % 3]).collect();
-    let many =
-        Line { t: repeated.iter().map(|&i| line.t[i]).collect(), y: repeated.iter().map(|&i| line.y[i]).collect() };
-    let many = solve(&many, &[0.0, 0.0], Options::default());
-    for (a, b) in weighted.x.iter().zip(&many.x) {
-        assert!((a - b).abs() < 1e-13);
-    }
-    for (a, b) in weighted.covariance().unwrap().iter().zip(many.covariance().unwrap()) {
-        assert!((a - b).abs() < 1e-15);
-    }
-}
-
-#[test]
-fn equal_bounds_hold_a_parameter_and_bounds_out_of_order_are_refused() {
-    let circle = circle();
-    let bounds = Bounds::new(vec![f64::NEG_INFINITY, -3.0, 9.5], vec![f64::INFINITY, 3.0, 9.5]).unwrap();
-    let within = solve_within(&circle, &[0.0, 0.0, 8.0], &bounds, Options::default());
-    let held = solve(&Held::new(&circle, &[0.0, 0.0, 9.5], &[0, 1]), &[0.0, 0.0], Options::default());
-    assert!(within.termination.is_success() && within.sides == [Side::Free, Side::Free, Side::Lower]);
-    assert!((within.x[0] - held.x[0]).abs() < 1e-13 && (within.x[1] - held.x[1]).abs() < 1e-13);
-    assert_eq!(within.x[2], 9.5);
-    assert_eq!(within.degrees_of_freedom(), 14);
-    for (lower, upper) in [(vec![1.0], vec![0.0]), (vec![f64::NAN], vec![0.0]), (vec![0.0], vec![])] {
-        assert!(Bounds::new(lower, upper).unwrap_err().0[0].expected.is_some());
-    }
-}
-
-#[test]
-fn all_parameters_on_bounds_is_an_answer() {
-    let bounds = Bounds::new(vec![3.0, 1.0], vec![4.0, 2.0]).unwrap();
-    let solution = solve_within(&line(), &[3.5, 1.5], &bounds, Options::default());
-    assert!(solution.termination.is_success(), "{}", solution.termination);
-    assert_eq!((solution.x.as_slice(), &solution.sides[..]), (&[3.0, 1.0][..], &[Side::Lower, Side::Lower][..]));
-    assert_eq!(solution.covariance().unwrap(), vec![0.0; 4]);
-}
-
-#[test]
-fn a_robust_fit_in_bounds_meets_both() {
-    let bounds = Bounds::new(vec![2.5, -9.0], vec![9.0, 9.0]).unwrap();
-    let options = Options { loss: Loss::Huber(0.345), ..Options::default() };
-    let line = line();
-    let within = solve_within(&line, &[5.0, 0.0], &bounds, options);
-    let held = solve(&Held::new(&line, &[2.5, 0.0], &[1]), &[0.0], options);
-    assert_eq!(within.sides, [Side::Lower, Side::Free]);
-    assert!((within.x[1] - held.x[0]).abs() < 1e-13, "{:?} {:?}", within.x, held.x);
+    assert!((settled.condition() - condition).abs() < 1e-13);
 }

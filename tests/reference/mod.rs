@@ -1,5 +1,4 @@
 //! Agreement with numbers that others have published or certified.
-mod bounded;
 mod enclosing;
 mod exports;
 mod exports_table;

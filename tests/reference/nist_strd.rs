@@ -139,7 +139,7 @@ fn all_54_runs() {
             println!("{:<9} {score:5.2} digits, {:3} steps, {}", set.name, solution.iterations, solution.termination);
             scores.push((score, set.name.clone()));
             if score > 9.0 {
-                let variance = solution.cost() / (set.rows.len() - start.len()) as f64;
+                let variance = solution.cost / (set.rows.len() - start.len()) as f64;
                 let covariance = solution.covariance().unwrap();
                 let deviations: Vec<f64> =
                     (0..start.len()).map(|k| (variance * covariance[k * start.len() + k]).sqrt()).collect();

@@ -4,7 +4,7 @@
 //! no direction is singular; after each step the chart is laid again about where it ended
 //! (Shakarji 1998, J. Res. NIST 103, 633, uses the same local freedom: two for a direction, two for its place).
 
-use super::lanes::{Lanes, Points, along};
+use super::f64x8::{F64x8, Points, along};
 use super::result::QUANTITIES;
 use super::surface::Surface;
 use crate::base::pose::{Vector, cross, dot, unit};
@@ -21,11 +21,11 @@ pub(super) struct Chart {
 /// Where points lie about an axis, with derivatives by (a, b, h, u, v) in the middle of the chart.
 pub(super) struct Cylindrical {
     /// Distance from the axis.
-    pub rho: Lanes,
+    pub rho: F64x8,
     /// Height along the axis.
-    pub t: Lanes,
-    pub d_rho: [Lanes; 5],
-    pub d_t: [Lanes; 5],
+    pub t: F64x8,
+    pub d_rho: [F64x8; 5],
+    pub d_t: [F64x8; 5],
 }
 
 impl Chart {
@@ -67,7 +67,7 @@ impl Chart {
         let [x, y, t] = self.seen(q, point);
         let (rho, inverse) = (x * x).plus(y, y).roots(near);
         let (gx, gy) = (x * inverse, y * inverse);
-        let (zero, less) = (Lanes::default(), Lanes::all(-1.0));
+        let (zero, less) = (F64x8::default(), F64x8::all(-1.0));
         // d rho = -g dp - t g dd, d t = -d dp + w dd, with dd = e1 du + e2 dv
         Cylindrical { rho, t, d_rho: [-gx, -gy, zero, -(t * gx), -(t * gy)], d_t: [zero, zero, less, x, y] }
     }

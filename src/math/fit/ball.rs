@@ -2,7 +2,7 @@
 
 use super::axis::Chart;
 use super::cloud::Cloud;
-use super::lanes::{Lanes, Points, less, square};
+use super::f64x8::{F64x8, Points, less, square};
 use super::result::QUANTITIES;
 use super::stream::Gather;
 use super::surface::Surface;
@@ -15,11 +15,11 @@ pub(super) struct Ball;
 
 impl Surface<4, 1> for Ball {
     #[inline(always)]
-    fn distances(&self, x: &[f64; 4], q: Points) -> [(Lanes, [Lanes; 4]); 1] {
+    fn distances(&self, x: &[f64; 4], q: Points) -> [(F64x8, [F64x8; 4]); 1] {
         let w = less(q, [x[0], x[1], x[2]]);
         let (rho, inverse) = square(w).roots(x[3]);
         let [gx, gy, gz] = [w[0] * inverse, w[1] * inverse, w[2] * inverse];
-        [(rho - x[3], [-gx, -gy, -gz, Lanes::all(-1.0)])]
+        [(rho - x[3], [-gx, -gy, -gz, F64x8::all(-1.0)])]
     }
 
     fn recharted(&self, x: &[f64; 4]) -> (Self, [f64; 4]) {
@@ -39,10 +39,10 @@ pub(super) struct Disc {
 
 impl Surface<3, 1> for Disc {
     #[inline(always)]
-    fn distances(&self, x: &[f64; 3], q: Points) -> [(Lanes, [Lanes; 3]); 1] {
+    fn distances(&self, x: &[f64; 3], q: Points) -> [(F64x8, [F64x8; 3]); 1] {
         let [u, v, _] = self.chart.seen(q, [x[0], x[1], 0.0]);
         let (rho, inverse) = (u * u).plus(v, v).roots(x[2]);
-        [(rho - x[2], [-(u * inverse), -(v * inverse), Lanes::all(-1.0)])]
+        [(rho - x[2], [-(u * inverse), -(v * inverse), F64x8::all(-1.0)])]
     }
 
     fn recharted(&self, x: &[f64; 3]) -> (Self, [f64; 3]) {
@@ -76,7 +76,7 @@ pub(super) fn taubin<const M: usize>(points: &[Vector]) -> (Vector, f64) {
     if mean <= 0.0 || mean.is_nan() {
         return (centre, 0.0);
     }
-    let moments = centred.gather(Moments::<M> { mean, sums: [[Lanes::default(); M]; M] });
+    let moments = centred.gather(Moments::<M> { mean, sums: [[F64x8::default(); M]; M] });
     let (_, vectors) = symmetric_eigen(moments);
     let v = vectors[0];
     let normal = v[1..].iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -96,14 +96,14 @@ pub(super) fn taubin<const M: usize>(points: &[Vector]) -> (Vector, f64) {
 #[derive(Clone, Default)]
 struct Sums<const M: usize> {
     coordinates: Points,
-    squares: Lanes,
+    squares: F64x8,
 }
 
 impl<const M: usize> Gather for Sums<M> {
     type Sum = (Vector, f64);
 
     #[inline(always)]
-    fn take(&mut self, q: Points, w: Lanes) {
+    fn take(&mut self, q: Points, w: F64x8) {
         for (sum, q) in self.coordinates.iter_mut().zip(q).take(M - 1) {
             *sum = sum.plus(w, q);
             self.squares = self.squares.plus(w * q, q);
@@ -111,7 +111,7 @@ impl<const M: usize> Gather for Sums<M> {
     }
 
     fn close(self) -> Self::Sum {
-        (self.coordinates.map(Lanes::sum), self.squares.sum())
+        (self.coordinates.map(F64x8::sum), self.squares.sum())
     }
 
     fn join(a: Self::Sum, b: Self::Sum) -> Self::Sum {
@@ -123,17 +123,17 @@ impl<const M: usize> Gather for Sums<M> {
 #[derive(Clone)]
 struct Moments<const M: usize> {
     mean: f64,
-    sums: [[Lanes; M]; M],
+    sums: [[F64x8; M]; M],
 }
 
 impl<const M: usize> Gather for Moments<M> {
     type Sum = [[f64; M]; M];
 
     #[inline(always)]
-    fn take(&mut self, q: Points, w: Lanes) {
-        let mut row = [Lanes::default(); M];
+    fn take(&mut self, q: Points, w: F64x8) {
+        let mut row = [F64x8::default(); M];
         row[1..].copy_from_slice(&q[..M - 1]);
-        let z = row[1..].iter().fold(Lanes::default(), |sum, x| sum.plus(*x, *x));
+        let z = row[1..].iter().fold(F64x8::default(), |sum, x| sum.plus(*x, *x));
         row[0] = (z - self.mean) * (0.5 / self.mean.sqrt());
         for (line, x) in self.sums.iter_mut().zip(row) {
             for (sum, y) in line.iter_mut().zip(row) {
@@ -143,7 +143,7 @@ impl<const M: usize> Gather for Moments<M> {
     }
 
     fn close(self) -> Self::Sum {
-        self.sums.map(|line| line.map(Lanes::sum))
+        self.sums.map(|line| line.map(F64x8::sum))
     }
 
     fn join(mut a: Self::Sum, b: Self::Sum) -> Self::Sum {

@@ -9,7 +9,7 @@ use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
 use super::descend::refine;
 use super::element::{CircleMethod, Element, Settings};
-use super::lanes::{Lanes, Points, along};
+use super::f64x8::{F64x8, Points, along};
 use super::plane::{diagonal_matrix, plane_variances};
 use super::result::{Covariance, Fit, QUANTITIES, Residuals, largest_component_positive};
 use super::surface::{Surface, propagate};
@@ -73,9 +73,9 @@ pub(super) struct Ring {
 
 impl Surface<6, 2> for Ring {
     #[inline(always)]
-    fn distances(&self, x: &[f64; 6], q: Points) -> [(Lanes, [Lanes; 6]); 2] {
+    fn distances(&self, x: &[f64; 6], q: Points) -> [(F64x8, [F64x8; 6]); 2] {
         let at = self.chart.cylindrical([x[0], x[1], x[2]], x[5], q);
-        let widen = |d: [Lanes; 5], radius: f64| [d[0], d[1], d[2], d[3], d[4], Lanes::all(radius)];
+        let widen = |d: [F64x8; 5], radius: f64| [d[0], d[1], d[2], d[3], d[4], F64x8::all(radius)];
         [(at.rho - x[5], widen(at.d_rho, -1.0)), (at.t, widen(at.d_t, 0.0))]
     }
 

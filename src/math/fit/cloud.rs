@@ -7,7 +7,7 @@
 
 use super::descend::SAMPLE;
 use super::element::{Element, Settings, refuse};
-use super::lanes::{Lanes, Points, along};
+use super::f64x8::{F64x8, Points, along};
 use super::stream::Gather;
 use crate::base::message::Result;
 use crate::base::pose::{Vector, cross, dot, unit};
@@ -306,7 +306,7 @@ impl Surveyed {
 
 impl Survey {
     fn along(axes: [Vector; 3]) -> Self {
-        let (low, high) = ([Lanes::all(f64::INFINITY); 3], [Lanes::all(f64::NEG_INFINITY); 3]);
+        let (low, high) = ([F64x8::all(f64::INFINITY); 3], [F64x8::all(f64::NEG_INFINITY); 3]);
         Self { axes, low, high, sum: Points::default(), products: Default::default() }
     }
 }
@@ -315,7 +315,7 @@ impl Gather for Survey {
     type Sum = Surveyed;
 
     #[inline(always)]
-    fn take(&mut self, q: Points, w: Lanes) {
+    fn take(&mut self, q: Points, w: F64x8) {
         let [a, b, c] = self.axes;
         let [x, y, z] = [along(q, a), along(q, b), along(q, c)];
         let [wx, wy, wz] = [w * x, w * y, w * z];
@@ -329,10 +329,10 @@ impl Gather for Survey {
 
     fn close(self) -> Surveyed {
         Surveyed {
-            low: self.low.map(Lanes::least),
-            high: self.high.map(Lanes::most),
-            sum: self.sum.map(Lanes::sum),
-            products: self.products.map(|row| row.map(Lanes::sum)),
+            low: self.low.map(F64x8::least),
+            high: self.high.map(F64x8::most),
+            sum: self.sum.map(F64x8::sum),
+            products: self.products.map(|row| row.map(F64x8::sum)),
         }
     }
 

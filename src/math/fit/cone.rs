@@ -5,7 +5,7 @@ use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
 use super::descend::{Refined, refine};
 use super::element::{Element, Settings};
-use super::lanes::{Lanes, Points};
+use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES};
 use super::search::{no_start, rival_warning, search};
 use super::surface::Surface;
@@ -116,7 +116,7 @@ impl Surface<7, 1> for Funnel {
     const IDLE: usize = 2;
 
     #[inline(always)]
-    fn distances(&self, x: &[f64; 7], q: Points) -> [(Lanes, [Lanes; 7]); 1] {
+    fn distances(&self, x: &[f64; 7], q: Points) -> [(F64x8, [F64x8; 7]); 1] {
         let at = self.chart.cylindrical([x[0], x[1], x[2]], 0.0, q);
         let (sin, cos) = x[6].sin_cos();
         let mut d = at.d_rho;
@@ -125,7 +125,7 @@ impl Surface<7, 1> for Funnel {
         }
         let [a, b, h, u, v] = d;
         let turn = -(at.rho * sin + at.t * cos);
-        [(at.rho * cos - at.t * sin - x[5], [a, b, h, u, v, Lanes::all(-1.0), turn])]
+        [(at.rho * cos - at.t * sin - x[5], [a, b, h, u, v, F64x8::all(-1.0), turn])]
     }
 
     fn recharted(&self, x: &[f64; 7]) -> (Self, [f64; 7]) {
@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn a_cone_turned_to_widen_is_the_same_cone() {
         let funnel = Funnel { chart: Chart::new([0.3, -0.5, 0.8]) };
-        let q = [0.4, -0.7, 0.9].map(Lanes::all);
+        let q = [0.4, -0.7, 0.9].map(F64x8::all);
         for half_angle in [0.4, -0.4, PI - 0.4, PI + 0.4, FRAC_PI_2 - 0.1] {
             let x = [0.1, 0.2, 0.0, 0.05, -0.03, 0.6, half_angle];
             let (upright, y) = funnel.recharted(&x);

@@ -1,7 +1,7 @@
 //! How much of an element has points.
 
 use super::axis::Chart;
-use super::lanes::{LANES, Lanes, Points, less, square};
+use super::f64x8::{LANES, F64x8, Points, less, square};
 use super::stream::Gather;
 use crate::base::pose::{Vector, unit};
 use std::f64::consts::TAU;
@@ -84,12 +84,12 @@ impl Gather for Arc {
     type Sum = Shared<Sectors>;
 
     #[inline(always)]
-    fn take(&mut self, q: Points, _: Lanes) {
+    fn take(&mut self, q: Points, _: F64x8) {
         let [x, y, _] = self.chart.seen(q, self.centre);
         let part = x * (x.abs() + y.abs()).inverse_or_zero();
-        let turn = Lanes::all(2.0) - (Lanes::all(1.0) + part).with_sign_of(y);
+        let turn = F64x8::all(2.0) - (F64x8::all(1.0) + part).with_sign_of(y);
         // added to 2^52 a number is a whole one, and stands in the last bits
-        let sector = (turn * (SECTORS / 4) as f64 + Lanes::all(4_503_599_627_370_496.0)).0.map(f64::to_bits);
+        let sector = (turn * (SECTORS / 4) as f64 + F64x8::all(4_503_599_627_370_496.0)).0.map(f64::to_bits);
         self.sectors.take(&turn.0.map(f64::to_bits), &sector);
     }
 
@@ -108,13 +108,13 @@ pub(super) struct Cap {
     centre: Vector,
     radius: f64,
     mean: Option<Vector>,
-    square: Lanes,
+    square: F64x8,
 }
 
 impl Cap {
     /// From `centre`, of points mostly near `radius`; `sum` points along the mean direction.
     pub fn about(centre: Vector, radius: f64, sum: Vector) -> Self {
-        Self { centre, radius, mean: unit(sum), square: Lanes::default() }
+        Self { centre, radius, mean: unit(sum), square: F64x8::default() }
     }
 }
 
@@ -130,9 +130,9 @@ impl Gather for Cap {
     type Sum = f64;
 
     #[inline(always)]
-    fn take(&mut self, q: Points, _: Lanes) {
+    fn take(&mut self, q: Points, _: F64x8) {
         let Some(mean) = self.mean else {
-            self.square = Lanes::all(4.0);
+            self.square = F64x8::all(4.0);
             return;
         };
         let [x, y, z] = less(q, self.centre);

@@ -6,7 +6,7 @@ use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
 use super::descend::refine;
 use super::element::{Element, Settings};
-use super::lanes::{Lanes, Points};
+use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES, largest_component_positive};
 use super::search::{no_start, rival_warning, search};
 use super::stream::Gather;
@@ -56,7 +56,7 @@ pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
 fn circle_along(points: &[Vector], chart: &Chart) -> (f64, [f64; 6]) {
     let flat: Vec<Vector> = points.iter().map(|&q| chart.flat(q)).collect();
     let (centre, radius) = taubin::<3>(&flat);
-    let cost = Cloud::about(centre, &flat).gather(OffCircle { radius, squares: Lanes::default() });
+    let cost = Cloud::about(centre, &flat).gather(OffCircle { radius, squares: F64x8::default() });
     (cost, [centre[0], centre[1], 0.0, 0.0, 0.0, radius])
 }
 
@@ -64,14 +64,14 @@ fn circle_along(points: &[Vector], chart: &Chart) -> (f64, [f64; 6]) {
 #[derive(Clone)]
 struct OffCircle {
     radius: f64,
-    squares: Lanes,
+    squares: F64x8,
 }
 
 impl Gather for OffCircle {
     type Sum = f64;
 
     #[inline(always)]
-    fn take(&mut self, q: Points, w: Lanes) {
+    fn take(&mut self, q: Points, w: F64x8) {
         let [x, y, _] = q;
         let off = (x * x).plus(y, y).sqrt() - self.radius;
         self.squares = self.squares.plus(w * off, off);
@@ -96,10 +96,10 @@ impl Surface<6, 1> for Tube {
     const IDLE: usize = 2;
 
     #[inline(always)]
-    fn distances(&self, x: &[f64; 6], q: Points) -> [(Lanes, [Lanes; 6]); 1] {
+    fn distances(&self, x: &[f64; 6], q: Points) -> [(F64x8, [F64x8; 6]); 1] {
         let at = self.chart.cylindrical([x[0], x[1], x[2]], x[5], q);
         let d = at.d_rho;
-        [(at.rho - x[5], [d[0], d[1], d[2], d[3], d[4], Lanes::all(-1.0)])]
+        [(at.rho - x[5], [d[0], d[1], d[2], d[3], d[4], F64x8::all(-1.0)])]
     }
 
     fn recharted(&self, x: &[f64; 6]) -> (Self, [f64; 6]) {

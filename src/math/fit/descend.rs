@@ -5,11 +5,15 @@
 //! the accuracy of the answer is that of the gradient and not of the factor that divides it. Where the normal equations
 //! do lose digits (short arcs), the points pass by again, into an orthogonal factor.
 //!
+//! That is why this is not [`math::solve`](crate::math::solve), which keeps a row for every equation and its parameters in
+//! one chart: a million points would need gigabytes, and a cylinder's axis would leave the middle of its chart. Factor and
+//! trust region are the same.
+//!
 //! After each step the chart is laid about the element anew, so a surface need only know its derivatives in
 //! the middle of its chart (as NPL's LSGE turns the axis to z in each iteration).
 
 use super::cloud::Cloud;
-use super::lanes::{LANES, Lanes, Points};
+use super::f64x8::{LANES, F64x8, Points};
 use super::stream::Gather;
 use super::surface::Surface;
 use crate::math::solve::{Factor, Termination, trust_region_step};
@@ -194,16 +198,16 @@ macro_rules! each {
 struct Normal<'a, S, const N: usize, const K: usize> {
     surface: &'a S,
     x: [f64; N],
-    products: [[Lanes; N]; N],
-    right: [Lanes; N],
-    squares: Lanes,
+    products: [[F64x8; N]; N],
+    right: [F64x8; N],
+    squares: F64x8,
 }
 
 impl<S: Surface<N, K>, const N: usize, const K: usize> Gather for Normal<'_, S, N, K> {
     type Sum = ([[f64; N]; N], [f64; N], f64);
 
     #[inline(always)]
-    fn take(&mut self, q: Points, w: Lanes) {
+    fn take(&mut self, q: Points, w: F64x8) {
         for (distance, row) in self.surface.distances(&self.x, q) {
             each!(i < N, {
                 if i != S::IDLE {
@@ -221,7 +225,7 @@ impl<S: Surface<N, K>, const N: usize, const K: usize> Gather for Normal<'_, S, 
     }
 
     fn close(self) -> Self::Sum {
-        (self.products.map(|row| row.map(Lanes::sum)), self.right.map(Lanes::sum), self.squares.sum())
+        (self.products.map(|row| row.map(F64x8::sum)), self.right.map(F64x8::sum), self.squares.sum())
     }
 
     fn join(a: Self::Sum, b: Self::Sum) -> Self::Sum {
@@ -245,7 +249,7 @@ fn linearise<S: Surface<N, K>, const N: usize, const K: usize>(
     cloud: &Cloud,
     free: &[usize],
 ) -> (f64, Linear<N>) {
-    let zero = Lanes::default();
+    let zero = F64x8::default();
     let (products, right, squares) =
         cloud.gather(Normal { surface, x: *x, products: [[zero; N]; N], right: [zero; N], squares: zero });
     let product = |i: usize, j: usize| products[i.min(j)][i.max(j)];
@@ -287,7 +291,7 @@ struct Rows<'a, S, const N: usize, const K: usize> {
 impl<S: Surface<N, K>, const N: usize, const K: usize> Gather for Rows<'_, S, N, K> {
     type Sum = Factor;
 
-    fn take(&mut self, q: Points, w: Lanes) {
+    fn take(&mut self, q: Points, w: F64x8) {
         let root = w.sqrt();
         for (distance, row) in self.surface.distances(&self.x, q) {
             self.right.extend((root * distance).0);

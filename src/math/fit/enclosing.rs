@@ -7,7 +7,7 @@
 //! are therefore weighed, and near ties decided, in 106 bits.
 
 use super::cloud::{Cloud, Source};
-use super::twofold::{Twofold, TwofoldVector, dot, exact, minus, plus_times};
+use super::double_double::{DoubleDouble, TwofoldVector, dot, exact, minus, plus_times};
 use crate::base::message::Result;
 use crate::base::pose::Vector;
 
@@ -44,7 +44,7 @@ const STALLS: usize = 20;
 struct Ball {
     center: TwofoldVector,
     /// Squared distance of the farthest of the points that it was found for.
-    squared: Twofold,
+    squared: DoubleDouble,
     support: Vec<usize>,
 }
 
@@ -54,9 +54,9 @@ fn smallest(points_mm: &[Vector], cloud: &Cloud, most: usize) -> Enclosing {
     let points: Vec<Vector> = points_mm.iter().map(|p| p.map(|x| x / cloud.scale_mm)).collect();
     let middle = exact(cloud.centre_mm.map(|x| x / cloud.scale_mm));
     let first = farthest(&points, middle).map_or(0, |(i, _)| i);
-    let mut ball = Ball { center: point(&points, first), squared: Twofold::default(), support: vec![first] };
+    let mut ball = Ball { center: point(&points, first), squared: DoubleDouble::default(), support: vec![first] };
     let (mut iterations, mut stalled) = (0, 0);
-    let mut best: Option<(Twofold, TwofoldVector, Vec<usize>)> = None;
+    let mut best: Option<(DoubleDouble, TwofoldVector, Vec<usize>)> = None;
     while let Some((outside, reach)) = farthest(&points, ball.center) {
         if best.as_ref().is_none_or(|b| reach < b.0) {
             best = Some((reach, ball.center, ball.support.clone()));
@@ -85,7 +85,7 @@ fn point(points: &[Vector], i: usize) -> TwofoldVector {
 }
 
 /// Index and squared distance of the point farthest from `center`: found in doubles, ties to rounding in 106 bits.
-fn farthest(points: &[Vector], center: TwofoldVector) -> Option<(usize, Twofold)> {
+fn farthest(points: &[Vector], center: TwofoldVector) -> Option<(usize, DoubleDouble)> {
     let c = center.map(|x| x.hi);
     let rough = |p: &Vector| (p[0] - c[0]).powi(2) + (p[1] - c[1]).powi(2) + (p[2] - c[2]).powi(2);
     let largest = points.iter().map(rough).fold(0.0, f64::max);
@@ -97,7 +97,7 @@ fn farthest(points: &[Vector], center: TwofoldVector) -> Option<(usize, Twofold)
     measured.reduce(|best, next| if next.1 > best.1 { next } else { best })
 }
 
-fn squared_distance(p: TwofoldVector, q: TwofoldVector) -> Twofold {
+fn squared_distance(p: TwofoldVector, q: TwofoldVector) -> DoubleDouble {
     let w = minus(p, q);
     dot(w, w)
 }
@@ -105,8 +105,8 @@ fn squared_distance(p: TwofoldVector, q: TwofoldVector) -> Twofold {
 /// The smallest ball of at most five points: of the balls through each subset, the one whose centre is nearest to
 /// its farthest point. The true centre is among them, and every candidate is measured by what it really encloses.
 fn by_subsets(points: &[Vector], joined: &[usize], most: usize) -> Ball {
-    let nowhere = [Twofold::default(); 3];
-    let mut best = Ball { center: nowhere, squared: Twofold::from(f64::INFINITY), support: joined.to_vec() };
+    let nowhere = [DoubleDouble::default(); 3];
+    let mut best = Ball { center: nowhere, squared: DoubleDouble::from(f64::INFINITY), support: joined.to_vec() };
     for size in 1..=most {
         for mask in (1u32..1 << joined.len()).filter(|mask| mask.count_ones() as usize == size) {
             let support: Vec<usize> =
@@ -114,9 +114,9 @@ fn by_subsets(points: &[Vector], joined: &[usize], most: usize) -> Ball {
             let corners: Vec<TwofoldVector> = support.iter().map(|&i| point(points, i)).collect();
             let Some(center) = through(&corners) else { continue };
             let reaches = joined.iter().map(|&i| squared_distance(point(points, i), center));
-            let squared = reaches.fold(Twofold::default(), |m, d| if d > m { d } else { m });
+            let squared = reaches.fold(DoubleDouble::default(), |m, d| if d > m { d } else { m });
             // a larger subset must be better by more than the rounding of 106 bits
-            if squared < best.squared - best.squared * Twofold::from(1e-30) || best.squared.hi.is_infinite() {
+            if squared < best.squared - best.squared * DoubleDouble::from(1e-30) || best.squared.hi.is_infinite() {
                 best = Ball { center, squared, support };
             }
         }
@@ -129,22 +129,22 @@ fn by_subsets(points: &[Vector], joined: &[usize], most: usize) -> Ball {
 /// x·v = |v|²/2 for every edge v from the first point, one orthogonal direction after the other (Gärtner 1999, 3).
 fn through(corners: &[TwofoldVector]) -> Option<TwofoldVector> {
     let (&base, others) = corners.split_first()?;
-    let mut x = [Twofold::default(); 3];
+    let mut x = [DoubleDouble::default(); 3];
     let mut directions: Vec<TwofoldVector> = Vec::new();
     for &corner in others {
         let v = minus(corner, base);
         let mut across = v;
         for w in &directions {
-            across = plus_times(across, Twofold::default() - dot(across, *w) / dot(*w, *w), *w);
+            across = plus_times(across, DoubleDouble::default() - dot(across, *w) / dot(*w, *w), *w);
         }
         let (length, height) = (dot(v, v), dot(across, across));
         // beyond this not even 106 bits see a third dimension
         if height.hi <= 1e-50 * length.hi || height.hi.is_nan() {
             return None;
         }
-        let missing = length * Twofold::from(0.5) - dot(v, x);
+        let missing = length * DoubleDouble::from(0.5) - dot(v, x);
         x = plus_times(x, missing / height, across);
         directions.push(across);
     }
-    Some(plus_times(base, Twofold::from(1.0), x))
+    Some(plus_times(base, DoubleDouble::from(1.0), x))
 }

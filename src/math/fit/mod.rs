@@ -16,7 +16,7 @@ mod cylinder;
 mod descend;
 mod element;
 mod enclosing;
-mod lanes;
+mod f64x8;
 mod line;
 mod plane;
 mod probe;
@@ -27,7 +27,7 @@ mod sphere;
 mod stream;
 mod surface;
 mod torus;
-mod twofold;
+mod double_double;
 mod zone;
 
 pub use circle2d::{circle2d, circle2d_with};

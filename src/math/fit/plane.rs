@@ -3,7 +3,7 @@
 use super::axis::Chart;
 use super::cloud::{Cloud, Source};
 use super::element::{Element, Settings};
-use super::lanes::along;
+use super::f64x8::along;
 use super::result::{Fit, Residuals, largest_component_positive};
 use super::surface::propagate;
 use crate::base::message::Result;

@@ -2,7 +2,7 @@
 
 use super::cloud::Cloud;
 use super::element::Element;
-use super::lanes::{Lanes, Points};
+use super::f64x8::{F64x8, Points};
 use super::probe::Compensation;
 use super::stream::Gather;
 use crate::base::message::Message;
@@ -51,17 +51,17 @@ pub struct Residuals {
 
 impl Residuals {
     /// Of all points, by their `K` distances; the first of these is the residual.
-    pub(super) fn of<const K: usize>(cloud: &Cloud, distances: impl Fn(Points) -> [Lanes; K] + Sync) -> Self {
+    pub(super) fn of<const K: usize>(cloud: &Cloud, distances: impl Fn(Points) -> [F64x8; K] + Sync) -> Self {
         Self::and(cloud, distances, ()).0
     }
 
     /// [`Residuals::of`], and in the same look at the points something else.
     pub(super) fn and<const K: usize, G: Gather>(
         cloud: &Cloud,
-        distances: impl Fn(Points) -> [Lanes; K] + Sync,
+        distances: impl Fn(Points) -> [F64x8; K] + Sync,
         other: G,
     ) -> (Self, G::Sum) {
-        let (zero, least, most) = (Lanes::default(), Lanes::all(f64::INFINITY), Lanes::all(f64::NEG_INFINITY));
+        let (zero, least, most) = (F64x8::default(), F64x8::all(f64::INFINITY), F64x8::all(f64::NEG_INFINITY));
         let remaining = Remaining { distances: &distances, squares: zero, plain: zero, least, most };
         let ([squares, plain, least, most], other) = cloud.gather((remaining, other));
         (Self { rms: (plain / cloud.len() as f64).sqrt(), least, most, squares }, other)
@@ -80,10 +80,10 @@ impl Residuals {
 /// Weighted squares of all distances of a point, and squares, smallest and largest of the first.
 struct Remaining<'a, F> {
     distances: &'a F,
-    squares: Lanes,
-    plain: Lanes,
-    least: Lanes,
-    most: Lanes,
+    squares: F64x8,
+    plain: F64x8,
+    least: F64x8,
+    most: F64x8,
 }
 
 impl<F> Clone for Remaining<'_, F> {
@@ -92,11 +92,11 @@ impl<F> Clone for Remaining<'_, F> {
     }
 }
 
-impl<const K: usize, F: Fn(Points) -> [Lanes; K] + Sync> Gather for Remaining<'_, F> {
+impl<const K: usize, F: Fn(Points) -> [F64x8; K] + Sync> Gather for Remaining<'_, F> {
     type Sum = [f64; 4];
 
     #[inline(always)]
-    fn take(&mut self, q: Points, w: Lanes) {
+    fn take(&mut self, q: Points, w: F64x8) {
         let distances = (self.distances)(q);
         for d in distances {
             self.squares = self.squares.plus(w * d, d);

@@ -1,9 +1,9 @@
 //! Sums over all points of a cloud: block by block in parallel, eight points at a time, in registers as wide as the
-//! machine has them. What is fused ([`Lanes::plus`]) is so on every machine and nothing else is, and no width reorders an
+//! machine has them. What is fused ([`F64x8::plus`]) is so on every machine and nothing else is, and no width reorders an
 //! operation, so sums have the same bytes everywhere.
 
 use super::cloud::{Cloud, Source};
-use super::lanes::{LANES, Lanes, Points};
+use super::f64x8::{LANES, F64x8, Points};
 use pulp::Arch;
 use rayon::prelude::*;
 
@@ -19,7 +19,7 @@ pub(super) trait Gather: Clone + Sync {
 
     /// Takes up eight points with their weights. The last eight may be filled up with copies of a point that weigh
     /// nothing. To be inlined, so that what is gathered stays in registers.
-    fn take(&mut self, q: Points, w: Lanes);
+    fn take(&mut self, q: Points, w: F64x8);
 
     fn close(self) -> Self::Sum;
 
@@ -31,7 +31,7 @@ impl Gather for () {
     type Sum = ();
 
     #[inline(always)]
-    fn take(&mut self, _: Points, _: Lanes) {}
+    fn take(&mut self, _: Points, _: F64x8) {}
 
     fn close(self) {}
 
@@ -43,7 +43,7 @@ impl<A: Gather, B: Gather> Gather for (A, B) {
     type Sum = (A::Sum, B::Sum);
 
     #[inline(always)]
-    fn take(&mut self, q: Points, w: Lanes) {
+    fn take(&mut self, q: Points, w: F64x8) {
         self.0.take(q, w);
         self.1.take(q, w);
     }
@@ -95,12 +95,12 @@ impl Cloud<'_> {
         for eight in points[..plain].as_chunks::<LANES>().0 {
             let mut group = Points::default();
             for k in 0..D {
-                group[k] = (Lanes(eight.map(|p| p[k])) - centre[k]) * factor;
+                group[k] = (F64x8(eight.map(|p| p[k])) - centre[k]) * factor;
             }
-            gathered.take(group, Lanes::all(1.0));
+            gathered.take(group, F64x8::all(1.0));
         }
         for from in (plain..points.len()).step_by(LANES) {
-            let (mut group, mut weights) = (Points::default(), Lanes::default());
+            let (mut group, mut weights) = (Points::default(), F64x8::default());
             for i in 0..LANES {
                 let p = points[(from + i).min(points.len() - 1)];
                 for k in 0..D {

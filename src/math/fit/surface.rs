@@ -4,7 +4,7 @@ use super::cloud::Cloud;
 use super::coverage::Coverage;
 use super::descend::Refined;
 use super::element::{Element, refuse};
-use super::lanes::{Lanes, Points};
+use super::f64x8::{F64x8, Points};
 use super::result::{Covariance, Fit, QUANTITIES, Residuals};
 use crate::base::message::Result;
 use crate::base::pose::Vector;
@@ -16,7 +16,7 @@ pub(super) trait Surface<const N: usize, const K: usize>: Copy + Sync {
     const IDLE: usize = usize::MAX;
 
     /// Signed distances of the points `q` and their derivatives by the parameters, in the middle of the chart.
-    fn distances(&self, x: &[f64; N], q: Points) -> [(Lanes, [Lanes; N]); K];
+    fn distances(&self, x: &[f64; N], q: Points) -> [(F64x8, [F64x8; N]); K];
 
     /// The same element in the chart about itself.
     fn recharted(&self, x: &[f64; N]) -> (Self, [f64; N]);
@@ -133,7 +133,7 @@ mod tests {
         held: &[usize],
     ) {
         for q in [[0.7, -0.4, 0.9], [-0.2, 0.8, -0.6], [0.31, 0.17, 0.05]] {
-            let q = q.map(Lanes::all);
+            let q = q.map(F64x8::all);
             let analytic = surface.distances(&x, q);
             for j in (0..N).filter(|j| !held.contains(j)) {
                 let h = 1e-3;

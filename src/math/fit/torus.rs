@@ -6,7 +6,7 @@ use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
 use super::descend::refine;
 use super::element::{Element, Settings};
-use super::lanes::{Lanes, Points};
+use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES, largest_component_positive};
 use super::search::{no_start, rival_warning, search};
 use super::surface::Surface;
@@ -76,7 +76,7 @@ pub(super) struct Bend {
 
 impl Surface<7, 1> for Bend {
     #[inline(always)]
-    fn distances(&self, x: &[f64; 7], q: Points) -> [(Lanes, [Lanes; 7]); 1] {
+    fn distances(&self, x: &[f64; 7], q: Points) -> [(F64x8, [F64x8; 7]); 1] {
         let at = self.chart.cylindrical([x[0], x[1], x[2]], 0.0, q);
         let outward = at.rho - x[5];
         let from_core = (outward * outward + at.t * at.t).sqrt();
@@ -87,7 +87,7 @@ impl Surface<7, 1> for Bend {
             *rho = g_rho * *rho + g_t * t;
         }
         let [a, b, h, u, v] = d;
-        [(from_core - x[6], [a, b, h, u, v, -g_rho, Lanes::all(-1.0)])]
+        [(from_core - x[6], [a, b, h, u, v, -g_rho, F64x8::all(-1.0)])]
     }
 
     fn recharted(&self, x: &[f64; 7]) -> (Self, [f64; 7]) {

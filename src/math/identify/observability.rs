@@ -3,7 +3,7 @@
 use super::residuals::Residuals;
 use crate::base::message::Message;
 use crate::math::robots::{Quantity, Robot};
-use crate::math::solve::{Factor, Problem, Solution, Svd, column_norms, svd};
+use crate::math::solve::{Factor, Problem, Svd, column_norms, svd};
 
 /// Singular values of the Jacobian and the indices made of them (eq. 1.19 to 1.25).
 ///
@@ -53,18 +53,17 @@ const MEMBER: f64 = 0.3;
 /// Correlation, by size, that binds two of them.
 const BOUND: f64 = 0.9;
 
-/// Observability at a solution, and the groups of parameters that are weakly identifiable there.
+/// Observability at `x`, where the Jacobian with its columns divided by `scale` has this factor, and the groups of parameters that are weakly identifiable there.
 pub(super) fn observe(
     problem: &Residuals,
-    solution: &Solution,
+    x: &[f64],
+    factor: &Factor,
+    scale: &[f64],
     covariance: Option<&[f64]>,
 ) -> Option<(Observability, Vec<WeakGroup>)> {
     let n = problem.free.len();
-    let plain = problem.is_whitened().then(|| plain(problem, &solution.x));
-    let (factor, scale) = match &plain {
-        Some((factor, scale)) => (factor, scale),
-        None => (solution.factor.as_ref()?, &solution.scale),
-    };
+    let plain = problem.is_whitened().then(|| plain(problem, x));
+    let (factor, scale) = plain.as_ref().map_or((factor, scale), |(factor, scale)| (factor, scale.as_slice()));
     let scaled = svd(factor);
     let unscaled = svd(&unscale(factor, scale, problem.unit));
     let observability = Observability {

@@ -7,7 +7,7 @@ use super::uncertainty::held_message;
 use super::{Observation, Settings, wanted_parameters};
 use crate::base::message::{Message, Result};
 use crate::math::robots::Robot;
-use crate::math::solve::{Factor, Problem, Solution, column_norms, svd};
+use crate::math::solve::{Factor, Problem, column_norms, covariance, svd};
 use std::collections::BTreeSet;
 
 /// Parameters that can be identified, and how the targets move with them, at nominal values.
@@ -69,18 +69,16 @@ pub fn predict(
     let problem = Residuals::new(robot, observations, settings, free, &nominal)?;
     let jacobian = jacobian_at_nominal(&problem, &nominal);
     let scale = column_norms(&jacobian, free.len());
-    let residuals = vec![0.0; problem.residual_count()];
-    let factor = Factor::new(&jacobian, &residuals, &scale);
-    let x = free.iter().map(|&i| nominal[i]).collect();
-    let solution = Solution::foretold(x, residuals, factor, scale);
-    let told = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == free.len());
-    let covariance = solution.covariance().filter(|_| told && problem.residual_count() >= free.len());
+    let x: Vec<f64> = free.iter().map(|&i| nominal[i]).collect();
+    let factor = Factor::new(&jacobian, &vec![0.0; problem.residual_count()], &scale);
+    let regular = svd(&factor).rank(RANK_TOLERANCE) == free.len() && problem.residual_count() >= free.len();
+    let covariance = covariance(&factor, &scale).filter(|_| regular);
     let covariance = covariance.ok_or_else(|| {
         let poses: BTreeSet<i64> = observations.iter().map(|o| o.pose).collect();
         Message::error(format!("{} poses do not suffice to identify {} parameters", poses.len(), free.len()))
             .hint("choose more positions, or hold parameters with `--hold`")
     })?;
-    let observed = observe(&problem, &solution, Some(&covariance));
+    let observed = observe(&problem, &x, &factor, &scale, Some(&covariance));
     let (observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
     let messages = weak.iter().map(|w| weak_message(robot, w)).collect();
     Ok(Prediction { observability, weak, covariance, messages })

@@ -85,7 +85,7 @@ impl<'a> Residuals<'a> {
     pub fn noise(&self, solution: Option<&Solution>) -> f64 {
         let shown = |s: &Solution| {
             let dof = self.residual_count().saturating_sub(s.x.len());
-            if dof > 0 { (s.cost() / dof as f64).sqrt() } else { 0.0 }
+            if dof > 0 { (s.cost / dof as f64).sqrt() } else { 0.0 }
         };
         self.stated_noise.unwrap_or(0.0).max(solution.map_or(0.0, shown))
     }

@@ -42,10 +42,10 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[u
         let problem = Residuals::new(robot, &subset, &settings, &free, &values)?;
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
         let solution = solve::solve(&problem, &x, Options { step: 1e-6, ..Options::default() });
-        if solution.termination.is_success() && best.as_ref().is_none_or(|b| solution.cost() < b.0) {
-            best = Some((solution.cost(), problem.all(&solution.x)));
+        if solution.termination.is_success() && best.as_ref().is_none_or(|b| solution.cost < b.0) {
+            best = Some((solution.cost, problem.all(&solution.x)));
             // a wrong minimum is off by much of the arm's reach, the right one by the robot's errors
-            let rms_mm = (solution.cost() / solution.residuals.len() as f64).sqrt();
+            let rms_mm = (solution.cost / solution.residuals.len() as f64).sqrt();
             if rms_mm < 0.01 * spread_mm(&subset) {
                 break;
             }

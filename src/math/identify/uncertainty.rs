@@ -52,7 +52,7 @@ pub(super) fn with_uncertainty(
     // from the instrument
     let stated = match (settings.kind, settings.standard_uncertainty_mm) {
         (_, None) => None,
-        (ResidualKind::Targets, Some(_)) => solution.covariance().map(|c| (c, solution.cost())),
+        (ResidualKind::Targets, Some(_)) => solution.covariance().map(|c| (c, solution.cost)),
         (ResidualKind::Pose, Some(u)) => pose_covariance(problem, solution, &jacobian, u),
     };
     let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
@@ -75,7 +75,7 @@ pub(super) fn with_uncertainty(
             None => {
                 let variance = match chi_square {
                     Some(chi) => chi / dof as f64,
-                    None => solution.cost() / dof as f64,
+                    None => solution.cost / dof as f64,
                 };
                 let scaled = |c: Vec<f64>| c.into_iter().map(|v| v * variance).collect();
                 (instrument.clone().or_else(|| solution.covariance()).map(scaled), UncertaintyFrom::Residuals)
@@ -94,7 +94,8 @@ pub(super) fn with_uncertainty(
 
     let mut plain = vec![0.0; m];
     problem.plain_residuals(&solution.x, &mut plain);
-    let observed = observe(problem, solution, covariance.as_deref());
+    let factor = solution.factor.as_ref();
+    let observed = factor.and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance.as_deref()));
     let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
     if let Some(o) = &mut observability {
         let all = Residuals::new(robot, observations, settings, wanted, &values)?;

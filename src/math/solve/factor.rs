@@ -186,17 +186,6 @@ impl Factor {
         Some(step)
     }
 
-    /// The factor of the same problem in the elements `kept` alone, the others held at their values in `at`.
-    pub fn columns(&self, kept: &[usize], at: &[f64]) -> Self {
-        let held: Vec<f64> = (0..self.n).map(|j| if kept.contains(&j) { 0.0 } else { at[j] }).collect();
-        let b: Vec<f64> = self.qtb.iter().zip(self.multiply(&held)).map(|(b, held)| b - held).collect();
-        let element = |i: usize, j: usize| if i <= j { self.r(i, j) } else { 0.0 };
-        let rows: Vec<f64> = (0..self.n).flat_map(|i| kept.iter().map(move |&j| element(i, j))).collect();
-        let mut factor = Self::new(&rows, &b, &vec![1.0; kept.len()]);
-        factor.rest = self.rest + if kept.is_empty() { inner(&b, &b) } else { factor.rest };
-        factor
-    }
-
     /// The factor of the same problem with `damping` · I below it: the Levenberg-Marquardt step.
     pub fn damped(&self, damping: f64) -> Self {
         let n = self.n;

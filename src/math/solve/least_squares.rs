@@ -1,9 +1,45 @@
 //! The way from a start to the minimum: steps in a trust region, then an undamped finish.
+//!
+//! Far from the minimum: Levenberg-Marquardt in Moré's trust region (1978, as in MINPACK) on scaled columns; a step is
+//! accepted by the true cost. Near it the cost is too flat to judge a step: undamped Gauss-Newton stops on the step alone.
 
-use super::gauss_newton::finish;
-use super::levenberg_marquardt::damped;
-use super::run::Run;
-use super::{Bounds, Factor, Held, Loss, Options, Problem, Side, Solution, Termination};
+use super::{Factor, Loss, Options, Problem, Termination};
+
+/// Where the solver ended, and how.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// The parameters.
+    pub x: Vec<f64>,
+    /// Residuals at `x`.
+    pub residuals: Vec<f64>,
+    /// Sum of squares of the residuals, or of their losses: what was minimised. A chi-square where residuals were divided
+    /// by their standard uncertainties.
+    pub cost: f64,
+    /// Factor of the Jacobian at `x`, its columns divided by `scale`; `None` if none could be formed, and with a loss, where
+    /// it would not be that of the residuals.
+    pub factor: Option<Factor>,
+    /// Norms of the columns of the Jacobian.
+    pub scale: Vec<f64>,
+    /// Steps taken.
+    pub iterations: usize,
+    /// Why it stopped.
+    pub termination: Termination,
+}
+
+impl Solution {
+    /// (JᵀJ)⁻¹, n × n row by row: the covariance where residuals were divided by their standard uncertainties. `None`
+    /// where the rank is not full.
+    pub fn covariance(&self) -> Option<Vec<f64>> {
+        covariance(self.factor.as_ref()?, &self.scale)
+    }
+}
+
+/// (JᵀJ)⁻¹, row by row, from the factor of J with its columns divided by `scale`; `None` where the rank is not full.
+pub(crate) fn covariance(factor: &Factor, scale: &[f64]) -> Option<Vec<f64>> {
+    let n = factor.n;
+    let local = factor.inverse_normal()?;
+    Some((0..n * n).map(|k| local[k] / (scale[k / n] * scale[k % n])).collect())
+}
 
 /// Minimises the sum of squares of the residuals of `problem` from `start`.
 pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solution {
@@ -13,7 +49,7 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
     if run.residuals.len() >= n {
         // undamped steps take over early where the linear model is good; where they do not shrink, damped ones go on
         for near in [1e-3, 1e-8] {
-            termination = damped(&mut run, None, near);
+            termination = damped(&mut run, near);
             if !termination.is_success() || n == 0 || termination == Termination::ResidualsZero {
                 break;
             }
@@ -23,78 +59,288 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
             }
         }
     }
-    solution(run, termination, vec![Side::Free; n])
-}
-
-/// [`solve`] with every parameter kept between its bounds; `start` is moved there first.
-///
-/// The finish is undamped in the parameters that no bound holds. Parameters beyond the last bound are free.
-pub fn solve_within(problem: &impl Problem, start: &[f64], bounds: &Bounds, options: Options) -> Solution {
-    let n = start.len();
-    let bounds = &bounds.widened(n);
-    let mut run = Run::new(problem, &bounds.project(start), options);
-    let mut sides = vec![Side::Free; n];
-    let mut termination = Termination::TooFewEquations;
-    // each round ends at a stationary point of a set of free parameters, lower than the round before
-    for round in 0..2 * n + 2 {
-        termination = damped(&mut run, Some(bounds), if round == 0 { 1e-3 } else { 1e-8 });
-        sides = sides_at(&mut run, bounds);
-        if !termination.is_success() || termination == Termination::ResidualsZero {
-            break;
-        }
-        let free: Vec<usize> = (0..n).filter(|&i| sides[i] == Side::Free).collect();
-        let part = Held::new(problem, &run.x, &free);
-        let mut finished = Run::new(&part, &part.chosen(&run.x), options);
-        let ended = finish(&mut finished);
-        let x = part.all(&finished.x);
-        if !bounds.holds(&x) {
-            continue;
-        }
-        (run.x, run.residuals, run.cost) = (x, finished.residuals, finished.cost);
-        run.iterations += finished.iterations;
-        run.log.append(&mut finished.log);
-        let before = std::mem::replace(&mut sides, sides_at(&mut run, bounds));
-        if sides == before && ended != Termination::NoImprovementPossible {
-            termination = ended;
-            break;
-        }
-    }
-    solution(run, termination, sides)
-}
-
-/// Which parameters a bound holds back at the point of `run`.
-fn sides_at<P: Problem>(run: &mut Run<'_, P>, bounds: &Bounds) -> Vec<Side> {
-    run.differentiate();
-    let n = run.x.len();
-    let mut gradient = vec![0.0; n];
-    for (row, r) in run.jacobian.chunks_exact(n.max(1)).zip(run.target()) {
-        gradient.iter_mut().zip(row).for_each(|(g, j)| *g += j * r);
-    }
-    bounds.sides(&run.x, &gradient)
-}
-
-/// What is told of the point at hand: its factor is of the free columns, and of the Jacobian without weights of a loss.
-fn solution<P: Problem>(mut run: Run<'_, P>, termination: Termination, sides: Vec<Side>) -> Solution {
-    let n = run.x.len();
-    let loss = run.options.loss;
-    let free: Vec<usize> = (0..n).filter(|&i| sides[i] == Side::Free).collect();
-    if run.factor.is_some() && (loss != Loss::Squares || free.len() < n) {
-        let part = Held::new(run.problem, &run.x, &free);
-        let mut jacobian = vec![0.0; run.residuals.len() * free.len()];
-        part.jacobian(&part.chosen(&run.x), &mut jacobian);
-        run.scale = super::column_norms(&jacobian, free.len());
-        run.factor = Some(Factor::new(&jacobian, &run.residuals, &run.scale));
-    }
     Solution {
-        loss: (loss, run.problem.prior_count()),
+        cost: run.cost_of(&run.residuals),
+        factor: run.factor.filter(|_| options.loss == Loss::Squares),
         x: run.x,
         residuals: run.residuals,
-        factor: run.factor,
         scale: run.scale,
-        sides,
         iterations: run.iterations,
         termination,
-        log: run.log,
+    }
+}
+
+/// Steps in a trust region until one is shorter than 1e-8, or shorter than `near`, undamped, and as good as predicted.
+fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
+    let mut trial_residuals = vec![0.0; run.residuals.len()];
+    let mut largest = vec![0.0; run.x.len()];
+    let (mut radius, mut damping, mut fresh) = (f64::NAN, 0.0, false);
+    while run.iterations < run.options.iterations {
+        if !fresh {
+            // scales only grow (Moré, eq. 6.1), so that the region does not open where a column fades
+            run.differentiate();
+            if let Err(stopped) = run.factorise(Some(&mut largest)) {
+                return stopped;
+            }
+            if run.cost == 0.0 {
+                return Termination::ResidualsZero;
+            }
+            if radius.is_nan() {
+                let start = run.x.iter().zip(&run.scale).map(|(x, d)| (x * d).powi(2)).sum::<f64>().sqrt();
+                radius = if start > 0.0 { start } else { 1.0 };
+            }
+            fresh = true;
+        }
+        let Some(factor) = &run.factor else { return Termination::NotANumber };
+        if norm(&factor.qtb) <= run.options.gradient * run.cost.sqrt() {
+            return Termination::GradientVanished;
+        }
+        let Some((p, step_damping)) = trust_region_step(factor, radius, damping) else {
+            return Termination::RankDeficient;
+        };
+        damping = step_damping;
+        let length = norm(&p);
+        let unscaled: Vec<f64> = p.iter().zip(&run.scale).map(|(p, d)| p / d).collect();
+        let size = run.relative(&unscaled);
+        let trial: Vec<f64> = run.x.iter().zip(&unscaled).map(|(x, s)| x - s).collect();
+        run.problem.residuals(&trial, &mut trial_residuals);
+        let trial_cost = run.cost_of(&trial_residuals);
+        let lowered = run.cost - trial_cost;
+        // decrease of the linear model: ‖r‖² − ‖r − J p‖² = ‖R p‖² + 2 λ ‖p‖² for this p (Moré, eq. 4.5)
+        let moved = sum_of_squares(&factor.multiply(&p));
+        let predicted = moved + 2.0 * damping * length * length;
+        let ratio = if trial_cost.is_finite() { lowered / predicted } else { f64::NEG_INFINITY };
+        if ratio < 0.25 {
+            let shorten = if trial_cost.is_finite() && trial_cost < 100.0 * run.cost {
+                // minimum of the parabola through both costs and the slope (MINPACK's choice)
+                let slope = moved + damping * length * length;
+                (if ratio >= 0.0 { 0.5 } else { 0.5 * slope / (slope - 0.5 * lowered) }).clamp(0.1, 0.5)
+            } else {
+                0.1
+            };
+            radius = shorten * radius.min(10.0 * length);
+            damping /= shorten;
+        } else if damping == 0.0 || ratio >= 0.75 {
+            radius = 2.0 * length;
+            damping *= 0.5;
+        }
+        if ratio > 1e-4 {
+            run.go_to(trial, &mut trial_residuals, trial_cost);
+            fresh = false;
+            if size < 1e-8 || size < near && step_damping == 0.0 && (ratio - 1.0).abs() < 0.1 {
+                return Termination::StepVanished;
+            }
+        } else if size < 1e-8 || !radius.is_normal() {
+            return Termination::NoImprovementPossible;
+        }
+    }
+    Termination::LostPatience
+}
+
+/// The scaled step of at most `radius` (to a tenth) that lowers the linear model most, and its damping λ
+/// (Moré 1978, algorithm 5.5); `None` if no damping makes the factor regular.
+pub(crate) fn trust_region_step(factor: &Factor, radius: f64, last_damping: f64) -> Option<(Vec<f64>, f64)> {
+    let direction = |f: &Factor, p: &[f64], length: f64| {
+        f.forward_substitute(p.iter().map(|p| p / length).collect()).map(|w| sum_of_squares(&w))
+    };
+    let mut lower = 0.0;
+    if let Some(p) = factor.solve() {
+        let length = norm(&p);
+        if length <= 1.1 * radius {
+            return Some((p, 0.0));
+        }
+        if let Some(w) = direction(factor, &p, length) {
+            lower = (length - radius) / radius / w;
+        }
+    }
+    let mut upper = norm(&factor.multiply_transposed(&factor.qtb)) / radius;
+    if upper == 0.0 {
+        upper = f64::MIN_POSITIVE / radius.min(0.1);
+    }
+    let mut damping = last_damping.clamp(lower.min(upper), upper);
+    if damping == 0.0 {
+        damping = (0.001 * upper).max((lower * upper).sqrt());
+    }
+    for attempt in 0..12 {
+        let damped = factor.damped(damping.sqrt());
+        let p = damped.solve()?;
+        let length = norm(&p);
+        let off = length - radius;
+        if off.abs() <= 0.1 * radius || attempt == 11 {
+            return Some((p, damping));
+        }
+        let correction = off / radius / direction(&damped, &p, length)?;
+        if off > 0.0 {
+            lower = f64::max(lower, damping)
+        } else {
+            upper = upper.min(damping)
+        }
+        damping = (damping + correction).max(lower);
+        if damping > upper || damping <= 0.0 {
+            damping = (lower * upper).sqrt().max(0.001 * upper);
+        }
+    }
+    None
+}
+
+/// Goes on while every step is shorter than the one before.
+///
+/// The gradient is always that of the Jacobian at hand; its factor is taken over from an earlier point as long as steps
+/// shrink tenfold with it.
+fn finish<P: Problem>(run: &mut Run<'_, P>) -> Termination {
+    let mut last = f64::INFINITY;
+    let mut residuals = vec![0.0; run.residuals.len()];
+    let mut termination = Termination::NoImprovementPossible;
+    for _ in 0..100 {
+        run.differentiate();
+        let taken_over = run.factor.as_ref().filter(|_| last < 1e-3);
+        let step = taken_over.and_then(|f| f.solve_normal(&run.jacobian, run.target(), &run.scale));
+        let step = match step.filter(|step| run.relative(step) < 0.1 * last) {
+            Some(step) => step,
+            None => {
+                if let Err(stopped) = run.factorise(None) {
+                    return stopped;
+                }
+                match fresh_step(run) {
+                    Some(step) => step,
+                    None => return Termination::RankDeficient,
+                }
+            }
+        };
+        let size = run.relative(&step);
+        if size >= last {
+            if last < 1e-6 {
+                termination = Termination::StepVanished;
+            }
+            break;
+        }
+        let trial: Vec<f64> = run.x.iter().zip(&step).map(|(x, s)| x + s).collect();
+        run.problem.residuals(&trial, &mut residuals);
+        let cost = run.cost_of(&residuals);
+        if cost > run.cost * (1.0 + 1e-6) + f64::MIN_POSITIVE {
+            break;
+        }
+        run.go_to(trial, &mut residuals, cost);
+        last = size;
+        if size <= run.options.step {
+            termination = Termination::StepVanished;
+            break;
+        }
+    }
+    // the Jacobian at hand is that of the solution, or of a point closer to it than rounding can tell
+    run.factorise(None).err().unwrap_or(termination)
+}
+
+/// The step that solves the factor at hand, in unscaled parameters; the sign makes it a descent.
+fn fresh_step<P>(run: &Run<'_, P>) -> Option<Vec<f64>> {
+    let step = run.factor.as_ref()?.solve()?;
+    Some(step.iter().zip(&run.scale).map(|(s, d)| -s / d).collect())
+}
+
+/// Norm of each of the `n` columns of a row-by-row matrix; 1 for a column of zeros.
+pub(crate) fn column_norms(jacobian: &[f64], n: usize) -> Vec<f64> {
+    let mut squares = vec![0.0; n];
+    for row in jacobian.chunks_exact(n.max(1)) {
+        for (s, j) in squares.iter_mut().zip(row) {
+            *s += j * j;
+        }
+    }
+    squares.into_iter().map(|s: f64| if s > 0.0 { s.sqrt() } else { 1.0 }).collect()
+}
+
+/// Root of the sum of squares.
+fn norm(v: &[f64]) -> f64 {
+    sum_of_squares(v).sqrt()
+}
+
+fn sum_of_squares(v: &[f64]) -> f64 {
+    v.iter().map(|v| v * v).sum()
+}
+
+/// The point at hand while the solver runs, with all that was computed there.
+struct Run<'a, P> {
+    problem: &'a P,
+    options: Options,
+    x: Vec<f64>,
+    residuals: Vec<f64>,
+    cost: f64,
+    /// Jacobian at `x`, its rows weighed by the loss.
+    jacobian: Vec<f64>,
+    /// Residuals at `x`, weighed by the loss; empty where there is none.
+    weighed: Vec<f64>,
+    /// Factor of the Jacobian at `x` or, near the end, at an earlier point.
+    factor: Option<Factor>,
+    scale: Vec<f64>,
+    iterations: usize,
+}
+
+impl<'a, P: Problem> Run<'a, P> {
+    fn new(problem: &'a P, start: &[f64], options: Options) -> Self {
+        let (m, n) = (problem.residual_count(), start.len());
+        let mut residuals = vec![0.0; m];
+        problem.residuals(start, &mut residuals);
+        let mut run = Self {
+            problem,
+            options,
+            x: start.to_vec(),
+            residuals,
+            cost: 0.0,
+            jacobian: vec![0.0; m * n],
+            weighed: Vec::new(),
+            factor: None,
+            scale: vec![1.0; n],
+            iterations: 0,
+        };
+        run.cost = run.cost_of(&run.residuals);
+        run
+    }
+
+    fn cost_of(&self, residuals: &[f64]) -> f64 {
+        self.options.loss.sum(residuals, self.problem.prior_count())
+    }
+
+    /// Goes to `x`, where the residuals are in `residuals`; these take the old ones.
+    fn go_to(&mut self, x: Vec<f64>, residuals: &mut Vec<f64>, cost: f64) {
+        self.x = x;
+        std::mem::swap(&mut self.residuals, residuals);
+        self.cost = cost;
+        self.iterations += 1;
+    }
+
+    /// The Jacobian at `x`.
+    fn differentiate(&mut self) {
+        self.problem.jacobian(&self.x, &mut self.jacobian);
+        let loss = self.options.loss;
+        if loss != Loss::Squares {
+            self.weighed.clone_from(&self.residuals);
+            loss.weigh(&mut self.weighed, &mut self.jacobian, self.x.len(), self.problem.prior_count());
+        }
+    }
+
+    /// Right-hand side that goes with `jacobian`.
+    fn target(&self) -> &[f64] {
+        if self.options.loss == Loss::Squares { &self.residuals } else { &self.weighed }
+    }
+
+    /// Factors the Jacobian at hand, with columns divided by their norms or, if `largest` is given, by the largest
+    /// norms so far; an error if a number in it is not finite.
+    fn factorise(&mut self, largest: Option<&mut Vec<f64>>) -> Result<(), Termination> {
+        self.scale = column_norms(&self.jacobian, self.x.len());
+        if self.scale.iter().any(|s| !s.is_finite()) || !self.cost.is_finite() {
+            return Err(Termination::NotANumber);
+        }
+        if let Some(largest) = largest {
+            largest.iter_mut().zip(&self.scale).for_each(|(kept, now)| *kept = f64::max(*kept, *now));
+            self.scale.clone_from(largest);
+        }
+        self.factor = Some(Factor::new(&self.jacobian, self.target(), &self.scale));
+        Ok(())
+    }
+
+    /// Length of an unscaled step relative to the parameters, both in the scale of the columns.
+    fn relative(&self, step: &[f64]) -> f64 {
+        let scaled = |v: &[f64]| v.iter().zip(&self.scale).map(|(v, d)| (v * d).powi(2)).sum::<f64>().sqrt();
+        scaled(step) / (scaled(&self.x) + f64::MIN_POSITIVE)
     }
 }
 

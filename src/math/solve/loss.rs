@@ -1,4 +1,4 @@
-//! What a residual costs: its square, or less where outliers are to pull less.
+//! What a residual costs: its square, or less where outliers are to have less influence.
 //!
 //! The sum of ρ(r²) is minimised by weighing the rows of each linear problem so that its gradient is that of the
 //! robust cost and its curvature that of ρ (Triggs et al. 2000, "Bundle adjustment - a modern synthesis", 4.3). Where
@@ -10,10 +10,7 @@ pub enum Loss {
     /// r²: least squares.
     #[default]
     Squares,
-    /// r² up to k, then 2 k |r| − k² (Huber 1964): outliers pull no harder than k. Usual: 1.345, which costs 5 % of the
-    /// precision where no outlier is.
-    Huber(f64),
-    /// c² ln(1 + r²/c²): far outliers pull ever less, and there may be several minima. Usual: 2.385.
+    /// c² ln(1 + r²/c²): the influence of far outliers falls to zero, and there may be several minima. Usual: 2.385.
     Cauchy(f64),
 }
 
@@ -26,18 +23,15 @@ impl Loss {
         let square = residual * residual;
         match self {
             Self::Squares => square,
-            Self::Huber(k) | Self::Cauchy(k) if k.is_nan() || k <= 0.0 => f64::NAN,
-            Self::Huber(k) if residual.abs() <= k => square,
-            Self::Huber(k) => k * (2.0 * residual.abs() - k),
+            Self::Cauchy(c) if c.is_nan() || c <= 0.0 => f64::NAN,
             Self::Cauchy(c) => c * c * (square / (c * c)).ln_1p(),
         }
     }
 
-    /// Half the derivative of ρ by r: the pull of a residual, ψ.
-    pub fn pull(self, residual: f64) -> f64 {
+    /// Half the derivative of ρ by r: the influence of a residual, ψ.
+    pub fn influence(self, residual: f64) -> f64 {
         match self {
             Self::Squares => residual,
-            Self::Huber(k) => residual.clamp(-k.abs(), k.abs()),
             Self::Cauchy(c) => residual / (1.0 + (residual / c).powi(2)),
         }
     }
@@ -46,7 +40,6 @@ impl Loss {
     pub fn curvature(self, residual: f64) -> f64 {
         match self {
             Self::Squares => 1.0,
-            Self::Huber(k) => f64::from(u8::from(residual.abs() <= k)),
             Self::Cauchy(c) => {
                 let z = (residual / c).powi(2);
                 (1.0 - z) / ((1.0 + z) * (1.0 + z))
@@ -71,11 +64,11 @@ impl Loss {
             return;
         }
         for (r, row) in residuals.iter_mut().zip(jacobian.chunks_exact_mut(columns.max(1))).take(measured) {
-            let pull = self.pull(*r);
-            let weight = if *r == 0.0 { 1.0 } else { pull / *r };
+            let influence = self.influence(*r);
+            let weight = if *r == 0.0 { 1.0 } else { influence / *r };
             let root = self.curvature(*r).max(CURVATURE_KEPT * weight).sqrt();
             row.iter_mut().for_each(|j| *j *= root);
-            *r = pull / root;
+            *r = influence / root;
         }
     }
 }
@@ -85,13 +78,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pull_and_curvature_are_the_derivatives_of_the_loss() {
-        for loss in [Loss::Squares, Loss::Huber(1.345), Loss::Cauchy(2.385)] {
+    fn influence_and_curvature_are_the_derivatives_of_the_loss() {
+        for loss in [Loss::Squares, Loss::Cauchy(2.385)] {
             for r in [-7.0, -1.0, -0.3, 0.0, 0.2, 1.1, 2.0, 30.0] {
                 let h = 1e-5;
                 let slope = (loss.of(r + h) - loss.of(r - h)) / (4.0 * h);
-                assert!((slope - loss.pull(r)).abs() < 1e-8, "{loss:?} {r}");
-                let bend = (loss.pull(r + h) - loss.pull(r - h)) / (2.0 * h);
+                assert!((slope - loss.influence(r)).abs() < 1e-8, "{loss:?} {r}");
+                let bend = (loss.influence(r + h) - loss.influence(r - h)) / (2.0 * h);
                 assert!((bend - loss.curvature(r)).abs() < 1e-8, "{loss:?} {r}");
             }
         }
@@ -99,7 +92,7 @@ mod tests {
 
     #[test]
     fn a_constant_that_is_not_positive_has_no_value() {
-        for loss in [Loss::Huber(0.0), Loss::Cauchy(-1.0), Loss::Huber(f64::NAN)] {
+        for loss in [Loss::Cauchy(0.0), Loss::Cauchy(-1.0), Loss::Cauchy(f64::NAN)] {
             assert!(loss.of(1.0).is_nan());
         }
     }

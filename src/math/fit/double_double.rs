@@ -8,25 +8,25 @@ use std::ops::{Add, Div, Mul, Sub};
 
 /// hi + lo, with |lo| at most half a unit in the last place of hi.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
-pub(super) struct Twofold {
+pub(super) struct DoubleDouble {
     pub hi: f64,
     lo: f64,
 }
 
-impl From<f64> for Twofold {
+impl From<f64> for DoubleDouble {
     fn from(hi: f64) -> Self {
         Self { hi, lo: 0.0 }
     }
 }
 
 /// a + b without error (Knuth).
-fn sum(a: f64, b: f64) -> Twofold {
+fn sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     let part = hi - a;
-    Twofold { hi, lo: (a - (hi - part)) + (b - part) }
+    DoubleDouble { hi, lo: (a - (hi - part)) + (b - part) }
 }
 
-impl Add for Twofold {
+impl Add for DoubleDouble {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         let (high, low) = (sum(self.hi, other.hi), sum(self.lo, other.lo));
@@ -35,14 +35,14 @@ impl Add for Twofold {
     }
 }
 
-impl Sub for Twofold {
+impl Sub for DoubleDouble {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + Self { hi: -other.hi, lo: -other.lo }
     }
 }
 
-impl Mul for Twofold {
+impl Mul for DoubleDouble {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let hi = self.hi * other.hi;
@@ -51,7 +51,7 @@ impl Mul for Twofold {
     }
 }
 
-impl Div for Twofold {
+impl Div for DoubleDouble {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
@@ -63,7 +63,7 @@ impl Div for Twofold {
 }
 
 /// Three of them.
-pub(super) type TwofoldVector = [Twofold; 3];
+pub(super) type TwofoldVector = [DoubleDouble; 3];
 
 /// `a - b`.
 pub(super) fn minus(a: TwofoldVector, b: TwofoldVector) -> TwofoldVector {
@@ -71,18 +71,18 @@ pub(super) fn minus(a: TwofoldVector, b: TwofoldVector) -> TwofoldVector {
 }
 
 /// `a + t b`.
-pub(super) fn plus_times(a: TwofoldVector, t: Twofold, b: TwofoldVector) -> TwofoldVector {
+pub(super) fn plus_times(a: TwofoldVector, t: DoubleDouble, b: TwofoldVector) -> TwofoldVector {
     [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]]
 }
 
 /// Scalar product.
-pub(super) fn dot(a: TwofoldVector, b: TwofoldVector) -> Twofold {
+pub(super) fn dot(a: TwofoldVector, b: TwofoldVector) -> DoubleDouble {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The same vector.
 pub(super) fn exact(a: Vector) -> TwofoldVector {
-    a.map(Twofold::from)
+    a.map(DoubleDouble::from)
 }
 
 #[cfg(test)]
@@ -91,14 +91,14 @@ mod tests {
 
     #[test]
     fn thirty_digits() {
-        let third = Twofold::from(1.0) / Twofold::from(3.0);
-        let left = (third * Twofold::from(3.0) - Twofold::from(1.0)).hi;
+        let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
+        let left = (third * DoubleDouble::from(3.0) - DoubleDouble::from(1.0)).hi;
         assert!(left.abs() < 1e-31, "{left:e}");
-        let ninth = (third * third * Twofold::from(9.0) - Twofold::from(1.0)).hi;
+        let ninth = (third * third * DoubleDouble::from(9.0) - DoubleDouble::from(1.0)).hi;
         assert!(ninth.abs() < 1e-30, "{ninth:e}");
-        let small = Twofold::from(1e-20);
-        assert_eq!((Twofold::from(1.0) + small - Twofold::from(1.0)).hi, 1e-20);
-        let square = (Twofold::from(1.0) + small) * (Twofold::from(1.0) + small);
-        assert!(((square - Twofold::from(1.0)).hi - 2e-20).abs() < 1e-31);
+        let small = DoubleDouble::from(1e-20);
+        assert_eq!((DoubleDouble::from(1.0) + small - DoubleDouble::from(1.0)).hi, 1e-20);
+        let square = (DoubleDouble::from(1.0) + small) * (DoubleDouble::from(1.0) + small);
+        assert!(((square - DoubleDouble::from(1.0)).hi - 2e-20).abs() < 1e-31);
     }
 }

@@ -15,12 +15,12 @@ const NEAR: f64 = 1.0 / 512.0;
 
 /// One number of each of eight points.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Lanes(pub [f64; LANES]);
+pub(super) struct F64x8(pub [f64; LANES]);
 
 /// Eight points, coordinate by coordinate.
-pub(super) type Points = [Lanes; 3];
+pub(super) type Points = [F64x8; 3];
 
-impl Lanes {
+impl F64x8 {
     /// The same number in every lane.
     #[inline(always)]
     pub fn all(x: f64) -> Self {
@@ -131,7 +131,7 @@ impl Lanes {
     }
 }
 
-impl Add for Lanes {
+impl Add for F64x8 {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -139,7 +139,7 @@ impl Add for Lanes {
     }
 }
 
-impl Sub for Lanes {
+impl Sub for F64x8 {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -147,7 +147,7 @@ impl Sub for Lanes {
     }
 }
 
-impl Mul for Lanes {
+impl Mul for F64x8 {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -155,7 +155,7 @@ impl Mul for Lanes {
     }
 }
 
-impl Mul<f64> for Lanes {
+impl Mul<f64> for F64x8 {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
@@ -163,7 +163,7 @@ impl Mul<f64> for Lanes {
     }
 }
 
-impl Add<f64> for Lanes {
+impl Add<f64> for F64x8 {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: f64) -> Self {
@@ -171,7 +171,7 @@ impl Add<f64> for Lanes {
     }
 }
 
-impl Sub<f64> for Lanes {
+impl Sub<f64> for F64x8 {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: f64) -> Self {
@@ -179,7 +179,7 @@ impl Sub<f64> for Lanes {
     }
 }
 
-impl Div for Lanes {
+impl Div for F64x8 {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -187,7 +187,7 @@ impl Div for Lanes {
     }
 }
 
-impl Neg for Lanes {
+impl Neg for F64x8 {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -197,13 +197,13 @@ impl Neg for Lanes {
 
 /// Scalar product of eight vectors with one.
 #[inline(always)]
-pub(super) fn along(q: Points, d: Vector) -> Lanes {
-    (q[0] * d[0]).plus(q[1], Lanes::all(d[1])).plus(q[2], Lanes::all(d[2]))
+pub(super) fn along(q: Points, d: Vector) -> F64x8 {
+    (q[0] * d[0]).plus(q[1], F64x8::all(d[1])).plus(q[2], F64x8::all(d[2]))
 }
 
 /// Squared length of eight vectors.
 #[inline(always)]
-pub(super) fn square(q: Points) -> Lanes {
+pub(super) fn square(q: Points) -> F64x8 {
     (q[0] * q[0]).plus(q[1], q[1]).plus(q[2], q[2])
 }
 
