@@ -82,7 +82,7 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
 /// What cannot be compared; all of it is said at once.
 fn refuse(all: &[Compared]) -> Result<()> {
     if all.len() < 2 {
-        return Err(Message::error("one campaign alone changes nothing").expected("two folders or more").into());
+        return Err(Message::error("a comparison needs two campaigns or more").expected("two folders or more").into());
     }
     let mut problems = Problems::default();
     let mut folders = BTreeSet::new();
@@ -129,10 +129,10 @@ fn disorder(all: &[Compared]) -> Option<Message> {
     let date = |c: &Compared| c.campaign.date.clone().filter(stated);
     let falls = |pair: &&[Compared]| matches!((date(&pair[0]), date(&pair[1])), (Some(a), Some(b)) if a > b);
     let pair = all.windows(2).find(falls)?;
-    let what = format!("`{}` comes before `{}`, and is the younger by its date", pair[0].folder, pair[1].folder);
+    let what = format!("`{}` is named before `{}`, but has the later date", pair[0].folder, pair[1].folder);
     Some(
         Message::warning(what)
-            .hint("name the eldest first: changes are from the one named before to the one named after"),
+            .hint("name the earliest first: changes are from the one named before to the one named after"),
     )
 }
 

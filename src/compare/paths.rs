@@ -38,8 +38,8 @@ pub(super) fn trends(all: &[&Iso9283StreamsDocument], messages: &mut Vec<Message
         let fewest = paths.iter().map(|p| p.passes).min().unwrap_or(0);
         if fewest < TESTED_PASSES {
             let what = format!(
-                "AT and RT of stream `{name}` rest on {}: the test of a change was validated with {TESTED_PASSES}, and is less \
-                 sure",
+                "AT and RT of stream `{name}` rest on {}: the test of a change was validated with {TESTED_PASSES}, which is \
+                 more",
                 count(fewest, "pass")
             );
             messages.push(Message::warning(what).hint("drive the path ten times, as ISO 9283 asks"));
@@ -62,7 +62,7 @@ pub(super) fn doubt(trends: &[CompareTrend]) -> Option<Message> {
          a hint, not a proof",
         names.join("; ")
     );
-    (!names.is_empty()).then(|| Message::warning(what).hint("drive the path again before anything hangs on it"))
+    (!names.is_empty()).then(|| Message::warning(what).hint("repeat the test before you act on it"))
 }
 
 fn is_same(a: &Iso9283Path, b: &Iso9283Path) -> bool {

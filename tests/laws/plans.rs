@@ -3,7 +3,7 @@
 use crate::support::five_bar::{SEVEN, holes, measure, robot, settings, truth};
 use etalon::base::noise::Noise;
 use etalon::math::identify::{Observation, identify_from};
-use etalon::math::plan::branch::branch_and_bound;
+use etalon::math::plan::bound::branch_and_bound;
 use etalon::math::plan::candidates::{self, Candidates};
 use etalon::math::plan::search::{exchange_from_many, greedy};
 use etalon::math::plan::{Choice, Criterion, Plan, Pool, Request, plan, pool_of};

@@ -1,7 +1,7 @@
 //! How much of an element has points.
 
 use super::axis::Chart;
-use super::f64x8::{LANES, F64x8, Points, less, square};
+use super::f64x8::{F64x8, LANES, Points, less, square};
 use super::stream::Gather;
 use crate::base::pose::{Vector, unit};
 use std::f64::consts::TAU;

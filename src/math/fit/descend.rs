@@ -13,7 +13,7 @@
 //! the middle of its chart (as NPL's LSGE turns the axis to z in each iteration).
 
 use super::cloud::Cloud;
-use super::f64x8::{LANES, F64x8, Points};
+use super::f64x8::{F64x8, LANES, Points};
 use super::stream::Gather;
 use super::surface::Surface;
 use crate::math::solve::{Factor, Termination, trust_region_step};

@@ -14,6 +14,7 @@ mod cone;
 mod coverage;
 mod cylinder;
 mod descend;
+mod double_double;
 mod element;
 mod enclosing;
 mod f64x8;
@@ -27,7 +28,6 @@ mod sphere;
 mod stream;
 mod surface;
 mod torus;
-mod double_double;
 mod zone;
 
 pub use circle2d::{circle2d, circle2d_with};

@@ -3,7 +3,7 @@
 //! operation, so sums have the same bytes everywhere.
 
 use super::cloud::{Cloud, Source};
-use super::f64x8::{LANES, F64x8, Points};
+use super::f64x8::{F64x8, LANES, Points};
 use pulp::Arch;
 use rayon::prelude::*;
 

@@ -1,9 +1,7 @@
 //! The base frame: plane of the rails, centre of the arc of ball N, line of ball R (thesis 2.6.1).
 
-use super::circle::Circle;
-use super::plane::Plane;
-use super::readings::{Flat, Point, Readings};
-use super::uncertain::Uncertain;
+use super::plane::{Circle, Plane};
+use super::uncertain::{Flat, Point, Readings, Uncertain};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Vector, cross, dot, minus};
 use crate::base::scalar::Scalar;

@@ -1,7 +1,7 @@
-//! The lead error of an actuator: travel of a ball on its carriage against the commanded displacement (thesis 2.5).
+//! Lengths: the lead error of an actuator, travel of a ball on its carriage against the commanded displacement (thesis
+//! 2.5), and the instrument's error on a scale bar (thesis 2.6).
 
-use super::readings::{Readings, Scatter, shifts, values};
-use super::uncertain::Uncertain;
+use super::uncertain::{Readings, Scatter, Uncertain, mean_and_sd, shifts, values};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Vector, centroid, dot, minus, norm};
 
@@ -67,4 +67,22 @@ impl Lead {
     pub fn error(&self) -> f64 {
         self.ratio.value - 1.0
     }
+}
+
+/// Distance errors of a scale bar in one position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScaleBar {
+    /// Number of distances.
+    pub count: usize,
+    /// Mean of measured minus nominal distance, in mm.
+    pub mean_error_mm: f64,
+    /// Standard deviation of the distances, in mm; zero for a single one.
+    pub standard_deviation_mm: f64,
+}
+
+/// Distances of the two balls of a bar of `length_mm`, each pair measured together; `None` without any.
+pub fn scale_bar(length_mm: f64, pairs: &[[Vector; 2]]) -> Option<ScaleBar> {
+    let errors: Vec<f64> = pairs.iter().map(|[a, b]| norm(minus(*b, *a)) - length_mm).collect();
+    let (mean_error_mm, standard_deviation_mm) = mean_and_sd(&errors)?;
+    Some(ScaleBar { count: errors.len(), mean_error_mm, standard_deviation_mm })
 }

@@ -1,9 +1,7 @@
 //! The mobile frame: centre C in the frame of balls K and L, from the circle that ball I makes there (thesis 2.6.2).
 
-use super::circle::Circle;
-use super::plane::Plane;
-use super::readings::{Flat, Readings};
-use super::uncertain::Uncertain;
+use super::plane::{Circle, Plane};
+use super::uncertain::{Flat, Readings, Uncertain};
 use crate::base::message::Result;
 use crate::base::pose::Vector;
 

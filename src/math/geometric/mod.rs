@@ -6,31 +6,23 @@
 //! still found where they are, but γ, β and ε_θ are taken as zero: what this costs is for the report to show.
 
 mod base;
-mod circle;
 mod lead;
 mod mobile;
 mod offsets;
 mod plane;
-mod readings;
-mod repeated;
-mod scale_bar;
 mod setup;
 mod shaft;
 mod uncertain;
 mod workspace;
 
 pub use base::{Base, BaseMeasurements};
-pub use circle::Circle;
-pub use lead::{Lead, LeadMeasurements};
+pub use lead::{Lead, LeadMeasurements, ScaleBar, scale_bar};
 pub use mobile::{Mobile, Turned};
 pub use offsets::OffsetMeasurements;
-pub use plane::Plane;
-pub use readings::{Flat, Point, Readings, Scatter};
-pub use repeated::{Repeated, Repeats, mean_and_deviation};
-pub use scale_bar::{ScaleBar, scale_bar};
+pub use plane::{Circle, Plane};
 pub use setup::{Arc, BallSetup, BarSetup, LeadSetup, OffsetSetup, Setup, ShaftSetup, Turn};
 pub use shaft::{Shaft, ShaftMeasurements, intersection};
-pub use uncertain::Uncertain;
+pub use uncertain::{Flat, Point, Readings, Repeated, Repeats, Scatter, Uncertain, mean_and_sd};
 pub use workspace::{Polygon, Workspace, area_mm2};
 
 use crate::base::message::{Message, Problems, Result};

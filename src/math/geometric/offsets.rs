@@ -2,8 +2,7 @@
 
 use super::base::Base;
 use super::mobile::Mobile;
-use super::readings::Readings;
-use super::uncertain::Uncertain;
+use super::uncertain::{Readings, Uncertain};
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 

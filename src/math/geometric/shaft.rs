@@ -1,8 +1,7 @@
 //! The distance s: two positions of the shaft, their axes intersected (thesis 2.6.3).
 
 use super::base::Base;
-use super::readings::{Flat, Readings, Scatter, shifts, values};
-use super::uncertain::Uncertain;
+use super::uncertain::{Flat, Readings, Scatter, Uncertain, shifts, values};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Vector, cross, dot, minus, norm, unit};
 use crate::math::fit;

@@ -1,25 +1,22 @@
 //! Which poses to measure: observability indices, choice among candidates, and how good any choice can be.
 //!
 //! Maximise a [`Criterion`] of the information JᵀJ over all sets of N candidates. [`search`] finds good sets,
-//! [`relaxation`] an upper bound for all of them, [`branch`] closes the gap. One answer says how far it is from the best.
+//! [`bound`] proves how far they are from the best at most.
 
-pub mod branch;
+pub mod bound;
 pub mod candidates;
 pub mod criterion;
-pub mod pool;
-pub mod relaxation;
 pub mod search;
 mod study;
 
-pub use criterion::Criterion;
-pub use pool::Pool;
+pub use criterion::{Criterion, Pool};
 pub use search::Choice;
 pub use study::{PlaceError, Setting, Study, study};
 
 use crate::base::message::{Message, Result};
 use crate::math::identify::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};
 use crate::math::robots::Robot;
-use branch::{Proven, branch_and_bound};
+use bound::{Proven, branch_and_bound};
 use search::{exchange_from_many, greedy};
 
 /// What to choose, and how hard to try.

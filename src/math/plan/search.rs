@@ -1,7 +1,6 @@
 //! Choosing: one after the other (the thesis' way), and exchange from several starts.
 
-use super::criterion::Criterion;
-use super::pool::{Candidate, Pool, inner};
+use super::criterion::{Candidate, Criterion, Pool, inner};
 use crate::base::noise::Noise;
 use nalgebra::DMatrix;
 use rayon::prelude::*;

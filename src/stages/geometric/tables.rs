@@ -3,7 +3,7 @@
 use crate::base::message::{Message, Result};
 use crate::campaign::{Campaign, GeometricDefinition, Selection};
 use crate::document::{MeanError, MethodErrors, PoseRow, PoseTable};
-use crate::math::geometric::mean_and_deviation;
+use crate::math::geometric::mean_and_sd;
 use crate::math::identify::Observation;
 use crate::math::robots::Platform;
 use crate::stages::evaluate::Sets;
@@ -47,7 +47,7 @@ fn row(robot: &dyn Platform, pose: i64, observed: &[&Observation], parameters: [
         };
         observed.iter().filter_map(error).collect()
     };
-    let component = |all: &[[f64; 3]], k: usize| mean_and_deviation(&all.iter().map(|e| e[k]).collect::<Vec<_>>());
+    let component = |all: &[[f64; 3]], k: usize| mean_and_sd(&all.iter().map(|e| e[k]).collect::<Vec<_>>());
     let mean = |p: &[f64]| {
         let all = errors(p);
         let [x, y, theta] = [component(&all, 0)?, component(&all, 1)?, component(&all, 2)?];
