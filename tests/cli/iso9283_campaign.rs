@@ -161,7 +161,7 @@ fn what_is_wrong_with_the_tables_is_told_by_check_and_run_with_its_line() {
         ("poses.csv", "\n2,1,1,", "\n2,,1,", &["poses.csv", "cycle"]),
         ("reference.csv", "1,N4,", "1,N5,", &["reference.csv", "others than the first"]),
         ("loads.csv", "+x,1,3,", "+x,1,-3,", &["loads.csv:3", "not a force"]),
-        ("loads.csv", "+x,1,0,", "+w,1,0,", &["loads.csv:2", "no direction"]),
+        ("loads.csv", "+x,1,0,", "+w,1,0,", &["loads.csv:2", "not a direction"]),
         ("campaign.toml", "\"loads.csv\"", "\"no.csv\"", &["no.csv", "campaign.toml:"]),
         ("campaign.toml", "\"poses.csv\"", "\"../poses.csv\"", &["leaves the folder", "campaign.toml:"]),
         ("campaign.toml", "drift_set = 5 ", "drift_set = 1 ", &["`drift_set` must be at least 2", "campaign.toml:"]),
