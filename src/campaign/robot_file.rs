@@ -1,155 +1,150 @@
-//! The keys of `robot.toml`, and the robot they describe.
+//! `robot.toml`: the keys of every model, and those of its own model, which that model reads.
 
 use super::toml_file::{self, Recovered, UnreadKeys};
 use crate::base::message::{Message, Place, Problems, Result};
-use crate::math::robots::{FiveBar, Limits, Parameter, Prexyt, Quantity, Robot, Role, Serial, SerialJoint};
-use schemars::JsonSchema;
-use serde::Deserialize;
+use crate::math::robots::{Description, MODELS, Model, Parameter, Quantity, Robot, Role};
+use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, de};
+use serde_json::{Map, Value};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
-
-/// Axes whose twist is below this are near-parallel: d is replaced by Hayati's beta (3 degrees).
-const NEAR_PARALLEL_RAD: f64 = 0.052;
+use std::sync::Arc;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 /// `robot.toml`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug)]
 pub struct RobotFile {
-    /// Name of the robot, for the report and for `etalon compare`.
+    /// Name for the report.
     pub name: Option<String>,
+    nominal: BTreeMap<String, f64>,
+    /// The model and its own keys; none where the file does not read.
+    description: Option<(&'static Model, Arc<dyn Description>)>,
+    /// The file as the user named it, and its text.
+    source: (String, String),
+    /// What of the file did not read.
+    unread: UnreadKeys,
+}
+
+/// `robot.toml`.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct CommonKeys {
+    /// Name of the robot, for the report and for `etalon compare`.
+    name: Option<String>,
     /// The kinematic model.
-    pub model: Model,
+    #[serde(deserialize_with = "model")]
+    #[schemars(schema_with = "models")]
+    model: &'static Model,
     /// Nominal parameters by name, in mm, deg or without unit. The geometry of the robot must be stated; other parameters
     /// have the values of the model.
     #[serde(default)]
-    pub nominal: BTreeMap<String, f64>,
-    /// Joints of a serial arm, from the base.
-    #[serde(default, rename = "joint")]
-    pub joints: Vec<JointDefinition>,
-    /// Direction of gravity in the base of a serial arm.
-    #[serde(default = "down")]
-    pub gravity: [f64; 3],
-    /// Numbers of the joints of a serial arm that bend under gravity, from 1.
-    #[serde(default)]
-    pub bending: Vec<usize>,
-    /// Coupled joints of a serial arm: pairs of a joint and the joint that moves it, from 1.
-    #[serde(default)]
-    pub coupling: Vec<(usize, usize)>,
-    /// Limits of a PreXYT or a five-bar.
-    #[serde(default)]
-    pub reach: ReachDefinition,
-    /// Rotation about the y axis of the world before base_rx, base_ry and base_rz of a serial arm.
-    #[serde(default)]
-    pub base_turn_y_deg: f64,
-    /// The file as the user named it, and its text.
-    #[serde(skip)]
-    source: (String, String),
-    /// What of the file did not read.
-    #[serde(skip)]
-    unread: UnreadKeys,
-    /// It only stands for a file that does not read.
-    #[serde(skip)]
-    unreadable: bool,
+    nominal: BTreeMap<String, f64>,
 }
 
-fn down() -> [f64; 3] {
-    [0.0, 0.0, -1.0]
+const COMMON: [&str; 3] = ["name", "model", "nominal"];
+
+fn model<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<&'static Model, D::Error> {
+    let name = String::deserialize(deserializer)?;
+    MODELS.into_iter().find(|model| model.name == name).ok_or_else(|| {
+        let names = MODELS.map(|model| format!("`{}`", model.name)).join(", ");
+        de::Error::custom(format!("unknown variant `{name}`, expected one of {names}"))
+    })
 }
 
-/// A kinematic model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Model {
-    /// PreXYT with 13 parameters.
-    Prexyt,
-    /// PreXYT before the reduction of section 3.4.
-    PrexytFull,
-    /// Five-bar with 12 parameters.
-    FiveBar,
-    /// Serial arm.
-    Serial,
+fn models(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "string", "enum": MODELS.map(|model| model.name) })
 }
 
-/// Limits of a robot: `travel_mm` of a PreXYT, the others of a five-bar. A limit that is not stated does not apply.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ReachDefinition {
-    /// Smallest and largest encoder angle of joint 1.
-    pub theta1_deg: Option<[f64; 2]>,
-    /// Smallest and largest encoder angle of joint 2.
-    pub theta2_deg: Option<[f64; 2]>,
-    /// Smallest distance between the proximal link of one arm and the distal link of the other; 0 excludes that they cross.
-    pub clearance_mm: Option<f64>,
-    /// Smallest angle of an arm from being stretched or folded (type 1 singularity).
-    pub type1_margin_deg: Option<f64>,
-    /// Smallest angle of the distal links from being in line (type 2 singularity).
-    pub type2_margin_deg: Option<f64>,
-    /// Travel of each actuator from zero.
-    pub travel_mm: Option<[f64; 3]>,
+impl JsonSchema for RobotFile {
+    fn schema_name() -> Cow<'static, str> {
+        "RobotFile".into()
+    }
+
+    /// The keys of all models in one table.
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let mut generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true).into_generator();
+        let mut whole = CommonKeys::json_schema(&mut generator);
+        for model in MODELS {
+            let own = (model.schema)(&mut generator);
+            merge(whole.ensure_object(), own.as_object());
+        }
+        whole
+    }
 }
 
-impl ReachDefinition {
-    fn build(&self) -> Limits {
-        let none = Limits::default();
-        let limits = |given: Option<[f64; 2]>, none: [f64; 2]| given.map_or(none, |l| l.map(f64::to_radians));
-        Limits {
-            limits_rad: [limits(self.theta1_deg, none.limits_rad[0]), limits(self.theta2_deg, none.limits_rad[1])],
-            clearance_mm: self.clearance_mm,
-            type1_margin_rad: self.type1_margin_deg.map_or(none.type1_margin_rad, f64::to_radians),
-            type2_margin_rad: self.type2_margin_deg.map_or(none.type2_margin_rad, f64::to_radians),
+/// Adds the properties of `other` that `whole` does not have, and those of the tables that both have.
+fn merge(whole: &mut Map<String, Value>, other: Option<&Map<String, Value>>) {
+    let Some(other) = other.and_then(|other| other.get("properties")).and_then(Value::as_object) else { return };
+    let Some(properties) = whole.get_mut("properties").and_then(Value::as_object_mut) else { return };
+    for (key, value) in other {
+        match properties.get_mut(key).and_then(Value::as_object_mut) {
+            Some(table) => merge(table, value.as_object()),
+            None => drop(properties.insert(key.clone(), value.clone())),
         }
     }
 }
 
-/// A joint of a serial arm by its nominal modified Denavit-Hartenberg parameters (Craig), from the base.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct JointDefinition {
-    /// Twist of the previous link.
-    pub alpha_deg: f64,
-    /// Length of the previous link.
-    pub a_mm: f64,
-    /// Joint offset.
-    pub theta_deg: f64,
-    /// Link offset.
-    pub d_mm: f64,
-    /// The joint is prismatic.
-    #[serde(default)]
-    pub prismatic: bool,
-    /// Near-parallel to the previous axis: Hayati's beta replaces d. By default so below 3 degrees of twist.
-    pub parallel: Option<bool>,
+/// Reads a table that is a robot.toml; keys that only other models have are left out.
+fn read(root: Spanned<DeTable<'_>>) -> std::result::Result<RobotFile, toml::de::Error> {
+    let span = root.span();
+    let (mut common, mut own) = (DeTable::new(), DeTable::new());
+    for (key, value) in root.into_inner() {
+        let table = if COMMON.contains(&key.get_ref().as_ref()) { &mut common } else { &mut own };
+        table.insert(key, value);
+    }
+    let common = CommonKeys::deserialize(toml::de::Deserializer::from(Spanned::new(span.clone(), common)))?;
+    for path in foreign(common.model) {
+        match path {
+            [key] => drop(own.remove(*key)),
+            [section, key] => {
+                let Some(DeValue::Table(table)) = own.get_mut(*section).map(Spanned::get_mut) else { continue };
+                table.remove(*key);
+                if table.is_empty() {
+                    own.remove(*section);
+                }
+            }
+            _ => {}
+        }
+    }
+    let description = Some((common.model, (common.model.read)(Spanned::new(span, own))?));
+    Ok(RobotFile {
+        name: common.name,
+        nominal: common.nominal,
+        description,
+        source: Default::default(),
+        unread: UnreadKeys::default(),
+    })
 }
 
-/// Keys that only a serial arm has.
-const SERIAL_ONLY: [&str; 5] = ["joint", "gravity", "bending", "coupling", "base_turn_y_deg"];
-/// Keys of [reach] that only a five-bar has.
-const FIVE_BAR_ONLY: [&str; 5] = ["theta1_deg", "theta2_deg", "clearance_mm", "type1_margin_deg", "type2_margin_deg"];
+/// Keys that other models have, and this one has not.
+fn foreign(model: &Model) -> impl Iterator<Item = &'static [&'static str]> {
+    let all = MODELS.into_iter().rev().flat_map(|other| other.keys.iter().copied());
+    all.filter(|path| !model.keys.contains(path))
+}
 
 impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
     pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
-        let Recovered { value, problems, unread } = toml_file::recover::<Self>(name, text);
+        let own = MODELS.into_iter().flat_map(|model| model.keys.iter().filter_map(|path| path.first().copied()));
+        let top: Vec<&str> = COMMON.into_iter().chain(own).collect();
+        let Recovered { value, problems, unread } = toml_file::recover_with(name, text, &top, read);
         (value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), unread, ..robot }), problems)
     }
 
-    /// Stands for a file that does not read, which is told already: no robot can be built of it.
+    /// Stands for a file that does not read, of which no robot can be built; the problems are reported already.
     pub(super) fn unreadable() -> Self {
         Self {
             name: None,
-            model: Model::Prexyt,
             nominal: BTreeMap::new(),
-            joints: Vec::new(),
-            gravity: down(),
-            bending: Vec::new(),
-            coupling: Vec::new(),
-            reach: ReachDefinition::default(),
-            base_turn_y_deg: 0.0,
+            description: None,
             source: Default::default(),
             unread: UnreadKeys::default(),
-            unreadable: true,
         }
     }
 
-    /// Where the value of a key stands, if it does.
+    /// Where the value of a key is, if the file has it.
     fn stated(&self, path: &[&str]) -> Option<Place> {
         let (name, text) = &self.source;
         Some(Place::span(name.as_str(), text, toml_file::find(text, path)?))
@@ -160,118 +155,39 @@ impl RobotFile {
         self.stated(path).unwrap_or_else(|| Place::file(self.source.0.as_str()))
     }
 
-    /// The robot with these targets (serial arms; others have their own).
+    /// The robot with these targets, where the model has none of its own.
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
-        // what did not read is told already
-        let stray = ["alpha_deg", "a_mm", "theta_deg", "d_mm"].iter().any(|key| self.unread.affects(&[key]));
-        if self.unreadable || self.unread.affects_entry("model") || self.unread.affects_entry("joint") || stray {
-            return Err(Problems::default());
-        }
-        let mut problems = self.odd_keys();
-        let robot = match self.model {
-            Model::Prexyt | Model::PrexytFull => {
-                let robot = Prexyt::new(self.model == Model::PrexytFull);
-                let robot = match self.reach.travel_mm {
-                    Some(travel_mm) => robot.with_travel(travel_mm),
-                    None => robot,
-                };
-                self.nominal_of(&robot).map(|nominal| Box::new(robot.with_nominal(&nominal)) as Box<dyn Robot>)
-            }
-            Model::FiveBar => {
-                let robot = FiveBar::default().with_limits(self.reach.build());
-                self.nominal_of(&robot).map(|nominal| Box::new(robot.with_nominal(&nominal)) as Box<dyn Robot>)
-            }
-            Model::Serial => self.serial(targets).and_then(|robot| {
-                let nominal = self.nominal_of(&robot)?;
-                Ok(Box::new(robot.with_nominal(&nominal)) as Box<dyn Robot>)
-            }),
-        };
-        robot.map_err(|more| problems.0.extend(more.0)).ok().filter(|_| problems.0.is_empty()).ok_or(problems)
+        // what did not read is reported already
+        let readable = self.description.as_ref().filter(|(model, _)| {
+            let essential = model.essential.iter().chain(&["model"]);
+            essential.copied().all(|key| !self.unread.affects_entry(key))
+        });
+        let Some((model, description)) = readable else { return Err(Problems::default()) };
+        let mut problems = self.odd_keys(model);
+        let built = description.build(targets, &|path| self.place(path)).and_then(|mut robot| {
+            let mut values = robot.nominal();
+            self.nominal(robot.as_ref(), description.states_geometry(), &mut values)?;
+            robot.definition_mut().set_nominal(&values);
+            Ok(robot)
+        });
+        built.map_err(|more| problems.0.extend(more.0)).ok().filter(|_| problems.0.is_empty()).ok_or(problems)
     }
 
-    /// Errors about keys that only another model has.
-    fn odd_keys(&self) -> Problems {
-        let own = match self.model {
-            Model::Serial => "serial",
-            Model::FiveBar => "five_bar",
-            Model::Prexyt | Model::PrexytFull => "prexyt",
-        };
-        let serial = SERIAL_ONLY.iter().map(|key| (vec![*key], "serial"));
-        let five_bar = FIVE_BAR_ONLY.iter().map(|key| (vec!["reach", *key], "five_bar"));
-        let keys = serial.chain(five_bar).chain([(vec!["reach", "travel_mm"], "prexyt")]);
-        let odd = |(path, model): (Vec<&str>, &str)| {
-            let message = Message::error(format!("`{}` means nothing for this model", path.last()?));
-            Some(message.at(self.stated(&path)?).hint(format!("it belongs to `model = \"{model}\"`")))
-        };
-        Problems(keys.filter(|(_, model)| *model != own).filter_map(odd).collect())
+    /// Errors about keys that only other models have.
+    fn odd_keys(&self, model: &Model) -> Problems {
+        let mut odd: Vec<Message> = Vec::new();
+        for path in foreign(model) {
+            let (Some(place), Some(key)) = (self.stated(path), path.last()) else { continue };
+            let owner = MODELS.into_iter().find(|other| other.keys.contains(&path)).map_or("", |owner| owner.name);
+            let message = Message::error(format!("`{key}` means nothing for this model")).at(place);
+            odd.push(message.hint(format!("it belongs to `model = \"{owner}\"`")));
+        }
+        odd.dedup();
+        Problems(odd)
     }
 
-    fn serial(&self, targets: &[String]) -> Result<Serial> {
-        let n = self.joints.len();
-        if n == 0 {
-            return Err(Message::error("a serial arm needs its joints")
-                .at(self.place(&["joint"]))
-                .hint("add one [[joint]] with alpha_deg, a_mm, theta_deg, d_mm per joint, from the base")
-                .into());
-        }
-        let mut problems = Problems::default();
-        let mut wrong = |key: &str, i: usize, what: String| {
-            let message = Message::error(what).at(self.place(&[key, &i.to_string()]));
-            problems.0.push(message.expected(format!("joints from 1 to {n}, each once")));
-        };
-        for (i, &j) in self.bending.iter().enumerate() {
-            if j == 0 || j > n {
-                wrong("bending", i, format!("there is no joint {j}"));
-            } else if self.bending[..i].contains(&j) {
-                wrong("bending", i, format!("joint {j} is there twice"));
-            }
-        }
-        for (i, pair) in self.coupling.iter().enumerate() {
-            if let Some(j) = [pair.0, pair.1].into_iter().find(|&j| j == 0 || j > n) {
-                wrong("coupling", i, format!("there is no joint {j}"));
-            } else if pair.0 == pair.1 {
-                wrong("coupling", i, format!("joint {} is coupled with itself: that is its gain", pair.0));
-            } else if self.coupling[..i].contains(pair) {
-                wrong("coupling", i, format!("the pair {}, {} is there twice", pair.0, pair.1));
-            }
-        }
-        if targets.is_empty() {
-            problems.0.push(Message::error("a serial arm needs at least one target").hint("name them in `targets`"));
-        }
-        if targets.iter().any(|target| target == "base") {
-            let what = "no target can be called `base`: its parameters would be those of the robot's base";
-            problems.0.push(Message::error(what).hint("give the target another name in label or columns"));
-        }
-        problems.check()?;
-        let joints: Vec<SerialJoint> = self
-            .joints
-            .iter()
-            .enumerate()
-            .map(|(i, j)| {
-                let alpha_rad = j.alpha_deg.to_radians();
-                let near = i > 0 && alpha_rad.sin().abs() < NEAR_PARALLEL_RAD && !j.prismatic;
-                SerialJoint {
-                    alpha_rad,
-                    a_mm: j.a_mm,
-                    theta_rad: j.theta_deg.to_radians(),
-                    d_mm: j.d_mm,
-                    prismatic: j.prismatic,
-                    parallel: j.parallel.unwrap_or(near),
-                }
-            })
-            .collect();
-        let gravity = crate::base::pose::unit(self.gravity).ok_or_else(|| {
-            Message::error("`gravity` has no direction")
-                .at(self.place(&["gravity"]))
-                .expected("a direction in the base, e.g. [0, 0, -1]")
-        })?;
-        let serial = Serial::new(&joints, targets, gravity, &self.bending, &self.coupling);
-        Ok(serial.with_base_turn_y(self.base_turn_y_deg.to_radians()))
-    }
-
-    /// Nominal values of `robot` with those of the file in their places.
-    fn nominal_of(&self, robot: &dyn Robot) -> Result<Vec<f64>> {
-        let mut values = robot.nominal();
+    /// Writes the nominal values of the file over those of `robot`.
+    fn nominal(&self, robot: &dyn Robot, geometry_is_stated: bool, values: &mut [f64]) -> Result<()> {
         let mut problems = Problems::default();
         for (name, value) in &self.nominal {
             let Some(i) = robot.index(name) else {
@@ -282,22 +198,18 @@ impl RobotFile {
             };
             values[i] = robot.parameters()[i].quantity.inward(*value);
         }
-        problems.0.extend(self.unstated(robot));
-        problems.check()?;
-        Ok(values)
+        if !geometry_is_stated && !self.unread.contains(&["nominal".to_owned()]) {
+            problems.0.extend(self.unstated(robot));
+        }
+        problems.check().map(|_| ())
     }
 
     /// An error about geometry that the file does not state: the model's own is that of one machine, not of this one.
     fn unstated(&self, robot: &dyn Robot) -> Option<Message> {
-        // an arm states its geometry joint by joint
-        if self.model == Model::Serial || self.unread.contains(&["nominal".to_owned()]) {
-            return None;
-        }
         let own = |p: &&Parameter| p.role == Role::Robot && p.quantity != Quantity::Ratio && p.nominal != 0.0;
-        let names: Vec<&str> = robot.parameters().iter().filter(own).map(|p| p.name.as_str()).collect();
-        let names =
-            names.into_iter().filter(|n| !self.nominal.contains_key(*n) && !self.unread.affects(&["nominal", n]));
-        let names: Vec<String> = names.map(|n| format!("`{n}`")).collect();
+        let names = robot.parameters().iter().filter(own).map(|p| p.name.as_str());
+        let missing = |n: &&str| !self.nominal.contains_key(*n) && !self.unread.affects(&["nominal", n]);
+        let names: Vec<String> = names.filter(missing).map(|n| format!("`{n}`")).collect();
         if names.is_empty() {
             return None;
         }

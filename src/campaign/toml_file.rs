@@ -67,6 +67,16 @@ pub(crate) fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
 
 /// The same, with the value that is left.
 pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str) -> Recovered<T> {
+    recover_with(file, text, &[], |root| T::deserialize(Deserializer::from(root)))
+}
+
+/// The same of what `read` makes of the file, where serde cannot name all keys at its top: `top` does.
+pub(super) fn recover_with<T>(
+    file: &str,
+    text: &str,
+    top: &[&str],
+    read: fn(Spanned<DeTable<'_>>) -> std::result::Result<T, Error>,
+) -> Recovered<T> {
     let (mut root, errors) = DeTable::parse_recoverable(text);
     let mut unread = UnreadKeys::default();
     if !errors.is_empty() {
@@ -83,7 +93,7 @@ pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str) -> Recovered<
     let mut filled: Vec<Placeholder> = Vec::new();
     let mut meant = Vec::new();
     let value = loop {
-        let error = match T::deserialize(Deserializer::from(root.clone())) {
+        let error = match read(root.clone()) {
             Ok(value) => break Some(value),
             Err(error) => error,
         };
@@ -107,7 +117,7 @@ pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str) -> Recovered<
                 problems.0.push(wrong(file, text, &error));
                 break None;
             };
-            match Unknown::of(&error, &path, span) {
+            match Unknown::of(&error, &path, span, top) {
                 Some(key) => {
                     meant.extend(key.meant());
                     unknown.push(key);
@@ -124,7 +134,8 @@ pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str) -> Recovered<
         }
     };
     meant.into_iter().for_each(|path| unread.add(path));
-    problems.0.extend(unknown_keys::<T>(file, text, unknown));
+    let top = top.iter().map(|key| (*key).to_owned()).chain(top_level(read)).collect::<Vec<_>>();
+    problems.0.extend(unknown_keys(file, text, &top, unknown));
     problems.0.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
     Recovered { value, problems, unread }
 }
@@ -321,10 +332,11 @@ struct Unknown {
 
 impl Unknown {
     /// The unknown key at `path` that the error is about, if it is.
-    fn of(error: &Error, path: &[String], span: Range<usize>) -> Option<Self> {
+    fn of(error: &Error, path: &[String], span: Range<usize>, top: &[&str]) -> Option<Self> {
         let key = quoted(error, "unknown field `")?;
         let (_, section) = path.split_last()?;
-        Some(Self { key, section: section.to_vec(), span, known: known(error) })
+        let top = top.iter().filter(|_| section.is_empty()).map(|key| (*key).to_owned());
+        Some(Self { key, section: section.to_vec(), span, known: top.chain(known(error)).collect() })
     }
 
     /// The entry that the key may be meant as.
@@ -346,15 +358,14 @@ fn known(error: &Error) -> Vec<String> {
 }
 
 /// Keys of the top level of a `T`.
-fn top_level<T: DeserializeOwned>() -> Vec<String> {
+fn top_level<T>(read: fn(Spanned<DeTable<'_>>) -> std::result::Result<T, Error>) -> Vec<String> {
     let mut odd = DeTable::new();
     odd.insert(Spanned::new(0..0, "?".into()), Spanned::new(0..0, DeValue::Boolean(true)));
-    T::deserialize(Deserializer::from(Spanned::new(0..0, odd))).err().map(|e| known(&e)).unwrap_or_default()
+    read(Spanned::new(0..0, odd)).err().map(|e| known(&e)).unwrap_or_default()
 }
 
 /// One error for each unknown key; for several of one section that are like no key of it, one error in all.
-fn unknown_keys<T: DeserializeOwned>(file: &str, text: &str, mut unknown: Vec<Unknown>) -> Vec<Message> {
-    let top = top_level::<T>();
+fn unknown_keys(file: &str, text: &str, top: &[String], mut unknown: Vec<Unknown>) -> Vec<Message> {
     unknown.sort_by_key(|key| key.span.start);
     let groups = unknown.chunk_by(|a, b| a.section == b.section && a.stray() && b.stray());
     let message = |group: &[Unknown]| {

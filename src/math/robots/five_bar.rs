@@ -45,24 +45,24 @@ pub(super) const MODEL: Model = Model::new::<Keys>(
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Keys {
-    /// What the robot can reach.
+    /// Limits of a PreXYT or a five-bar.
     #[serde(default)]
     reach: LimitKeys,
 }
 
-/// What a five-bar can reach; a limit not given is none.
+/// Limits of a five-bar. A limit that is not stated does not apply.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct LimitKeys {
-    /// Least and greatest encoder angle of joint 1.
+    /// Smallest and largest encoder angle of joint 1.
     theta1_deg: Option<[f64; 2]>,
-    /// Least and greatest encoder angle of joint 2.
+    /// Smallest and largest encoder angle of joint 2.
     theta2_deg: Option<[f64; 2]>,
-    /// The proximal link of one arm and the distal link of the other stay farther apart than this; 0 forbids that they cross.
+    /// Smallest distance between the proximal link of one arm and the distal link of the other; 0 excludes that they cross.
     clearance_mm: Option<f64>,
-    /// Least angle by which an arm must miss being stretched or folded.
+    /// Smallest angle of an arm from being stretched or folded (type 1 singularity).
     type1_margin_deg: Option<f64>,
-    /// Least angle by which the distal links must miss being in line.
+    /// Smallest angle of the distal links from being in line (type 2 singularity).
     type2_margin_deg: Option<f64>,
 }
 

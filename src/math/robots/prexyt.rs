@@ -37,16 +37,16 @@ pub(super) const FULL: Model = Model::new::<Keys<true>>("prexyt_full", &[&["reac
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Keys<const FULL: bool> {
-    /// What the table can reach.
+    /// Limits of a PreXYT or a five-bar.
     #[serde(default)]
     reach: Travel,
 }
 
-/// What a PreXYT can reach; a limit not given is none.
+/// Limits of a robot: `travel_mm` of a PreXYT, the others of a five-bar. A limit that is not stated does not apply.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Travel {
-    /// How far each actuator goes from zero.
+    /// Travel of each actuator from zero.
     travel_mm: Option<[f64; 3]>,
 }
 

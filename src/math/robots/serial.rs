@@ -27,19 +27,19 @@ const NEAR_PARALLEL_RAD: f64 = 0.052;
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Keys {
-    /// Joints, from the base.
+    /// Joints of a serial arm, from the base.
     #[serde(default, rename = "joint")]
     joints: Vec<JointKeys>,
-    /// Direction of gravity in the base.
+    /// Direction of gravity in the base of a serial arm.
     #[serde(default = "down")]
     gravity: Vector,
-    /// Joints that bend under gravity, from 1.
+    /// Numbers of the joints of a serial arm that bend under gravity, from 1.
     #[serde(default)]
     bending: Vec<usize>,
-    /// Pairs (joint, by which joint) of a coupled wrist, from 1.
+    /// Coupled joints of a serial arm: pairs of a joint and the joint that moves it, from 1.
     #[serde(default)]
     coupling: Vec<(usize, usize)>,
-    /// base_rx, base_ry, base_rz are counted after this turn about the world's y axis.
+    /// Rotation about the y axis of the world before base_rx, base_ry and base_rz of a serial arm.
     #[serde(default)]
     base_turn_y_deg: f64,
 }
@@ -48,22 +48,22 @@ fn down() -> Vector {
     [0.0, 0.0, -1.0]
 }
 
-/// Nominal modified Denavit-Hartenberg parameters of a joint (Craig).
+/// A joint of a serial arm by its nominal modified Denavit-Hartenberg parameters (Craig), from the base.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct JointKeys {
-    /// Twist of the link before the joint.
+    /// Twist of the previous link.
     alpha_deg: f64,
-    /// Length of the link before the joint.
+    /// Length of the previous link.
     a_mm: f64,
     /// Joint offset.
     theta_deg: f64,
     /// Link offset.
     d_mm: f64,
-    /// The joint slides instead of turning.
+    /// The joint is prismatic.
     #[serde(default)]
     prismatic: bool,
-    /// Near-parallel to the axis before: beta replaces d. By default decided by alpha.
+    /// Near-parallel to the previous axis: Hayati's beta replaces d. By default so below 3 degrees of twist.
     parallel: Option<bool>,
 }
 
