@@ -45,7 +45,7 @@ pub(super) const MODEL: Model = Model::new::<Keys>(
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Keys {
-    /// Limits of a PreXYT or a five-bar.
+    /// Limits of a PreXYT (`travel_mm`) or a five-bar. A limit that is not stated does not apply.
     #[serde(default)]
     reach: LimitKeys,
 }

@@ -37,7 +37,7 @@ pub(super) const FULL: Model = Model::new::<Keys<true>>("prexyt_full", &[&["reac
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Keys<const FULL: bool> {
-    /// Limits of a PreXYT or a five-bar.
+    /// Limits of a PreXYT (`travel_mm`) or a five-bar. A limit that is not stated does not apply.
     #[serde(default)]
     reach: Travel,
 }
