@@ -103,7 +103,7 @@ fn a_frame_target_without_pose_or_time_cannot_be_grouped() {
     let campaign = Campaign::read(&scratch.path()).unwrap();
     // the balls K and L of the sample have poses: the rule trips over the first row that has none
     let said = gather(&campaign).unwrap_err().to_string();
-    assert!(said.contains("says neither pose nor time") && said.contains("exports/world.txt:1"), "{said}");
+    assert!(said.contains("has neither pose nor time") && said.contains("exports/world.txt:1"), "{said}");
 }
 
 #[test]
