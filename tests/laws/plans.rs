@@ -260,7 +260,7 @@ fn planned_positions_in_one_working_mode_alone_leave_parameters_that_are_named()
         let mut all: Vec<usize> = held.chain(found.weak.iter().flat_map(|w| w.parameters.clone())).collect();
         all.sort_unstable();
         all.dedup();
-        let said = found.warnings.iter().any(|w| w.what.contains("tell"));
+        let said = found.warnings.iter().any(|w| w.what.contains("identifiable"));
         assert_eq!(said, !all.is_empty(), "what is found is said: {:?}", found.warnings);
         all
     };

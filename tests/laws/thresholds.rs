@@ -43,7 +43,11 @@ fn a_length_of_the_robot_is_identified_up_to_10_mm_and_held_beyond() {
     assert!((known.standard_uncertainty(d).unwrap() - 9.95).abs() < 1e-6, "{known:?}");
     let unknown = two_lengths(&observations, 20.1);
     assert_eq!(unknown.status[d], Status::NotIdentifiable);
-    assert!(unknown.warnings.iter().any(|w| w.what.contains("`d` from `l_kl` only")), "{:?}", unknown.warnings);
+    assert!(
+        unknown.warnings.iter().any(|w| w.what.contains("`d` is separable from `l_kl` only")),
+        "{:?}",
+        unknown.warnings
+    );
 }
 
 /// The normal matrix [2 1; 1 1] with a unit diagonal is [1 c; c 1], c = 1/√2: singular values √(1 ± c), both parameters in each.

@@ -116,6 +116,8 @@ pub const TABLE: &[(&str, As, &str)] = &[
     ("exports/ur_rtde/*", Elsewhere, "reference/logs.rs"),
     ("exports/vda_fs/*", Elsewhere, "reference/readers.rs"),
     // IRB 120 again, as the robot's data set
+    ("robots/hilti_column/trailblazer.urdf", Nothing("an XML document of no kind that is read"), "a model, no measurement"),
+    ("robots/hilti_column/waypoints.csv", Points("{ delimiter = \",\", header = 1, columns = { label = \"waypoint\", x = \"prism_x_m\", y = \"prism_y_m\", z = \"prism_z_m\" } }", "m", 444, 0), "444 waypoints of a prism"),
     ("robots/irb120_faro_ets/basic/commanded_joints_full.txt", Log("blank", 1, "deg", 1000), "1000 x 6"),
     ("robots/irb120_faro_ets/basic/generated_joints.txt", Log("blank", 1, "deg", 277), "277 rows"),
     ("robots/irb120_faro_ets/basic/joints_SMR_tool.txt", Log("blank", 1, "deg", 8), "eight poses"),
