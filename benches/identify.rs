@@ -26,7 +26,7 @@ fn main() {
     let Prepared { gathered: imported, robot, .. } = check(&campaign).expect("import");
     let features = frames::fit_features(&campaign, &imported.points).expect("features");
     let frames = frames::make_frames(&campaign, &imported.points, &features, false).expect("frames");
-    let mut joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");
+    let joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");
     let observations =
         Observation::from_table(robot.as_ref(), &joined.observations[0].1, &mut Vec::new()).expect("observations");
     let stated = campaign.file.identify.as_ref().expect("[identify]");
@@ -35,7 +35,7 @@ fn main() {
     let sets = evaluate::split(&observations, &poses, &selections);
     let folder = tempfile::tempdir().expect("folder");
     let csv = folder.path().join("observations.csv");
-    std::fs::write(&csv, table::to_csv(&mut joined.observations[0].1).expect("csv")).expect("csv");
+    std::fs::write(&csv, table::to_csv(&joined.observations[0].1).expect("csv")).expect("csv");
 
     for (what, extra) in [("45 parameters", 6), ("39 parameters", 0)] {
         let mut settings: Settings = campaign.settings(stated);

@@ -146,9 +146,8 @@ mod tests {
             String::new(),
         ];
         let numbers = Series::new("pose".into(), (0..7i64).collect::<Vec<_>>()).into_column();
-        let mut table =
-            DataFrame::new(7, vec![numbers, Series::new("target".into(), &texts[..]).into_column()]).unwrap();
-        let written = to_csv(&mut table).unwrap();
+        let table = DataFrame::new(7, vec![numbers, Series::new("target".into(), &texts[..]).into_column()]).unwrap();
+        let written = to_csv(&table).unwrap();
         let mut reader = ::csv::Reader::from_reader(&written[..]);
         let read: Vec<(i64, String)> = reader.deserialize().map(|row| row.unwrap()).collect();
         assert_eq!(read, (0..).zip(texts).collect::<Vec<_>>());

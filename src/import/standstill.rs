@@ -172,7 +172,8 @@ fn limits(log: &Log, still: &Standstill, read: &JointLog) -> std::result::Result
 /// An error if what a standing robot is at changes.
 fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
     let whole = |n: Option<i64>| n.map_or_else(String::new, |n| n.to_string());
-    let of: [(&str, &dyn Fn(&LogRow) -> String); 4] = [
+    type Value<'a> = dyn Fn(&LogRow) -> String + 'a;
+    let of: [(&str, &Value); 4] = [
         (ASSEMBLY, &|row| row.assembly.map_or_else(String::new, |v| format!("{v:.1}"))),
         ("cycle", &|row| whole(row.cycle)),
         (LABEL, &|row| row.label.clone().unwrap_or_default()),

@@ -216,7 +216,7 @@ pub fn plan(kind: &str, document: &PlanDocument, presentation: &Presentation) ->
 fn draw(
     kind: &str,
     contents: &Contents,
-    attachments: &[Attachment],
+    #[cfg_attr(not(feature = "pdf"), expect(unused_variables))] attachments: &[Attachment],
     presentation: &Presentation,
     words: &Words,
 ) -> Result<Vec<u8>> {

@@ -83,7 +83,7 @@ impl Output {
         for (name, mut observations) in joined.into_iter().flat_map(|joined| joined.observations) {
             let stem = Self::numbered("observations", &name, campaign);
             self.table(&stem, &mut observations)?;
-            let bytes = table::to_csv(&mut observations)?;
+            let bytes = table::to_csv(&observations)?;
             self.bytes(&format!("{stem}.csv"), bytes);
         }
         Ok(())

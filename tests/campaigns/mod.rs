@@ -1,7 +1,6 @@
 //! Laws of campaigns that hold without outside data.
 
 mod blunders;
-mod campaigns;
 pub mod dialects;
 mod features;
 mod geometric_campaign;
@@ -10,4 +9,5 @@ mod own_formats;
 mod repeatability;
 mod standstills;
 mod texts;
+mod whole;
 pub mod workbooks;

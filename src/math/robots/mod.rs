@@ -26,6 +26,9 @@ use toml::de::{DeTable, Deserializer};
 /// All models.
 pub const MODELS: [&Model; 4] = [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &serial::MODEL];
 
+/// Reads the keys of a table that are a model's own.
+pub type ReadKeys = fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>;
+
 /// A kinematic model as robot.toml names it.
 #[derive(Debug)]
 pub struct Model {
@@ -36,7 +39,7 @@ pub struct Model {
     /// Keys at the top without which there is no robot, and keys of tables that stray there where a head is missing.
     pub essential: &'static [&'static str],
     /// Reads the model's own keys.
-    pub read: fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>,
+    pub read: ReadKeys,
     /// JSON Schema of these keys.
     pub schema: fn(&mut SchemaGenerator) -> Schema,
 }

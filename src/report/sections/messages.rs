@@ -20,7 +20,7 @@ pub(in crate::report) fn of(messages: &[&Message], words: &Words) -> Section {
     }
     let place = |m: &Message| m.place.as_deref().cloned().unwrap_or_default();
     let columns = Columns::<Message>::new()
-        .sheet("severity", "", |m| class(m))
+        .sheet("severity", "", class)
         .sheet("what", "", |m| m.what.as_str())
         .sheet("file", "", move |m| place(m).file)
         .sheet("line", "", move |m| place(m).line)
