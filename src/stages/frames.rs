@@ -16,15 +16,16 @@ type Key = (i64, i64);
 /// Fits the features of a campaign to the points with their labels.
 pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     let labelled = Labelled(points);
+    let settings = fit::Settings::default();
     let (mut features, mut messages, mut problems) = (Vec::new(), Vec::new(), Problems::default());
     for (name, definition) in &campaign.file.features {
         let Some((element, labels)) = definition.element() else { continue };
         let chosen: Vec<Vector> = labels.iter().flat_map(|l| labelled.points(l.get_ref())).collect();
         let found = match element {
-            "plane" => fit::plane(&chosen),
-            "line" => fit::line(&chosen),
-            "circle" => fit::circle3d(&chosen),
-            _ => fit::cylinder(&chosen),
+            "plane" => fit::plane(&chosen, &settings),
+            "line" => fit::line(&chosen, &settings),
+            "circle" => fit::circle3d(&chosen, &settings),
+            _ => fit::cylinder(&chosen, &settings),
         };
         let fitted = match found {
             Ok(fitted) => fitted,

@@ -191,7 +191,7 @@ fn a_rigid_best_fit_finds_the_motion_and_its_uncertainty() {
     let (mut centroid, mut stated, mut worst_axis, mut stated_angle) = (0.0, 0.0, 0.0, 0.0);
     let middle = etalon::base::pose::centroid(&from).unwrap();
     // the axis about which the points lie closest: about it a rotation is known least
-    let spread = fit::line(&from).unwrap();
+    let spread = fit::line(&from, &Settings::default()).unwrap();
     let trials = 6000;
     for trial in 0..trials {
         let fit = fit::rigid(&from, &disturbed(&to, 1e-3, trial)).unwrap();

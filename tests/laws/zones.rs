@@ -160,7 +160,7 @@ fn a_motion_leaves_the_width_and_the_contacts() {
 fn zones_that_can_be_drawn() {
     // surfmetjs' ring: +-1 and +-2 on the axes, centre 0, width 1
     let ring = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [2.0, 0.0], [-2.0, 0.0], [0.0, 2.0], [0.0, -2.0]];
-    let zone = fit::minimum_zone_circle2d(&ring).unwrap();
+    let zone = minimum_zone(Element::Circle2d, &ring.map(|[x, y]| [x, y, 0.0])).unwrap();
     assert!((zone.form_mm - 1.0).abs() < 1e-15 && norm(zone.point_mm) < 1e-15 && zone.verified, "{zone:?}");
     assert!((zone.radius_mm.unwrap() - 1.5).abs() < 1e-15);
     assert_eq!((zone.upper, zone.lower), (vec![4, 5, 6, 7], vec![0, 1, 2, 3]));
@@ -168,18 +168,18 @@ fn zones_that_can_be_drawn() {
     let mut corners: Vec<Vector> =
         (0..8).map(|i| [f64::from(i & 1) * 3.0, f64::from(i >> 1 & 1) * 2.0, f64::from(i >> 2 & 1)]).collect();
     corners.extend([[1.0, 1.0, 0.5], [2.0, 0.7, 0.2]]);
-    let zone = fit::minimum_zone_plane(&corners).unwrap();
+    let zone = minimum_zone(Element::Plane, &corners).unwrap();
     assert!((zone.form_mm - 1.0).abs() < 1e-14 && zone.verified, "{zone:?}");
     assert!(norm(minus(zone.direction.unwrap(), [0.0, 0.0, 1.0])) < 1e-14);
     // a cube has three such places, a regular tetrahedron is held by its edges: width = edge / sqrt(2)
     let cube: Vec<Vector> = (0..8).map(|i| [0, 1, 2].map(|k| f64::from(i >> k & 1))).collect();
-    let zone = fit::minimum_zone_plane(&cube).unwrap();
+    let zone = minimum_zone(Element::Plane, &cube).unwrap();
     assert!((zone.form_mm - 1.0).abs() < 1e-14 && zone.verified, "{zone:?}");
     let tetrahedron = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
-    let zone = fit::minimum_zone_plane(&tetrahedron).unwrap();
+    let zone = minimum_zone(Element::Plane, &tetrahedron).unwrap();
     assert!((zone.form_mm - 2.0).abs() < 1e-14 && zone.verified && zone.upper.len() == 2, "{zone:?}");
     // a triangle: its least height, over the longest side
-    let zone = fit::minimum_zone_line2d(&[[0.0, 0.0], [4.0, 0.0], [1.0, 1.0], [1.0, 0.5]]).unwrap();
+    let zone = minimum_zone(Element::Line2d, &[[0.0; 3], [4.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.5, 0.0]]).unwrap();
     assert!((zone.form_mm - 1.0).abs() < 1e-15 && zone.verified, "{zone:?}");
 }
 

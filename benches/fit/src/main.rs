@@ -118,7 +118,7 @@ fn peak_kb() -> Option<f64> {
 
 fn etalon(element: Element, points: &Points) -> Fit {
     let fit = match points {
-        Points::Plane(points) => fit::circle2d(points),
+        Points::Plane(points) => fit::circle2d(points, &Settings::default()),
         Points::Space(points) => fit::element(element, points, &Settings::default()),
     };
     fit.expect("fit")

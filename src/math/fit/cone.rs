@@ -1,14 +1,13 @@
 //! Circular cone, one nappe.
 
-use super::axis::{Axial, Chart, length};
+use super::chart::{Chart, length};
 use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
-use super::descend::{Refined, refine};
 use super::element::{Element, Settings};
 use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES};
-use super::search::{no_start, rival_warning, search};
-use super::surface::Surface;
+use super::search::{Axial, no_start, rival_warning, search};
+use super::solver::{Refined, Surface, refine};
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 use nalgebra::{Matrix5, Vector5};
@@ -18,12 +17,7 @@ use std::f64::consts::PI;
 ///
 /// Distance to the surface, stated at the centroid and not at the apex, so that slim cones are not singular
 /// (Shakarji 1998, 3.5). The start is searched over the hemisphere of axes, the best are followed.
-pub fn cone(points: &[Vector]) -> Result<Fit> {
-    cone_with(points, &Settings::default())
-}
-
-/// [`cone`] with weights or a held axis.
-pub fn cone_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn cone(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Cone)?;
     let cloud = Cloud::new(Element::Cone, Source::Space(points.into()), settings)?;
     let free = [true, true, false, held.is_none(), held.is_none(), true, true];
@@ -49,7 +43,7 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &Settings) ->
         let what = "the apex angle of the cone is not distinguishable from zero (k = 2)";
         fit.warnings.push(Message::warning(what).hint("fit a cylinder"));
     }
-    Ok(fit.compensated(settings.probe)?.with_warnings())
+    fit.finished(settings)
 }
 
 /// The same cone with its axis towards larger radii and its half angle between 0 and a right angle.

@@ -1,8 +1,8 @@
 //! How much of an element has points.
 
-use super::axis::Chart;
+use super::chart::Chart;
+use super::cloud::Gather;
 use super::f64x8::{F64x8, LANES, Points, less, square};
-use super::stream::Gather;
 use crate::base::pose::{Vector, unit};
 use std::f64::consts::TAU;
 use std::sync::Arc as Shared;

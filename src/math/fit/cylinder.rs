@@ -1,16 +1,14 @@
 //! Circular cylinder.
 
-use super::axis::{Axial, Chart};
-use super::ball::taubin;
-use super::cloud::{Cloud, Source};
+use super::chart::Chart;
+use super::circle_and_sphere::taubin;
+use super::cloud::{Cloud, Gather, Source};
 use super::coverage::Arc;
-use super::descend::refine;
 use super::element::{Element, Settings};
 use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES, largest_component_positive};
-use super::search::{no_start, rival_warning, search};
-use super::stream::Gather;
-use super::surface::Surface;
+use super::search::{Axial, no_start, rival_warning, search};
+use super::solver::{Surface, refine};
 use crate::base::message::Result;
 use crate::base::pose::Vector;
 
@@ -18,12 +16,7 @@ use crate::base::pose::Vector;
 ///
 /// Orthogonal distance to the axis (Shakarji 1998, 3.4). The start is searched over the hemisphere of axes with a
 /// circle for each (after Eberly, "Fitting 3D data with a cylinder", Geometric Tools 2019), the best are followed.
-pub fn cylinder(points: &[Vector]) -> Result<Fit> {
-    cylinder_with(points, &Settings::default())
-}
-
-/// [`cylinder`] with weights, a held radius or a held axis.
-pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn cylinder(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Cylinder)?;
     let cloud = Cloud::new(Element::Cylinder, Source::Space(points.into()), settings)?;
     let radius = settings.held_radius_mm().map(|r| r / cloud.scale_mm);
@@ -49,7 +42,7 @@ pub fn cylinder_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cylinder)));
-    Ok(fit.compensated(settings.probe)?.with_warnings())
+    fit.finished(settings)
 }
 
 /// The circle that the points make seen along the axis.

@@ -63,25 +63,25 @@ impl Div for DoubleDouble {
 }
 
 /// Three of them.
-pub(super) type TwofoldVector = [DoubleDouble; 3];
+pub(super) type DoubleDoubleVector = [DoubleDouble; 3];
 
 /// `a - b`.
-pub(super) fn minus(a: TwofoldVector, b: TwofoldVector) -> TwofoldVector {
+pub(super) fn minus(a: DoubleDoubleVector, b: DoubleDoubleVector) -> DoubleDoubleVector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// `a + t b`.
-pub(super) fn plus_times(a: TwofoldVector, t: DoubleDouble, b: TwofoldVector) -> TwofoldVector {
+pub(super) fn plus_times(a: DoubleDoubleVector, t: DoubleDouble, b: DoubleDoubleVector) -> DoubleDoubleVector {
     [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]]
 }
 
 /// Scalar product.
-pub(super) fn dot(a: TwofoldVector, b: TwofoldVector) -> DoubleDouble {
+pub(super) fn dot(a: DoubleDoubleVector, b: DoubleDoubleVector) -> DoubleDouble {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The same vector.
-pub(super) fn exact(a: Vector) -> TwofoldVector {
+pub(super) fn exact(a: Vector) -> DoubleDoubleVector {
     a.map(DoubleDouble::from)
 }
 

@@ -1,6 +1,5 @@
-//! The elements that points are fitted by, and what may be held while fitting.
+//! The elements that points are fitted by, and what may be held or compensated while fitting.
 
-use super::probe::Probe;
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::{Vector, unit};
 use serde::{Deserialize, Serialize};
@@ -123,6 +122,62 @@ pub enum CircleMethod {
     Orthogonal,
 }
 
+/// A probe whose centre was measured instead of what it touched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probe {
+    /// Effective (qualified) radius of the ball.
+    pub radius_mm: f64,
+    /// Where the ball was.
+    pub side: Side,
+}
+
+/// The side of the element on which the probe was.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Side {
+    /// Within a circle, sphere, cylinder, cone or the tube of a torus: a bore.
+    Inside,
+    /// Around it: a shaft, a ball.
+    Outside,
+    /// For a plane or line: the direction from what was touched to the probe. Of a plane only its sign counts, of a
+    /// line what is square to it.
+    Towards(Vector),
+}
+
+impl Probe {
+    /// Refuses a radius that is none, and a side that `element` does not have.
+    pub(super) fn check(&self, element: Element) -> Result<()> {
+        let radius = self.radius_mm;
+        if !(radius.is_finite() && radius > 0.0) {
+            let hint = "state the qualified radius of the probe, not its diameter; leave it out for contact points";
+            return Err(refuse(format!("the probe radius is {radius} mm"), "a positive number", hint));
+        }
+        let straight = matches!(element, Element::Plane | Element::Line | Element::Line2d);
+        match self.side {
+            Side::Inside | Side::Outside if straight => Err(refuse(
+                format!("a {element} has no inside: the side of the probe is not stated"),
+                format!("the direction from the {element} to the probe"),
+                "state it as three numbers, e.g. 0,0,1 for a probe above",
+            )),
+            Side::Towards(_) if !straight => Err(refuse(
+                format!("the side of the probe is stated by a direction, but a {element} has an inside"),
+                "inside (a bore) or outside (a shaft)",
+                "state where the ball was: inside or outside",
+            )),
+            Side::Towards(d) if unit(d).is_none() => Err(refuse(
+                format!("the direction {d:?} to the probe is none"),
+                "three finite numbers, not all zero",
+                "state the direction from what was touched to the probe",
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// How far the centres lie outside: the radius, negative for a probe inside.
+    pub(super) fn outwards_mm(&self) -> f64 {
+        if self.side == Side::Inside { -self.radius_mm } else { self.radius_mm }
+    }
+}
+
 /// What may be chosen or held while fitting; the default holds nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings<'a> {
@@ -166,6 +221,11 @@ impl Settings<'_> {
         unit(axis).map(Some).ok_or_else(|| {
             refuse(format!("the held axis {axis:?} has no direction"), "three numbers, not all zero", "state the axis")
         })
+    }
+
+    /// The radius to hold in a fit of the points as they are: that of the probe centres where there is a probe.
+    pub(super) fn held_radius_mm(&self) -> Option<f64> {
+        self.radius_mm.map(|r| r + self.probe.map_or(0.0, |p| p.outwards_mm()))
     }
 }
 

@@ -7,7 +7,7 @@
 //! are therefore weighed, and near ties decided, in 106 bits.
 
 use super::cloud::{Cloud, Source};
-use super::double_double::{DoubleDouble, TwofoldVector, dot, exact, minus, plus_times};
+use super::double_double::{DoubleDouble, DoubleDoubleVector, dot, exact, minus, plus_times};
 use crate::base::message::Result;
 use crate::base::pose::Vector;
 
@@ -27,13 +27,13 @@ pub struct Enclosing {
 /// The smallest circle that holds all points of the plane; at least one point.
 pub fn enclosing_circle(points: &[[f64; 2]]) -> Result<Enclosing> {
     let lifted: Vec<Vector> = points.iter().map(|p| [p[0], p[1], 0.0]).collect();
-    let cloud = Cloud::centred("enclosing circle", 1, Source::Plane(points), None)?;
+    let cloud = Cloud::centred("enclosing circle", 1, Source::Plane(points))?;
     Ok(smallest(&lifted, &cloud, 3))
 }
 
 /// The smallest sphere that holds all points; at least one point.
 pub fn enclosing_sphere(points: &[Vector]) -> Result<Enclosing> {
-    let cloud = Cloud::centred("enclosing sphere", 1, Source::Space(points.into()), None)?;
+    let cloud = Cloud::centred("enclosing sphere", 1, Source::Space(points.into()))?;
     Ok(smallest(points, &cloud, 4))
 }
 
@@ -42,7 +42,7 @@ pub fn enclosing_sphere(points: &[Vector]) -> Result<Enclosing> {
 const STALLS: usize = 20;
 
 struct Ball {
-    center: TwofoldVector,
+    center: DoubleDoubleVector,
     /// Squared distance of the farthest of the points that it was found for.
     squared: DoubleDouble,
     support: Vec<usize>,
@@ -56,7 +56,7 @@ fn smallest(points_mm: &[Vector], cloud: &Cloud, most: usize) -> Enclosing {
     let first = farthest(&points, middle).map_or(0, |(i, _)| i);
     let mut ball = Ball { center: point(&points, first), squared: DoubleDouble::default(), support: vec![first] };
     let (mut iterations, mut stalled) = (0, 0);
-    let mut best: Option<(DoubleDouble, TwofoldVector, Vec<usize>)> = None;
+    let mut best: Option<(DoubleDouble, DoubleDoubleVector, Vec<usize>)> = None;
     while let Some((outside, reach)) = farthest(&points, ball.center) {
         if best.as_ref().is_none_or(|b| reach < b.0) {
             best = Some((reach, ball.center, ball.support.clone()));
@@ -80,12 +80,12 @@ fn smallest(points_mm: &[Vector], cloud: &Cloud, most: usize) -> Enclosing {
     }
 }
 
-fn point(points: &[Vector], i: usize) -> TwofoldVector {
+fn point(points: &[Vector], i: usize) -> DoubleDoubleVector {
     exact(points.get(i).copied().unwrap_or_default())
 }
 
 /// Index and squared distance of the point farthest from `center`: found in doubles, ties to rounding in 106 bits.
-fn farthest(points: &[Vector], center: TwofoldVector) -> Option<(usize, DoubleDouble)> {
+fn farthest(points: &[Vector], center: DoubleDoubleVector) -> Option<(usize, DoubleDouble)> {
     let c = center.map(|x| x.hi);
     let rough = |p: &Vector| (p[0] - c[0]).powi(2) + (p[1] - c[1]).powi(2) + (p[2] - c[2]).powi(2);
     let largest = points.iter().map(rough).fold(0.0, f64::max);
@@ -97,7 +97,7 @@ fn farthest(points: &[Vector], center: TwofoldVector) -> Option<(usize, DoubleDo
     measured.reduce(|best, next| if next.1 > best.1 { next } else { best })
 }
 
-fn squared_distance(p: TwofoldVector, q: TwofoldVector) -> DoubleDouble {
+fn squared_distance(p: DoubleDoubleVector, q: DoubleDoubleVector) -> DoubleDouble {
     let w = minus(p, q);
     dot(w, w)
 }
@@ -111,7 +111,7 @@ fn by_subsets(points: &[Vector], joined: &[usize], most: usize) -> Ball {
         for mask in (1u32..1 << joined.len()).filter(|mask| mask.count_ones() as usize == size) {
             let support: Vec<usize> =
                 joined.iter().enumerate().filter(|(k, _)| mask >> k & 1 == 1).map(|(_, &i)| i).collect();
-            let corners: Vec<TwofoldVector> = support.iter().map(|&i| point(points, i)).collect();
+            let corners: Vec<DoubleDoubleVector> = support.iter().map(|&i| point(points, i)).collect();
             let Some(center) = through(&corners) else { continue };
             let reaches = joined.iter().map(|&i| squared_distance(point(points, i), center));
             let squared = reaches.fold(DoubleDouble::default(), |m, d| if d > m { d } else { m });
@@ -127,10 +127,10 @@ fn by_subsets(points: &[Vector], joined: &[usize], most: usize) -> Ball {
 /// Centre of the smallest ball through all of these points, in their span; `None` where they are dependent.
 ///
 /// x·v = |v|²/2 for every edge v from the first point, one orthogonal direction after the other (Gärtner 1999, 3).
-fn through(corners: &[TwofoldVector]) -> Option<TwofoldVector> {
+fn through(corners: &[DoubleDoubleVector]) -> Option<DoubleDoubleVector> {
     let (&base, others) = corners.split_first()?;
     let mut x = [DoubleDouble::default(); 3];
-    let mut directions: Vec<TwofoldVector> = Vec::new();
+    let mut directions: Vec<DoubleDoubleVector> = Vec::new();
     for &corner in others {
         let v = minus(corner, base);
         let mut across = v;

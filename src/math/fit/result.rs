@@ -1,13 +1,17 @@
-//! What every fit answers: the element, its residuals, how well it is known and how the solver ended.
+//! What every fit answers: the element, its residuals, how well it is known and how the solver ended; and the element
+//! that a probe touched, where the points are the centres of its ball.
+//!
+//! The centres of a probe that touches a surface lie on its parallel surface x + r n (do Carmo 1976, "Differential
+//! geometry of curves and surfaces", section 3.5, exercise 11), and orthogonal distances to parallel surfaces differ
+//! by the constant r. So the element is fitted to the centres as they are, and then moved by r: no point is moved,
+//! residuals and their variance stay, and the answer is that of a fit to the contact points.
 
-use super::cloud::Cloud;
-use super::element::Element;
+use super::cloud::{Cloud, Gather};
+use super::element::{Element, Probe, Settings, Side, refuse};
 use super::f64x8::{F64x8, Points};
-use super::probe::Compensation;
-use super::stream::Gather;
-use crate::base::message::Message;
-use crate::base::pose::{Vector, cross, dot, minus, norm};
-use crate::math::solve::Termination;
+use crate::base::message::{Message, Problems, Result};
+use crate::base::pose::{Vector, cross, dot, minus, norm, unit};
+use crate::math::solve::{Termination, symmetric_eigen};
 
 /// Number of quantities in a [`Covariance`].
 pub const QUANTITIES: usize = 9;
@@ -18,6 +22,26 @@ pub const QUANTITIES: usize = 9;
 /// It is propagated to first order from σ² (JᵀJ)⁻¹, with σ² the variance of the residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Covariance(pub [[f64; QUANTITIES]; QUANTITIES]);
+
+/// G C Gᵀ, with lengths brought from normalised units to mm (JCGM 102:2011, 6.2.1.3).
+pub(super) fn propagate<const N: usize>(
+    local: &[[f64; N]; N],
+    by_parameter: &[[f64; QUANTITIES]; N],
+    scale_mm: f64,
+) -> Covariance {
+    let unit = |q: usize| if q < 3 || q == 6 || q == 7 { scale_mm } else { 1.0 };
+    let mut covariance = [[0.0; QUANTITIES]; QUANTITIES];
+    for (i, gi) in by_parameter.iter().enumerate() {
+        for (j, gj) in by_parameter.iter().enumerate() {
+            for (p, row) in covariance.iter_mut().enumerate() {
+                for (q, c) in row.iter_mut().enumerate() {
+                    *c += gi[p] * unit(p) * local[i][j] * gj[q] * unit(q);
+                }
+            }
+        }
+    }
+    Covariance(covariance)
+}
 
 /// Standard uncertainties, the square roots of the diagonal of a [`Covariance`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -247,7 +271,7 @@ impl Fit {
         let root = |i: usize| c.get(i).and_then(|row| row.get(i)).map_or(0.0, |v| v.max(0.0).sqrt());
         let block = |k: usize| {
             let block = [0, 1, 2].map(|i| [0, 1, 2].map(|j| c[k + i][k + j]));
-            let (values, _) = crate::math::solve::symmetric_eigen(block);
+            let (values, _) = symmetric_eigen(block);
             values.iter().fold(0.0f64, |m, v| m.max(*v)).sqrt()
         };
         Some(StandardUncertainty {
@@ -273,8 +297,13 @@ impl Fit {
         }
     }
 
+    /// The answer: of what a probe touched, where there is one, and with its warnings.
+    pub(super) fn finished(self, settings: &Settings) -> Result<Self> {
+        Ok(self.compensated(settings.probe)?.with_warnings())
+    }
+
     /// Adds the warnings that follow from redundancy and from how well the radius is known.
-    pub(super) fn with_warnings(mut self) -> Self {
+    fn with_warnings(mut self) -> Self {
         if self.degrees_of_freedom == 0 {
             let what = format!(
                 "the {} has no redundant point: residuals are zero and no uncertainty can be stated",
@@ -302,4 +331,133 @@ impl Fit {
 pub(super) fn largest_component_positive(d: Vector) -> Vector {
     let largest = d.iter().fold(0.0f64, |m, x| if x.abs() > m.abs() + 1e-9 { *x } else { m });
     if largest < 0.0 { d.map(|x| -x) } else { d }
+}
+
+/// What was fitted to the probe centres before compensation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compensation {
+    /// The probe.
+    pub probe: Probe,
+    /// Point of the uncompensated fit.
+    pub point_mm: Vector,
+    /// Radius of the uncompensated fit.
+    pub radius_mm: Option<f64>,
+    /// Minor radius of the uncompensated fit.
+    pub minor_radius_mm: Option<f64>,
+}
+
+/// A direction that makes less than 5 degrees with a plane (or with a line) does not say on which side of it a probe was.
+const LEAST_SINE: f64 = 0.087;
+
+impl Fit {
+    /// The element that was touched, from the fit to the centres of the probe; the same fit without a probe.
+    ///
+    /// # Errors
+    /// If the side does not fit the element, or the probe would not fit on it.
+    pub fn compensated(mut self, probe: Option<Probe>) -> Result<Self> {
+        let Some(probe) = probe else { return Ok(self) };
+        probe.check(self.element)?;
+        if self.compensation.is_some() {
+            return Err(refuse("the fit is compensated already", "a fit to probe centres", "compensate once"));
+        }
+        let (point_mm, radius_mm, minor_radius_mm) = (self.point_mm, self.radius_mm, self.minor_radius_mm);
+        let moves = self.moves(&probe)?;
+        if let Some(Covariance(c)) = &mut self.covariance {
+            *c = product(&moves, &product(c, &transposed(&moves)));
+        }
+        self.compensation = Some(Compensation { probe, point_mm, radius_mm, minor_radius_mm });
+        Ok(self)
+    }
+
+    /// Moves the element by the probe, and gives the derivative of its quantities by those of the uncompensated one.
+    fn moves(&mut self, probe: &Probe) -> Result<[[f64; QUANTITIES]; QUANTITIES]> {
+        let mut derivative = identity();
+        let outwards = probe.outwards_mm();
+        match (self.element, probe.side, self.direction) {
+            (Element::Plane, Side::Towards(to), Some(normal)) => {
+                let along = unit(to).map_or(0.0, |to| dot(to, normal));
+                if along.abs() < LEAST_SINE {
+                    return Err(no_side(self.element, to));
+                }
+                // p' = p - r n, the normal towards the probe
+                let back = -probe.radius_mm.copysign(along);
+                for k in 0..3 {
+                    self.point_mm[k] += back * normal[k];
+                    derivative[k][3 + k] += back;
+                }
+            }
+            (Element::Line | Element::Line2d, Side::Towards(to), Some(d)) => {
+                let to = if self.element == Element::Line2d { [to[0], to[1], 0.0] } else { to };
+                let to = unit(to).unwrap_or_default();
+                let along = dot(to, d);
+                let across: Vector = std::array::from_fn(|k| to[k] - along * d[k]);
+                let sine = norm(across);
+                if sine < LEAST_SINE {
+                    return Err(no_side(self.element, to));
+                }
+                // p' = p - r w, w the part of the direction that is square to the line:
+                // dw = -(1 - w wᵀ)((d to) dd + d (to dd)) / |across|
+                let w = across.map(|x| x / sine);
+                for k in 0..3 {
+                    self.point_mm[k] -= probe.radius_mm * w[k];
+                    for (j, column) in (3..6).enumerate() {
+                        let square = f64::from(k == j) - w[k] * w[j];
+                        derivative[k][column] += probe.radius_mm * (along * square + d[k] * to[j]) / sine;
+                    }
+                }
+            }
+            (Element::Cone, _, Some(d)) => {
+                // the apex moves by r / sin ψ; the point to the foot of the contact points, where the radius is R - r cos ψ
+                let (sin, cos) = (self.apex_angle_rad.unwrap_or_default() / 2.0).sin_cos();
+                for k in 0..3 {
+                    self.point_mm[k] += outwards * sin * d[k];
+                    derivative[k][3 + k] += outwards * sin;
+                    derivative[k][8] += 0.5 * outwards * cos * d[k];
+                }
+                self.radius_mm = Some(larger_than_nothing(self.element, probe, self.radius_mm, outwards * cos)?);
+                derivative[6][8] += 0.5 * outwards * sin;
+            }
+            (Element::Torus, ..) => {
+                self.minor_radius_mm = Some(larger_than_nothing(self.element, probe, self.minor_radius_mm, outwards)?);
+            }
+            _ => self.radius_mm = Some(larger_than_nothing(self.element, probe, self.radius_mm, outwards)?),
+        }
+        Ok(derivative)
+    }
+}
+
+/// The radius less what the probe adds, which must leave something.
+fn larger_than_nothing(element: Element, probe: &Probe, radius_mm: Option<f64>, less_mm: f64) -> Result<f64> {
+    let centres = radius_mm.unwrap_or_default();
+    let radius = centres - less_mm;
+    if radius > 0.0 {
+        return Ok(radius);
+    }
+    Err(refuse(
+        format!("a probe of radius {} mm cannot have touched the {element} from outside", probe.radius_mm),
+        format!("centres farther out than the probe radius; theirs is {centres:.6} mm"),
+        "state the other side: the probe was inside",
+    ))
+}
+
+fn no_side(element: Element, to: Vector) -> Problems {
+    refuse(
+        format!("the direction {to:?} to the probe runs along the {element} and does not give a side"),
+        format!("a direction away from the {element}"),
+        "state the direction from what was touched to the probe",
+    )
+}
+
+type Matrix = [[f64; QUANTITIES]; QUANTITIES];
+
+fn identity() -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)))
+}
+
+fn transposed(a: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
+fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..QUANTITIES).map(|k| a[i][k] * b[k][j]).sum()))
 }

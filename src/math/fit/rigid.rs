@@ -46,11 +46,6 @@ impl RigidFit {
 /// Horn 1987, J. Opt. Soc. Am. A 4, 629: the rotation is the unit quaternion to the largest eigenvalue of a symmetric
 /// 4 × 4 matrix, so it is never a reflection.
 pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
-    rigid_weighted(from, to, None)
-}
-
-/// [`rigid`] with one positive weight a point, in inverse proportion to its variance.
-pub fn rigid_weighted(from: &[Vector], to: &[Vector], weights: Option<&[f64]>) -> Result<RigidFit> {
     if from.len() != to.len() {
         return Err(refuse(
             format!("{} points cannot be laid onto {}", from.len(), to.len()),
@@ -58,17 +53,16 @@ pub fn rigid_weighted(from: &[Vector], to: &[Vector], weights: Option<&[f64]>) -
             "name each target once in both lists",
         ));
     }
-    let a = Cloud::centred("rigid transform", 3, Source::Space(from.into()), weights)?;
-    let b = Cloud::centred("rigid transform", 3, Source::Space(to.into()), weights)?;
+    let a = Cloud::centred("rigid transform", 3, Source::Space(from.into()))?;
+    let b = Cloud::centred("rigid transform", 3, Source::Space(to.into()))?;
     a.spans("rigid transform", 2)?;
     b.spans("rigid transform", 2)?;
     // S of Horn's section 4.A: sums of products of the coordinates
     let mut s = [[0.0; 3]; 3];
-    for (i, (p, q)) in a.points().zip(b.points()).enumerate() {
-        let w = a.weight(i);
+    for (p, q) in a.points().zip(b.points()) {
         for (row, x) in s.iter_mut().zip(p) {
             for (s, y) in row.iter_mut().zip(q) {
-                *s += w * x * y;
+                *s += x * y;
             }
         }
     }
@@ -119,7 +113,7 @@ fn rotation_of(q: [f64; 4]) -> [[f64; 3]; 3] {
 fn with_uncertainty(to_T_from: Pose, residuals_mm: Vec<Vector>, from: &Cloud) -> RigidFit {
     let n = residuals_mm.len();
     let degrees_of_freedom = 3 * n - 6;
-    let squares: f64 = residuals_mm.iter().enumerate().map(|(i, &r)| from.weight(i) * dot(r, r)).sum();
+    let squares: f64 = residuals_mm.iter().map(|&r| dot(r, r)).sum();
     let sigma = (squares / degrees_of_freedom as f64).sqrt();
     // about the axis of least inertia: Σ of squares of the distances from it
     let inertia = from.spread[1].hypot(from.spread[2]) * from.scale_mm;

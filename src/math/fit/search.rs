@@ -4,10 +4,10 @@
 //! One start is not enough: on an arc of 90 degrees the sum of squares has several minima over the axes, and a
 //! method that trusts the plane's normal or the longest spread ends in the wrong one.
 
-use super::axis::{Axial, Chart};
+use super::chart::Chart;
 use super::cloud::Cloud;
-use super::descend::{Refined, descend};
 use super::element::{Element, refuse};
+use super::solver::{Refined, Surface, descend};
 use crate::base::message::{Message, Problems};
 use crate::base::pose::{Vector, dot};
 
@@ -24,6 +24,15 @@ const HOPELESS: f64 = 100.0;
 const FARTHEST: f64 = 1e8;
 /// Iterations of those that are.
 const PATIENCE: usize = 80;
+
+/// A surface about an axis, its first parameters (a, b, h, u, v).
+pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> {
+    /// The chart that the parameters are in.
+    fn chart(&self) -> &Chart;
+
+    /// Starts that are looked at in the search.
+    const STARTS: usize = 8;
+}
 
 /// Where the search ended.
 pub(super) struct Found<S, const N: usize> {

@@ -1,15 +1,14 @@
 //! Torus: a tube bent along a circle, whole or a piece of it.
 
-use super::axis::{Axial, Chart, length};
-use super::ball::taubin;
+use super::chart::{Chart, length};
+use super::circle_and_sphere::taubin;
 use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
-use super::descend::refine;
 use super::element::{Element, Settings};
 use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES, largest_component_positive};
-use super::search::{no_start, rival_warning, search};
-use super::surface::Surface;
+use super::search::{Axial, no_start, rival_warning, search};
+use super::solver::{Surface, refine};
 use crate::base::message::Result;
 use crate::base::pose::Vector;
 use crate::math::solve::symmetric_eigen;
@@ -18,12 +17,7 @@ use crate::math::solve::symmetric_eigen;
 ///
 /// Orthogonal distance (ISO 10360-6:2001 tests it so). The start is searched over the hemisphere of axes, for each a
 /// circle through the points seen along the axis, and a circle through them seen along the tube.
-pub fn torus(points: &[Vector]) -> Result<Fit> {
-    torus_with(points, &Settings::default())
-}
-
-/// [`torus`] with weights or a held axis.
-pub fn torus_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn torus(points: &[Vector], settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Torus)?;
     let cloud = Cloud::new(Element::Torus, Source::Space(points.into()), settings)?;
     let free = [true, true, true, held.is_none(), held.is_none(), true, true];
@@ -39,7 +33,7 @@ pub fn torus_with(points: &[Vector], settings: &Settings) -> Result<Fit> {
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.minor_radius_mm = Some(minor * cloud.scale_mm);
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Torus)));
-    Ok(fit.compensated(settings.probe)?.with_warnings())
+    fit.finished(settings)
 }
 
 /// Distances of the centre from the middle of the points that are tried, to all four sides, in units of the length

@@ -23,7 +23,7 @@ impl Plane {
     /// The plane of least squares through three points or more; `up` decides which way the normal points.
     pub fn through(readings: &mut Readings, points: &[Point], up: impl Fn(Vector) -> bool) -> Result<Self> {
         let p = values(points);
-        let fitted = fit::plane(&p)?;
+        let fitted = fit::plane(&p, &fit::Settings::default())?;
         let found = fitted.direction.unwrap_or([0.0, 0.0, 1.0]);
         let normal = if up(found) { found } else { found.map(|v| -v) };
         let side = if normal[0].abs() < 0.9 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
@@ -72,7 +72,7 @@ impl Circle {
     /// The circle of least squares through `flat`, which come from `points`.
     pub fn through(readings: &mut Readings, flat: &[Flat], points: &[Point]) -> Result<Self> {
         let p = values(flat);
-        let fitted = fit::circle2d(&p)?;
+        let fitted = fit::circle2d(&p, &fit::Settings::default())?;
         let [x, y, _] = fitted.point_mm;
         let radial = |p: &[f64; 2]| {
             let (dx, dy) = (p[0] - x, p[1] - y);

@@ -31,7 +31,7 @@ impl Shaft {
     /// The cylinder through points that were probed on the shaft.
     pub fn through(readings: &mut Readings, base: &Base, probed: &[Vector]) -> Result<Self> {
         let points = readings.add(probed);
-        let fitted = fit::cylinder(probed)?;
+        let fitted = fit::cylinder(probed, &fit::Settings::default())?;
         let foot = fitted.point_mm;
         let d = fitted.direction.unwrap_or([1.0, 0.0, 0.0]);
         let side = if d[2].abs() < 0.9 { [0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };

@@ -3,7 +3,7 @@
 //! Far from the minimum: Levenberg-Marquardt in Moré's trust region (1978, as in MINPACK) on scaled columns; a step is
 //! accepted by the true cost. Near it the cost is too flat to judge a step: undamped Gauss-Newton stops on the step alone.
 
-use super::{Factor, Loss, Options, Problem, Termination};
+use super::{Factor, Loss, Options, Problem, Termination, TrustRegion, norm};
 
 /// Where the solver ended, and how.
 #[derive(Clone, Debug)]
@@ -74,7 +74,7 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
 fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
     let mut trial_residuals = vec![0.0; run.residuals.len()];
     let mut largest = vec![0.0; run.x.len()];
-    let (mut radius, mut damping, mut fresh) = (f64::NAN, 0.0, false);
+    let (mut region, mut fresh): (Option<TrustRegion>, bool) = (None, false);
     while run.iterations < run.options.iterations {
         if !fresh {
             // scales only grow (Moré, eq. 6.1), so that the region does not open where a column fades
@@ -85,102 +85,31 @@ fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
             if run.cost == 0.0 {
                 return Termination::ResidualsZero;
             }
-            if radius.is_nan() {
-                let start = run.x.iter().zip(&run.scale).map(|(x, d)| (x * d).powi(2)).sum::<f64>().sqrt();
-                radius = if start > 0.0 { start } else { 1.0 };
-            }
             fresh = true;
         }
         let Some(factor) = &run.factor else { return Termination::NotANumber };
         if norm(&factor.qtb) <= run.options.gradient * run.cost.sqrt() {
             return Termination::GradientVanished;
         }
-        let Some((p, step_damping)) = trust_region_step(factor, radius, damping) else {
-            return Termination::RankDeficient;
-        };
-        damping = step_damping;
-        let length = norm(&p);
-        let unscaled: Vec<f64> = p.iter().zip(&run.scale).map(|(p, d)| p / d).collect();
+        let region = region.get_or_insert_with(|| TrustRegion::new(run.scaled_length(&run.x)));
+        let Some(step) = region.step(factor) else { return Termination::RankDeficient };
+        let unscaled: Vec<f64> = step.p.iter().zip(&run.scale).map(|(p, d)| p / d).collect();
         let size = run.relative(&unscaled);
         let trial: Vec<f64> = run.x.iter().zip(&unscaled).map(|(x, s)| x - s).collect();
         run.problem.residuals(&trial, &mut trial_residuals);
         let trial_cost = run.cost_of(&trial_residuals);
-        let lowered = run.cost - trial_cost;
-        // decrease of the linear model: ‖r‖² − ‖r − J p‖² = ‖R p‖² + 2 λ ‖p‖² for this p (Moré, eq. 4.5)
-        let moved = sum_of_squares(&factor.multiply(&p));
-        let predicted = moved + 2.0 * damping * length * length;
-        let ratio = if trial_cost.is_finite() { lowered / predicted } else { f64::NEG_INFINITY };
-        if ratio < 0.25 {
-            let shorten = if trial_cost.is_finite() && trial_cost < 100.0 * run.cost {
-                // minimum of the parabola through both costs and the slope (MINPACK's choice)
-                let slope = moved + damping * length * length;
-                (if ratio >= 0.0 { 0.5 } else { 0.5 * slope / (slope - 0.5 * lowered) }).clamp(0.1, 0.5)
-            } else {
-                0.1
-            };
-            radius = shorten * radius.min(10.0 * length);
-            damping /= shorten;
-        } else if damping == 0.0 || ratio >= 0.75 {
-            radius = 2.0 * length;
-            damping *= 0.5;
-        }
+        let ratio = region.judge(&step, run.cost, trial_cost);
         if ratio > 1e-4 {
             run.go_to(trial, &mut trial_residuals, trial_cost);
             fresh = false;
-            if size < 1e-8 || size < near && step_damping == 0.0 && (ratio - 1.0).abs() < 0.1 {
+            if size < 1e-8 || size < near && !step.is_damped && (ratio - 1.0).abs() < 0.1 {
                 return Termination::StepVanished;
             }
-        } else if size < 1e-8 || !radius.is_normal() {
+        } else if size < 1e-8 || !region.is_open() {
             return Termination::NoImprovementPossible;
         }
     }
     Termination::LostPatience
-}
-
-/// The scaled step of at most `radius` (to a tenth) that lowers the linear model most, and its damping λ
-/// (Moré 1978, algorithm 5.5); `None` if no damping makes the factor regular.
-pub(crate) fn trust_region_step(factor: &Factor, radius: f64, last_damping: f64) -> Option<(Vec<f64>, f64)> {
-    let direction = |f: &Factor, p: &[f64], length: f64| {
-        f.forward_substitute(p.iter().map(|p| p / length).collect()).map(|w| sum_of_squares(&w))
-    };
-    let mut lower = 0.0;
-    if let Some(p) = factor.solve() {
-        let length = norm(&p);
-        if length <= 1.1 * radius {
-            return Some((p, 0.0));
-        }
-        if let Some(w) = direction(factor, &p, length) {
-            lower = (length - radius) / radius / w;
-        }
-    }
-    let mut upper = norm(&factor.multiply_transposed(&factor.qtb)) / radius;
-    if upper == 0.0 {
-        upper = f64::MIN_POSITIVE / radius.min(0.1);
-    }
-    let mut damping = last_damping.clamp(lower.min(upper), upper);
-    if damping == 0.0 {
-        damping = (0.001 * upper).max((lower * upper).sqrt());
-    }
-    for attempt in 0..12 {
-        let damped = factor.damped(damping.sqrt());
-        let p = damped.solve()?;
-        let length = norm(&p);
-        let off = length - radius;
-        if off.abs() <= 0.1 * radius || attempt == 11 {
-            return Some((p, damping));
-        }
-        let correction = off / radius / direction(&damped, &p, length)?;
-        if off > 0.0 {
-            lower = f64::max(lower, damping)
-        } else {
-            upper = upper.min(damping)
-        }
-        damping = (damping + correction).max(lower);
-        if damping > upper || damping <= 0.0 {
-            damping = (lower * upper).sqrt().max(0.001 * upper);
-        }
-    }
-    None
 }
 
 /// Goes on while every step is shorter than the one before.
@@ -246,15 +175,6 @@ pub(crate) fn column_norms(jacobian: &[f64], n: usize) -> Vec<f64> {
         }
     }
     squares.into_iter().map(|s: f64| if s > 0.0 { s.sqrt() } else { 1.0 }).collect()
-}
-
-/// Root of the sum of squares.
-fn norm(v: &[f64]) -> f64 {
-    sum_of_squares(v).sqrt()
-}
-
-fn sum_of_squares(v: &[f64]) -> f64 {
-    v.iter().map(|v| v * v).sum()
 }
 
 /// The point at hand while the solver runs, with all that was computed there.
@@ -339,8 +259,12 @@ impl<'a, P: Problem> Run<'a, P> {
 
     /// Length of an unscaled step relative to the parameters, both in the scale of the columns.
     fn relative(&self, step: &[f64]) -> f64 {
-        let scaled = |v: &[f64]| v.iter().zip(&self.scale).map(|(v, d)| (v * d).powi(2)).sum::<f64>().sqrt();
-        scaled(step) / (scaled(&self.x) + f64::MIN_POSITIVE)
+        self.scaled_length(step) / (self.scaled_length(&self.x) + f64::MIN_POSITIVE)
+    }
+
+    /// Length of unscaled parameters in the scale of the columns.
+    fn scaled_length(&self, v: &[f64]) -> f64 {
+        v.iter().zip(&self.scale).map(|(v, d)| (v * d).powi(2)).sum::<f64>().sqrt()
     }
 }
 

@@ -11,14 +11,16 @@ mod least_squares;
 mod loss;
 mod priors;
 mod svd;
+mod trust_region;
 
 pub use eigen::symmetric_eigen;
 pub use factor::Factor;
 pub use least_squares::{Solution, solve};
-pub(crate) use least_squares::{column_norms, covariance, trust_region_step};
+pub(crate) use least_squares::{column_norms, covariance};
 pub use loss::Loss;
 pub use priors::{Prior, WithPriors};
 pub use svd::{Svd, svd};
+pub(crate) use trust_region::{TrustRegion, norm};
 
 use serde::{Deserialize, Serialize};
 use std::fmt;

@@ -6,7 +6,6 @@
 
 use super::f64x8::{F64x8, Points, along};
 use super::result::QUANTITIES;
-use super::surface::Surface;
 use crate::base::pose::{Vector, cross, dot, unit};
 
 /// A right-handed frame about a direction.
@@ -93,15 +92,6 @@ impl Chart {
         }
         by_parameter
     }
-}
-
-/// A surface about an axis, its first parameters (a, b, h, u, v).
-pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> {
-    /// The chart that the parameters are in.
-    fn chart(&self) -> &Chart;
-
-    /// Starts that are looked at in the search.
-    const STARTS: usize = 8;
 }
 
 /// Length of (x, y) in normalised coordinates: nothing overflows, and hypot would be slow.
