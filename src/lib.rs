@@ -22,14 +22,14 @@
 //! | --- | --- | --- |
 //! | [`base`] | messages, files, tables, poses, dual numbers, random numbers, patterns of names | nothing |
 //! | [`math`] | least squares, fits of elements, robots, identification, the geometric method, choice of poses | `base` |
-//! | [`iso9283`] | the characteristics of ISO 9283, each with its clause | the above |
 //! | [`document`] | the types of every JSON document, and their schemas | the above |
+//! | [`iso9283`] | the characteristics of ISO 9283, one a file, each with its clause | the above |
 //! | [`import`] | formats of exports and logs, one file each; tables of observations, poses and recordings | the above |
 //! | [`campaign`] | `campaign.toml` and `robot.toml`: the keys, where each value is, what is wrong with it | the above |
 //! | [`stages`] | one stage a file, each from documents to the next document | the above |
 //! | [`report`] | the sections of a report and the four forms in which they are drawn | `base`, `document` |
 //! | [`export`] | one controller format a file | `base`, `document` |
-//! | [`compare`] | several campaigns side by side | `base` to `document` |
+//! | [`compare`] | several campaigns side by side | `base` to `iso9283` |
 //! | [`simulate`] | a truth becomes exports and logs, written by the formats themselves | `base` to `stages` |
 //! | [`run`] | the pipeline, the check before it, the output folder | all but `compare`, `simulate`, `cli` |
 //! | [`cli`] | one command a file | all |

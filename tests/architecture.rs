@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 const ROOMS: [(&str, &[&str]); 13] = [
     ("base", &[]),
     ("math", &["base"]),
-    ("iso9283", &["base", "math"]),
-    ("document", &["base", "math", "iso9283"]),
+    ("document", &["base", "math"]),
+    ("iso9283", &["base", "math", "document"]),
     ("import", &["base", "math", "iso9283", "document"]),
     ("campaign", &["base", "math", "iso9283", "document", "import"]),
     ("stages", &["base", "math", "iso9283", "document", "import", "campaign"]),

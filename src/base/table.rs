@@ -10,6 +10,9 @@ use std::path::Path;
 /// Columns of the coordinates, in millimetres.
 pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
+/// Columns of the angles, in degrees: rotations about the axes named in the rotation order that the user states.
+pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
+
 /// Column of a point's label; in a log, of the point that the robot touches.
 pub const LABEL: &str = "label";
 

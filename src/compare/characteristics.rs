@@ -4,7 +4,7 @@ use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales
 use super::trend::{changed, of_estimates, pairs};
 use crate::base::message::Message;
 use crate::document::*;
-use crate::iso9283::spread;
+use crate::iso9283::statistics::sample::spread;
 use std::collections::BTreeSet;
 
 /// AP, mean position and RP of every pose that all campaigns have; homings too.

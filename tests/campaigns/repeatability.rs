@@ -3,8 +3,8 @@
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
 use etalon::document::{Iso9283Document, Iso9283Pose, Iso9283Variation};
-use etalon::iso9283::coplanarity::from_the_others;
-use etalon::iso9283::repeatability::pose_repeatability;
+use etalon::iso9283::pose::coplanarity::from_the_others;
+use etalon::iso9283::pose::repeatability::pose_repeatability;
 use etalon::run::check::everything;
 use etalon::run::pipeline;
 use etalon::simulate::Truth;

@@ -3,10 +3,11 @@
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
 use etalon::compare::{Compared, compare};
+use etalon::document::Iso9283Interval as Interval;
 use etalon::document::*;
-use etalon::iso9283::accuracy::pose_accuracy;
-use etalon::iso9283::interval::{Interval, accuracy_interval, repeatability_interval};
-use etalon::iso9283::repeatability::pose_repeatability;
+use etalon::iso9283::pose::accuracy::pose_accuracy;
+use etalon::iso9283::pose::repeatability::pose_repeatability;
+use etalon::iso9283::statistics::interval::{accuracy_interval, repeatability_interval};
 use std::collections::BTreeMap;
 
 const PAIRS: u64 = 2000;

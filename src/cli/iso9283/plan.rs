@@ -3,13 +3,12 @@
 use super::super::{Verdict, print, print_written, say};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
-use crate::base::table::XYZ;
+use crate::base::table::{ANGLES, XYZ};
 use crate::campaign::read_robot;
 use crate::document::{Iso9283Places, Iso9283PlanDocument};
 use crate::export;
-use crate::import::tables::coordinates::ANGLES;
+use crate::iso9283::plan::{Request, plan, reach};
 use crate::run::output;
-use crate::stages::iso9283::plan::{Request, plan, reach};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

@@ -6,14 +6,15 @@ use super::super::{Verdict, print, say};
 use crate::base::files;
 use crate::base::message::Result;
 use crate::base::pose::Vector;
+use crate::base::table::ANGLES;
 use crate::base::table::XYZ;
 use crate::document::{Iso9283Interval, Iso9283Path, Iso9283StreamDocument};
 use crate::import;
-use crate::import::tables::coordinates::ANGLES;
-use crate::import::tables::recording::{Recording, commanded_path, commanded_poses};
-use crate::iso9283::path::CommandedPath;
+use crate::import::tables::recording::{commanded_path, commanded_poses, recording};
+use crate::iso9283::motion::stream::Recording;
+use crate::iso9283::motion::{Stated, evaluate};
+use crate::iso9283::path::commanded::CommandedPath;
 use crate::run::output;
-use crate::stages::iso9283::motion::{Stated, evaluate};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -119,7 +120,7 @@ impl StreamOptions {
             }
             None => TableFile::read(path)?,
         };
-        Recording::from_table(recorded.named(), self.rate_hz).map_err(|p| recorded.place(p))
+        recording(recorded.named(), self.rate_hz).map_err(|p| recorded.place(p))
     }
 }
 

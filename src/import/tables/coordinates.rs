@@ -2,11 +2,8 @@
 
 use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::Vector;
-use crate::base::table;
+use crate::base::table::{self, ANGLES};
 use polars::prelude::DataFrame;
-
-/// Columns of the angles, in degrees: rotations about the axes named in the rotation order that the user states.
-pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 
 /// A table with the name of its file, for messages.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::Vector;
 use crate::import::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
-use crate::iso9283::pose_test::{AttainedPose, PoseTest, TestedPose, from_pose};
+use crate::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Numbers of one table.

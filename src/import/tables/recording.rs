@@ -4,53 +4,38 @@ use crate::base::message::{Message, Place, Result};
 use crate::base::pose::Vector;
 use crate::base::table::numbers;
 use crate::import::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
-use crate::iso9283::path::CommandedPath;
-use crate::iso9283::stream::Stream;
-
-/// A motion as it was recorded.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Recording {
-    /// The samples that count.
-    pub stream: Stream,
-    /// Whether there is a z.
-    pub spatial: bool,
-    /// Which angles there are: of 0, 1, 2 for a, b, c.
-    pub angles: Vec<usize>,
-    /// Lines of samples that no robot reaches from the one before.
-    pub left_out: Vec<usize>,
-}
+use crate::iso9283::motion::stream::{Recording, Stream};
+use crate::iso9283::path::commanded::CommandedPath;
 
 /// At most this share of the samples may be such: with more of them rate, unit or stamps are wrong.
 const MOST_LEFT_OUT: f64 = 0.01;
 
-impl Recording {
-    /// From a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]` With a stated rate samples are
-    /// counted, and stamps are not read.
-    pub fn from_table(table: NamedTable, rate_hz: Option<f64>) -> Result<Self> {
-        let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;
-        let n = positions_mm.len();
-        let time_s = match rate_hz {
-            Some(rate) if rate > 0.0 && rate.is_finite() => (0..n).map(|i| i as f64 / rate).collect(),
-            Some(rate) => return Err(Message::error(format!("a sampling rate of {rate} Hz")).into()),
-            None => numbers(table.frame, "time_s").unwrap_or_default(),
-        };
-        if time_s.iter().all(|t| t.is_nan()) {
-            let message = Message::error("the recording has no time column").at(Place::file(table.file));
-            let message = message.expected("a column time_s, or the sampling rate");
-            return Err(message.hint("state the rate of the instrument: --rate-hz 1000").into());
-        }
-        let stream = Stream::new(time_s, positions_mm, &angles_rad)
-            .map_err(|wrong| table.at_row(wrong.message, wrong.sample))?;
-        let (stream, jumps) = stream.without_jumps();
-        if jumps.len() as f64 > MOST_LEFT_OUT * n as f64 {
-            let what = format!("no robot moves like this: {} of {n} samples are faster than 20 m/s", jumps.len());
-            let message = table.at_row(Message::error(what), jumps[0]);
-            return Err(message.hint("is the sampling rate right, and the unit? are samples in order?").into());
-        }
-        let lines = table.integers("line")?;
-        let left_out = jumps.iter().filter_map(|&i| usize::try_from(*lines.get(i)?).ok()).collect();
-        Ok(Self { stream, spatial, angles, left_out })
+/// A motion from a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`. With a stated rate samples are
+/// counted, and stamps are not read.
+pub fn recording(table: NamedTable, rate_hz: Option<f64>) -> Result<Recording> {
+    let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;
+    let n = positions_mm.len();
+    let time_s = match rate_hz {
+        Some(rate) if rate > 0.0 && rate.is_finite() => (0..n).map(|i| i as f64 / rate).collect(),
+        Some(rate) => return Err(Message::error(format!("a sampling rate of {rate} Hz")).into()),
+        None => numbers(table.frame, "time_s").unwrap_or_default(),
+    };
+    if time_s.iter().all(|t| t.is_nan()) {
+        let message = Message::error("the recording has no time column").at(Place::file(table.file));
+        let message = message.expected("a column time_s, or the sampling rate");
+        return Err(message.hint("state the rate of the instrument: --rate-hz 1000").into());
     }
+    let stream =
+        Stream::new(time_s, positions_mm, &angles_rad).map_err(|wrong| table.at_row(wrong.message, wrong.sample))?;
+    let (stream, jumps) = stream.without_jumps();
+    if jumps.len() as f64 > MOST_LEFT_OUT * n as f64 {
+        let what = format!("no robot moves like this: {} of {n} samples are faster than 20 m/s", jumps.len());
+        let message = table.at_row(Message::error(what), jumps[0]);
+        return Err(message.hint("is the sampling rate right, and the unit? are samples in order?").into());
+    }
+    let lines = table.integers("line")?;
+    let left_out = jumps.iter().filter_map(|&i| usize::try_from(*lines.get(i)?).ok()).collect();
+    Ok(Recording { stream, spatial, angles, left_out })
 }
 
 /// A commanded path from a table with the coordinates of a recording, a row a point.

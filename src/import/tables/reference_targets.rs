@@ -4,9 +4,9 @@ use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 use crate::document::Iso9283Epoch;
 use crate::import::tables::coordinates::NamedTable;
-use crate::iso9283::pose_test::PoseTest;
-use crate::iso9283::reference::{Epoch, epochs};
-use crate::iso9283::rotations::RotationOrder;
+use crate::iso9283::pose::reference::{Epoch, epochs};
+use crate::iso9283::pose::rotations::RotationOrder;
+use crate::iso9283::pose::test::PoseTest;
 use std::collections::BTreeMap;
 
 /// The drift of the set-up that was compensated.

@@ -9,7 +9,7 @@ use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 use crate::campaign::{BallDefinition, Campaign, GeometricDefinition};
 use crate::document::*;
-use crate::iso9283::repeatability::pose_repeatability;
+use crate::iso9283::pose::repeatability::pose_repeatability;
 use crate::math::geometric::{self, Geometry, Repeated, Scatter, Uncertain, Workspace, scale_bar};
 use crate::math::identify::Identification;
 use crate::math::robots::{RailTable, Robot};

@@ -1,8 +1,6 @@
 //! Tests of a campaign by ISO 9283: tables, labelled points and recorded motions become characteristics.
 
 pub mod load;
-pub mod motion;
-pub mod plan;
 pub mod pose;
 pub mod repeatability;
 mod streams;
@@ -11,9 +9,10 @@ use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::Pose;
 use crate::campaign::{Campaign, PosesDefinition};
 use crate::document::*;
+use crate::iso9283::pose::{DRAWS, Settings};
 use crate::stages::gather::Gathered;
 use crate::stages::table_file::CampaignTables;
-use pose::{DRAWS, PoseTables, PreparedTest, Settings};
+use pose::{PoseTables, PreparedTest};
 use repeatability::Commanded;
 use toml::Spanned;
 

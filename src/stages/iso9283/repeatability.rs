@@ -2,15 +2,15 @@
 
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::{Pose, Vector};
+use crate::base::table::ANGLES;
 use crate::campaign::{Campaign, RepeatabilityDefinition};
 use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
 use crate::import::Point;
-use crate::import::tables::coordinates::ANGLES;
 use crate::import::tables::recording::commanded_poses;
-use crate::iso9283::coplanarity::from_the_others;
-use crate::iso9283::pose_test::{AttainedPose, PoseTest, TestedPose, from_pose};
+use crate::iso9283::pose::coplanarity::from_the_others;
+use crate::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose, from_pose};
+use crate::iso9283::pose::{self, Settings};
 use crate::stages::iso9283::COVERAGE_FACTOR;
-use crate::stages::iso9283::pose::{self, Settings};
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
 use crate::stages::table_file::{CampaignTables, TableFile};
 use std::collections::{BTreeMap, BTreeSet};

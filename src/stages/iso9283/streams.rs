@@ -4,8 +4,9 @@ use crate::base::message::{Message, Problems, Result};
 use crate::campaign::{Campaign, StreamDefinition};
 use crate::document::{Iso9283NamedStream, Iso9283StreamsDocument};
 use crate::import;
-use crate::import::tables::recording::{Recording, commanded_path, commanded_poses};
-use crate::stages::iso9283::motion::{Settings, Stated, evaluate};
+use crate::import::tables::recording::{commanded_path, commanded_poses, recording};
+use crate::iso9283::motion::stream::Recording;
+use crate::iso9283::motion::{Settings, Stated, evaluate};
 use crate::stages::table_file::{CampaignTables, TableFile};
 use std::collections::BTreeSet;
 use toml::Spanned;
@@ -73,7 +74,7 @@ fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready>
         files.read_with(file, "stream", what, read)
     };
     let recorded = file(&stream.file, "recorded motion", true)?;
-    let recording = Recording::from_table(recorded.named(), stream.rate_hz).map_err(|p| recorded.place(p))?;
+    let recording = recording(recorded.named(), stream.rate_hz).map_err(|p| recorded.place(p))?;
     let poses = match &stream.commanded {
         None => None,
         Some(commanded) => {

@@ -1,0 +1,7 @@
+//! Statistics of attained positions: spread, intervals, conformity with a limit.
+
+pub mod bootstrap;
+pub mod interval;
+pub mod sample;
+pub mod scatter;
+pub mod uncertainty_ratio;
