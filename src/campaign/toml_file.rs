@@ -2,8 +2,10 @@
 //! filled in, and the rest is read again.
 
 use crate::base::message::{Message, Place, Problems, Result, nearest};
+use crate::math::robots::MODELS;
 use serde::de::DeserializeOwned;
 use std::ops::Range;
+use std::sync::LazyLock;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
@@ -141,14 +143,17 @@ pub(super) fn recover_with<T>(
 }
 
 /// Values to fill in for what is missing, of every kind and of every choice that has no default: one of them fits.
-const TRIES: [&str; 9] = ["\"\"", "1", "[]", "{}", "\"mm\"", "\"polyworks\"", "\"row\"", "\"prexyt\"", "\"blank\""];
+static TRIES: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let choices = ["mm", "polyworks", "row", MODELS[0].name, "blank"].map(|name| format!("\"{name}\""));
+    ["\"\"", "1", "[]", "{}"].map(str::to_owned).into_iter().chain(choices).collect()
+});
 
 /// Stands for an entry that is missing, so that the rest can be read.
 struct Placeholder {
     path: Vec<String>,
     /// Behind the end of the text.
     span: Range<usize>,
-    tries: std::slice::Iter<'static, &'static str>,
+    tries: std::slice::Iter<'static, String>,
 }
 
 impl Placeholder {

@@ -3,17 +3,13 @@
 use super::report::Dressed;
 use super::{Verdict, print, say};
 use crate::base::files;
-use crate::base::message::{Message, Problems, Result, one_line};
+use crate::base::message::{Message, Problems, Result};
 use crate::campaign::Campaign;
 use crate::compare::{Compared, compare};
-use crate::document::{CompareDocument, CompareFamily, CompareTogether};
-use crate::report::words::Words;
-use crate::report::words::comparison::{self, family};
-use crate::report::{self, number};
+use crate::report::{self, Faces};
 use crate::run::output;
 use serde::de::DeserializeOwned;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Compare campaigns of one robot: what changed, and what is chance
@@ -61,14 +57,13 @@ impl Compare {
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }
-        if let Some(first) = all.first().filter(|_| !kinds.is_empty()) {
-            let presentation = self.dressed.over(first.campaign.report.clone())?;
-            for (path, kind) in kinds {
-                files::write(path, &report::comparison(&kind, &document, &presentation)?)?;
-            }
+        let campaign = all.into_iter().next().map(|first| first.campaign.report).unwrap_or_default();
+        let faces = Faces::comparison(&document, self.dressed.over(campaign)?)?;
+        for (path, kind) in kinds {
+            files::write(path, &faces.file(&kind)?)?;
         }
-        print(if self.json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
-        Ok(Verdict::Met)
+        print(if self.json { output::to_json(&document)? } else { faces.terminal().into_bytes() })?;
+        Ok(Verdict::of(faces.is_met()))
     }
 }
 
@@ -141,41 +136,4 @@ impl Folder {
         self.inputs.insert(path.display().to_string(), files::sha256(&bytes));
         Ok(Some(document))
     }
-}
-
-/// What a terminal shows.
-fn as_text(document: &CompareDocument) -> String {
-    let english = &Words::default();
-    let mut text = String::new();
-    for (i, c) in document.campaigns.iter().enumerate() {
-        let date = one_line(c.date.as_deref().unwrap_or("no date"));
-        let _ = writeln!(text, "{} {date}, {} ({})", i + 1, one_line(&c.name), one_line(&c.folder));
-    }
-    let mut headed = None;
-    for t in &document.trends {
-        if headed != Some(t.family) {
-            headed = Some(t.family);
-            let _ = writeln!(text, "\n{}", family(t.family, english));
-            if t.family == CompareFamily::Robot {
-                document.together.iter().for_each(|t| together(&mut text, t));
-            }
-        }
-        let values: Vec<String> = t.values.iter().map(|v| comparison::value(v, english)).collect();
-        let _ = writeln!(text, "  {} {}  {}", one_line(&t.name), comparison::unit(&t.unit), values.join("  "));
-        for c in &t.changes {
-            let w = comparison::change(t, c, english);
-            let _ = writeln!(
-                text,
-                "    {}: {} [{}], p {} (Holm {}): {}",
-                w.pair, w.change, w.interval, w.p, w.p_holm, w.verdict
-            );
-        }
-    }
-    text + "\n" + &document.conventions.iter().map(|c| format!("{c}\n")).collect::<String>()
-}
-
-fn together(text: &mut String, t: &CompareTogether) {
-    let verdict = if t.significant { "changed" } else { "no significant change" };
-    let (f, p) = (number::significant(t.f, 3), number::significant(t.p, 2));
-    let _ = writeln!(text, "  all {} together, {} from {}: F {f}, p {p}: {verdict}", t.parameters, t.to, t.from);
 }

@@ -5,13 +5,12 @@ use super::{Verdict, print, say};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
 use crate::campaign::read_robot;
-use crate::document::{ParameterStatus, ParametersDocument};
 use crate::math::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
+use crate::report::Faces;
 use crate::run::output;
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::doubts;
-use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Identify the parameters of a robot from a table of observations, without a campaign
@@ -74,37 +73,15 @@ impl Identify {
         found.warnings.splice(0..0, doubts);
         let inputs = files::sha256_of([&self.robot, &self.observations])?;
         let document = parameters_document(robot.as_ref(), &settings, &before, &found, &inputs);
+        let faces = Faces::identification(&document);
         if self.json {
             print(output::to_json(&document)?)?;
         } else {
             for message in &document.messages {
                 say(format_args!("{message}\n"));
             }
-            print(as_text(&document))?;
+            print(faces.terminal())?;
         }
-        Ok(if document.is_plausible() { Verdict::Met } else { Verdict::LimitNotMet })
+        Ok(Verdict::of(faces.is_met()))
     }
-}
-
-fn as_text(document: &ParametersDocument) -> String {
-    let mut text = format!("{:<16} {:>16} {:>16} {:>12}  unit\n", "parameter", "nominal", "value", "u (k = 1)");
-    for p in &document.parameters {
-        let u = match (p.status, p.standard_uncertainty) {
-            (ParameterStatus::Identified, Some(u)) => format!("{u:.2e}"),
-            (ParameterStatus::NotIdentifiable, _) => "unknown".to_owned(),
-            _ => "held".to_owned(),
-        };
-        let _ = writeln!(text, "{:<16} {:>16.6} {:>16.6} {u:>12}  {}", p.name, p.nominal, p.value, p.unit);
-    }
-    let r = &document.residuals;
-    let _ = writeln!(
-        text,
-        "residuals: rms {:.6} mm, max {:.6} mm, {} degrees of freedom",
-        r.rms, r.max, r.degrees_of_freedom
-    );
-    if let Some(observability) = &document.observability {
-        let _ = write!(text, "condition {:.1}; ", observability.condition);
-    }
-    let _ = writeln!(text, "{}", document.solver.meaning);
-    text
 }

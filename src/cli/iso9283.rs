@@ -6,16 +6,15 @@ mod stream;
 use super::table_file::TableFile;
 use super::{Verdict, print, say};
 use crate::base::message::{Message, Problems};
-use crate::document::{Iso9283ComplianceDocument, Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283Pose};
+use crate::document::Characteristics;
 use crate::iso9283::pose::{DRAWS, Settings};
+use crate::report::Faces;
 use crate::run::output;
 use crate::stages::iso9283::load;
 use crate::stages::iso9283::pose::PoseTables;
 use plan::PlanOptions;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use stream::StreamOptions;
-pub(super) use stream::as_text as stream_as_text;
 
 /// Evaluate accuracy, repeatability and other characteristics by ISO 9283
 ///
@@ -111,91 +110,21 @@ impl Iso9283 {
         for message in &document.messages {
             say(format_args!("{message}\n"));
         }
-        match (self.json, self.all || self.drift_set.is_some()) {
-            (true, true) => print(output::to_json(&document)?)?,
-            (true, false) => print(output::to_json(&document.poses)?)?,
-            (false, all) => print(as_text(&document, all))?,
-        }
-        let proved = |c: Option<Iso9283Conformity>| c.is_none_or(|c| c == Iso9283Conformity::Conforming);
-        let met =
-            |p: &Iso9283Pose| p.quarter_rule_met != Some(false) && proved(p.ap_conformity) && proved(p.rp_conformity);
-        let met = document.poses.iter().all(met);
-        Ok(if met { Verdict::Met } else { Verdict::LimitNotMet })
+        let all = self.all || self.drift_set.is_some();
+        let json = match all {
+            true => output::to_json(&document)?,
+            false => output::to_json(&document.poses)?,
+        };
+        let poses = Some(if all { document } else { document.of_poses() });
+        answer(&Characteristics { poses, ..Characteristics::default() }, self.json.then_some(json))
     }
 }
 
-/// A table of the poses; with `all`, the other characteristics.
-pub(super) fn as_text(document: &Iso9283Document, all: bool) -> String {
-    let interval = |i: &Option<Iso9283Interval>| i.map(|i| format!(" [{:.4}, {:.4}]", i.low_mm, i.high_mm));
-    let number = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
-    let mut text = format!(
-        "{:>5} {:>6} {:>28} {:>28} {:>9} {:>9} {:>9}\n",
-        "pose", "cycles", "AP mm [95 %]", "RP mm [95 %]", "mean l", "sd l", "enclosing"
-    );
-    for p in &document.poses {
-        let ap = number(p.ap_mm) + &interval(&p.ap_interval).unwrap_or_default();
-        let rp = number(p.rp_mm) + &interval(&p.rp_interval).unwrap_or_default();
-        let (mean, sd, ball) = (number(p.mean_radius_mm), number(p.sd_radius_mm), number(p.enclosing_radius_mm));
-        let _ = writeln!(text, "{:>5} {:>6} {ap:>28} {rp:>28} {mean:>9} {sd:>9} {ball:>9}", p.pose, p.cycles);
-        for (name, proved) in [("AP", p.ap_conformity), ("RP", p.rp_conformity)] {
-            let words = match proved {
-                None => continue,
-                Some(Iso9283Conformity::Conforming) => "conforming",
-                Some(Iso9283Conformity::NotConforming) => "not conforming",
-                Some(Iso9283Conformity::Neither) => "undecided: the limit is within the interval",
-            };
-            let _ = writeln!(text, "      {name} against its limit: {words}");
-        }
-        if let Some(rp) = p.rp_without_noise_mm {
-            let _ = writeln!(text, "      RP without the instrument's noise {rp:.4} mm");
-        }
-        if let Some(met) = p.quarter_rule_met {
-            let (ap, rp) = (number(p.uncertainty_over_ap), number(p.uncertainty_over_rp));
-            let verdict = if met { "met" } else { "not met" };
-            let _ = writeln!(text, "      25 % rule {verdict}: uncertainty over AP {ap}, over RP {rp}");
-        }
-    }
-    if !all {
-        return text;
-    }
-    for d in &document.distances {
-        let _ = writeln!(text, "distance {} to {}: AD {:.4}, RD {:.4} mm", d.poses[0], d.poses[1], d.ad_mm, d.rd_mm);
-    }
-    for v in &document.approaches {
-        let [a, b] = &v.between;
-        let _ = writeln!(text, "pose {} by approach: vAP {:.4} mm, between `{a}` and `{b}`", v.pose, v.vap_mm);
-    }
-    for d in &document.drifts {
-        let _ = writeln!(
-            text,
-            "pose {} drift: dAP {:.4}, dRP {:.4} mm in {} sets",
-            d.pose,
-            d.dap_mm,
-            d.drp_mm,
-            d.ap_mm.len()
-        );
-    }
-    for p in &document.coplanarity_of_four {
-        let _ = writeln!(text, "pose {} is {:.4} mm out of the plane of the other three", p.pose, p.distance_mm);
-    }
-    if let Some(homing) = &document.homing {
-        let _ = writeln!(text, "homing, {} times: RP {} mm", homing.cycles, number(homing.rp_mm));
-    }
-    for e in &document.reference {
-        let _ = writeln!(
-            text,
-            "reference targets of cycle {}: moved by {:.4} mm, {:.4} mm left",
-            e.cycle, e.moved_mm, e.rms_mm
-        );
-    }
-    for (name, value) in
-        [("exchangeability", document.exchangeability_mm), ("coplanarity of means", document.coplanarity_mm)]
-    {
-        if let Some(value) = value {
-            let _ = writeln!(text, "{name}: {value:.4} mm");
-        }
-    }
-    text
+/// Prints what was found, as JSON where that is asked for.
+fn answer(tested: &Characteristics, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
+    let faces = Faces::test(tested);
+    print(json.unwrap_or_else(|| faces.terminal().into_bytes()))?;
+    Ok(Verdict::of(faces.is_met()))
 }
 
 /// Static compliance from a table of loads.
@@ -205,20 +134,6 @@ fn compliance(path: &Path, json: bool) -> anyhow::Result<Verdict> {
     for message in &document.messages {
         say(format_args!("{message}\n"));
     }
-    print(if json { output::to_json(&document)? } else { compliance_as_text(&document).into_bytes() })?;
-    Ok(Verdict::Met)
-}
-
-/// A line for each direction.
-pub(super) fn compliance_as_text(document: &Iso9283ComplianceDocument) -> String {
-    let mut text = String::new();
-    for d in &document.directions {
-        let u = d.standard_uncertainty_mm_n.map(|u| format!(" (u = {u:.1e})")).unwrap_or_default();
-        let _ = writeln!(
-            text,
-            "{}: {:.6} mm/N{u} up to {} N, off the line {:.4} mm, {} readings in {} cycles",
-            d.direction, d.compliance_mm_n, d.force_n, d.off_line_mm, d.readings, d.cycles
-        );
-    }
-    text
+    let json = json.then(|| output::to_json(&document)).transpose()?;
+    answer(&Characteristics { compliance: Some(document), ..Characteristics::default() }, json)
 }

@@ -67,6 +67,12 @@ enum Verdict {
     NotRun,
 }
 
+impl Verdict {
+    fn of(met: bool) -> Self {
+        if met { Self::Met } else { Self::LimitNotMet }
+    }
+}
+
 /// Runs one command; errors go to stderr.
 pub fn run(arguments: Arguments) -> ExitCode {
     let result = match arguments.command {

@@ -13,7 +13,7 @@ use crate::math::identify::{Observation, ResidualKind, Settings};
 use crate::math::plan::candidates::{self, Candidates};
 use crate::math::plan::{Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, study};
 use crate::math::robots::{Parameter, Robot};
-use crate::report;
+use crate::report::Faces;
 use crate::run::output;
 use crate::simulate::true_values;
 use crate::stages::parameters::observability_summary;
@@ -124,8 +124,9 @@ impl Plan {
         if let Some(path) = &self.targets {
             files::write(path, &export::targets(&document, &path.display().to_string())?)?;
         }
+        let faces = Faces::plan(&document, self.dressed.over(Presentation::default())?)?;
         if let Some(path) = &self.report {
-            files::write(path, &report::plan("html", &document, &self.dressed.over(Presentation::default())?)?)?;
+            files::write(path, &faces.file("html")?)?;
         }
         if self.json {
             print(output::to_json(&document)?)?;
@@ -133,9 +134,9 @@ impl Plan {
             for message in &document.messages {
                 say(format_args!("{message}\n"));
             }
-            print(as_text(&document))?;
+            print(faces.terminal())?;
         }
-        Ok(Verdict::Met)
+        Ok(Verdict::of(faces.is_met()))
     }
 
     /// A simulated calibration, where a truth is stated.
@@ -323,56 +324,6 @@ fn csv(robot: &dyn Robot, document: &PlanDocument) -> String {
         for configuration in &planned.configurations {
             let cells: Vec<String> = columns.iter().filter_map(|c| Some(configuration.get(c)?.to_string())).collect();
             let _ = writeln!(text, "{},{}", planned.pose, cells.join(","));
-        }
-    }
-    text
-}
-
-/// What a terminal shows.
-fn as_text(document: &PlanDocument) -> String {
-    let list = |poses: &[i64]| poses.iter().map(i64::to_string).collect::<Vec<_>>().join(", ");
-    let chosen: Vec<i64> = document.chosen.iter().map(|p| p.pose).collect();
-    let count: usize = document.chosen.iter().map(|p| p.configurations.len()).sum();
-    let mut text = format!("poses: {} ({count} configurations)\n", list(&chosen));
-    let _ = writeln!(text, "{} = {:.6} ({})", document.index, document.value, document.definition);
-    let _ = match document.at_most_below_percent {
-        _ if document.proven_optimal => {
-            writeln!(
-                text,
-                "proven: no other choice of {} of {} candidates is better",
-                chosen.len(),
-                document.candidates
-            )
-        }
-        Some(below) => writeln!(
-            text,
-            "at most {below:.2} % below the best possible choice of {} of {} candidates",
-            chosen.len(),
-            document.candidates
-        ),
-        None => writeln!(text, "this index has no bound: another choice may be better"),
-    };
-    let greedy = &document.greedy;
-    let _ =
-        writeln!(text, "one after the other: {} = {:.6}, poses {}", document.index, greedy.value, list(&greedy.poses));
-    if let Some(c) = &document.compared {
-        let _ = writeln!(
-            text,
-            "poses {}: {} = {:.6}; the plan is {:.1} % better",
-            list(&c.poses),
-            document.index,
-            c.value,
-            c.better_by_percent
-        );
-    }
-    if let Some(o) = &document.observability {
-        let _ = writeln!(text, "condition {:.1}", o.condition);
-    }
-    if let Some(w) = &document.workspace {
-        let _ = writeln!(text, "predicted uncertainty of position: rms {:.4} mm, max {:.4} mm", w.rms_mm, w.max_mm);
-        for p in &document.parameters {
-            let u = p.standard_uncertainty.map_or("unknown".to_owned(), |u| format!("{u:.2e}"));
-            let _ = writeln!(text, "  {:<16} {u:>10} {}", p.name, p.unit);
         }
     }
     text

@@ -97,7 +97,7 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
         errors,
         geometric: geometric.as_ref(),
     });
-    let made = report::files(&report::Report {
+    let faces = report::Faces::campaign(&report::Report {
         campaign: &campaign,
         import: &import,
         features: &features,
@@ -110,7 +110,7 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
         files::write(&path, &bytes)?;
         Ok(path.display().to_string())
     };
-    made.into_iter().map(write).collect()
+    faces.files()?.into_iter().map(write).collect()
 }
 
 /// Writes the built-in templates, over none that is there.

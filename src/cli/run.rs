@@ -3,10 +3,8 @@
 use super::{Verdict, print, say};
 use crate::base::message::Message;
 use crate::campaign::Campaign;
-use crate::document::{AccuracySet, Characteristics, LimitVerdict};
 use crate::run::output::to_json;
 use crate::run::pipeline::{self, Outcome};
-use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Run a campaign from its exports to the report
@@ -24,8 +22,11 @@ pub struct Run {
 
 impl Run {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let result = self.campaign();
-        if let (Err(_), Some(report)) = (&result, self.earlier()) {
+        let (campaign, problems) = Campaign::recover(&self.campaign)?;
+        let Some(campaign) = campaign else { return Err(problems.into()) };
+        let result = problems.check().map_err(Into::into).and_then(|_| self.campaign(&campaign));
+        let earlier = campaign.output().map(|folder| folder.join("report.html")).ok().filter(|report| report.is_file());
+        if let (Err(_), Some(report)) = (&result, earlier) {
             let what =
                 format!("nothing is written: `{}` and the files beside it are of an earlier run", report.display());
             say(format_args!(
@@ -36,80 +37,28 @@ impl Run {
         result
     }
 
-    /// The report of an earlier run, if there is one.
-    fn earlier(&self) -> Option<PathBuf> {
-        let (campaign, _) = Campaign::recover(&self.campaign).ok()?;
-        Some(campaign?.output().ok()?.join("report.html")).filter(|report| report.is_file())
-    }
-
-    fn campaign(&self) -> anyhow::Result<Verdict> {
-        let campaign = Campaign::read(&self.campaign)?;
+    fn campaign(&self, campaign: &Campaign) -> anyhow::Result<Verdict> {
         if let Some(name) = campaign.missing_variable().filter(|_| self.skip_missing) {
             say(format_args!("skipped: {} needs data below ${name}, which is not set", campaign.path));
             return Ok(Verdict::Met);
         }
-        let Outcome { identified, tested, met, messages, .. } = pipeline::run(&campaign)?;
+        let Outcome { identified, tested, faces, messages, .. } = pipeline::run(campaign)?;
         for message in &messages {
             say(format_args!("{message}\n"));
         }
-        if self.json {
-            print(match (&identified, &tested.poses, &tested.streams) {
-                (Some(found), ..) => to_json(&found.accuracy)?,
-                (None, Some(poses), _) => to_json(poses)?,
-                (None, None, Some(streams)) => to_json(streams)?,
-                (None, None, None) => to_json(&tested.compliance)?,
-            })?;
-        } else {
-            let mut text = format!("{}\n", campaign.file.name);
-            if let Some(found) = &identified {
-                found.accuracy.sets.iter().for_each(|set| text.push_str(&summary(set)));
-                found.accuracy.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
+        print(match (self.json, &identified, &tested.poses, &tested.streams) {
+            (false, ..) => {
+                let report = campaign.output()?.join("report.html");
+                format!("{}\nreport: {}\n", faces.terminal(), report.display()).into_bytes()
             }
-            text.push_str(&characteristics(&tested));
-            let _ = writeln!(text, "report: {}", campaign.output()?.join("report.html").display());
-            print(text)?;
-        }
+            (true, Some(found), ..) => to_json(&found.accuracy)?,
+            (true, None, Some(poses), _) => to_json(poses)?,
+            (true, None, None, Some(streams)) => to_json(streams)?,
+            (true, None, None, None) => to_json(&tested.compliance)?,
+        })?;
         if identified.is_some_and(|found| !found.parameters.is_plausible()) {
             say("no controller file is written: this result cannot be the robot");
         }
-        Ok(if met { Verdict::Met } else { Verdict::LimitNotMet })
+        Ok(Verdict::of(faces.is_met()))
     }
-}
-
-/// What tests by ISO 9283 found; recorded motions each below its name.
-fn characteristics(found: &Characteristics) -> String {
-    let mut text = String::new();
-    if let Some(document) = &found.poses {
-        text.push_str(&super::iso9283::as_text(document, true));
-        document.limits.iter().for_each(|limit| text.push_str(&verdict(limit)));
-    }
-    for s in found.streams.iter().flat_map(|d| &d.streams) {
-        let _ = write!(text, "{}: {}", s.name, super::iso9283::stream_as_text(&s.stream, false));
-    }
-    let loads = found.compliance.iter().map(super::iso9283::compliance_as_text);
-    loads.for_each(|told| told.lines().for_each(|line| text.push_str(&format!("compliance {line}\n"))));
-    text
-}
-
-fn summary(set: &AccuracySet) -> String {
-    let mut text = format!("{}: {} poses, {} errors, before -> after\n", set.name, set.poses, set.count);
-    for e in &set.errors {
-        let pair = |b: f64, a: f64| format!("{b:.4} -> {a:.4}");
-        let _ = writeln!(
-            text,
-            "  {:<11} {:<3}  mean {}  rms {}  95 % {}  max {}",
-            e.quantity,
-            e.unit,
-            pair(e.before.mean, e.after.mean),
-            pair(e.before.rms, e.after.rms),
-            pair(e.before.p95, e.after.p95),
-            pair(e.before.max, e.after.max)
-        );
-    }
-    text
-}
-
-fn verdict(limit: &LimitVerdict) -> String {
-    let word = if limit.met { "met" } else { "NOT MET" };
-    format!("limit {}: {word}, {:.4} of {} {}\n", limit.name, limit.value, limit.limit, limit.unit)
 }

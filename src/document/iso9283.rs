@@ -46,6 +46,21 @@ pub struct Iso9283Document {
     pub messages: Vec<Message>,
 }
 
+impl Iso9283Document {
+    /// Characteristics of the poses alone.
+    pub fn of_poses(self) -> Self {
+        Self {
+            distances: Vec::new(),
+            approaches: Vec::new(),
+            drifts: Vec::new(),
+            exchangeability_mm: None,
+            coplanarity_mm: None,
+            reference: Vec::new(),
+            ..self
+        }
+    }
+}
+
 /// One measurement of the reference targets.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

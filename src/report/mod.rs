@@ -1,5 +1,5 @@
-//! The report: sections made once from the documents, and drawn as a page that needs no network, typeset to be signed, and
-//! as a workbook.
+//! The report: sections made once from the documents, and drawn as a page that needs no network, typeset to be signed, as a
+//! workbook, and on the terminal.
 //!
 //! Every face is a pure function: it reads nothing but its arguments and writes the same bytes for the same documents. To
 //! add a section: its file in `sections`, a line in `sections::ALL`, and its words in `words`.
@@ -12,6 +12,7 @@ pub(crate) mod number;
 mod pdf;
 mod plots;
 mod sections;
+mod terminal;
 #[cfg(test)]
 mod tests;
 pub(crate) mod words;
@@ -20,10 +21,9 @@ mod workbook;
 use crate::base::message::{Message, Result, one_line};
 use crate::document::{
     AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, FeaturesDocument, FramesDocument,
-    GeometricDocument, ImportDocument, LimitVerdict, ParametersDocument, PlanDocument, PointError, Presentation,
-    Provenance,
+    GeometricDocument, ImportDocument, ParametersDocument, PlanDocument, PointError, Presentation, Provenance,
 };
-use model::Contents;
+use model::{Contents, Section, Verdict};
 use serde::Serialize;
 use words::{Words, isolated};
 
@@ -67,11 +67,6 @@ impl<'a> Report<'a> {
         identified.chain(&self.import.messages).chain(geometric).chain(self.tested.messages()).collect()
     }
 
-    /// Every limit that the campaign states, judged.
-    fn limits(&self) -> Vec<&'a LimitVerdict> {
-        self.identified.iter().flat_map(|i| &i.accuracy.limits).chain(self.tested.limits()).collect()
-    }
-
     /// What the numbers come from.
     fn provenance(&self) -> Provenance {
         let imported = || {
@@ -81,7 +76,7 @@ impl<'a> Report<'a> {
         self.identified.map_or_else(imported, |i| i.parameters.provenance.clone())
     }
 
-    /// The sections and all that stands around them.
+    /// The sections and what surrounds them.
     fn contents(&self, words: &Words) -> Contents {
         let subtitle = match self.identified {
             Some(i) => words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&i.parameters.robot))]),
@@ -93,9 +88,10 @@ impl<'a> Report<'a> {
             synthetic: self.campaign.synthetic.iter().cloned().collect(),
             date: self.campaign.date.clone(),
             version: self.provenance().version,
-            verdict: sections::verdict::verdict(self, words),
+            verdict: sections::verdict::verdict(self.identified.as_ref(), self.tested, words),
             sections: sections::all(self, words),
             signed: true,
+            brief: true,
         }
     }
 
@@ -116,12 +112,6 @@ impl<'a> Report<'a> {
         );
         all.push(Attachment::of("campaign.json", "source", "What the campaign states", self.campaign));
         all.into_iter().collect()
-    }
-
-    /// Whether every limit is met, and the result can be that of a robot.
-    pub fn is_met(&self) -> bool {
-        let plausible = self.identified.is_none_or(|i| i.parameters.is_plausible());
-        plausible && self.limits().iter().all(|l| l.met)
     }
 }
 
@@ -164,67 +154,108 @@ pub fn kinds() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|(kind, _)| *kind)
 }
 
-/// All files of the report of a campaign.
-pub fn files(report: &Report) -> Result<Vec<File>> {
-    let presentation = &report.campaign.report;
-    let words = &Words::of(presentation.language)?;
-    let (contents, attachments) = (report.contents(words), report.attachments()?);
-    let draw =
-        |(kind, name): &(&str, &'static str)| Ok((*name, draw(kind, &contents, &attachments, presentation, words)?));
-    FILES.iter().map(draw).collect()
+/// A report made once from its documents, to be drawn as files and on the terminal.
+#[derive(Debug)]
+pub struct Faces {
+    contents: Contents,
+    attachments: Vec<Attachment>,
+    presentation: Presentation,
+    words: Words,
 }
 
-/// The report of a comparison of campaigns, of one of the [`kinds`].
-pub fn comparison(kind: &str, document: &CompareDocument, presentation: &Presentation) -> Result<Vec<u8>> {
-    use sections::changes::{lead, sections, verdict};
-    let words = &Words::of(presentation.language)?;
-    let attachments = [Attachment::of("compare.json", "data", "What changed between campaigns", document)?];
-    let synthetic =
-        document.campaigns.iter().filter_map(|c| Some(format!("{}: {}", one_line(&c.folder), c.synthetic.as_ref()?)));
-    let contents = Contents {
-        title: words.say("What changed"),
-        subtitle: lead(document, words),
-        synthetic: synthetic.collect(),
-        date: document.campaigns.iter().rev().find_map(|c| c.date.clone()),
-        version: document.provenance.version.clone(),
-        verdict: verdict(document, words),
-        sections: sections(document, words),
-        signed: false,
-    };
-    draw(kind, &contents, &attachments, presentation, words)
-}
+impl Faces {
+    /// The report of a campaign.
+    pub fn campaign(report: &Report) -> Result<Self> {
+        let presentation = report.campaign.report.clone();
+        let words = Words::of(presentation.language)?;
+        Ok(Self { contents: report.contents(&words), attachments: report.attachments()?, presentation, words })
+    }
 
-/// The report of a plan, of one of the [`kinds`].
-pub fn plan(kind: &str, document: &PlanDocument, presentation: &Presentation) -> Result<Vec<u8>> {
-    use sections::plan::{sections, verdict};
-    let words = &Words::of(presentation.language)?;
-    let robot = isolated(&one_line(&document.robot));
-    let contents = Contents {
-        title: words.say("Poses to measure"),
-        subtitle: words.fill("Plan for the calibration of robot {0}", &[&robot]),
-        synthetic: Vec::new(),
-        date: None,
-        version: document.provenance.version.clone(),
-        verdict: verdict(document, words),
-        sections: sections(document, words),
-        signed: false,
-    };
-    let attachments = [Attachment::of("plan.json", "data", "The chosen poses", document)?];
-    draw(kind, &contents, &attachments, presentation, words)
-}
+    /// The report of a comparison of campaigns.
+    pub fn comparison(document: &CompareDocument, presentation: Presentation) -> Result<Self> {
+        use sections::changes::{lead, sections, verdict};
+        let words = Words::of(presentation.language)?;
+        let synthetic = document
+            .campaigns
+            .iter()
+            .filter_map(|c| Some(format!("{}: {}", one_line(&c.folder), c.synthetic.as_ref()?)));
+        let contents = Contents {
+            title: words.say("What changed"),
+            subtitle: lead(document, &words),
+            synthetic: synthetic.collect(),
+            date: document.campaigns.iter().rev().find_map(|c| c.date.clone()),
+            version: document.provenance.version.clone(),
+            verdict: verdict(document, &words),
+            sections: sections(document, &words),
+            ..Contents::default()
+        };
+        let attachments = vec![Attachment::of("compare.json", "data", "What changed between campaigns", document)?];
+        Ok(Self { contents, attachments, presentation, words })
+    }
 
-fn draw(
-    kind: &str,
-    contents: &Contents,
-    #[cfg_attr(not(feature = "pdf"), expect(unused_variables))] attachments: &[Attachment],
-    presentation: &Presentation,
-    words: &Words,
-) -> Result<Vec<u8>> {
-    match kind {
-        "xlsx" => workbook::workbook(contents, words),
-        #[cfg(feature = "pdf")]
-        "pdf" => pdf::pdf(contents, attachments, presentation, words),
-        _ => Ok(html::html(contents, presentation, words)?.into_bytes()),
+    /// The report of a plan.
+    pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
+        use sections::plan::{sections, verdict};
+        let words = Words::of(presentation.language)?;
+        let robot = isolated(&one_line(&document.robot));
+        let contents = Contents {
+            title: words.say("Poses to measure"),
+            subtitle: words.fill("Plan for the calibration of robot {0}", &[&robot]),
+            version: document.provenance.version.clone(),
+            verdict: verdict(document, &words),
+            sections: sections(document, &words),
+            ..Contents::default()
+        };
+        let attachments = vec![Attachment::of("plan.json", "data", "The chosen poses", document)?];
+        Ok(Self { contents, attachments, presentation, words })
+    }
+
+    /// Characteristics of ISO 9283 without a campaign.
+    pub fn test(tested: &Characteristics) -> Self {
+        let words = Words::default();
+        let title = sections::verdict::title(tested, &words);
+        let verdict = sections::verdict::of_test(tested, &words);
+        Self::without_campaign(title, verdict, sections::tested(tested, &words), words)
+    }
+
+    /// An identification without a campaign.
+    pub fn identification(document: &ParametersDocument) -> Self {
+        let words = Words::default();
+        let title = words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&document.robot))]);
+        let verdict = sections::verdict::of_identification(document, &words);
+        let parameters = sections::parameters::of(document, &words);
+        let sections = vec![parameters.on_terminal(), sections::fit::of(document, Vec::new(), &words).on_terminal()];
+        Self::without_campaign(title, verdict, sections, words)
+    }
+
+    fn without_campaign(title: String, verdict: Verdict, sections: Vec<Section>, words: Words) -> Self {
+        let contents = Contents { title, verdict, sections, ..Contents::default() };
+        Self { contents, attachments: Vec::new(), presentation: Presentation::default(), words }
+    }
+
+    /// Whether every limit is met, and the result can be that of a robot.
+    pub fn is_met(&self) -> bool {
+        self.contents.verdict.met
+    }
+
+    /// What a terminal shows.
+    pub fn terminal(&self) -> String {
+        terminal::terminal(&self.contents, &self.words)
+    }
+
+    /// All files.
+    pub fn files(&self) -> Result<Vec<File>> {
+        FILES.iter().map(|(kind, name)| Ok((*name, self.file(kind)?))).collect()
+    }
+
+    /// The file of one of the [`kinds`].
+    pub fn file(&self, kind: &str) -> Result<Vec<u8>> {
+        match kind {
+            "xlsx" => workbook::workbook(&self.contents, &self.words),
+            #[cfg(feature = "pdf")]
+            "pdf" => pdf::pdf(&self.contents, &self.attachments, &self.presentation, &self.words),
+            _ => Ok(html::html(&self.contents, &self.presentation, &self.words)?.into_bytes()),
+        }
     }
 }
 

@@ -13,7 +13,7 @@ const ROWS: usize = 500;
 const LONG: usize = 22;
 
 /// A whole report.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub(crate) struct Contents {
     pub title: String,
     pub subtitle: String,
@@ -25,6 +25,9 @@ pub(crate) struct Contents {
     pub sections: Vec<Section>,
     /// whether somebody signs it
     pub signed: bool,
+    /// whether the terminal leaves out what a page folds
+    #[serde(skip)]
+    pub brief: bool,
 }
 
 /// The first box: is everything met, and how much better is the robot.
@@ -32,6 +35,9 @@ pub(crate) struct Contents {
 pub(crate) struct Verdict {
     /// `good`, `bad` or `open`
     pub class: &'static str,
+    /// what the exit code follows
+    #[serde(skip)]
+    pub met: bool,
     pub sentences: Vec<String>,
     /// what the headlines are of
     pub about: String,
@@ -59,6 +65,9 @@ pub(crate) struct Section {
     /// lines of the first sheet of the workbook
     #[serde(skip)]
     pub summary: Vec<Fact>,
+    /// whether the terminal shows it
+    #[serde(skip)]
+    pub on_terminal: bool,
 }
 
 /// A line of facts: what, and what is said of it.
@@ -104,6 +113,9 @@ pub(crate) enum Block {
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Tone {
     Plain,
+    /// plain, and left out where a terminal is brief
+    #[serde(rename = "plain")]
+    Detail,
     Strong,
     Note,
 }
@@ -160,7 +172,7 @@ impl Text {
         self
     }
 
-    fn plain(&self) -> String {
+    pub fn plain(&self) -> String {
         self.0.iter().map(|run| run.text.as_str()).collect()
     }
 }
@@ -225,7 +237,7 @@ impl Cell {
     }
 
     /// What a page shows.
-    fn shown(&self) -> Text {
+    pub fn shown(&self) -> Text {
         match self {
             Self::Missing => Text::default(),
             Self::Number { value, shown } if shown.is_empty() => number::significant(*value, 6).into(),
@@ -414,6 +426,10 @@ pub(crate) struct Table {
     lead: usize,
     /// rows that a page shows
     most: usize,
+    /// too long for a page: the terminal shows what a page would
+    pub off_page: bool,
+    /// whether a brief terminal leaves it out
+    pub detail: bool,
 }
 
 /// The titles of a column.
@@ -453,12 +469,24 @@ impl Table {
             rows: records.into_iter().map(row).collect(),
             lead: 0,
             most: ROWS,
+            off_page: false,
+            detail: false,
         }
     }
 
     /// The same, of which a page shows the first rows.
     pub fn showing(self, most: usize) -> Self {
         Self { most, ..self }
+    }
+
+    /// The same, on the terminal instead of a page.
+    pub fn not_on_page(self) -> Self {
+        Self { off_page: true, ..self }
+    }
+
+    /// The same, left out where a terminal is brief.
+    pub fn detail(self) -> Self {
+        Self { detail: true, ..self }
     }
 
     /// The same with a sheet of the workbook.
@@ -501,33 +529,11 @@ impl Table {
 
     /// Whether a page shows any of it.
     fn is_shown(&self) -> bool {
-        !self.rows.is_empty() && !self.on_page().is_empty()
+        !self.off_page && !self.rows.is_empty() && !self.on_page().is_empty()
     }
-}
 
-/// SHA-256 in hexadecimal: it is copied, never broken.
-pub(super) fn is_checksum(word: &str) -> bool {
-    word.len() == 64 && word.bytes().all(|b| b.is_ascii_hexdigit())
-}
-
-/// A table as a page lays it out.
-#[derive(Serialize)]
-struct Laid<'a> {
-    /// titles above several columns, and how many; empty without such
-    groups: Vec<(&'a str, usize)>,
-    header: Vec<&'a str>,
-    numeric: Vec<bool>,
-    /// texts that may need more than a line
-    long: Vec<bool>,
-    /// it fits on part of a page
-    short: bool,
-    lead: usize,
-    rows: Vec<Vec<&'a Cell>>,
-    left_out: usize,
-}
-
-impl Serialize for Table {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+    /// As a page or the terminal lays it out.
+    pub fn laid(&self) -> Laid<'_> {
         let places = self.on_page();
         let rows: Vec<Vec<&Cell>> =
             self.rows.iter().take(self.most).map(|row| places.iter().map(|i| &row[*i]).collect()).collect();
@@ -558,7 +564,33 @@ impl Serialize for Table {
             numeric,
             rows,
         }
-        .serialize(serializer)
+    }
+}
+
+/// SHA-256 in hexadecimal: it is copied, never broken.
+pub(super) fn is_checksum(word: &str) -> bool {
+    word.len() == 64 && word.bytes().all(|b| b.is_ascii_hexdigit())
+}
+
+/// A table as a page lays it out.
+#[derive(Serialize)]
+pub(crate) struct Laid<'a> {
+    /// titles above several columns, and how many; empty without such
+    pub groups: Vec<(&'a str, usize)>,
+    pub header: Vec<&'a str>,
+    pub numeric: Vec<bool>,
+    /// texts that may need more than a line
+    long: Vec<bool>,
+    /// it fits on part of a page
+    short: bool,
+    lead: usize,
+    pub rows: Vec<Vec<&'a Cell>>,
+    pub left_out: usize,
+}
+
+impl Serialize for Table {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.laid().serialize(serializer)
     }
 }
 
@@ -569,6 +601,10 @@ impl Block {
 
     pub fn text(text: impl Into<Text>) -> Self {
         Self::Text { text: text.into(), tone: Tone::Plain }
+    }
+
+    pub fn detail(text: impl Into<Text>) -> Self {
+        Self::Text { text: text.into(), tone: Tone::Detail }
     }
 
     pub fn strong(text: impl Into<Text>) -> Self {
@@ -602,6 +638,11 @@ impl Block {
 impl Section {
     pub fn new(id: impl Into<String>, title: impl Into<String>) -> Self {
         Self { id: id.into(), title: title.into(), ..Self::default() }
+    }
+
+    /// The section, shown on the terminal as well.
+    pub fn on_terminal(self) -> Self {
+        Self { on_terminal: true, ..self }
     }
 
     /// Adds what is not empty.

@@ -2,7 +2,7 @@
 //!
 //! What a campaign states, and messages of the program, are never translated.
 
-pub(crate) mod comparison;
+pub(super) mod comparison;
 
 use crate::base::message::{Message, Result};
 use crate::document::Language;

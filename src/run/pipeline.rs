@@ -4,7 +4,7 @@ use crate::base::message::{Message, Problems, Result};
 use crate::campaign::Campaign;
 use crate::document::Characteristics;
 use crate::export;
-use crate::report;
+use crate::report::{self, Faces};
 use crate::run::check::{Prepared, check};
 use crate::run::output::Output;
 use crate::run::summary::summary;
@@ -15,14 +15,14 @@ use crate::stages::iso9283;
 use crate::stages::join;
 
 /// What a run found, for the one who called it.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Outcome {
     /// Parameters and errors, where the campaign identifies any.
     pub identified: Option<Identified>,
     /// Characteristics of ISO 9283, where the campaign tests any.
     pub tested: Characteristics,
-    /// Whether every limit is met, and the result can be the robot's.
-    pub met: bool,
+    /// The report, which decides whether everything is met.
+    pub faces: Faces,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
     /// Files written, in order.
@@ -88,7 +88,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         }),
         tested: &tested,
     };
-    let (met, reports) = (report.is_met(), report::files(&report)?);
+    let faces = Faces::campaign(&report)?;
     out.gathered(campaign, &gathered)?;
     out.json("campaign.json", &summary)?;
     out.json("import.json", &gathered.document)?;
@@ -106,12 +106,12 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
             None => out.remove(exporter.file_name()),
         }
     }
-    out.reports(reports);
+    out.reports(faces.files()?);
     let messages = gathered.document.messages.into_iter();
     let messages = messages.chain(identified.iter().flat_map(|found| &found.parameters.messages).cloned());
     let messages = messages.chain(geometric.into_iter().flat_map(|g| g.messages));
     let messages = messages.chain(tested.messages().cloned()).collect();
-    Ok(Outcome { written: out.write()?, identified, tested, met, messages })
+    Ok(Outcome { written: out.write()?, identified, tested, faces, messages })
 }
 
 /// The controller formats that the campaign names, or all of them.

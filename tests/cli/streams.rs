@@ -1,6 +1,6 @@
 //! Recorded motions inside a campaign.
 
-use super::{etalon, text, text_of};
+use super::{etalon, rows, text, text_of};
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::document::{ImportDocument, Iso9283StreamsDocument};
 
@@ -14,7 +14,10 @@ fn a_campaign_tells_what_its_recorded_motion_says_and_the_report_shows_it() {
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert!(done.status.success(), "{}", text_of(&done));
     let shown = text(&done.stdout);
-    assert!(shown.contains("corner: ") && shown.contains("path of 300.000 mm, 10 passes: AT"), "{shown}");
+    for part in ["\ncorner\n", "path: 300.0 mm, 10 passes\n", "path accuracy AT: ", "path repeatability RT: "] {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
+    assert!(rows(&shown).iter().any(|row| row.starts_with("1 2 10 223.607 1.81")), "posing time: {shown}");
     let document: Iso9283StreamsDocument = read(&scratch, "iso9283-streams.json");
     let stream = &document.streams[0].stream;
     let path = stream.path.as_ref().unwrap();

@@ -1,8 +1,7 @@
 //! What commanded poses add: accuracy of position and orientation, distances, exchangeability.
 
 use super::repeatability::{conformity, interval};
-use crate::document::{Iso9283Distance, Iso9283Document, Iso9283Pose};
-use crate::report::Report;
+use crate::document::{Characteristics, Iso9283Distance, Iso9283Document, Iso9283Pose};
 use crate::report::model::{Block, Columns, Section, Table, fixed, um};
 use crate::report::number;
 use crate::report::words::Words;
@@ -12,8 +11,8 @@ const DISTANCES: usize = 60;
 /// The angles of a pose, in their order.
 const ANGLES: [&str; 3] = ["a", "b", "c"];
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.tested.poses.as_ref()?;
+pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let document = tested.poses.as_ref()?;
     let mut section = Section::new("accuracy", words.say("Accuracy"));
     let note =
         words.say("AP: distance of the mean from the commanded position, and its coordinates (ISO 9283:1998, 7.2.1).");
@@ -22,13 +21,13 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.table(words.say("Orientation"), note, orientation(document, words));
     let note = words.say("AD: mean attained minus commanded distance; RD: three standard deviations of the attained one (ISO 9283:1998, 7.3).");
     section.table(words.say("Distances between poses"), note, distances(document, words));
-    section.table("", "", turned(document, words));
+    section.table("", "", turned(document, words).detail());
     if let Some(e) = document.exchangeability_mm {
         section.push(Block::heading(words.say("Exchangeability")));
         let um = number::fixed(1e3 * e, 1);
         section.push(Block::text(words.fill("E = {0} µm: the largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).", &[&um])));
     }
-    section.whole()
+    section.on_terminal().whole()
 }
 
 fn positions(document: &Iso9283Document, words: &Words) -> Table {

@@ -42,7 +42,7 @@ pub(in crate::report) fn sections(compare: &CompareDocument, words: &Words) -> V
         let title = words.say("Values of every campaign");
         section.push(Block::Aside { title, blocks: vec![Block::Table(values(compare, &trends, words))] });
         section.push(Block::Table(all_values(&trends, words)));
-        all.push(section);
+        all.push(section.on_terminal());
     }
     all.push(super::provenance::of(&compare.provenance, &[], words));
     all
@@ -93,7 +93,7 @@ fn campaigns(compare: &CompareDocument, words: &Words) -> Section {
     section.summarise(words.say("model of the robot"), compare.robot.as_deref(), "");
     section.summarise(words.say("conventions"), compare.conventions.join("; "), "");
     section.push(Block::Table(Table::of(words, &rows, columns).on("Campaigns")));
-    section
+    section.on_terminal()
 }
 
 fn rules(compare: &CompareDocument, words: &Words) -> Section {
@@ -107,9 +107,9 @@ fn rules(compare: &CompareDocument, words: &Words) -> Section {
         .sheet("changed", "", |t| if t.significant { "yes" } else { "no" });
     let mut section = Section::new("rules", words.say("How changes are judged"));
     compare.together.iter().for_each(|t| section.push(Block::text(together(t, words))));
-    compare.conventions.iter().for_each(|c| section.push(Block::note(Text::english(c))));
+    compare.conventions.iter().for_each(|c| section.push(Block::text(Text::english(c))));
     section.push(Block::Table(Table::of(words, &compare.together, columns).on("All together")));
-    section
+    section.on_terminal()
 }
 
 fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
@@ -204,7 +204,7 @@ pub(in crate::report) fn verdict(compare: &CompareDocument, words: &Words) -> Ve
         [(unjudged > 0, unknown), (moved, elsewhere)].into_iter().filter(|m| m.0).map(|m| m.1).collect();
     let class = if more.is_empty() { class } else { "open" };
     let sentence = std::iter::once(found).chain(more).collect::<Vec<_>>().join(" ");
-    Verdict { class, sentences: vec![sentence], ..Verdict::default() }
+    Verdict { class, met: true, sentences: vec![sentence], ..Verdict::default() }
 }
 
 fn together(t: &CompareTogether, words: &Words) -> String {

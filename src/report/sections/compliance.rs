@@ -1,13 +1,12 @@
 //! How a robot gives way under load.
 
-use crate::document::Iso9283Compliance;
-use crate::report::Report;
+use crate::document::{Characteristics, Iso9283Compliance};
 use crate::report::model::{Block, Columns, Section, Table, Text, shown, um};
 use crate::report::number::significant;
 use crate::report::words::Words;
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.tested.compliance.as_ref()?;
+pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let document = tested.compliance.as_ref()?;
     let per_newton = |mm: Option<f64>| shown(mm, |mm| significant(1e3 * mm, 3));
     let columns = Columns::<Iso9283Compliance>::new()
         .both("direction", "", |d| d.direction.as_str())
@@ -29,5 +28,5 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let mut section = Section::new("compliance", words.say("Static compliance"));
     section.table("", note, table);
     section.push(Block::note(Text::conventions(&document.conventions)));
-    section.whole()
+    section.on_terminal().whole()
 }

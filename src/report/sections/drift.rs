@@ -1,13 +1,12 @@
 //! What changes in the course of a test: characteristics by set of cycles, and targets that should stand still.
 
-use crate::document::{Iso9283Document, Iso9283Drift, Iso9283Epoch};
-use crate::report::Report;
+use crate::document::{Characteristics, Iso9283Document, Iso9283Drift, Iso9283Epoch};
 use crate::report::model::{Columns, Figure, Section, Table, term, um};
 use crate::report::plots::chart::{Chart, Curve};
 use crate::report::words::Words;
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.tested.poses.as_ref()?;
+pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let document = tested.poses.as_ref()?;
     let mut section = Section::new("drift", words.say("Drift"));
     let note = words.say("dAP and dRP: the last set against the first (ISO 9283:1998, 7.6).");
     section.table(words.say("Drift of accuracy and repeatability"), note, drifts(&document.drifts, words));
@@ -21,7 +20,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.table(words.say("Movement of the set-up"), note, reference(&document.reference, words));
         section.figures(moved(&document.reference, words));
     }
-    section.whole()
+    section.on_terminal().whole()
 }
 
 fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {

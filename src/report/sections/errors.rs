@@ -13,7 +13,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let Identified { accuracy, errors, .. } = report.identified?;
     let mut section = Section::new("errors", words.say("Errors before and after"));
     section.summarise(words.say("definition of errors"), Text::english(&accuracy.definition), "");
-    section.push(Block::text(Text::english(&accuracy.definition)));
+    section.push(Block::detail(Text::english(&accuracy.definition)));
     if accuracy.sets.is_empty() {
         section.push(Block::text(words.say("No errors are given.")));
     }
@@ -27,7 +27,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::Aside { title: words.say("Errors of each pose"), blocks: vec![Block::Table(table)] });
     }
     section.push(Block::Table(residuals(errors, words)));
-    section.whole()
+    section.on_terminal().whole()
 }
 
 /// Every picture of the errors.

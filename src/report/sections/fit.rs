@@ -1,21 +1,27 @@
 //! How well the model fits, what the poses make observable, and how the solver ended.
 
-use crate::document::{ObservabilitySummary, ResidualKind, ResidualSummary, SingularValueEntry, UncertaintyFrom};
+use crate::document::{
+    ObservabilitySummary, ParametersDocument, ResidualKind, ResidualSummary, SingularValueEntry, UncertaintyFrom,
+};
 use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Section, Table, Text, significant as digits};
+use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
 use crate::report::number::{significant, stated};
 use crate::report::plots::{points, residuals as plots, singular};
 use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let identified = report.identified?;
-    let document = identified.parameters;
+    let drawable = points::drawable(identified.errors);
+    let planar = points::planar(&drawable, report.frames.world.planar);
+    Some(of(identified.parameters, plots::pictures(&drawable, planar, words), words))
+}
+
+/// The section of a fit, with the pictures of its residuals.
+pub(in crate::report) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &Words) -> Section {
     let mut section = Section::new("fit", words.say("Fit and observability"));
     section.push(Block::heading(words.say("Residuals")));
     section.push(Block::facts(residuals(&document.residuals, words)));
-    let drawable = points::drawable(identified.errors);
-    let planar = points::planar(&drawable, report.frames.world.planar);
-    section.figures(plots::pictures(&drawable, planar, words));
+    section.figures(pictures);
     if let Some(o) = &document.observability {
         section.push(Block::heading(words.say("Observability")));
         section.push(Block::Table(indices(o, words)));
@@ -38,7 +44,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.summarise(words.say("uncertainties enlarged by"), r.uncertainties_enlarged_by, "");
     section.summarise(words.say("condition"), document.observability.as_ref().map(|o| o.condition), "");
     section.summarise(words.say("Solver"), ended, "");
-    section.whole()
+    section
 }
 
 fn indices(o: &ObservabilitySummary, words: &Words) -> Table {

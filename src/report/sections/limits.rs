@@ -1,10 +1,10 @@
 //! Limits of the campaign, what was reached, and whether they are met.
 
-use crate::document::LimitVerdict;
-use crate::report::Report;
+use crate::document::{Characteristics, LimitVerdict};
 use crate::report::model::{Cell, Columns, Section, Table, strong_term, term};
 use crate::report::number;
 use crate::report::words::Words;
+use crate::report::{Identified, Report};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let columns = Columns::<LimitVerdict>::new()
@@ -14,8 +14,13 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .both("unit", "", |l| l.unit.as_str())
         .both("verdict", "", |l| if l.met { term(words, "met") } else { strong_term(words, "not met") });
     let mut section = Section::new("limits", words.say("Limits"));
-    section.table("", "", Table::of(words, report.limits(), columns).on("Limits"));
-    section.whole()
+    section.table("", "", Table::of(words, limits(report.identified.as_ref(), report.tested), columns).on("Limits"));
+    section.on_terminal().whole()
+}
+
+/// Every limit that the campaign states, judged.
+pub(super) fn limits<'a>(identified: Option<&'a Identified>, tested: &'a Characteristics) -> Vec<&'a LimitVerdict> {
+    identified.iter().flat_map(|i| &i.accuracy.limits).chain(tested.limits()).collect()
 }
 
 /// The value with the digits that decide, also where it is close to the limit.

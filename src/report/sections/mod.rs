@@ -6,13 +6,13 @@ mod compliance;
 mod conditions;
 pub(super) mod drift;
 mod errors;
-mod fit;
+pub(super) mod fit;
 mod frames;
 mod geometric;
 mod import;
 mod limits;
 pub(super) mod messages;
-mod parameters;
+pub(super) mod parameters;
 pub(super) mod plan;
 pub(super) mod provenance;
 mod repeatability;
@@ -22,6 +22,7 @@ pub(super) mod verdict;
 use super::Report;
 use super::model::Section;
 use super::words::Words;
+use crate::document::Characteristics;
 
 /// A section from the documents; `None` where they have nothing of it.
 type Make = fn(&Report, &Words) -> Option<Section>;
@@ -33,11 +34,11 @@ const ALL: [Make; 16] = [
     messages::section,
     errors::section,
     errors::pictures,
-    accuracy::section,
-    repeatability::section,
-    drift::section,
-    streams::section,
-    compliance::section,
+    |report, words| accuracy::section(report.tested, words),
+    |report, words| repeatability::section(report.tested, words),
+    |report, words| drift::section(report.tested, words),
+    |report, words| streams::section(report.tested, words),
+    |report, words| compliance::section(report.tested, words),
     parameters::section,
     geometric::section,
     fit::section,
@@ -49,4 +50,10 @@ const ALL: [Make; 16] = [
 /// Every section that the documents have.
 pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
     ALL.iter().filter_map(|make| make(report, words)).collect()
+}
+
+/// The sections of a test by ISO 9283 alone.
+pub(super) fn tested(tested: &Characteristics, words: &Words) -> Vec<Section> {
+    let all = [accuracy::section, repeatability::section, drift::section, streams::section, compliance::section];
+    all.iter().filter_map(|make| make(tested, words)).collect()
 }

@@ -8,7 +8,11 @@ use crate::report::plots::{correlation, intervals};
 use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.identified?.parameters;
+    Some(of(report.identified?.parameters, words))
+}
+
+/// The section of these parameters.
+pub(in crate::report) fn of(document: &ParametersDocument, words: &Words) -> Section {
     let mut section = Section::new("parameters", words.say("Parameters"));
     let note = words.say("u is the standard uncertainty (k = 1), U = 2u the expanded one; numbers are shown to the second digit of u. “Before” is with only base and targets fitted. The change is from nominal to identified.");
     section.push(Block::note(note));
@@ -19,7 +23,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let mut figures = intervals::pictures(&document.parameters, words);
     figures.extend(correlation::picture(document, words));
     section.figures(figures);
-    section.whole()
+    section
 }
 
 fn table(parameters: &[ParameterEntry], words: &Words) -> Table {

@@ -31,7 +31,7 @@ pub(in crate::report) fn verdict(plan: &PlanDocument, words: &Words) -> Verdict 
         ),
         None => ("open", words.fill("No bound is known for {0}: another choice may be better", &[&plan.index])),
     };
-    Verdict { class, sentences: vec![sentence], ..Verdict::default() }
+    Verdict { class, met: true, sentences: vec![sentence], ..Verdict::default() }
 }
 
 /// In the order of reading.
@@ -42,7 +42,8 @@ pub(in crate::report) fn sections(plan: &PlanDocument, words: &Words) -> Vec<Sec
     pictures.figures(curve::curve(plan, words).into_iter().chain(chosen::map(plan, words)));
     let mut parameters = Section::new("parameters", words.say("Predicted uncertainty of the parameters"));
     parameters.push(Block::Table(predicted(plan, words)));
-    let mut all = vec![chosen, super::messages::of(&plan.messages.iter().collect::<Vec<_>>(), words)];
+    let parameters = parameters.on_terminal();
+    let mut all = vec![chosen.on_terminal(), super::messages::of(&plan.messages.iter().collect::<Vec<_>>(), words)];
     all.extend([pictures, poses(plan, words), parameters].into_iter().filter_map(Section::whole));
     all.extend(plan.study.as_ref().map(|s| study(s, words)));
     all.push(super::provenance::of(&plan.provenance, &[], words));
@@ -72,6 +73,7 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
         (words.say("index"), format!("{} = {}", plan.index, significant(plan.value, 6)).into()),
         (words.say("definition"), Text::english(&plan.definition).into()),
         (words.say("chosen"), chosen.into()),
+        (words.say("poses"), list(&plan.chosen.iter().map(|p| p.pose).collect::<Vec<_>>()).into()),
         (
             words.say("candidates"),
             words.fill("{0}, {1} configurations", &[&plan.candidates, &plan.configurations]).into(),

@@ -3,22 +3,21 @@
 use super::accuracy::angles;
 use crate::base::pose::{Vector, centroid, minus};
 use crate::document::{
-    Iso9283Approach, Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane, Iso9283Pose,
-    Iso9283Variation, Iso9283Visit,
+    Characteristics, Iso9283Approach, Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane,
+    Iso9283Pose, Iso9283Variation, Iso9283Visit,
 };
-use crate::report::Report;
 use crate::report::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
 use crate::report::number;
 use crate::report::plots::visits::{self, approach, of_pose};
 use crate::report::words::{Words, isolated};
 use std::collections::BTreeMap;
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.tested.poses.as_ref()?;
+pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let document = tested.poses.as_ref()?;
     let poses = named(document, words);
     let mut section = Section::new("repeatability", words.say("Repeatability"));
     section.summarise(words.say("conventions"), document.conventions.join("; "), "");
-    section.push(Block::Table(spheres(&poses, words)));
+    section.push(Block::Table(spheres(&poses, words).detail()));
     let source = words.say("Thesis, table 2.1 (eq. 2.7 to 2.10).") + " ";
     section.push(Block::note(Text::from(source).and(Text::conventions(&document.conventions))));
     let note = words.say("RP: ISO 9283:1998, 7.2.2. Not of the standard: RP without the instrument's noise, where visits were read several times, and the ellipsoid that holds the next position with 95 % probability.");
@@ -33,7 +32,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.push(Block::Table(characteristics(&poses, words)));
     by_approach(document, &mut section, words);
     if !document.visits.is_empty() {
-        section.table(words.say("Poses"), places_note(document, words), places(document, words));
+        section.table(words.say("Poses"), places_note(document, words), places(document, words).detail());
     }
     section.figures(visits::pictures(document, words));
     let columns = Columns::<Iso9283OutOfPlane>::new().page("pose", "", |p| p.pose).page(
@@ -44,7 +43,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.table(words.say("Coplanarity"), "", Table::of(words, &document.coplanarity_of_four, columns));
     section.push(Block::Table(of_robot(document, words)));
     section.push(Block::Table(attained(document, words)));
-    section.whole()
+    section.on_terminal().whole()
 }
 
 /// An interval in µm.
@@ -121,7 +120,7 @@ fn quarter_rule(poses: &[Named], words: &Words) -> Table {
 }
 
 /// Whether the instrument is good enough.
-fn quarter_sentence(document: &Iso9283Document, words: &Words) -> String {
+pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> String {
     let of =
         |met: bool| document.poses.iter().filter(move |p| p.quarter_rule_met == Some(met)).map(|p| p.pose.to_string());
     let (met, missed): (Vec<String>, Vec<String>) = (of(true).collect(), of(false).collect());
@@ -215,7 +214,7 @@ fn by_approach(document: &Iso9283Document, section: &mut Section, words: &Words)
             &[&v.pose, &a, &b, &um],
         )));
     }
-    section.push(Block::Table(approaches(document, words)));
+    section.push(Block::Table(approaches(document, words).detail()));
     section.push(Block::Table(turned(document, words)));
     let columns = Columns::<Iso9283Variation>::new()
         .sheet("pose", "", |v| v.pose)

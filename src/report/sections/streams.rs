@@ -1,18 +1,17 @@
 //! Recorded motions: characteristics of ISO 9283 in a table, the path, drift and arrivals in pictures.
 
 use crate::document::{
-    Iso9283Arrival, Iso9283Corner, Iso9283Interval, Iso9283NamedStream, Iso9283Path, Iso9283PathPoint, Iso9283Settling,
-    Iso9283Standstill, Iso9283StreamsDocument, Iso9283Weaving,
+    Characteristics, Iso9283Arrival, Iso9283Corner, Iso9283Interval, Iso9283NamedStream, Iso9283Path, Iso9283PathPoint,
+    Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamsDocument, Iso9283Weaving,
 };
-use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, um};
+use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers, um};
 use crate::report::number;
 use crate::report::plots::chart::{Chart, Curve, Mark};
 use crate::report::words::Words;
 use std::collections::BTreeMap;
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.tested.streams.as_ref()?;
+pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let document = tested.streams.as_ref()?;
     let mut section = Section::new("streams", words.say("Recorded motion"));
     section.push(Block::Table(characteristics(document, words)));
     for (i, named) in document.streams.iter().enumerate() {
@@ -20,6 +19,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::heading(&named.name));
         section.push(Block::facts(facts(named, words)));
         section.push(Block::Table(settling(named, words)));
+        section.push(Block::Table(posing(named, words)));
         section.push(Block::Table(corners(named, words)));
         let figures = [
             path_picture(i, stream.path.as_ref(), words),
@@ -31,7 +31,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::Table(standstills(named, words)));
         section.push(Block::Table(points(named, words)));
     }
-    section.whole()
+    section.on_terminal().whole()
 }
 
 fn micrometres(mm: f64) -> String {
@@ -80,6 +80,9 @@ fn of_path(path: &Iso9283Path, words: &Words) -> Vec<(String, Cell)> {
     if let (Some(rt), Some(along)) = (path.rt_mm, path.rt_along_mm) {
         facts.push((words.say("path repeatability RT"), at(rt, path.rt_interval, along).into()));
     }
+    let angles = |deg: &[f64]| numbers(deg.iter().map(|a| number::fixed(*a, 4)).collect::<Vec<_>>().join(", "));
+    facts.push((words.say("AT of the angles in deg"), angles(&path.at_angles_deg)));
+    facts.push((words.say("RT of the angles in deg"), angles(&path.rt_angles_deg)));
     if let Some(v) = &path.velocity {
         let rv = v.rv_percent.map(|rv| format!(", RV {} %", number::fixed(rv, 2))).unwrap_or_default();
         let (mean, av, fv) =
@@ -225,10 +228,10 @@ fn standstills(named: &Iso9283NamedStream, words: &Words) -> Table {
     let axis = |values: &[f64], i: usize| values.get(i).copied();
     let columns = Columns::<Iso9283Standstill>::new()
         .sheet("stream", "", |_| named.name.as_str())
-        .sheet("pose", "", |s| s.pose)
-        .sheet("cycle", "", |s| s.cycle)
-        .sheet("from", "s", |s| s.from_s)
-        .sheet("to", "s", |s| s.to_s)
+        .both("pose", "", |s| s.pose)
+        .both("cycle", "", |s| s.cycle)
+        .both("from", "s", |s| fixed(s.from_s, 3))
+        .both("to", "s", |s| fixed(s.to_s, 3))
         .sheet("samples", "", |s| s.samples)
         .sheet("mean x", "mm", |s| axis(&s.mean_mm, 0))
         .sheet("mean y", "mm", |s| axis(&s.mean_mm, 1))
@@ -236,11 +239,13 @@ fn standstills(named: &Iso9283NamedStream, words: &Words) -> Table {
         .sheet("mean a", "deg", |s| axis(&s.mean_deg, 0))
         .sheet("mean b", "deg", |s| axis(&s.mean_deg, 1))
         .sheet("mean c", "deg", |s| axis(&s.mean_deg, 2))
-        .sheet("noise", "mm", |s| s.noise_mm)
-        .sheet("stabilisation time", "s", |s| s.stabilisation_s)
-        .sheet("overshoot", "mm", |s| s.overshoot_mm)
-        .sheet("posing time", "s", |s| s.posing_s);
-    Table::of(words, &named.stream.standstills, columns).on("Standstills")
+        .both("noise", "mm", |s| um(s.noise_mm))
+        .shown_in("µm")
+        .both("stabilisation time", "s", |s| fixed(s.stabilisation_s, 3))
+        .both("overshoot", "mm", |s| um(s.overshoot_mm))
+        .shown_in("µm")
+        .both("posing time", "s", |s| fixed(s.posing_s, 3));
+    Table::of(words, &named.stream.standstills, columns).on("Standstills").not_on_page()
 }
 
 fn settling(named: &Iso9283NamedStream, words: &Words) -> Table {
@@ -252,6 +257,17 @@ fn settling(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both("overshoot", "mm", |s| um(s.overshoot_mm))
         .shown_in("µm");
     Table::of(words, &named.stream.settling, columns).on("Stabilisation")
+}
+
+fn posing(named: &Iso9283NamedStream, words: &Words) -> Table {
+    let columns = Columns::<Iso9283Posing>::new()
+        .sheet("stream", "", |_| named.name.as_str())
+        .both("from pose", "", |p| p.from)
+        .both("to pose", "", |p| p.to)
+        .both("moves", "", |p| p.moves)
+        .both("distance", "mm", |p| fixed(p.distance_mm, 3))
+        .both("posing time", "s", |p| fixed(p.posing_s, 3));
+    Table::of(words, &named.stream.posing, columns).on("Posing")
 }
 
 fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
@@ -266,9 +282,14 @@ fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both("round-off CR", "mm", |c| um(c.cr_mm))
         .shown_in("µm")
         .both("overshoot CO", "mm", |c| um(c.co_mm))
-        .shown_in("µm")
-        .sheet("stabilisation path length", "mm", |c| c.stabilisation_mm);
-    Table::of(words, named.stream.path.iter().flat_map(|p| &p.corners), columns).on("Corners")
+        .shown_in("µm");
+    let of_all = || named.stream.path.iter().flat_map(|p| &p.corners);
+    let length = |c: &Iso9283Corner| fixed(c.stabilisation_mm, 3);
+    let columns = match of_all().any(|c| c.stabilisation_mm.is_some()) {
+        true => columns.both("stabilisation path length", "mm", length),
+        false => columns.sheet("stabilisation path length", "mm", length),
+    };
+    Table::of(words, of_all(), columns).on("Corners")
 }
 
 fn points(named: &Iso9283NamedStream, words: &Words) -> Table {

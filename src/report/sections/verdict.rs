@@ -1,13 +1,15 @@
 //! The first thing a reader wants to know: are the limits met, and how much better did the robot get.
 
+use super::limits::limits;
+use super::repeatability::quarter_sentence;
 use crate::document::{
     AccuracyDocument, AccuracySet, Characteristics, ErrorStatistics, Iso9283Conformity, Iso9283Document, Iso9283Pose,
-    Statistics,
+    LimitVerdict, ParametersDocument, Statistics,
 };
+use crate::report::Identified;
 use crate::report::model::{Headline, Verdict};
 use crate::report::number::{self, Shown};
 use crate::report::words::Words;
-use crate::report::{Identified, Report};
 
 /// What the report is called: one of repeatability alone is called so.
 pub(in crate::report) fn title(tested: &Characteristics, words: &Words) -> String {
@@ -18,18 +20,17 @@ pub(in crate::report) fn title(tested: &Characteristics, words: &Words) -> Strin
     }
 }
 
-/// Of every limit that the campaign states, whatever it is a limit of.
-pub(in crate::report) fn verdict(report: &Report, words: &Words) -> Verdict {
-    let (limits, alarm) = (report.limits(), report.identified.and_then(|i| alarm(&i, words)));
-    let open = |p: &Iso9283Pose| [p.ap_conformity, p.rp_conformity].contains(&Some(Iso9283Conformity::Neither));
-    let proved = !report.tested.poses.iter().flat_map(|d| &d.poses).any(open);
-    let class = match (limits.is_empty(), limits.iter().all(|l| l.met)) {
+/// Of everything that is judged: the result itself, the characteristics of ISO 9283, the instrument, and every limit that the
+/// campaign states.
+pub(in crate::report) fn verdict(identified: Option<&Identified>, tested: &Characteristics, words: &Words) -> Verdict {
+    let (limits, alarm) = (limits(identified, tested), identified.and_then(|i| alarm(i.parameters, words)));
+    let (within, missed) = (limits.iter().all(|l| l.met), limits.iter().filter(|l| !l.met).count());
+    let class = match (limits.is_empty(), within) {
         _ if alarm.is_some() => "bad",
         (false, false) => "bad",
-        (false, true) if proved => "good",
+        (false, true) if !judged(tested).any(|c| c == Iso9283Conformity::Neither) => "good",
         _ => "open",
     };
-    let missed = limits.iter().filter(|l| !l.met).count();
     let counted = match (limits.len(), missed) {
         (0, _) => words.say("The campaign states no limits."),
         (1, 0) => words.say("The limit of the campaign is met."),
@@ -40,28 +41,44 @@ pub(in crate::report) fn verdict(report: &Report, words: &Words) -> Verdict {
         (n, m) => words.fill("{0} of {1} limits of the campaign are not met.", &[&m, &n]),
     };
     let mut sentences: Vec<String> = alarm.into_iter().collect();
-    if report.identified.is_none() {
-        sentences.extend(characteristics(report.tested, words));
-    }
+    sentences.extend(characteristics(tested, words));
     // of a test alone, the sentences on its characteristics say whether a limit is met
-    if report.identified.is_some() || limits.is_empty() {
-        sentences.push(counted);
-    }
-    let set = report.identified.and_then(|i| headline_set(i.accuracy));
+    sentences.extend((identified.is_some() || limits.is_empty()).then_some(counted));
+    let set = identified.and_then(|i| headline_set(i.accuracy));
     let about = set.map(|s| words.fill("Errors before → after calibration, {0} poses:", &[&words.say(&s.name)]));
     Verdict {
         class,
+        met: within && identified.is_none_or(|i| i.parameters.is_plausible()),
         sentences,
         about: about.unwrap_or_default(),
         headlines: set.map_or_else(Vec::new, |set| headlines(set, words)),
     }
 }
 
+/// Of a test without a campaign, whose limits must be proved by the intervals.
+pub(in crate::report) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
+    let mut poses = tested.poses.iter().flat_map(|d| &d.poses);
+    let met =
+        judged(tested).all(|c| c == Iso9283Conformity::Conforming) && poses.all(|p| p.quarter_rule_met != Some(false));
+    Verdict { met, sentences: characteristics(tested, words), ..Verdict::default() }
+}
+
+/// Of an identification without a campaign.
+pub(in crate::report) fn of_identification(document: &ParametersDocument, words: &Words) -> Verdict {
+    let sentences = alarm(document, words).into_iter().collect();
+    Verdict { met: document.is_plausible(), sentences, ..Verdict::default() }
+}
+
+/// What the intervals prove of every limit of every pose.
+fn judged(tested: &Characteristics) -> impl Iterator<Item = Iso9283Conformity> {
+    tested.poses.iter().flat_map(|d| &d.poses).flat_map(|p| [p.ap_conformity, p.rp_conformity]).flatten()
+}
+
 /// Why the numbers must not be used.
-fn alarm(identified: &Identified, words: &Words) -> Option<String> {
-    let termination = identified.parameters.solver.termination;
+fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
+    let termination = document.solver.termination;
     match termination.is_success() {
-        true if identified.parameters.is_plausible() => None,
+        true if document.is_plausible() => None,
         true => Some(words.say("These parameters cannot be those of the robot: they must not be loaded.")),
         false => Some(words.fill("The identification failed: {0}.", &[&termination])),
     }
@@ -93,58 +110,67 @@ fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f
     Headline { what, before: text(before), after: text(after), unit }
 }
 
-/// The worst accuracy and repeatability, whether they are within their limits, and what their intervals prove.
+/// The worst accuracy and repeatability, whether they are within their limits and what their intervals prove, and whether the
+/// instrument is good enough.
 fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
     let Some(document) = &tested.poses else { return Vec::new() };
-    let accuracy = worst(document, |p| p.ap_mm).map(|found| {
-        let said = |um: &str, pose: i64| words.fill("The accuracy is {0} µm, at pose {1}.", &[&um, &pose]);
-        judged(said, found, document, ("accuracy_max_mm", |p| p.ap_conformity), words)
-    });
-    let repeatability = worst(document, |p| p.rp_mm).map(|found| {
-        let said = |um: &str, pose: i64| words.fill("The repeatability is {0} µm, at pose {1}.", &[&um, &pose]);
-        judged(said, found, document, ("repeatability_max_mm", |p| p.rp_conformity), words)
-    });
-    accuracy.into_iter().chain(repeatability).collect()
+    let of = |sentence: &str, limit: &str, value: fn(&Iso9283Pose) -> Option<f64>, proved: Proved| {
+        let all = document.poses.iter().filter_map(|p| Some((value(p)?, p.pose)));
+        let (mm, pose) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let limit = document.limits.iter().find(|l| l.name == limit);
+        // with the digits that decide, also where it is close to the limit
+        let apart_um = limit.map(|l| 1e3 * (l.limit - mm).abs());
+        let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
+        let um = |mm: f64| number::fixed(1e3 * mm, digits);
+        let within = limit.map(|l| within(l, &um(l.limit), words));
+        let said = [Some(words.fill(sentence, &[&um(mm), &pose])), within, conformity(document, proved, words)];
+        Some(said.into_iter().flatten().collect::<Vec<_>>().join(" "))
+    };
+    let accuracy = words.say("The accuracy is {0} µm, at pose {1}.");
+    let accuracy = of(&accuracy, "accuracy_max_mm", |p| p.ap_mm, |p| p.ap_conformity);
+    let repeatability = words.say("The repeatability is {0} µm, at pose {1}.");
+    let repeatability = of(&repeatability, "repeatability_max_mm", |p| p.rp_mm, |p| p.rp_conformity);
+    let instrument = Some(quarter_sentence(document, words)).filter(|sentence| !sentence.is_empty());
+    [accuracy, repeatability, instrument].into_iter().flatten().collect()
 }
 
-/// The largest value of all poses in mm, and where.
-fn worst(document: &Iso9283Document, value: fn(&Iso9283Pose) -> Option<f64>) -> Option<(f64, i64)> {
-    let all = document.poses.iter().filter_map(|p| Some((value(p)?, p.pose)));
-    all.max_by(|a, b| a.0.total_cmp(&b.0))
-}
-
-/// What a limit is called, and what the interval of a pose proves of it.
-type Judged = (&'static str, fn(&Iso9283Pose) -> Option<Iso9283Conformity>);
-
-/// What was found, whether it is within the limit, and what the intervals prove of that.
-fn judged(
-    said: impl Fn(&str, i64) -> String,
-    (worst_mm, pose): (f64, i64),
-    document: &Iso9283Document,
-    (limit, proved): Judged,
-    words: &Words,
-) -> String {
-    let limit = document.limits.iter().find(|l| l.name == limit);
-    // with the digits that decide, also where it is close to the limit
-    let apart_um = limit.map(|l| 1e3 * (l.limit - worst_mm).abs());
-    let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
-    let um = |mm: f64| number::fixed(1e3 * mm, digits);
-    let found = said(&um(worst_mm), pose);
-    let Some(limit) = limit else { return found };
-    let allowed = um(limit.limit);
-    let within = match limit.met {
+fn within(limit: &LimitVerdict, allowed: &str, words: &Words) -> String {
+    match limit.met {
         true => words.fill("This is within the limit of {0} µm.", &[&allowed]),
         false => words.fill("This is not within the limit of {0} µm.", &[&allowed]),
+    }
+}
+
+/// What the interval of a pose proves of a limit.
+type Proved = fn(&Iso9283Pose) -> Option<Iso9283Conformity>;
+
+/// Which poses conform by ISO 14253-1, where a limit is stated.
+fn conformity(document: &Iso9283Document, proved: Proved, words: &Words) -> Option<String> {
+    let of = |what| -> Vec<String> {
+        document.poses.iter().filter(|p| proved(p) == Some(what)).map(|p| p.pose.to_string()).collect()
     };
-    let count = |what| document.poses.iter().filter(|p| proved(p) == Some(what)).count();
-    let [conforming, not, neither] =
-        [Iso9283Conformity::Conforming, Iso9283Conformity::NotConforming, Iso9283Conformity::Neither].map(count);
-    let told = words.fill(
-        "By ISO 14253-1 and the intervals of 95 %: {0} poses conform, {1} do not, {2} are undecided.",
-        &[&conforming, &not, &neither],
-    );
-    let told = if conforming + not + neither > 0 { format!(" {told}") } else { String::new() };
-    format!("{found} {within}{told}")
+    let conforming = of(Iso9283Conformity::Conforming);
+    let (not, neither) = (of(Iso9283Conformity::NotConforming), of(Iso9283Conformity::Neither));
+    let all = conforming.len() + not.len() + neither.len();
+    let first = match conforming.len() {
+        0 => None,
+        1 if all == 1 => Some(words.fill("pose {0} conforms", &[&conforming[0]])),
+        1 => Some(words.fill("1 of {0} poses conforms", &[&all])),
+        n if n == all => Some(words.fill("all {0} poses conform", &[&all])),
+        n => Some(words.fill("{0} of {1} poses conform", &[&n, &all])),
+    };
+    let second = match &not[..] {
+        [] => None,
+        [one] => Some(words.fill("pose {0} does not conform", &[one])),
+        several => Some(words.fill("poses {0} do not conform", &[&several.join(", ")])),
+    };
+    let third = match &neither[..] {
+        [] => None,
+        [one] => Some(words.fill("pose {0} is undecided", &[one])),
+        several => Some(words.fill("poses {0} are undecided", &[&several.join(", ")])),
+    };
+    let said: Vec<String> = [first, second, third].into_iter().flatten().collect();
+    (all > 0).then(|| words.fill("By ISO 14253-1 and the intervals of 95 %: {0}.", &[&said.join("; ")]))
 }
 
 #[cfg(test)]
@@ -152,9 +178,11 @@ mod tests {
     use super::*;
     use crate::math::solve::Termination;
     use crate::report::tests::demo::Documents;
+    use crate::report::tests::demo_iso9283::whole;
 
     fn of(documents: &Documents) -> Verdict {
-        verdict(&documents.report(), &Words::default())
+        let report = documents.report();
+        verdict(report.identified.as_ref(), report.tested, &Words::default())
     }
 
     #[test]
@@ -167,6 +195,30 @@ mod tests {
         assert_eq!((bad.class, bad.sentences[0].as_str()), ("bad", "1 of 2 limits of the campaign is not met."));
         documents.accuracy.limits.clear();
         assert_eq!(of(&documents).class, "open");
+    }
+
+    #[test]
+    fn every_verdict_counts_beside_an_identification() {
+        let mut documents = Documents::demo();
+        documents.tested = whole();
+        let open = of(&documents);
+        let expected = [
+            "The accuracy is 51.20 µm, at pose 2. This is within the limit of 52.00 µm. By ISO 14253-1 and the intervals of \
+             95 %: poses 1, 2 are undecided.",
+            "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By ISO 14253-1 and the intervals \
+             of 95 %: all 2 poses conform.",
+            "The instrument is good enough for every pose.",
+            "All 4 limits of the campaign are met.",
+        ];
+        assert_eq!((open.class, open.met, &open.sentences[..]), ("open", true, &expected.map(str::to_owned)[..]));
+        let poses = documents.tested.poses.as_mut().unwrap();
+        (poses.limits[1].met, poses.poses[0].ap_conformity) = (false, Some(Iso9283Conformity::Conforming));
+        poses.poses[1].rp_conformity = Some(Iso9283Conformity::NotConforming);
+        let bad = of(&documents);
+        assert_eq!((bad.class, bad.met), ("bad", false));
+        assert_eq!(bad.sentences.last().unwrap(), "1 of 4 limits of the campaign is not met.");
+        assert!(bad.sentences[0].ends_with("1 of 2 poses conforms; pose 2 is undecided."), "{bad:?}");
+        assert!(bad.sentences[1].ends_with("1 of 2 poses conforms; pose 2 does not conform."), "{bad:?}");
     }
 
     #[test]

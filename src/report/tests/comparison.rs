@@ -43,8 +43,12 @@ fn named(text: &str) -> CompareDocument {
     document
 }
 
+fn drawn(kind: &str, document: &CompareDocument, presentation: &Presentation) -> Result<Vec<u8>> {
+    Faces::comparison(document, presentation.clone())?.file(kind)
+}
+
 fn html(document: &CompareDocument, presentation: &Presentation) -> Result<String> {
-    Ok(String::from_utf8(comparison("html", document, presentation)?).unwrap())
+    Ok(String::from_utf8(drawn("html", document, presentation)?).unwrap())
 }
 
 fn in_language(language: Language) -> String {
@@ -73,8 +77,8 @@ fn it_speaks_one_language() {
 fn the_same_document_makes_the_same_bytes_of_every_kind() {
     let (document, presentation) = (demo(), Presentation { language: Language::De, ..Presentation::default() });
     for kind in kinds() {
-        let bytes = comparison(kind, &document, &presentation).unwrap();
-        assert!(bytes == comparison(kind, &document, &presentation).unwrap(), "{kind}");
+        let bytes = drawn(kind, &document, &presentation).unwrap();
+        assert!(bytes == drawn(kind, &document, &presentation).unwrap(), "{kind}");
     }
 }
 
@@ -98,7 +102,7 @@ fn hostile_names_do_no_harm_in_any_kind() {
         assert_eq!(page.matches('<').count(), tags, "{text}");
         assert!(page.matches("<script").count() == 1 && !page.contains('\u{1b}'), "{text}");
         for kind in kinds() {
-            let bytes = comparison(kind, &document, &presentation).unwrap();
+            let bytes = drawn(kind, &document, &presentation).unwrap();
             if kind == "xlsx" {
                 only_texts_and_numbers(bytes);
             }
@@ -119,7 +123,7 @@ fn many_campaigns_and_numbers_that_are_none_are_shown() {
     }
     document.together.iter_mut().for_each(|t| t.f = f64::NAN);
     for kind in kinds() {
-        let bytes = comparison(kind, &document, &Presentation::default()).unwrap();
+        let bytes = drawn(kind, &document, &Presentation::default()).unwrap();
         assert!(kind != "html" || !String::from_utf8(bytes).unwrap().contains("NaN"));
     }
 }

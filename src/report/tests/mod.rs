@@ -6,4 +6,5 @@ pub(super) mod demo;
 pub(super) mod demo_iso9283;
 mod demo_streams;
 pub(super) mod page;
+mod terminal;
 mod workbook;

@@ -7,7 +7,7 @@ use crate::document::{Language, Refused, Statistics};
 use crate::report::*;
 
 fn html(report: &Report) -> Result<String> {
-    Ok(String::from_utf8(files(report)?.swap_remove(0).1).unwrap())
+    Ok(String::from_utf8(Faces::campaign(report)?.file("html")?).unwrap())
 }
 
 /// The page alone.

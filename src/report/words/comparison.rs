@@ -1,4 +1,4 @@
-//! What quantities and families of a comparison are called, and their changes in words, for the report and for the terminal.
+//! What quantities and families of a comparison are called, and their changes in words.
 //!
 //! Documents name them in English; names of parameters and streams stay.
 
@@ -8,7 +8,7 @@ use crate::document::{CompareChange, CompareFamily, CompareTrend, CompareValue};
 use crate::report::number;
 
 /// A family in words.
-pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
+pub(in crate::report) fn family(family: CompareFamily, words: &Words) -> String {
     match family {
         CompareFamily::Robot => words.say("Parameters of the robot"),
         CompareFamily::SetUp => words.say("Parameters of base and targets"),
@@ -22,7 +22,7 @@ pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
 }
 
 /// What a picture or a row is of.
-pub(crate) fn quantity(trend: &CompareTrend, words: &Words) -> String {
+pub(in crate::report) fn quantity(trend: &CompareTrend, words: &Words) -> String {
     let name = &one_line(&trend.name);
     let named = match trend.family {
         CompareFamily::Robot => Some(words.fill("Parameter {0}", &[name])),
@@ -58,7 +58,7 @@ fn of_pose(name: &str, words: &Words) -> Option<String> {
 }
 
 /// A change ready to print; what is not known is empty.
-pub(crate) struct Change {
+pub(in crate::report) struct Change {
     /// Which campaign from which.
     pub pair: String,
     /// The change with its unit, or the ratio.
@@ -69,22 +69,20 @@ pub(crate) struct Change {
     pub p: String,
     /// The same, corrected for the number of quantities.
     pub p_holm: String,
-    /// What follows.
-    pub verdict: String,
 }
 
 /// A unit as it stands behind a number.
-pub(crate) fn unit(unit: &str) -> String {
+pub(in crate::report) fn unit(unit: &str) -> String {
     if unit == "1" { String::new() } else { one_line(unit) }
 }
 
 /// Half the interval: what the digits of a value follow.
-pub(crate) fn half(v: &CompareValue) -> Option<f64> {
+pub(in crate::report) fn half(v: &CompareValue) -> Option<f64> {
     Some(0.5 * (v.high? - v.low?))
 }
 
 /// A value with its interval.
-pub(crate) fn value(v: &CompareValue, words: &Words) -> String {
+pub(in crate::report) fn value(v: &CompareValue, words: &Words) -> String {
     let shown = |number: f64| number::with_uncertainty(number, half(v));
     match (v.value, v.low, v.high) {
         (None, ..) => words.say("not known"),
@@ -94,12 +92,12 @@ pub(crate) fn value(v: &CompareValue, words: &Words) -> String {
 }
 
 /// Which campaign from which.
-pub(crate) fn pair(c: &CompareChange, words: &Words) -> String {
+pub(in crate::report) fn pair(c: &CompareChange, words: &Words) -> String {
     words.fill("{0} from {1}", &[&c.to, &c.from])
 }
 
 /// A change of a quantity.
-pub(crate) fn change(t: &CompareTrend, c: &CompareChange, words: &Words) -> Change {
+pub(in crate::report) fn change(t: &CompareTrend, c: &CompareChange, words: &Words) -> Change {
     let half = c.low.zip(c.high).map(|(low, high)| 0.5 * (high - low));
     let shown = |number: f64| number::with_uncertainty(number, half);
     let change = match c.ratio {
@@ -114,10 +112,5 @@ pub(crate) fn change(t: &CompareTrend, c: &CompareChange, words: &Words) -> Chan
         interval: interval.unwrap_or_default(),
         p: probability(c.p),
         p_holm: probability(c.p_holm),
-        verdict: match c.significant {
-            Some(true) => words.say("changed"),
-            Some(false) => words.say("no significant change"),
-            None => words.say("no uncertainty is known"),
-        },
     }
 }

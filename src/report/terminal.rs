@@ -1,0 +1,125 @@
+//! The report on a terminal: the verdict, and of the sections that are marked for it what a page shows, without pictures and
+//! notes.
+
+use super::model::{Block, Cell, Contents, Table, Tone};
+use super::words::Words;
+
+/// What a terminal shows.
+pub(super) fn terminal(contents: &Contents, words: &Words) -> String {
+    let mut page = Page { words, brief: contents.brief, text: String::new(), section: None, heading: None };
+    page.line(&contents.title);
+    contents.verdict.sentences.iter().for_each(|sentence| page.line(sentence));
+    for section in contents.sections.iter().filter(|s| s.on_terminal) {
+        (page.section, page.heading) = (Some(section.title.as_str()), None);
+        page.blocks(&section.blocks);
+        section.data.iter().filter(|table| !contents.brief && table.off_page).for_each(|table| page.table(table));
+    }
+    page.text
+}
+
+struct Page<'a> {
+    words: &'a Words,
+    brief: bool,
+    text: String,
+    /// titles that wait for something below them
+    section: Option<&'a str>,
+    heading: Option<&'a str>,
+}
+
+impl<'a> Page<'a> {
+    /// Adds a line; controls of a terminal, and marks of the way names read, are not for it.
+    fn line(&mut self, text: &str) {
+        let marks = ['\u{2068}', '\u{2069}'];
+        let clean = |c: char| if c.is_control() { '\u{fffd}' } else { c };
+        self.text.extend(text.trim_end().chars().filter(|c| !marks.contains(c)).map(clean));
+        self.text.push('\n');
+    }
+
+    fn blocks(&mut self, blocks: &'a [Block]) {
+        for block in blocks {
+            match block {
+                Block::Heading { text } => self.heading = Some(text),
+                Block::Text { tone: Tone::Note, .. } | Block::Figures { .. } | Block::Notice { .. } => {}
+                Block::Text { tone: Tone::Detail, .. } | Block::Aside { .. } if self.brief => {}
+                Block::Text { text, .. } => {
+                    self.titles();
+                    self.line(&text.plain());
+                }
+                Block::Facts { rows } => {
+                    self.titles();
+                    rows.iter().for_each(|f| self.line(&format!("{}: {}", f.what, f.said.shown().plain())));
+                }
+                Block::Table(table) if table.detail && self.brief => {}
+                Block::Table(table) => self.table(table),
+                Block::Aside { title, blocks } => {
+                    self.heading = Some(title);
+                    self.blocks(blocks);
+                }
+            }
+        }
+    }
+
+    fn titles(&mut self) {
+        if let Some(section) = self.section.take() {
+            self.line("");
+            self.line(section);
+        }
+        if let Some(heading) = self.heading.take() {
+            self.line(heading);
+        }
+    }
+
+    /// Adds a table without its empty columns: texts to the left, numbers to the right.
+    fn table(&mut self, table: &Table) {
+        self.titles();
+        let laid = table.laid();
+        let rows: Vec<Vec<String>> = laid.rows.iter().map(|row| row.iter().map(|cell| shown(cell)).collect()).collect();
+        let groups: Vec<&str> = laid.groups.iter().flat_map(|(title, count)| vec![*title; *count]).collect();
+        let kept: Vec<usize> = (0..laid.header.len()).filter(|i| rows.iter().any(|row| !row[*i].is_empty())).collect();
+        let wide = |i: &usize| rows.iter().map(|row| letters(&row[*i])).chain([letters(laid.header[*i])]).max();
+        let mut widths: Vec<usize> = kept.iter().filter_map(wide).collect();
+        // a title above several columns begins with the first of them
+        let title = |i: usize| groups.get(kept[i]).copied().unwrap_or_default();
+        let first = |i: usize| i == 0 || title(i - 1) != title(i);
+        for i in (0..kept.len()).filter(|i| first(*i)) {
+            let last = (i + 1..kept.len()).find(|j| first(*j)).unwrap_or(kept.len());
+            let room = widths[i..last].iter().sum::<usize>() + 2 * (last - i - 1);
+            widths[i] += letters(title(i)).saturating_sub(room);
+        }
+        if !groups.is_empty() {
+            let mut above = String::new();
+            for i in 0..kept.len() {
+                let from: usize = widths[..i].iter().map(|w| w + 2).sum();
+                if first(i) && !title(i).is_empty() {
+                    above += &" ".repeat(from - letters(&above));
+                    above += title(i);
+                }
+            }
+            self.line(&above);
+        }
+        let line = |cells: Vec<&str>| {
+            let set = |(k, cell): (usize, &str)| {
+                let space = " ".repeat(widths[k].saturating_sub(letters(cell)));
+                if laid.numeric[kept[k]] { space + cell } else { cell.to_owned() + &space }
+            };
+            cells.into_iter().enumerate().map(set).collect::<Vec<_>>().join("  ")
+        };
+        self.line(&line(kept.iter().map(|i| laid.header[*i]).collect()));
+        rows.iter().for_each(|row| self.line(&line(kept.iter().map(|i| row[*i].as_str()).collect())));
+        if laid.left_out > 0 {
+            self.line(&self.words.fill("{0} more rows are left out: the workbook has all.", &[&laid.left_out]));
+        }
+    }
+}
+
+/// What stands in a cell, in capitals where a page has bold letters.
+fn shown(cell: &Cell) -> String {
+    match cell {
+        Cell::Term { shown, strong: true, .. } => shown.to_uppercase(),
+        cell => cell.shown().plain(),
+    }
+}
+
+fn letters(text: &str) -> usize {
+    text.chars().filter(|c| !matches!(c, '\u{2068}' | '\u{2069}')).count()
+}

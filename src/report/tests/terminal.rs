@@ -1,0 +1,71 @@
+//! The terminal: the verdict and the tables of the same sections that the files are drawn from.
+
+use super::demo::Documents;
+use super::page::with_text;
+use super::{demo_iso9283, demo_streams};
+use crate::document::Language;
+use crate::report::*;
+
+fn shown(documents: &Documents) -> String {
+    Faces::campaign(&documents.report()).unwrap().terminal()
+}
+
+/// An identification, poses, loads and a recorded motion.
+fn everything() -> Documents {
+    let mut documents = Documents::demo();
+    documents.tested = demo_iso9283::whole();
+    documents.tested.streams = Some(demo_streams::streams());
+    documents
+}
+
+#[test]
+fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
+    let shown = shown(&everything());
+    let parts = [
+        "All 4 limits of the campaign are met.\n\nLimits\n",
+        "\nErrors before and after\ncalibration: ",
+        "\nAccuracy\nAccuracy of position\n",
+        "\nRepeatability\nUncertainty of RP\n",
+        "\nDrift\n",
+        "\nRecorded motion\nsquare\n",
+        "\nStatic compliance\n",
+    ];
+    parts.iter().for_each(|part| assert!(shown.contains(part), "{part}: {shown}"));
+    let table: Vec<&str> = shown.split("\nLimits\n").nth(1).unwrap().lines().take(5).collect();
+    let verdicts = table.iter().map(|row| row.rfind(if row.starts_with("limit ") { "verdict" } else { "met" }));
+    assert!(verdicts.clone().all(|at| at.is_some() && at == verdicts.clone().next().unwrap()), "{table:?}");
+    // what the reader needs a file for
+    for part in ["Provenance", "Warnings and remarks", "definition", "Frames and features", "SHA-256"] {
+        assert!(!shown.contains(part), "{part}: {shown}");
+    }
+}
+
+#[test]
+fn the_exit_code_follows_the_verdict_that_is_shown() {
+    let mut documents = everything();
+    assert!(Faces::campaign(&documents.report()).unwrap().is_met());
+    documents.tested.poses.as_mut().unwrap().limits[0].met = false;
+    let faces = Faces::campaign(&documents.report()).unwrap();
+    assert!(!faces.is_met() && faces.terminal().contains("NOT MET"));
+    // of a test without a campaign every pose must conform
+    let mut alone = demo_iso9283::whole();
+    assert!(!Faces::test(&alone).is_met() && Faces::test(&alone).terminal().contains("poses 1, 2 are undecided."));
+    alone.poses.as_mut().unwrap().poses.iter_mut().for_each(|p| p.ap_conformity = p.rp_conformity);
+    assert!(Faces::test(&alone).is_met() && Faces::test(&alone).terminal().contains("all 2 poses conform."));
+    alone.poses.as_mut().unwrap().poses[1].quarter_rule_met = Some(false);
+    assert!(!Faces::test(&alone).is_met());
+}
+
+#[test]
+fn a_report_speaks_its_language_on_the_terminal() {
+    let mut documents = everything();
+    documents.campaign.report.language = Language::De;
+    assert!(shown(&documents).contains("\nGrenzwerte\n"), "{}", shown(&documents));
+}
+
+#[test]
+fn no_name_moves_the_cursor() {
+    let shown = shown(&with_text("a\u{1b}[2J\u{2068}\r\u{7}"));
+    assert!(shown.contains("a\u{fffd}[2J") && !shown.contains(|c: char| c.is_control() && c != '\n'));
+    assert!(!shown.contains('\u{2068}'));
+}
