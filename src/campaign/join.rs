@@ -98,7 +98,7 @@ pub enum JoinBy {
     Row,
     /// Nearest time.
     Time,
-    /// Label of the point that the log says the robot touches: measured once, touched often.
+    /// Label of the point that the robot touches by the log: measured once, touched often.
     Label,
 }
 

@@ -78,7 +78,7 @@ impl Campaign {
             .map_err(Problems::from)
             .and_then(|path| Ok((path.display().to_string(), files::read_text(&path)?)));
         let (robot, more, robot_text) = match read {
-            // told with the campaign
+            // reported with the campaign
             _ if unread.affects(&["robot"]) => (None, Problems::default(), String::new()),
             Ok((robot_name, robot_text)) => {
                 let (robot, more) = RobotFile::recover(&robot_name, &robot_text);

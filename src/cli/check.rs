@@ -1,6 +1,6 @@
 //! `etalon check`
 
-use super::{Verdict, print, say};
+use super::{Verdict, print, remark};
 use crate::base::message::{Message, Problems};
 use crate::campaign::Campaign;
 use crate::document::{CheckDocument, ImportDocument};
@@ -28,9 +28,7 @@ impl Check {
             return Ok(if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun });
         }
         let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
-        for message in &document.messages {
-            say(format_args!("{message}\n"));
-        }
+        remark(&document.messages);
         for source in document.sources.iter().filter(|s| s.rows_read > 0) {
             let refused = source.refused.len();
             print(format!("{}: {} rows, {refused} refused ({})\n", source.file, source.rows_read, source.dialect))?;

@@ -1,7 +1,7 @@
 //! `etalon compare`
 
 use super::report::Dressed;
-use super::{Verdict, print, say};
+use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
 use crate::campaign::Campaign;
@@ -54,16 +54,13 @@ impl Compare {
         }
         problems.check()?;
         let document = compare(&all)?;
-        for message in &document.messages {
-            say(format_args!("{message}\n"));
-        }
+        remark(&document.messages);
         let campaign = all.into_iter().next().map(|first| first.campaign.report).unwrap_or_default();
         let faces = Faces::comparison(&document, self.dressed.over(campaign)?)?;
         for (path, kind) in kinds {
             files::write(path, &faces.file(&kind)?)?;
         }
-        print(if self.json { output::to_json(&document)? } else { faces.terminal().into_bytes() })?;
-        Ok(Verdict::of(faces.is_met()))
+        answer(&faces, self.json.then(|| output::to_json(&document)).transpose()?)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
-use super::{Verdict, print, say};
+use super::{Verdict, print, remark, say};
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
 use crate::base::table;
@@ -135,9 +135,7 @@ impl Fit {
         let mut seen = Vec::new();
         for (file, text) in texts {
             let read = import::qif::read(file, text, unit.map(Unit::in_mm))?;
-            for message in &read.messages {
-                say(format_args!("{message}\n"));
-            }
+            remark(&read.messages);
             for feature in &read.features {
                 seen.extend(feature.element().map(Element::name).filter(|_| !feature.points_mm.is_empty()));
                 if wanted.is_some_and(|w| feature.element() != Some(w)) {

@@ -1,7 +1,7 @@
 //! `etalon identify`
 
 use super::table_file::TableFile;
-use super::{Verdict, print, say};
+use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
 use crate::campaign::read_robot;
@@ -75,13 +75,9 @@ impl Identify {
         let document = parameters_document(robot.as_ref(), &settings, &before, &found, &inputs);
         let faces = Faces::identification(&document);
         if self.json {
-            print(output::to_json(&document)?)?;
-        } else {
-            for message in &document.messages {
-                say(format_args!("{message}\n"));
-            }
-            print(faces.terminal())?;
+            return answer(&faces, Some(output::to_json(&document)?));
         }
-        Ok(Verdict::of(faces.is_met()))
+        remark(&document.messages);
+        answer(&faces, None)
     }
 }

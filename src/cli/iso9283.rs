@@ -4,7 +4,7 @@ mod plan;
 mod stream;
 
 use super::table_file::TableFile;
-use super::{Verdict, print, say};
+use super::{Verdict, answer, remark};
 use crate::base::message::{Message, Problems};
 use crate::document::Characteristics;
 use crate::iso9283::pose::{DRAWS, Settings};
@@ -78,7 +78,7 @@ impl Iso9283 {
             return compliance(table, self.json);
         }
         match (&self.stream.stream, &self.poses, &self.commanded) {
-            (Some(stream), _, commanded) => self.stream.run(stream, commanded.as_deref(), (self.seed, self.json)),
+            (Some(stream), _, commanded) => self.stream.run(stream, commanded.as_deref(), self.seed, self.json),
             (None, Some(poses), Some(commanded)) => self.poses(poses, commanded),
             _ => Err(Problems::from(Message::error("nothing to evaluate is stated")).into()),
         }
@@ -107,33 +107,22 @@ impl Iso9283 {
             ap_limit_mm: self.ap_limit_mm,
             rp_limit_mm: self.rp_limit_mm,
         })?;
-        for message in &document.messages {
-            say(format_args!("{message}\n"));
-        }
+        remark(&document.messages);
         let all = self.all || self.drift_set.is_some();
         let json = match all {
             true => output::to_json(&document)?,
             false => output::to_json(&document.poses)?,
         };
         let poses = Some(if all { document } else { document.of_poses() });
-        answer(&Characteristics { poses, ..Characteristics::default() }, self.json.then_some(json))
+        answer(&Faces::test(&Characteristics { poses, ..Characteristics::default() }), self.json.then_some(json))
     }
-}
-
-/// Prints what was found, as JSON where that is asked for.
-fn answer(tested: &Characteristics, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
-    let faces = Faces::test(tested);
-    print(json.unwrap_or_else(|| faces.terminal().into_bytes()))?;
-    Ok(Verdict::of(faces.is_met()))
 }
 
 /// Static compliance from a table of loads.
 fn compliance(path: &Path, json: bool) -> anyhow::Result<Verdict> {
     let table = TableFile::read(path)?;
     let document = load::evaluate(table.named()).map_err(|p| table.place(p))?;
-    for message in &document.messages {
-        say(format_args!("{message}\n"));
-    }
+    remark(&document.messages);
     let json = json.then(|| output::to_json(&document)).transpose()?;
-    answer(&Characteristics { compliance: Some(document), ..Characteristics::default() }, json)
+    answer(&Faces::test(&Characteristics { compliance: Some(document), ..Characteristics::default() }), json)
 }

@@ -19,7 +19,9 @@ mod schema;
 mod simulate;
 mod text_format;
 
+use crate::base::message::Message;
 use crate::document::WrittenDocument;
+use crate::report::Faces;
 use crate::stages::table_file;
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
@@ -118,6 +120,17 @@ fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// What a report shows on a terminal, or JSON where that is asked for.
+fn answer(faces: &Faces, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
+    print(json.unwrap_or_else(|| faces.terminal().into_bytes()))?;
+    Ok(Verdict::of(faces.is_met()))
+}
+
+/// Remarks for stderr.
+fn remark(messages: &[Message]) {
+    messages.iter().for_each(|message| say(format_args!("{message}\n")));
+}
+
 /// The files that were written, as lines or as JSON.
 fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     if json {
@@ -126,7 +139,7 @@ fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     print(files.iter().map(|file| format!("{file}\n")).collect::<String>())
 }
 
-/// Talk for stderr; a closed stderr is no error.
+/// Talk for stderr; a closed stderr is not an error.
 fn say(text: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "{text}");
 }

@@ -2,7 +2,7 @@
 
 use super::report::Dressed;
 use super::table_file::TableFile;
-use super::{Verdict, print, say};
+use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::table::ASSEMBLY;
@@ -115,7 +115,7 @@ impl Plan {
         };
         let planned = plan(robot.as_ref(), &observations, &settings, &request)
             .map_err(|more| Problems(beyond.iter().cloned().chain(more.0).collect()))?;
-        let study = self.study(robot.as_ref(), &robot_file, (&observations, &planned), &settings)?;
+        let study = self.study(robot.as_ref(), &robot_file, &observations, &planned, &settings)?;
         let mut document = self.document(robot.as_ref(), &observations, &planned, study)?;
         document.messages.splice(0..0, beyond);
         if let Some(path) = &self.poses {
@@ -129,14 +129,10 @@ impl Plan {
             files::write(path, &faces.file("html")?)?;
         }
         if self.json {
-            print(output::to_json(&document)?)?;
-        } else {
-            for message in &document.messages {
-                say(format_args!("{message}\n"));
-            }
-            print(faces.terminal())?;
+            return answer(&faces, Some(output::to_json(&document)?));
         }
-        Ok(Verdict::of(faces.is_met()))
+        remark(&document.messages);
+        answer(&faces, None)
     }
 
     /// A simulated calibration, where a truth is stated.
@@ -144,7 +140,8 @@ impl Plan {
         &self,
         robot: &dyn Robot,
         robot_file: &RobotFile,
-        (observations, planned): (&[Observation], &Planned),
+        observations: &[Observation],
+        planned: &Planned,
         settings: &Settings,
     ) -> anyhow::Result<Option<StudyDocument>> {
         let (Some(path), Some(noise_um)) = (&self.truth, self.standard_uncertainty_um) else { return Ok(None) };

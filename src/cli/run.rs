@@ -1,6 +1,6 @@
 //! `etalon run`
 
-use super::{Verdict, print, say};
+use super::{Verdict, print, remark, say};
 use crate::base::message::Message;
 use crate::campaign::Campaign;
 use crate::run::output::to_json;
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 pub struct Run {
     /// Folder of the campaign, or its campaign.toml
     campaign: PathBuf,
-    /// Print accuracy.json (of a test by ISO 9283 alone iso9283.json, or what stands in its place) instead of a summary
+    /// Print accuracy.json (of a test by ISO 9283 alone iso9283.json, or the document in its place) instead of a summary
     #[arg(long)]
     json: bool,
     /// Skip a campaign whose data hang on an environment variable that is not set
@@ -43,9 +43,7 @@ impl Run {
             return Ok(Verdict::Met);
         }
         let Outcome { identified, tested, faces, messages, .. } = pipeline::run(campaign)?;
-        for message in &messages {
-            say(format_args!("{message}\n"));
-        }
+        remark(&messages);
         print(match (self.json, &identified, &tested.poses, &tested.streams) {
             (false, ..) => {
                 let report = campaign.output()?.join("report.html");

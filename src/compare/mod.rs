@@ -19,7 +19,7 @@ use trend::judge;
 pub struct Compared {
     /// The folder as the user named it.
     pub folder: String,
-    /// What the campaign says about itself.
+    /// What the campaign states about itself.
     pub campaign: CampaignSummary,
     /// Parameters with the errors before and after, where it identifies.
     pub identified: Option<(ParametersDocument, AccuracyDocument)>,
@@ -165,7 +165,7 @@ fn conventions(all: &[Compared], trends: &[CompareTrend]) -> Vec<String> {
     let there = |family| trends.iter().any(|t| t.family == family);
     let mut said = vec![
         "a change is significant where its probability by chance, corrected by Holm (1979) for the number of quantities of its \
-         family in one pair of campaigns, is below 5 %; intervals are 95 %, each for itself"
+         family in one pair of campaigns, is below 5 %; intervals are of 95 %, not corrected"
             .to_owned(),
         "every campaign is compared with the first and with the one before, in the order named".to_owned(),
     ];

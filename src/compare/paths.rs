@@ -51,7 +51,7 @@ pub(super) fn trends(all: &[&Iso9283StreamsDocument], messages: &mut Vec<Message
     accuracies
 }
 
-/// What a verdict on AT and RT is worth, where one says that they changed.
+/// How far a verdict on AT and RT can be relied on, where they are called changed.
 pub(super) fn doubt(trends: &[CompareTrend]) -> Option<Message> {
     let of_path =
         |t: &&CompareTrend| [CompareFamily::PathAccuracy, CompareFamily::PathRepeatability].contains(&t.family);
@@ -76,7 +76,7 @@ fn is_same(a: &Iso9283Path, b: &Iso9283Path) -> bool {
 
 /// AT by the difference of values whose intervals are known, as AP.
 fn accuracy(name: &str, all: &[Iso9283Path]) -> CompareTrend {
-    let value = |p: &Iso9283Path| told(p.at_mm, p.at_interval);
+    let value = |p: &Iso9283Path| with_interval(p.at_mm, p.at_interval);
     let known = |p: &Iso9283Path| p.at_interval.map(|i| (p.at_mm, i.low_mm, i.high_mm));
     let change = |(from, to): (usize, usize)| {
         let found = known(&all[from]).zip(known(&all[to])).map(|(a, b)| recovered(a, b));
@@ -95,7 +95,7 @@ fn accuracy(name: &str, all: &[Iso9283Path]) -> CompareTrend {
 /// large by what the number of passes decides, and may lie above its interval.
 fn repeatability(name: &str, all: &[Iso9283Path]) -> Option<CompareTrend> {
     let values: Vec<f64> = all.iter().map(|p| p.rt_mm).collect::<Option<_>>()?;
-    let value = |(rt, p): (&f64, &Iso9283Path)| told(*rt, p.rt_interval);
+    let value = |(rt, p): (&f64, &Iso9283Path)| with_interval(*rt, p.rt_interval);
     // middle and ends on the logarithmic scale
     let known = |p: &Iso9283Path| -> Option<Recovered> {
         let (low, high) = (p.rt_interval?.low_mm.ln(), p.rt_interval?.high_mm.ln());
@@ -119,7 +119,7 @@ fn repeatability(name: &str, all: &[Iso9283Path]) -> Option<CompareTrend> {
     })
 }
 
-fn told(value: f64, interval: Option<Iso9283Interval>) -> CompareValue {
+fn with_interval(value: f64, interval: Option<Iso9283Interval>) -> CompareValue {
     CompareValue {
         value: Some(value),
         standard_uncertainty: None,
@@ -128,7 +128,7 @@ fn told(value: f64, interval: Option<Iso9283Interval>) -> CompareValue {
     }
 }
 
-/// A change of which nothing tells how much of it is chance.
+/// A change without an interval or a probability.
 fn unknown(change: f64) -> Difference {
     Difference { change, low: f64::NAN, high: f64::NAN, p: f64::NAN }
 }

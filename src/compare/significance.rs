@@ -85,7 +85,7 @@ pub fn recovered(earlier: Recovered, later: Recovered) -> Difference {
     Difference { change, low: change - below, high: change + above, p: chance(change, towards_nothing / factor, &tail) }
 }
 
-/// Degrees of freedom that an interval of a scale rests on, from chi-square: high over low tells them.
+/// Degrees of freedom that an interval of a scale rests on, from chi-square: high over low determines them.
 pub fn degrees_of_scale(low: f64, high: f64) -> Option<f64> {
     let ratio = |degrees: f64| {
         let chi = ChiSquared::new(degrees).ok()?;

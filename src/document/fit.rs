@@ -166,7 +166,7 @@ impl FitDocument {
         Self {
             center_mm: Some(found.center_mm),
             radius_mm: Some(found.radius_mm),
-            // rounding of the distance of the farthest point is no form
+            // rounding of the distance of the farthest point is not a form deviation
             max_mm: depth,
             form_mm: depth,
             ..Self::of_extremes(element, label, &residuals, method, found.iterations)

@@ -350,7 +350,7 @@ pub struct Iso9283StreamDocument {
     pub arrivals: Vec<Iso9283Arrival>,
     /// Moves between poses; empty without a limit band.
     pub posing: Vec<Iso9283Posing>,
-    /// The commanded path, where one is stated and it is no weave.
+    /// The commanded path, where one is stated and it is not a weave.
     pub path: Option<Iso9283Path>,
     /// The weave, where one is stated.
     pub weaving: Option<Iso9283Weaving>,

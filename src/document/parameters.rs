@@ -119,7 +119,7 @@ pub struct ObservabilitySummary {
     #[serde(default)]
     pub singular_values: Vec<SingularValueEntry>,
     /// Of the same Jacobian with all parameters that were to be identified the smallest, as many as are held because the
-    /// data do not tell them, or only uselessly badly; empty in a plan.
+    /// data do not determine them, or hardly; empty in a plan.
     #[serde(default)]
     pub held_singular_values: Vec<SingularValueEntry>,
     /// A column that lies this near to the span of those before it, for a norm of 1, is cut: its parameter is held.

@@ -23,7 +23,7 @@ pub fn logo(path: &Path) -> Result<String> {
     let kind = match path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).as_deref() {
         Some("png") if bytes.starts_with(b"\x89PNG\r\n\x1a\n") => "png",
         Some("svg") if String::from_utf8_lossy(&bytes).contains("<svg") => "svg+xml",
-        _ => return Err(wrong("is no picture that a report can hold")),
+        _ => return Err(wrong("is not a picture that a report can hold")),
     };
     Ok(format!("data:image/{kind};base64,{}", STANDARD.encode(&bytes)))
 }

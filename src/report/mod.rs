@@ -32,7 +32,7 @@ const TYPESET: (&str, &str) = ("report.typ", include_str!("pdf/report.typ"));
 
 /// The documents that a report is made from.
 pub struct Report<'a> {
-    /// What the campaign says about itself.
+    /// What the campaign states about itself.
     pub campaign: &'a CampaignSummary,
     /// What was read and refused.
     pub import: &'a ImportDocument,

@@ -70,7 +70,7 @@ pub(crate) struct Section {
     pub on_terminal: bool,
 }
 
-/// A line of facts: what, and what is said of it.
+/// A line of facts: a name and its value.
 #[derive(Debug, Serialize)]
 pub(crate) struct Fact {
     pub what: String,
@@ -120,7 +120,7 @@ pub(crate) enum Tone {
     Note,
 }
 
-/// A paragraph, or what stands in a cell: pieces in the report's language, names, and texts that are always English.
+/// A paragraph, or the text of a cell: pieces in the report's language, names, and texts that are always English.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub(crate) struct Text(Vec<Run>);
 
@@ -189,7 +189,7 @@ impl From<&str> for Text {
     }
 }
 
-/// A picture, made once; `svg` says the same to those who cannot see it.
+/// A picture, made once; `svg` describes it to those who cannot see it.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Figure {
     pub title: String,
@@ -206,7 +206,7 @@ pub(crate) struct Figure {
     pub rows: Vec<Vec<String>>,
 }
 
-/// What stands in a cell.
+/// The content of a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Cell {
     Missing,
@@ -363,7 +363,7 @@ enum On {
     Sheet,
 }
 
-/// A column of records of type `T`: title, unit and what stands in it.
+/// A column of records of type `T`: title, unit and content.
 struct Column<'a, T> {
     title: &'a str,
     unit: &'a str,
@@ -499,7 +499,7 @@ impl Table {
         Self { lead, ..self }
     }
 
-    /// The same without the columns in which no row says anything.
+    /// The same without the columns in which every row is empty.
     pub fn without_empty_columns(mut self) -> Self {
         let kept: Vec<bool> =
             (0..self.columns.len()).map(|i| self.rows.iter().any(|row| !row[i].is_missing())).collect();
@@ -615,7 +615,7 @@ impl Block {
         Self::Text { text: text.into(), tone: Tone::Note }
     }
 
-    /// Facts of which something is said.
+    /// Facts that have a value.
     pub fn facts(rows: Vec<(String, Cell)>) -> Self {
         let fact = |(what, said): (String, Cell)| Fact { what, said, unit: "" };
         Self::Facts { rows: rows.into_iter().filter(|(_, said)| !said.is_missing()).map(fact).collect() }

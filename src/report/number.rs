@@ -1,6 +1,6 @@
 //! Numbers as a reader wants them: no digit that means nothing, none missing that does.
 
-/// What stands where there is no finite number, in every language.
+/// Shown where there is no finite number, in every language.
 const NOT_A_NUMBER: &str = "—";
 
 /// `value` with a fixed number of decimals; never "-0".

@@ -112,7 +112,7 @@ impl<'a> Page<'a> {
     }
 }
 
-/// What stands in a cell, in capitals where a page has bold letters.
+/// The text of a cell, in capitals where a page has bold letters.
 fn shown(cell: &Cell) -> String {
     match cell {
         Cell::Term { shown, strong: true, .. } => shown.to_uppercase(),

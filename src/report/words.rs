@@ -68,7 +68,7 @@ impl Words {
 
     /// Whether there is a translation, be it the text itself.
     #[cfg(test)]
-    pub fn knows(&self, text: &str) -> bool {
+    pub fn translates(&self, text: &str) -> bool {
         self.0.contains_key(text)
     }
 

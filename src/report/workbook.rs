@@ -6,7 +6,7 @@ use super::words::Words;
 use crate::base::message::{Message, Result};
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
-/// What Excel holds on one sheet, less the header and a line that says what is left out.
+/// What Excel holds on one sheet, less the header and a line on what is left out.
 const ROWS: usize = 1_048_574;
 /// What Excel holds in one cell, UTF-16 units.
 const CELL: usize = 32_767;

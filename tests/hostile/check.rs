@@ -156,7 +156,7 @@ fn a_report_that_cannot_be_dressed_is_refused() {
     };
     dressed("language = \"es\"", &["unknown variant `es`", "language = \"es\""]);
     dressed("logo = \"logo.svg\"", &["cannot read `", "logo.svg", "logo = \"logo.svg\""]);
-    dressed("logo = \"robot.toml\"", &["is no picture that a report can hold", "an SVG or PNG picture"]);
+    dressed("logo = \"robot.toml\"", &["is not a picture that a report can hold", "an SVG or PNG picture"]);
     dressed("logo = \"../logo.svg\"", &["leaves the folder of the campaign"]);
     dressed("templates = \"exports\"", &["there is no template in `", "--write-templates"]);
     dressed("templates = \"none\"", &["cannot read the folder `", "templates = \"none\""]);

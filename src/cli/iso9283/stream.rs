@@ -2,8 +2,7 @@
 
 use super::super::table_file::TableFile;
 use super::super::text_format::{TextFormat, word};
-use super::super::{Verdict, say};
-use super::answer;
+use super::super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::Result;
 use crate::base::pose::Vector;
@@ -15,6 +14,7 @@ use crate::import::tables::recording::{commanded_path, commanded_poses, recordin
 use crate::iso9283::motion::stream::Recording;
 use crate::iso9283::motion::{Stated, evaluate};
 use crate::iso9283::path::commanded::CommandedPath;
+use crate::report::Faces;
 use crate::run::output;
 use std::path::{Path, PathBuf};
 
@@ -72,7 +72,7 @@ pub(super) struct StreamOptions {
 }
 
 impl StreamOptions {
-    pub fn run(&self, file: &Path, commanded: Option<&Path>, (seed, json): (u64, bool)) -> anyhow::Result<Verdict> {
+    pub fn run(&self, file: &Path, commanded: Option<&Path>, seed: u64, json: bool) -> anyhow::Result<Verdict> {
         let stated = self.stated();
         stated.check(|key| format!("--{}", key.replace('_', "-")))?;
         let recording = self.recording(file)?;
@@ -83,15 +83,13 @@ impl StreamOptions {
         if let Some(path) = &self.write_poses {
             files::write(path, csv(&document, &recording).as_bytes())?;
         }
-        for message in &document.messages {
-            say(format_args!("{message}\n"));
-        }
+        remark(&document.messages);
         let json = json.then(|| output::to_json(&document)).transpose()?;
         let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let stream =
             Iso9283NamedStream { name, file: file.display().to_string(), band_mm: self.band_mm, stream: document };
         let streams = Iso9283StreamsDocument { schema: String::new(), streams: vec![stream] };
-        answer(&Characteristics { streams: Some(streams), ..Characteristics::default() }, json)
+        answer(&Faces::test(&Characteristics { streams: Some(streams), ..Characteristics::default() }), json)
     }
 
     fn stated(&self) -> Stated<'_> {

@@ -78,7 +78,7 @@ fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> ser
     Ok(data)
 }
 
-/// What the layout itself says, and in which language.
+/// The words of the layout itself, and their language.
 fn labels(presentation: &Presentation, words: &Words) -> Value {
     let note = words.say(
         "Numbers have a decimal point; texts of the campaign and messages of the program are in their own language.",

@@ -18,7 +18,7 @@ const START: &str = "#for file in json(\"attachments.json\") {\n  \
     pdf.attach(file.name, bytes(file.text), relationship: file.relationship, mime-type: \"application/json\", \
     description: file.description)\n}\n#include \"report.typ\"\n";
 
-/// Files and fonts, and the date that stands for today.
+/// Files and fonts, and the date that is today.
 pub(super) struct Desk {
     library: LazyHash<Library>,
     main: FileId,

@@ -7,7 +7,7 @@ use crate::report::model::Figure;
 use crate::report::number;
 use crate::report::words::Words;
 
-/// Places beyond this are no places of a robot, mm.
+/// Places beyond this are not places of a robot, mm.
 const DRAWABLE_MM: f64 = 1e7;
 /// More marks than this hide each other.
 const LIMIT: usize = 2000;

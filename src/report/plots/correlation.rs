@@ -1,4 +1,4 @@
-//! Which parameters the data tell apart badly: the correlation of every pair.
+//! Which parameters are hardly separable: the correlation of every pair.
 
 use super::svg::Svg;
 use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
@@ -76,7 +76,7 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
     })
 }
 
-/// White at nought, blue at one, orange at minus one: both dark enough to tell where the other is not seen.
+/// White at nought, blue at one, orange at minus one: both dark enough where the other is not seen.
 fn colour(r: f64) -> String {
     let end = if r > 0.0 { [0.0, 90.0, 160.0] } else { [200.0, 90.0, 0.0] };
     let [red, green, blue] = end.map(|c| (255.0 + r.abs().min(1.0) * (c - 255.0)).round() as u8);

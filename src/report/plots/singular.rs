@@ -1,4 +1,4 @@
-//! What the data tell well and what badly: the singular values of the identification, in order, on a logarithmic axis.
+//! What the data determine well and what badly: the singular values of the identification, in order, on a logarithmic axis.
 
 use super::axis::{Axis, left_margin};
 use super::svg::{Shape, Svg};
@@ -18,8 +18,9 @@ const LABELS: usize = 20;
 
 /// `None` where the document has no singular value that could be drawn.
 pub(in crate::report) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure> {
-    let told = o.singular_values.iter().map(|s| (s, false));
-    let all: Vec<(&SingularValueEntry, bool)> = told.chain(o.held_singular_values.iter().map(|s| (s, true))).collect();
+    let identified = o.singular_values.iter().map(|s| (s, false));
+    let all: Vec<(&SingularValueEntry, bool)> =
+        identified.chain(o.held_singular_values.iter().map(|s| (s, true))).collect();
     let drawable = |(s, _): &&(&SingularValueEntry, bool)| s.value >= 0.0 && s.value < 1e300;
     let largest = all.iter().filter(drawable).map(|(s, _)| s.value).fold(0.0, f64::max);
     if !(largest > 0.0 && all.iter().all(|s| drawable(&s))) {
@@ -83,7 +84,7 @@ fn caption(o: &ObservabilitySummary, words: &Words) -> String {
     let cut = match o.held_singular_values.len() {
         0 => words.fill("None is held: no column lies within the rank cut of {0} of what the others span.", &[&significant(o.rank_cut, 2)]),
         held => words.fill(
-            "Diamonds: the {0} smallest with all parameters; as many are held. About the line at {1} times the largest and below it the data tell nothing, above it uselessly little.",
+            "Diamonds: the {0} smallest with all parameters; as many are held. About the line at {1} times the largest and below it the data hold no information, above it too little to be of use.",
             &[&held, &significant(o.rank_cut, 2)],
         ),
     };
@@ -96,7 +97,7 @@ mod tests {
     use crate::report::tests::demo::Documents;
 
     #[test]
-    fn every_singular_value_has_a_mark_and_a_row_and_the_cut_is_told() {
+    fn every_singular_value_has_a_mark_and_a_row_and_the_cut_is_stated() {
         let mut o = Documents::demo().parameters.observability.unwrap();
         let drawn = picture(&o, &Words::default()).unwrap();
         assert_eq!((drawn.svg.matches("<circle").count(), drawn.rows.len()), (11, 12));

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// Colours that every eye tells apart (Okabe & Ito 2008).
+/// Colours that every eye distinguishes (Okabe & Ito 2008).
 pub(in crate::report) const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
 
 /// A place in the picture, in its own units.
@@ -87,7 +87,7 @@ impl Svg {
         }
     }
 
-    /// A text; the class says where it is anchored.
+    /// A text; the class states where it is anchored.
     pub fn text(&mut self, class: &str, (x, y): Place, text: &str) {
         let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y), escape(text));
     }

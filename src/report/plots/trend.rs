@@ -16,7 +16,7 @@ const BOTTOM: f64 = 206.0;
 /// Values beyond this are blunders that no picture can show.
 const DRAWABLE: f64 = 1e12;
 
-/// What stands below a campaign: its number, and its date where it is short enough.
+/// The label of a campaign: its number, and its date where it is short enough.
 pub(in crate::report) type Label = String;
 
 /// `None` where fewer than two campaigns have it.

@@ -10,7 +10,7 @@ use crate::report::words::Words;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
-/// Of a visit from nobody knows where.
+/// Of a visit whose approach is not recorded.
 const UNKNOWN: &str = "#ffffff";
 /// Visits beyond this are blunders that no picture can show, in µm from the mean.
 const DRAWABLE_UM: f64 = 1e9;
@@ -99,7 +99,7 @@ fn picture(pose: i64, visits: &[&Iso9283Visit], words: &Words) -> Option<Figure>
         svg: svg.finish(),
         caption: match known > 1 {
             true => words.fill(
-                "{0} visits about their mean; colour says from which pose it was approached, diamonds are the means.",
+                "{0} visits about their mean; colour shows from which pose it was approached, diamonds are the means.",
                 &[&visits.len()],
             ),
             false => {

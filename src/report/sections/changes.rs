@@ -173,10 +173,10 @@ fn all_values(trends: &[&CompareTrend], words: &Words) -> Table {
     Table::of(words, &rows, columns).on("Values")
 }
 
-/// What the first box says: its style, and a sentence.
+/// The first box: its style, and a sentence.
 pub(in crate::report) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
     const NAMED: usize = 6;
-    // a frame that was found again elsewhere moves mean positions: they are no quantity of the robot alone
+    // a frame that was found again elsewhere moves mean positions: they are not a quantity of the robot alone
     let robot = |t: &&CompareTrend| !matches!(t.family, CompareFamily::SetUp | CompareFamily::MeanPosition);
     let of = |t: &CompareTrend| t.changes.iter().any(|c| c.significant == Some(true));
     let name = |t: &CompareTrend| isolated(&quantity(t, words));

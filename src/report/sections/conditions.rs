@@ -19,7 +19,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.whole()
 }
 
-/// What a campaign states; a test report also says what it does not state.
+/// What a campaign states; a test report also lists what it does not state.
 fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) -> Vec<(String, Cell)> {
     let (c, given) = (campaign, &campaign.conditions);
     let text = |text: &Option<String>| text.clone();
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn a_test_report_says_what_is_not_stated_and_a_calibration_does_not() {
+    fn a_test_report_lists_what_is_not_stated_and_a_calibration_does_not() {
         let campaign = Documents::demo().campaign;
         let test = facts(&campaign, &crate::report::tests::demo_iso9283::tested(), &Words::default());
         for what in ["robot", "controller", "mounting", "load", "warm-up before the test", "deviations from ISO 9283"] {
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_stated_stands_there_with_its_unit_and_no_deviation_is_not_an_unstated_one() {
+    fn what_is_stated_has_its_unit_and_no_deviation_is_not_an_unstated_one() {
         let mut campaign = Documents::demo().campaign;
         let c = &mut campaign.conditions;
         (c.load_kg, c.load_centre_mm) = (Some(0.5), Some([0.0, 1.5, 30.0]));

@@ -1,4 +1,4 @@
-//! The sections of a report, one a file: what each says, and nothing of how it is drawn.
+//! The sections of a report, one a file: what each contains, and nothing of how it is drawn.
 
 pub(super) mod accuracy;
 pub(super) mod changes;

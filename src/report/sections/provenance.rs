@@ -9,7 +9,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     Some(of(&report.provenance(), &report.import.sources, words))
 }
 
-/// The section; `sources` says more of the inputs where they were read by this campaign.
+/// The section; `sources` has more of the inputs where they were read by this campaign.
 pub(in crate::report) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> Section {
     let mut section = Section::new("provenance", words.say("Provenance"));
     section.push(Block::facts(vec![

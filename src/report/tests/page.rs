@@ -17,7 +17,7 @@ fn page(documents: &Documents) -> String {
 }
 
 #[test]
-fn the_demo_page_tells_what_a_reader_needs() {
+fn the_demo_page_has_what_a_reader_needs() {
     let page = page(&Documents::demo());
     if let Some(path) = std::env::var_os("ETALON_REPORT_DEMO") {
         std::fs::write(path, &page).unwrap();
@@ -201,23 +201,23 @@ fn texts<'a>(page: &'a str, id: &str) -> impl Iterator<Item = &'a str> {
 }
 
 #[test]
-fn recorded_motions_are_told_in_the_language_of_the_report() {
+fn recorded_motions_are_in_the_language_of_the_report() {
     let english = in_language(Language::En);
     let is_word = |text: &str| text.split(|c: char| !c.is_alphabetic()).any(|word| word.len() > 3);
     for language in [Language::Fr, Language::De] {
         let (words, pages) = (Words::of(language).unwrap(), in_language(language));
-        let mut told = 0;
+        let mut compared = 0;
         for (english, other) in texts(&english[1], "streams").zip(texts(&pages[1], "streams")) {
             if ["square", "seam", "motion.csv"].contains(&english) || !is_word(english) {
                 continue;
             }
-            told += 1;
+            compared += 1;
             // what reads alike in both languages
             let numbers: String = english.chars().map(|c| if c.is_ascii_digit() { '0' } else { c }).collect();
-            let is_alike = words.knows(english) || numbers == words.fill("pose {0}", &[&0]);
+            let is_alike = words.translates(english) || numbers == words.fill("pose {0}", &[&0]);
             assert!(other != english || is_alike, "{language:?}: {english}");
         }
-        assert!(told > 40, "{told}");
+        assert!(compared > 40, "{compared}");
     }
 }
 

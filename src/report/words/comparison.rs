@@ -71,7 +71,7 @@ pub(in crate::report) struct Change {
     pub p_holm: String,
 }
 
-/// A unit as it stands behind a number.
+/// A unit as it follows a number.
 pub(in crate::report) fn unit(unit: &str) -> String {
     if unit == "1" { String::new() } else { one_line(unit) }
 }
