@@ -84,7 +84,7 @@ fn caption(o: &ObservabilitySummary, words: &Words) -> String {
     let cut = match o.held_singular_values.len() {
         0 => words.fill("None is held: no column lies within the rank cut of {0} of what the others span.", &[&significant(o.rank_cut, 2)]),
         held => words.fill(
-            "Diamonds: the {0} smallest with all parameters; as many are held. About the line at {1} times the largest and below it the data hold no information, above it too little to be of use.",
+            "Diamonds: the {0} smallest with all parameters; as many are held. About the line at {1} times the largest and below it the data do not determine a direction, above it hardly.",
             &[&held, &significant(o.rank_cut, 2)],
         ),
     };
