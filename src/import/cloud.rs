@@ -2,7 +2,7 @@
 //! plain is left to the strict reader, which says where and why.
 
 use super::formats::Format;
-use super::lexer::{LONGEST_LINE, Line, line_feeds};
+use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
 use super::names::Names;
 use crate::base::message::{Message, Problems, Result};
 use crate::import::format::Unit;
@@ -131,12 +131,13 @@ impl Plain {
         let mut known = Names::new();
         let mut before: (&[u8], u32) = (b"", u32::MAX);
         while at < end.min(bytes.len()) {
-            let mut line = Line { bytes, at, delimiter: self.delimiter };
+            let mut line = Scanner { bytes, at, delimiter: self.delimiter };
             let label = if self.labelled { line.label() } else { Some(&b""[..]) };
             let row = label.and_then(|label| Some((label, [line.number()?, line.number()?, line.number()?])));
             let Some((label, xyz)) = row.filter(|_| line.end(last)) else {
-                let mut line = Line { bytes, at, delimiter: self.delimiter };
-                if !line.is_blank() {
+                // an empty line
+                let mut line = Scanner { bytes, at, delimiter: self.delimiter };
+                if !line.end(true) {
                     return Ok(None);
                 }
                 at = line.at;
@@ -146,11 +147,6 @@ impl Plain {
                 let (id, new) = known.place(label);
                 if new && self.labelled {
                     let Ok(text) = std::str::from_utf8(label) else { return Ok(None) };
-                    // blanks beyond ASCII
-                    let parted = self.delimiter.is_none() && text.contains(char::is_whitespace);
-                    if text.trim() != text || parted {
-                        return Ok(None);
-                    }
                     part.labels.push_str(text);
                     part.labels.push('\n');
                 }

@@ -2,6 +2,7 @@
 
 use super::lexer::marked;
 use super::lexer::{Row, split};
+use std::borrow::Cow;
 use crate::import::format::Columns;
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
@@ -32,13 +33,13 @@ const MARKS: [(Decimal, Option<Thousands>); 7] = [
 
 /// One way to split a text.
 #[derive(Clone, Debug)]
-pub(super) struct Guess {
+pub(super) struct Guess<'t> {
     /// Without columns.
     pub dialect: Dialect,
     /// Rows before the data.
     pub header: usize,
     /// The last of them.
-    pub names: Option<Row>,
+    pub names: Option<Row<'t>>,
     /// Rows of data that were looked at, and those that have as many fields as most, two of them numbers.
     pub rows: usize,
     pub read: usize,
@@ -47,7 +48,7 @@ pub(super) struct Guess {
     /// Of each column, whether it holds numbers alone (or cells that say "not measured").
     pub numeric: Vec<bool>,
     /// The first row of data.
-    pub first: Row,
+    pub first: Row<'t>,
     /// Numbers, those with a decimal mark, and those with it before exactly three digits.
     pub numbers: usize,
     pub fractions: usize,
@@ -55,7 +56,7 @@ pub(super) struct Guess {
     score: f64,
 }
 
-impl Guess {
+impl Guess<'_> {
     /// Share of the rows that read this way.
     pub fn share(&self) -> f64 {
         self.read as f64 / self.rows.max(1) as f64
@@ -63,8 +64,8 @@ impl Guess {
 }
 
 /// Ways to split the text, or the cells of a sheet, that explain it nearly as well as the best one, which is the first.
-pub(super) fn guesses(text: &str, sheet: Option<&str>) -> Vec<Guess> {
-    let sample: String = text.lines().take(SAMPLE).flat_map(|line| [line, "\n"]).collect();
+pub(super) fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> {
+    let sample = &text[..text.split_inclusive('\n').take(SAMPLE).map(str::len).sum()];
     let starts = |mark: &&str| sample.lines().any(|line| line.trim_start().starts_with(*mark));
     let comment = COMMENTS.into_iter().find(starts);
     let last = text.lines().rev().find(|line| !line.trim().is_empty()).unwrap_or("").trim();
@@ -86,7 +87,7 @@ pub(super) fn guesses(text: &str, sheet: Option<&str>) -> Vec<Guess> {
             ..Dialect::default()
         })
         .filter(|dialect| Dialect { columns: some_columns(), ..dialect.clone() }.check().is_empty())
-        .filter_map(|dialect| guess(&sample, dialect))
+        .filter_map(|dialect| guess(sample, dialect))
         .collect();
     guesses.sort_by(|a, b| b.score.total_cmp(&a.score));
     let best = guesses.first().map_or(0.0, |g| g.score);
@@ -99,13 +100,13 @@ fn some_columns() -> Columns {
     vec![crate::import::format::Role::X, crate::import::format::Role::Y].into()
 }
 
-fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess> {
+fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let (all, _) = split("", sample, &dialect);
     let missing = Missing::default();
-    let is_number = |field: &String| marked(field, dialect.decimal, dialect.thousands).is_ok();
+    let is_number = |field: &Cow<str>| marked(field, dialect.decimal, dialect.thousands).is_ok();
     let numbers = |row: &Row| row.fields.iter().filter(|f| is_number(f)).count();
     let header = all.iter().position(|row| numbers(row) >= 2)?;
-    let end = dialect.end.as_ref().and_then(|end| all.iter().position(|row| row.fields.first() == Some(end)));
+    let end = dialect.end.as_ref().and_then(|end| all.iter().position(|row| row.field(0) == end));
     let data = &all[header..end.unwrap_or(all.len()).max(header)];
     // fields behind the last one that holds something are none
     let width = |row: &Row| row.fields.iter().rposition(|f| !f.is_empty()).map_or(0, |i| i + 1);
@@ -118,10 +119,10 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess> {
     };
     let good: Vec<&Row> = data.iter().filter(|row| fits(row)).collect();
     let first = (*good.first()?).clone();
-    let used: Vec<&String> = good.iter().flat_map(|row| &row.fields).filter(|f| is_number(f)).collect();
+    let used: Vec<&Cow<str>> = good.iter().flat_map(|row| &row.fields).filter(|f| is_number(f)).collect();
     let mark = if dialect.decimal == Decimal::Point { '.' } else { ',' };
     let fractions = used.iter().filter(|f| f.contains(mark)).count();
-    let three = |field: &&&String| {
+    let three = |field: &&&Cow<str>| {
         field.split_once(mark).is_some_and(|(_, after)| after.len() == 3 && after.bytes().all(|b| b.is_ascii_digit()))
     };
     let threes = used.iter().filter(three).count();
@@ -134,7 +135,7 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess> {
     let passed = all[..header].iter().filter(|row| !worded(row)).count();
     let taken = good.len() as f64 / (data.len() + passed) as f64;
     let score = plain * taken * (0.5 + 0.5 * fractions as f64 / used.len().max(1) as f64);
-    let holds = |field: &String| is_number(field) || missing.says(field);
+    let holds = |field: &Cow<str>| is_number(field) || missing.says(field);
     let numeric = (0..columns)
         .map(|c| good.iter().filter_map(move |row| row.fields.get(c)))
         .map(|fields| fields.clone().all(holds) && fields.clone().any(is_number));

@@ -2,6 +2,7 @@
 
 use super::guess::Guess;
 use super::lexer::marked;
+use std::borrow::Cow;
 use crate::import::format::Decimal;
 use crate::import::format::Role;
 
@@ -26,8 +27,8 @@ fn single(roles: Vec<Role>) -> Vec<Role> {
 }
 
 /// The names of all columns, if the header has as many as the data.
-pub(super) fn names(guess: &Guess) -> Option<Vec<&str>> {
-    let names = guess.names.as_ref()?.fields.iter().map(String::as_str);
+pub(super) fn names<'g>(guess: &'g Guess) -> Option<Vec<&'g str>> {
+    let names = guess.names.as_ref()?.fields.iter().map(AsRef::as_ref);
     let names: Vec<&str> = names.collect();
     // a header of words, not of numbers
     (names.len() >= guess.numeric.len() && names.iter().any(|n| n.contains(char::is_alphabetic)))
@@ -94,7 +95,7 @@ fn is_time(cell: &str) -> bool {
 
 /// Whether the last three numbers of the first row are a direction.
 fn direction(guess: &Guess) -> bool {
-    let number = |field: &String| marked(field, guess.dialect.decimal, guess.dialect.thousands).ok();
+    let number = |field: &Cow<str>| marked(field, guess.dialect.decimal, guess.dialect.thousands).ok();
     let numbers: Vec<f64> = guess.first.fields.iter().filter_map(number).collect();
     let [.., i, j, k] = numbers[..] else { return false };
     (crate::base::pose::norm([i, j, k]) - 1.0).abs() < 0.01

@@ -13,9 +13,9 @@ fn unreadable_rows_hide_nothing() {
     scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = -1.0");
     scratch.replace("robot.toml", "[nominal]", "bending = [2]\n\n[nominal]\nseven = 7.0");
     let parts = [
-        "is no number",
+        "is not a number",
         "exports/poses.txt:1:7",
-        "`one` is no number",
+        "`one` is not a number",
         "encoders.csv:2:3",
         "no point has the label `rail3_b`",
         "`calibration` selects no pose that was measured",
@@ -120,7 +120,7 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
     let scratch = copy_sample("prexyt-cmm");
     let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
     for (text, parts) in [
-        (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "is no number"]),
+        (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "is not a number"]),
         (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "is no whole number"]),
         (head.replace("rho2_mm", "rho2") + "1,1,K,1,2,3,4,5\n", ["observations.csv", "no column `rho2_mm`"]),
         (format!("{head}1,1,K,1,2,3,4,5\n1,1,K,1,2,3,4,5\n"), ["observations.csv:3", "occurs twice"]),

@@ -43,7 +43,7 @@ fn errors_about_values_say_what_to_do() {
         let line = text.lines().nth(1).unwrap();
         let (head, _) = line.rsplit_once(',').unwrap();
         std::fs::write(scratch.path().join("encoders.csv"), text.replacen(line, &format!("{head},{cell}"), 1)).unwrap();
-        hinted(&scratch, &["is no number", "encoders.csv:2"]);
+        hinted(&scratch, &["is not a number", "encoders.csv:2"]);
     }
     hinted(&changed("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\""), &["equal counts"]);
 }

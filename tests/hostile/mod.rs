@@ -101,7 +101,7 @@ fn a_path_may_not_leave_the_folder() {
 
 #[test]
 fn a_decimal_comma_is_not_read_as_something_else() {
-    broken("exports/world.txt", ".", ",", &["is no number", "exports/world.txt:1", "decimal"]);
+    broken("exports/world.txt", ".", ",", &["is not a number", "exports/world.txt:1", "decimal"]);
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn a_column_that_the_log_does_not_have() {
 
 #[test]
 fn words_in_a_log_are_reported_with_their_rows() {
-    broken("encoders.csv", "\n1,1,", "\n1,x,", &["is no number", "encoders.csv:2"]);
+    broken("encoders.csv", "\n1,1,", "\n1,x,", &["is not a number", "encoders.csv:2"]);
 }
 
 #[test]

@@ -100,7 +100,7 @@ fn every_byte_may_be_damaged() {
 #[test]
 fn numbers_that_are_none_are_errors_with_their_line() {
     for wrong in ["nan", "INF", "1,5", "1e999", "0x10", "1.2.3", "--1"] {
-        error(&plane(WHOLE, &SET.replace("1 0 0", &format!("{wrong} 0 0"))), &[wrong, "is no number", "f.qif:4"]);
+        error(&plane(WHOLE, &SET.replace("1 0 0", &format!("{wrong} 0 0"))), &[wrong, "is not a number", "f.qif:4"]);
     }
 }
 

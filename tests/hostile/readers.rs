@@ -54,7 +54,7 @@ fn trap_1_a_tolerance_in_another_encoding_is_told() {
 fn all_that_is_wrong_in_a_report_is_told_at_once() {
     let wrong = REPORT.replace("1.002", "1,002").replace("3.500", "3.5x0").replace("6.5", "6.5.1");
     let said = read("polyworks_report", &wrong, Unit::Millimetre).unwrap_err();
-    for part in ["f.txt:4", "f.txt:7:", "f.txt:10:", "`3.5x0` is no number", "`6.5.1` is no number", "hint:"] {
+    for part in ["f.txt:4", "f.txt:7:", "f.txt:10:", "`3.5x0` is not a number", "`6.5.1` is not a number", "hint:"] {
         assert!(said.contains(part), "{part}:\n{said}");
     }
     refused("polyworks_report", "no report\n", &["no row of `f.txt` names the columns"]);
@@ -126,7 +126,7 @@ fn dmis_records_go_on_after_a_dollar_and_hold_nominals_that_are_not_measured() {
         &DMIS.replace("3.5, 0", "3.5x, 0").replace("25.4", "d"),
         &["f.txt:6:3", "`3.5x`", "`d`", "f.txt:8:"],
     );
-    refused("dmis", &DMIS.replace("2.5, $", "2.5,"), &["`` is no number", "f.txt:5:38"]);
+    refused("dmis", &DMIS.replace("2.5, $", "2.5,"), &["`` is not a number", "f.txt:5:38"]);
     refused("dmis", &DMIS.replace("0, 0, 1\nTA", "0, 0, 7\nTA"), &["neither a unit vector nor angles"]);
 }
 

@@ -48,7 +48,7 @@ fn rules_on_rigid_parts_are_checked_beside_unreadable_rows() {
     scratch.replace("encoders.csv", "\n1,1,", "\n1,x,");
     let rigid = "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = -0.1\n[[rigid]]\ntargets = [\"K\", \"K\"]\ntolerance_mm = 1.0\n[log]";
     scratch.replace("campaign.toml", "[log]", rigid);
-    said(&scratch, &["`x` is no number", "tolerance_mm = -0.1", "`tolerance_mm` of a rigid part", "each named once"]);
+    said(&scratch, &["`x` is not a number", "tolerance_mm = -0.1", "`tolerance_mm` of a rigid part", "each named once"]);
 }
 
 #[test]
@@ -162,8 +162,8 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
     for (rows, parts) in [
         ("1.5,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1.5,1,L,1,2,3,4,5", "`1.5` is no whole number"]),
         ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "`1e300` is no whole number"]),
-        ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "`x` is no number"]),
-        ("1,1,L,nan,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,nan,2,3,4,5", "`nan` is no number"]),
+        ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "`x` is not a number"]),
+        ("1,1,L,nan,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,nan,2,3,4,5", "`nan` is not a number"]),
         ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "the row has 7 fields"]),
         ("1,1,L,1,2,3,4,5,6\n", ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "the row has 9 fields"]),
         ("1,1,K,1,2,3,4,5\n", ["observations.csv:3", "| 1,1,K,1,2,3,4,5", "occurs twice"]),

@@ -62,7 +62,7 @@ fn trap_3_a_semicolon_does_not_mean_a_decimal_comma() {
     assert_eq!(points[0].xyz_mm, [-274.556, -3189.212, -248.113]);
     let told = said(text, &format!("{{ delimiter = \";\", decimal = \",\", {LXYZ} }}"));
     assert!(told.contains("a decimal point? then state `decimal = \".\"`"), "{told}");
-    assert_eq!(told.matches("is no number").count(), 3, "all cells are told at once: {told}");
+    assert_eq!(told.matches("is not a number").count(), 3, "all cells are told at once: {told}");
 }
 
 #[test]
@@ -76,10 +76,10 @@ fn trap_7_what_was_not_measured_is_listed_and_never_a_number() {
     assert_eq!((reasons[4], reasons[6]), ("not measured: x is `*********`", "not measured: y is `*****`"));
     assert_eq!(reasons[7], "not measured: no coordinates");
     // half an empty row is no statement
-    assert!(said("A;1;;3\n", &format!("{{ delimiter = \";\", {LXYZ} }}")).contains("`` is no number"));
+    assert!(said("A;1;;3\n", &format!("{{ delimiter = \";\", {LXYZ} }}")).contains("`` is not a number"));
     // what the campaign states holds instead of all that
     let none = format!("{{ delimiter = \";\", {LXYZ}, missing = [\"999\"] }}");
-    assert!(said("A;---;2;3\n", &none).contains("`---` is no number"));
+    assert!(said("A;---;2;3\n", &none).contains("`---` is not a number"));
     assert!(read("A;999;2;3\n", &none).unwrap()[0].refused.is_some());
 }
 

@@ -10,7 +10,8 @@ use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
 use crate::base::message::{Message, Place, Problems};
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::lexer::{Row as Fields, cell_place, number};
+use crate::import::lexer::{Row as Fields, number};
+use std::borrow::Cow;
 
 /// Table files of Zeiss Calypso.
 pub(super) struct Calypso;
@@ -44,22 +45,22 @@ impl ExportFormat for Calypso {
 /// A table with a header.
 struct Table<'a> {
     text: &'a Text<'a>,
-    names: Vec<&'a str>,
-    rows: Vec<(usize, Vec<&'a str>)>,
+    names: Fields<'a>,
+    rows: Vec<Fields<'a>>,
 }
 
 impl<'a> Table<'a> {
     fn column(&self, name: &str) -> Option<usize> {
-        self.names.iter().position(|n| *n == name)
+        self.names.fields.iter().position(|n| n == name)
     }
 
-    fn cell(&self, row: &[&'a str], column: Option<usize>) -> &'a str {
-        column.and_then(|at| row.get(at)).copied().unwrap_or("")
+    /// The cell of a row; empty where there is no such column.
+    fn cell<'r>(&self, row: Option<&'r Fields>, column: Option<usize>) -> &'r str {
+        row.zip(column).map_or("", |(row, at)| row.field(at))
     }
 
-    fn place(&self, line: usize, fields: &[&str], at: usize) -> Place {
-        let row = Fields { line, fields: fields.iter().map(|f| (*f).to_owned()).collect() };
-        cell_place(self.text.file, &row, self.text.shown(line), at)
+    fn place(&self, row: &Fields, at: usize) -> Place {
+        row.cell(self.text.file, at)
     }
 }
 
@@ -85,9 +86,7 @@ fn no_table(table: &Table) -> Message {
         return Message::error("the first row names no columns of a Calypso table")
             .expected("`featureid`, `idsymbol` and `actual`, or `x`, `y`, `z` and `featureid`, separated by tabs");
     }
-    let empty = Vec::new();
-    let first = table.rows.first().map_or(&empty, |(_, row)| row);
-    let said = |name: &str| match table.cell(first, table.column(name)) {
+    let said = |name: &str| match table.cell(table.rows.first(), table.column(name)) {
         "" => "not stated".to_owned(),
         value => value.to_owned(),
     };
@@ -99,28 +98,31 @@ fn no_table(table: &Table) -> Message {
 
 /// Splits the file; surplus fields and rows after the end are reported.
 fn table<'a>(text: &'a Text, problems: &mut Problems) -> Table<'a> {
-    let split = |line: &'a str| -> Vec<&'a str> { line.split('\t').map(|f| f.trim().trim_matches('"')).collect() };
-    let names = text.lines.first().map_or(Vec::new(), |line| split(line));
-    for (at, name) in names.iter().enumerate().filter(|(at, name)| !name.is_empty() && names[..*at].contains(name)) {
+    let split = |line: usize| {
+        let fields = text.shown(line).split('\t').map(|f| f.trim().trim_matches('"'));
+        Fields::of(line, text.shown(line), fields)
+    };
+    let names = split(1);
+    let again = |(at, name): &(usize, &Cow<str>)| !name.is_empty() && names.fields[..*at].contains(name);
+    for (at, name) in names.fields.iter().enumerate().filter(again) {
         let message = Message::error(format!("the header names `{name}` twice"));
-        let row = Fields { line: 1, fields: names.iter().map(|n| (*n).to_owned()).collect() };
-        problems.0.push(message.at(cell_place(text.file, &row, text.shown(1), at)));
+        problems.0.push(message.at(names.cell(text.file, at)));
     }
     let mut table = Table { text, names, rows: Vec::new() };
     let mut ended = false;
     for (i, line) in text.lines.iter().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty()) {
-        let fields = split(line);
+        let row = split(i + 1);
         if ended {
             problems.0.push(Message::error("the table goes on after its `END`").at(text.place(i + 1)));
             return table;
         }
         if line.trim() == "END" {
             ended = true;
-        } else if fields.iter().skip(table.names.len()).any(|f| !f.is_empty()) {
-            let message = Message::error(format!("the row has {} fields", fields.len())).at(text.place(i + 1));
-            problems.0.push(message.expected(format!("at most {}, as the header", table.names.len())));
+        } else if row.fields.iter().skip(table.names.fields.len()).any(|f| !f.is_empty()) {
+            let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(i + 1));
+            problems.0.push(message.expected(format!("at most {}, as the header", table.names.fields.len())));
         } else {
-            table.rows.push((i + 1, fields));
+            table.rows.push(row);
         }
     }
     table
@@ -131,18 +133,19 @@ fn characteristics(table: &Table, decimal: Decimal, unit: Unit, problems: &mut P
     let column = |name: &str| table.column(name);
     let (feature, symbol, actual) = (column("featureid"), column("idsymbol"), column("actual"));
     let mut pivot = Pivot::default();
-    for (line, row) in &table.rows {
-        let (label, symbol) = (table.cell(row, feature), table.cell(row, symbol));
-        let run = format!("{}\t{}", table.cell(row, column("planid")), table.cell(row, column("partnb")));
+    for row in &table.rows {
+        let cell = |at: Option<usize>| table.cell(Some(row), at);
+        let (label, symbol) = (cell(feature), cell(symbol));
+        let run = format!("{}\t{}", cell(column("planid")), cell(column("partnb")));
         if label.is_empty() || symbol.is_empty() {
             let message = Message::error("the row does not say which characteristic of which feature it is");
-            problems.0.push(message.at(table.text.place(*line)).hint("was the file cut off?"));
+            problems.0.push(message.at(row.place(table.text.file)).hint("was the file cut off?"));
             continue;
         }
         let said = match ["xValue", "yValue", "zValue"].iter().position(|axis| *axis == symbol) {
-            Some(axis) => match coordinate(table, *line, row, actual, decimal) {
+            Some(axis) => match coordinate(table, row, actual, decimal) {
                 Ok(value) => {
-                    let stated = unit_of(table, *line, row, unit);
+                    let stated = unit_of(table, row, unit);
                     problems.0.extend(stated.err());
                     Said::Coordinate(axis, value)
                 }
@@ -153,7 +156,7 @@ fn characteristics(table: &Table, decimal: Decimal, unit: Unit, problems: &mut P
             },
             None => Said::Other(symbol.to_owned()),
         };
-        pivot.add(*line, label, &run, said);
+        pivot.add(row.line, label, &run, said);
     }
     pivot.rows(table.text, unit)
 }
@@ -163,29 +166,29 @@ fn features(table: &Table, decimal: Decimal, unit: Unit, problems: &mut Problems
     let label = table.column("featureid").or(table.column("id"));
     let axes = ["x", "y", "z"].map(|axis| table.column(axis));
     let mut points = Vec::new();
-    for (line, row) in &table.rows {
-        let name = table.cell(row, label);
-        if axes.iter().all(|at| table.cell(row, *at).is_empty()) {
-            points.push(table.text.no_point(*line, name, "not measured: no coordinates"));
+    for row in &table.rows {
+        let name = table.cell(Some(row), label);
+        if axes.iter().all(|at| table.cell(Some(row), *at).is_empty()) {
+            points.push(table.text.no_point(row.line, name, "not measured: no coordinates"));
             continue;
         }
         let xyz = axes.map(|at| {
-            coordinate(table, *line, row, at, decimal).unwrap_or_else(|message| {
+            coordinate(table, row, at, decimal).unwrap_or_else(|message| {
                 problems.0.push(message);
                 f64::NAN
             })
         });
-        problems.0.extend(unit_of(table, *line, row, unit).err());
-        points.push(table.text.point(*line, name, xyz, unit));
+        problems.0.extend(unit_of(table, row, unit).err());
+        points.push(table.text.point(row.line, name, xyz, unit));
     }
     points
 }
 
-fn coordinate(table: &Table, line: usize, row: &[&str], at: Option<usize>, decimal: Decimal) -> Result<f64, Message> {
-    number(table.cell(row, at), decimal).map_err(|message| {
+fn coordinate(table: &Table, row: &Fields, at: Option<usize>, decimal: Decimal) -> Result<f64, Message> {
+    number(table.cell(Some(row), at), decimal).map_err(|message| {
         let place = match at {
-            Some(at) if at < row.len() => table.place(line, row, at),
-            _ => table.text.place(line),
+            Some(at) if at < row.fields.len() => table.place(row, at),
+            _ => row.place(table.text.file),
         };
         let hint = "a decimal comma? Then state `format = \"calypso, decimal comma\"`; a row may also be cut off";
         message.at(place).hint(hint)
@@ -193,9 +196,9 @@ fn coordinate(table: &Table, line: usize, row: &[&str], at: Option<usize>, decim
 }
 
 /// An error where the row states another unit than the campaign; older versions state none.
-fn unit_of(table: &Table, line: usize, row: &[&str], stated: Unit) -> Result<(), Message> {
+fn unit_of(table: &Table, row: &Fields, stated: Unit) -> Result<(), Message> {
     let Some(at) = table.column("unit") else { return Ok(()) };
-    let of_file = match table.cell(row, Some(at)) {
+    let of_file = match row.field(at) {
         "" => return Ok(()),
         "mm" => Unit::Millimetre,
         "inch" | "in" => Unit::Inch,
@@ -203,8 +206,8 @@ fn unit_of(table: &Table, line: usize, row: &[&str], stated: Unit) -> Result<(),
         "um" | "µm" | "μm" => Unit::Micrometre,
         other => {
             let message = Message::error(format!("`{other}` is no unit of a coordinate"));
-            return Err(message.at(table.place(line, row, at)).expected("mm, m, um or inch"));
+            return Err(message.at(table.place(row, at)).expected("mm, m, um or inch"));
         }
     };
-    unit_agrees(stated, of_file, "column `unit`", table.place(line, row, at))
+    unit_agrees(stated, of_file, "column `unit`", table.place(row, at))
 }

@@ -11,7 +11,7 @@ use crate::import::format::{
 };
 use crate::import::header_unit::header_unit;
 use crate::import::lexer;
-use crate::import::lexer::{Row, cell_place, split};
+use crate::import::lexer::{Row, split};
 use crate::import::lexer::{WHOLE, marked};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
@@ -91,7 +91,7 @@ impl Named {
     }
 }
 
-fn columns_in(delimiter: Delimiter, columns: &[Role]) -> Dialect {
+pub(super) fn columns_in(delimiter: Delimiter, columns: &[Role]) -> Dialect {
     Dialect { delimiter: Some(delimiter), columns: columns.to_vec().into(), ..Dialect::default() }
 }
 
@@ -120,11 +120,9 @@ pub(crate) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) 
     if dialect.sheet.is_some() {
         // cells behind the last one of a row are empty, and not written
         let width = rows.iter().map(|row| row.fields.len()).max().unwrap_or(0);
-        rows.iter_mut().for_each(|row| row.fields.resize(width, String::new()));
+        rows.iter_mut().for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
     }
-    let lines: Vec<&str> = text.lines().collect();
-    let shown = |row: &Row| lines.get(row.line - 1).copied().unwrap_or("");
-    let (rows, roles) = match data(file, rows, &shown, (dialect, unit)) {
+    let (rows, roles) = match data(file, rows, dialect, unit) {
         Ok((rows, roles, more)) => {
             problems.0.extend(more);
             (rows, roles)
@@ -135,26 +133,26 @@ pub(crate) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) 
         }
     };
     let reader = Reader { file, dialect, unit, roles };
-    let points: Vec<Point> = rows.iter().filter_map(|row| reader.point(row, shown(row), &mut problems)).collect();
+    let points: Vec<Point> = rows.iter().filter_map(|row| reader.point(row, &mut problems)).collect();
     problems.0.extend(reader.looks_spherical(&points));
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     (points, problems)
 }
 
 /// Data rows, what their columns hold, and remarks.
-type Data = (Vec<Row>, Vec<Role>, Vec<Message>);
+type Data<'t> = (Vec<Row<'t>>, Vec<Role>, Vec<Message>);
 
 /// The data rows between header and end, and what their columns hold.
 fn data<'t>(
     file: &str,
-    mut rows: Vec<Row>,
-    shown: &impl Fn(&Row) -> &'t str,
-    (dialect, unit): (&Dialect, Unit),
-) -> Result<Data, Vec<Message>> {
+    mut rows: Vec<Row<'t>>,
+    dialect: &Dialect,
+    unit: Unit,
+) -> Result<Data<'t>, Vec<Message>> {
     let before = match &dialect.header {
         Header::Rows(count) => *count,
         Header::Words(words) => {
-            let holds = |row: &Row| words.iter().all(|word| shown(row).contains(word.as_str()));
+            let holds = |row: &Row| words.iter().all(|word| row.text.contains(word.as_str()));
             let Some(at) = rows.iter().position(holds) else {
                 let what = format!("no line holds the words of the header: {}", words.join(", "));
                 return Err(vec![Message::error(what).at(Place::file(file))]);
@@ -163,26 +161,26 @@ fn data<'t>(
         }
     };
     let mut rest = rows.split_off(before.min(rows.len()));
-    let roles = roles(file, rows.last(), shown, dialect, rest.first())?;
+    let roles = roles(file, rows.last(), dialect, rest.first())?;
     let mut remarks = Vec::new();
     if let Some(header) = rows.last() {
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
-        let other = |(_, name): &(&Role, &String)| header_unit(name).is_some_and(|said| said != unit);
+        let other = |(_, name): &(&Role, &Cow<str>)| header_unit(name).is_some_and(|said| said != unit);
         if let Some((_, name)) = lengths.into_iter().find(other) {
             let what = format!("the header says `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
             remarks.push(
                 Message::error(what)
-                    .at(Place::line(file, header.line, shown(header)))
+                    .at(header.place(file))
                     .hint("state the unit of the file"),
             );
         }
     }
     if let Some(end) = &dialect.end {
-        let is_end = |row: &Row| row.fields.first() == Some(end) && row.fields[1..].iter().all(String::is_empty);
+        let is_end = |row: &Row| row.field(0) == end && row.fields[1..].iter().all(|f| f.is_empty());
         if let Some(at) = rest.iter().position(is_end) {
             if let Some(row) = rest.get(at + 1) {
                 let message = Message::error(format!("there are rows behind `{end}`, which ends the data"));
-                remarks.push(message.at(Place::line(file, row.line, shown(row))));
+                remarks.push(message.at(row.place(file)));
             }
             rest.truncate(at);
         }
@@ -191,10 +189,9 @@ fn data<'t>(
 }
 
 /// What each column holds.
-fn roles<'t>(
+fn roles(
     file: &str,
     header: Option<&Row>,
-    shown: &impl Fn(&Row) -> &'t str,
     dialect: &Dialect,
     first: Option<&Row>,
 ) -> Result<Vec<Role>, Vec<Message>> {
@@ -210,7 +207,7 @@ fn roles<'t>(
     let width = fields.len().max(first.map_or(0, |row| row.fields.len()));
     let mut roles = vec![Role::Skip; width];
     let mut wrong = Vec::new();
-    let at = || header.map_or_else(|| Place::file(file), |row| Place::line(file, row.line, shown(row)));
+    let at = || header.map_or_else(|| Place::file(file), |row| row.place(file));
     for (role, column) in named {
         let found = match column {
             ColumnAt::Number(n) => vec![n - 1],
@@ -229,7 +226,7 @@ fn roles<'t>(
             ([one], _) => roles[*one] = *role,
             ([], ColumnAt::Name(name)) => {
                 let message = Message::error(format!("the header has no column `{name}`")).at(at());
-                wrong.push(message.hint_names(name, fields.iter().map(String::as_str)));
+                wrong.push(message.hint_names(name, fields.iter().map(Cow::as_ref)));
             }
             (_, column) => {
                 let name = if let ColumnAt::Name(name) = column { name.as_str() } else { "" };
@@ -252,8 +249,8 @@ struct Reader<'a> {
 impl Reader<'_> {
     /// One point. Numbers that do not read are reported, and leave it without a place; a row that is no row of the
     /// stated columns is reported, and gives none.
-    fn point(&self, row: &Row, shown: &str, problems: &mut Problems) -> Option<Point> {
-        let line = || Place::line(self.file, row.line, shown);
+    fn point(&self, row: &Row, problems: &mut Problems) -> Option<Point> {
+        let line = || row.place(self.file);
         let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());
         if surplus || row.fields.len() < self.roles.iter().rposition(|r| *r != Role::Skip).map_or(0, |i| i + 1) {
             let message = Message::error(format!("the row has {} columns", row.fields.len())).at(line());
@@ -264,15 +261,15 @@ impl Reader<'_> {
         let roles = match self.of_this_row(row) {
             Ok(roles) => roles,
             Err((message, cell)) => {
-                problems.0.push(message.at(cell_place(self.file, row, shown, cell)));
+                problems.0.push(message.at(row.cell(self.file, cell)));
                 return None;
             }
         };
-        let mut point = Point { line: row.line, text: shown.to_owned(), ..Point::default() };
+        let mut point = Point { line: row.line, text: row.text.to_owned(), ..Point::default() };
         let before = problems.0.len();
         let mut wrong =
-            |message: Message, cell: usize| problems.0.push(message.at(cell_place(self.file, row, shown, cell)));
-        let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_str()));
+            |message: Message, cell: usize| problems.0.push(message.at(row.cell(self.file, cell)));
+        let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_ref()));
         let mut value = |i: usize, field: &str| {
             let read = marked(field, self.dialect.decimal, self.dialect.thousands);
             let hinted = |message: Message| match field.is_empty() && self.dialect.sheet.is_some() {
@@ -334,7 +331,7 @@ impl Reader<'_> {
     /// What the columns hold in this row, where each row says it; or what is wrong, and in which cell.
     fn of_this_row(&self, row: &Row) -> Result<Cow<'_, [Role]>, (Message, usize)> {
         let Some(at) = self.roles.iter().position(|r| *r == Role::Type) else { return Ok(Cow::Borrowed(&self.roles)) };
-        let name = row.fields.get(at).map_or("", String::as_str);
+        let name = row.field(at);
         let Some(meant) = self.dialect.types.get(name) else {
             let known: Vec<&str> = self.dialect.types.keys().map(String::as_str).collect();
             let message = Message::error(format!("`types` does not say what coordinates of type `{name}` are"));

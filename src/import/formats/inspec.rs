@@ -9,7 +9,7 @@ use crate::base::message::{Message, Problems};
 use crate::base::pose::Vector;
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::lexer::{Row as Fields, cell_place, number};
+use crate::import::lexer::{Row as Fields, number};
 
 /// Exports of Micro-Vu InSpec.
 pub(super) struct Inspec;
@@ -93,7 +93,7 @@ fn labelled(line: &str) -> Option<(&str, &str)> {
 
 /// Three numbers separated by commas.
 fn numbers(text: &Text, line: usize, values: &str) -> Result<Vector, Vec<Message>> {
-    let row = Fields { line, fields: values.split(',').map(|f| f.trim().to_owned()).collect() };
+    let row = Fields::of(line, text.shown(line), values.split(',').map(str::trim));
     if row.fields.len() != 3 {
         let message = Message::error(format!("the row has {} values", row.fields.len())).at(text.place(line));
         return Err(vec![message.expected("x, y and z").hint("was the file cut off?")]);
@@ -102,7 +102,6 @@ fn numbers(text: &Text, line: usize, values: &str) -> Result<Vector, Vec<Message
     if let [Ok(x), Ok(y), Ok(z)] = read[..] {
         return Ok([x, y, z]);
     }
-    let shown = text.shown(line);
     let wrong = read.into_iter().enumerate().filter_map(|(at, value)| value.err().map(|m| (at, m)));
-    Err(wrong.map(|(at, message)| message.at(cell_place(text.file, &row, shown, at))).collect())
+    Err(wrong.map(|(at, message)| message.at(row.cell(text.file, at))).collect())
 }

@@ -6,7 +6,7 @@ use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
 use crate::base::message::{Message, Problems};
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::lexer::{Row as Fields, cell_place, number};
+use crate::import::lexer::{Row as Fields, number};
 
 /// Files `.xyz` of PC-DMIS.
 pub(super) struct PcdmisXyz;
@@ -43,7 +43,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     }
     let mut points = Vec::new();
     for (i, line) in text.lines.iter().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty()) {
-        let row = Fields { line: i + 1, fields: line.split(',').map(|f| f.trim().to_owned()).collect() };
+        let row = Fields::of(i + 1, line, line.split(',').map(str::trim));
         if row.fields.len() < 3 {
             let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(i + 1));
             let message = message.expected("three to eight numbers separated by commas");
@@ -54,7 +54,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
         for (at, field) in row.fields.iter().enumerate() {
             match number(field, Decimal::Point) {
                 Ok(value) => values.push(value),
-                Err(message) => problems.0.push(message.at(cell_place(text.file, &row, line, at))),
+                Err(message) => problems.0.push(message.at(row.cell(text.file, at))),
             }
         }
         let xyz = if values.len() == row.fields.len() { [values[0], values[1], values[2]] } else { [f64::NAN; 3] };

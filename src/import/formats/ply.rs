@@ -5,7 +5,7 @@ use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
 use crate::import::Point;
 use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::lexer::{Row as Fields, cell_place, number};
+use crate::import::lexer::{Row as Fields, number};
 
 /// Vertices of PLY.
 pub(super) struct Ply;
@@ -85,10 +85,10 @@ fn ascii(
     let skipped = skipped.and_then(|n| usize::try_from(n).ok()).unwrap_or(usize::MAX);
     let count = usize::try_from(vertex.count).unwrap_or(usize::MAX);
     for (i, line) in lines().skip(skipped).take(count) {
-        let fields: Vec<&str> = line.split_whitespace().collect();
+        let row = Fields::of(i + 1, line, line.split_whitespace());
         let lists = vertex.properties.iter().any(|p| matches!(p, Property::List(..)));
-        if !lists && fields.len() != vertex.properties.len() {
-            let message = Message::error(format!("the vertex has {} values", fields.len())).at(text.place(i + 1));
+        if !lists && row.fields.len() != vertex.properties.len() {
+            let message = Message::error(format!("the vertex has {} values", row.fields.len())).at(text.place(i + 1));
             problems.0.push(message.expected(vertex.properties.len().to_string()));
         }
         if lists {
@@ -96,10 +96,8 @@ fn ascii(
             return Err(message.hint("export the points without lists"));
         }
         let mut value = |at: usize| {
-            let field = fields.get(at).copied().unwrap_or("");
-            number(field, Decimal::Point).unwrap_or_else(|message| {
-                let row = Fields { line: i + 1, fields: fields.iter().map(|f| (*f).to_owned()).collect() };
-                problems.0.push(message.at(cell_place(text.file, &row, line, at)));
+            number(row.field(at), Decimal::Point).unwrap_or_else(|message| {
+                problems.0.push(message.at(row.cell(text.file, at)));
                 f64::NAN
             })
         };

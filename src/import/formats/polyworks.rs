@@ -1,10 +1,11 @@
 //! PolyWorks point text: `[name] x y z [i j k]`, blank-separated, no header, decimal point.
 
+use super::delimited::columns_in;
 use super::{About, ExportFormat, Row, Text, Writing};
-use crate::base::message::{Message, Place, Problems};
+use crate::base::message::{Message, Problems};
 use crate::import::cloud::Plain;
-use crate::import::format::{Decimal, Dialect, Unit};
-use crate::import::lexer::{blank_fields, columns_of, number};
+use crate::import::format::{Decimal, Delimiter, Dialect, Unit};
+use crate::import::lexer::{number, split};
 use crate::import::{Point, lexer};
 
 /// Point text of PolyWorks.
@@ -38,21 +39,16 @@ impl ExportFormat for Polyworks {
 
 /// Points of a PolyWorks text, and what does not read; directions are not read.
 fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
-    let mut problems = Problems::default();
+    let (rows, mut problems) = split(file, text, &columns_in(Delimiter::Blank, &[]));
     let mut points = Vec::new();
-    for (i, line) in text.lines().enumerate() {
-        if line.trim().is_empty() {
-            continue;
-        }
-        let place = || Place::line(file, i + 1, line);
-        let fields = blank_fields(line);
-        let named = match fields.len() {
+    for row in rows {
+        let named = match row.fields.len() {
             3 | 6 => 0,
             4 | 7 => 1,
             n => {
                 problems.0.push(
                     Message::error(format!("the row has {n} fields"))
-                        .at(place())
+                        .at(row.place(file))
                         .expected("`x y z`, `x y z i j k`, or the same with a name before it")
                         .hint("quote names that hold blanks, or describe the file with `format = { delimiter = .. }`"),
                 );
@@ -60,16 +56,16 @@ fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
             }
         };
         let mut numbers = Vec::new();
-        for (field, column) in fields.iter().zip(columns_of(line, &fields)).skip(named) {
+        for (at, field) in row.fields.iter().enumerate().skip(named) {
             numbers.push(number(field, Decimal::Point).unwrap_or_else(|message| {
-                problems.0.push(message.at(place().at(column, field.chars().count())));
+                problems.0.push(message.at(row.cell(file, at)));
                 f64::NAN
             }));
         }
         points.push(Point {
-            line: i + 1,
-            text: line.to_owned(),
-            label: if named == 1 { fields[0].clone() } else { String::new() },
+            line: row.line,
+            text: row.text.to_owned(),
+            label: if named == 1 { row.field(0).to_owned() } else { String::new() },
             xyz_mm: [numbers[0], numbers[1], numbers[2]].map(|v| v * unit.in_mm()),
             ..Point::default()
         });

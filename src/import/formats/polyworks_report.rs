@@ -8,7 +8,7 @@ use super::pivot::{Pivot, Said};
 use super::{About, ExportFormat, Recognised, Row, Text, Writing};
 use crate::base::message::{Message, Problems, Result};
 use crate::import::format::{Decimal, Delimiter, Dialect, Unit};
-use crate::import::lexer::{Row as Fields, cell_place, number};
+use crate::import::lexer::{Row as Fields, number, split};
 use crate::import::{Point, lexer};
 
 /// Report tables of PolyWorks|Inspector.
@@ -86,8 +86,10 @@ fn rows(text: &Text, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
     (pivot.rows(text, unit), problems)
 }
 
-/// Places of the columns that count.
+/// The row of names: its line, what separates its columns, and where those are that count.
 struct Columns {
+    line: usize,
+    delimiter: Delimiter,
     name: usize,
     control: usize,
     nominal: Option<usize>,
@@ -98,78 +100,66 @@ struct Columns {
 
 fn read(text: &Text, decimal: Decimal) -> (Vec<Control>, Problems) {
     let mut problems = Problems::default();
-    let Some((first, separator, columns)) = header(text) else {
+    let Some(columns) = header(text) else {
         let message = Message::error(format!("no row of `{}` names the columns of a PolyWorks report", text.file));
         let message = message.expected("a row with `Name`, `Control` and `Meas`");
         problems.0.push(message.hint("a report in another language? State it as delimited text, one control a file"));
         return (Vec::new(), problems);
     };
-    if separator == ',' && decimal == Decimal::Comma {
+    if columns.delimiter == Delimiter::Comma && decimal == Decimal::Comma {
         let message = Message::error("the report is separated by commas, and its decimal mark would be a comma");
-        problems.0.push(message.at(text.place(first + 1)).hint("export it with semicolons or tabs"));
+        problems.0.push(message.at(text.place(columns.line)).hint("export it with semicolons or tabs"));
         return (Vec::new(), problems);
     }
-    let skipped: usize = text.whole.split_inclusive('\n').take(first + 1).map(str::len).sum();
-    let mut reader = csv::ReaderBuilder::new()
-        .delimiter(separator as u8)
-        .has_headers(false)
-        .flexible(true)
-        .from_reader(text.whole.as_bytes().get(skipped..).unwrap_or_default());
+    let dialect = Dialect { delimiter: Some(columns.delimiter), ..Dialect::default() };
+    let (rows, stray) = split(text.file, text.whole, &dialect);
+    let behind = |message: &Message| message.place.as_ref().and_then(|p| p.line) > Some(columns.line);
+    problems.0.extend(stray.0.into_iter().filter(behind));
+    let names = rows.iter().find(|row| row.line == columns.line).map(|row| &row.fields);
     let mut controls = Vec::new();
-    for record in reader.records() {
-        let record = match record {
-            Ok(record) => record,
-            Err(error) => {
-                problems.0.push(Message::error(format!("cannot split the report: {error}")));
-                break;
-            }
-        };
-        let line = first + 1 + record.position().map_or(1, |p| p.line() as usize);
-        let fields: Vec<String> = record.iter().map(|f| f.trim().to_owned()).collect();
-        let row = Fields { line, fields };
-        if row.fields.iter().all(String::is_empty) || row.fields == text_fields(text, first, separator) {
+    for row in rows.iter().filter(|row| row.line > columns.line) {
+        // the names may be repeated on every page
+        if row.fields.iter().all(|f| f.is_empty()) || Some(&row.fields) == names {
             continue;
         }
-        controls.extend(control(text, &columns, &row, decimal, &mut problems));
+        controls.extend(control(text, &columns, row, decimal, &mut problems));
     }
     (controls, problems)
 }
 
-fn text_fields(text: &Text, line: usize, separator: char) -> Vec<String> {
-    text.shown(line + 1).split(separator).map(|f| f.trim().trim_matches('"').to_owned()).collect()
-}
-
-/// Index of the line that names the columns, what separates them, and where they are.
-fn header(text: &Text) -> Option<(usize, char, Columns)> {
+/// The first row that names the columns.
+fn header(text: &Text) -> Option<Columns> {
     text.lines.iter().enumerate().take(1000).find_map(|(i, line)| {
         let after = line.trim_start_matches('"').strip_prefix("Name")?.trim_start_matches('"').chars().next()?;
-        let separator = [',', ';', '\t'].into_iter().find(|s| *s == after)?;
-        let fields = text_fields(text, i, separator);
-        let place = |name: &str| fields.iter().position(|f| f == name);
-        let columns = Columns {
+        let delimiters = [Delimiter::Comma, Delimiter::Semicolon, Delimiter::Tab];
+        let delimiter = delimiters.into_iter().find(|d| d.byte().map(char::from) == Some(after))?;
+        let fields: Vec<&str> = line.split(after).map(|f| f.trim().trim_matches('"')).collect();
+        let place = |name: &str| fields.iter().position(|f| *f == name);
+        Some(Columns {
+            line: i + 1,
+            delimiter,
             name: place("Name")?,
             control: place("Control")?,
             nominal: place("Nom"),
             measured: place("Meas")?,
             tolerance: place("Tol"),
             width: fields.len(),
-        };
-        Some((i, separator, columns))
+        })
     })
 }
 
 fn control(text: &Text, columns: &Columns, row: &Fields, decimal: Decimal, problems: &mut Problems) -> Option<Control> {
-    let field = |at: usize| row.fields.get(at).map_or("", String::as_str);
-    let place = |at: usize| cell_place(text.file, row, text.shown(row.line), at);
+    let field = |at: usize| row.field(at);
+    let place = |at: usize| row.cell(text.file, at);
     let surplus = row.fields.iter().skip(columns.width).any(|f| !f.is_empty());
     if surplus || row.fields.len() <= columns.measured {
-        let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(row.line));
+        let message = Message::error(format!("the row has {} fields", row.fields.len())).at(row.place(text.file));
         let message = message.expected(format!("{}, as the row of names", columns.width));
         problems.0.push(message.hint("was the file cut off, or is a decimal comma in a file separated by commas?"));
         return None;
     }
     if field(columns.name).is_empty() {
-        problems.0.push(Message::error("the row names no feature").at(text.place(row.line)));
+        problems.0.push(Message::error("the row names no feature").at(row.place(text.file)));
         return None;
     }
     // a word in place of a value means that it was not measured; what begins like a number must be one

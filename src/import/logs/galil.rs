@@ -3,7 +3,7 @@
 //! Values are encoder counts; the shorter of several arrays leaves empty places at its end. There is no clock: the period
 //! is that of the controller's `RC` command. Source: galil.com, "Comma-Separated Values (CSV Files)".
 
-use super::sheet::{Sheet, row_place};
+use super::sheet::Sheet;
 use super::{LogFormat, Wanted};
 use crate::base::message::{Message, Problems};
 use crate::document::Refused;
@@ -63,7 +63,7 @@ fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) 
     let ends: Vec<usize> = wanted.iter().map(|(at, _)| filled(*at).map_or(0, |last| last + 1)).collect();
     let (shortest, longest) = (ends.iter().min().copied().unwrap_or(0), ends.iter().max().copied().unwrap_or(0));
     for row in &sheet.rows[..shortest] {
-        for (at, wanted) in wanted.iter().filter(|(at, _)| row.fields.get(*at).is_some_and(String::is_empty)) {
+        for (at, wanted) in wanted.iter().filter(|(at, _)| row.fields.get(*at).is_some_and(|f| f.is_empty())) {
             let message = Message::error(format!("the array of `{}` has a hole", wanted.key.get_ref()));
             let hint = "an array is short at its end alone: upload it again";
             problems.0.push(message.at(sheet.cell(row, *at)).hint(hint));
@@ -74,14 +74,14 @@ fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) 
         format!("no count: the array of {} has ended", short.collect::<Vec<_>>().join(", "))
     };
     let refused = (shortest..longest).map(|i| {
-        let line = sheet.rows[i].line;
-        Refused { line, text: sheet.line(line).to_owned(), reason: ended(i) }
+        let row = &sheet.rows[i];
+        Refused { line: row.line, text: row.text.to_owned(), reason: ended(i) }
     });
     let refused = refused.collect();
     sheet.rows.truncate(shortest);
     if sheet.rows.is_empty() {
         let message = Message::error("one of the arrays is empty");
-        problems.0.push(message.at(row_place(sheet, 1)).hint("upload the arrays again, after the recording has ended"));
+        problems.0.push(message.at(sheet.place()).hint("upload the arrays again, after the recording has ended"));
     }
     refused
 }

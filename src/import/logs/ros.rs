@@ -3,7 +3,7 @@
 
 use super::LogFormat;
 use super::sheet::Sheet;
-use crate::base::message::{Message, Place, Problems};
+use crate::base::message::{Message, Problems};
 
 /// ROS messages: joints in any order, named by the header or by their rows.
 pub(super) struct Ros;
@@ -56,9 +56,9 @@ fn name_joints(sheet: &mut Sheet, problems: &mut Problems) {
         let Some(first) = sheet.rows.first().and_then(|row| row.fields.get(at)) else { continue };
         named[to].clone_from(first);
         if let Some(row) = sheet.rows.iter().find(|row| row.fields.get(at) != Some(first)) {
-            let found = row.fields.get(at).map_or("", String::as_str);
+            let found = row.field(at);
             let message = Message::error(format!("joint {number} is `{found}` here, and `{first}` in the first row"));
-            let place = Place::line(sheet.file, row.line, sheet.line(row.line));
+            let place = row.place(sheet.file);
             let hint = "two publishers share the topic: record them into files of their own";
             problems.0.push(message.at(place).hint(hint));
         }

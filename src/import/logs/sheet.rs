@@ -1,12 +1,13 @@
 //! Logs that are one table: a header of names, a row for each time.
 
-use super::super::lexer::{Row, WHOLE, cell_place, number, rows};
+use super::super::lexer::{Row, WHOLE, number, rows};
 use super::super::propose::propose;
 use super::{Columns, LogFormat, Values, Wanted, unit_agrees};
 use crate::base::message::{Message, Place, Problems, Result, Stated};
 use crate::base::table::{ASSEMBLY, LABEL};
 use crate::document::Source;
 use crate::import::Log;
+use std::borrow::Cow;
 use crate::import::format::{ColumnAt, Decimal, Delimiter, two_commas};
 
 /// Delimited text of which nothing is known but what the campaign states.
@@ -29,32 +30,25 @@ impl LogFormat for Delimited {
 /// The rows of a log.
 pub(crate) struct Sheet<'a> {
     pub file: &'a str,
-    /// All lines of the file.
-    pub lines: Vec<&'a str>,
-    pub header: Option<Row>,
-    pub rows: Vec<Row>,
+    pub header: Option<Row<'a>>,
+    pub rows: Vec<Row<'a>>,
 }
 
-impl<'a> Sheet<'a> {
-    /// A line as it stands in the file, from 1.
-    pub fn line(&self, line: usize) -> &'a str {
-        line.checked_sub(1).and_then(|i| self.lines.get(i)).copied().unwrap_or("")
+impl Sheet<'_> {
+    /// Its first row.
+    pub fn place(&self) -> Place {
+        self.header.as_ref().or(self.rows.first()).map_or_else(|| Place::file(self.file), |row| row.place(self.file))
     }
 
-    /// Where a cell stands.
+    /// The place of a cell.
     pub fn cell(&self, row: &Row, index: usize) -> Place {
-        cell_place(self.file, row, self.line(row.line), index)
+        row.cell(self.file, index)
     }
 
     /// Number of columns.
     fn width(&self) -> usize {
         self.header.as_ref().or(self.rows.first()).map_or(0, |row| row.fields.len())
     }
-}
-
-/// A line of the log, from 1.
-pub(super) fn row_place(sheet: &Sheet, line: usize) -> Place {
-    Place::line(sheet.file, line, sheet.line(line))
 }
 
 /// Reads the wanted columns.
@@ -99,7 +93,7 @@ pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, sou
 /// Splits the text into a header and rows of one width.
 fn split<'a>(stated: Stated, log: &'a Log, text: &'a str, problems: &mut Problems) -> Result<Sheet<'a>> {
     let file = log.file.get_ref().as_str();
-    let mut all = rows(file, text, log.delimiter(), None)?;
+    let mut all = rows(file, text, log.delimiter())?;
     let header = if log.header && !all.is_empty() { Some(all.remove(0)) } else { None };
     if all.is_empty() {
         return Err(Message::error(format!("log `{file}` holds no rows"))
@@ -107,12 +101,12 @@ fn split<'a>(stated: Stated, log: &'a Log, text: &'a str, problems: &mut Problem
             .hint("record it again, or state `header = false` if its only row holds values")
             .into());
     }
-    let sheet = Sheet { file, lines: text.lines().collect(), header, rows: all };
+    let sheet = Sheet { file, header, rows: all };
     let width = sheet.width();
     for row in sheet.rows.iter().filter(|row| row.fields.len() != width) {
         problems.0.push(
             Message::error(format!("the row has {} fields", row.fields.len()))
-                .at(row_place(&sheet, row.line))
+                .at(row.place(file))
                 .expected(format!("{width}, as the first row"))
                 .hint("a decimal comma in a file separated by commas? then state `delimiter` and `decimal`"),
         );
@@ -127,13 +121,13 @@ fn split<'a>(stated: Stated, log: &'a Log, text: &'a str, problems: &mut Problem
             }
             None => "state `delimiter` and `decimal` of the log, as its rows have them".to_owned(),
         };
-        return Err(Message::error(what).at(row_place(&sheet, 1)).expected(expected).hint(hint).into());
+        return Err(Message::error(what).at(sheet.place()).expected(expected).hint(hint).into());
     }
     if let Some(header) = sheet.header.as_ref().filter(|h| h.fields.iter().all(|f| is_number(f, log.decimal))) {
         let message = Message::error("the row that should name the columns holds numbers alone");
         let hint = "the file has no header: state `header = false` and give columns by number; with it as a header every \
                     row would be one off";
-        problems.0.push(message.at(row_place(&sheet, header.line)).hint(hint));
+        problems.0.push(message.at(header.place(file)).hint(hint));
     }
     Ok(sheet)
 }
@@ -165,12 +159,12 @@ fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<us
 }
 
 /// Index of the column with this name; of several the stated one.
-fn named(name: &str, occurrence: Option<usize>, header: &[String]) -> std::result::Result<usize, Message> {
+fn named(name: &str, occurrence: Option<usize>, header: &[Cow<str>]) -> std::result::Result<usize, Message> {
     let places: Vec<usize> = (0..header.len()).filter(|&i| header[i] == *name).collect();
     let at: Vec<String> = places.iter().map(|i| (i + 1).to_string()).collect();
     match (&places[..], occurrence) {
         ([], _) => Err(Message::error(format!("the header has no column `{name}`"))
-            .hint_names(name, header.iter().map(String::as_str))),
+            .hint_names(name, header.iter().map(Cow::as_ref))),
         ([one], None) => Ok(*one),
         (several, Some(n)) if n <= several.len() => Ok(several[n - 1]),
         (several, Some(n)) => {
@@ -190,13 +184,13 @@ fn is_number(field: &str, decimal: Decimal) -> bool {
 /// The values of one column, in mm, deg and s; those that do not read are reported.
 fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Problems) -> Values {
     if wanted.name == LABEL {
-        return Values::Text(sheet.rows.iter().map(|row| row.fields.get(at).cloned().unwrap_or_default()).collect());
+        return Values::Text(sheet.rows.iter().map(|row| row.field(at).to_owned()).collect());
     }
     let nanoseconds = wanted.key.get_ref() == "time_ns";
     let before = problems.0.len();
     let mut read = Vec::with_capacity(sheet.rows.len());
     for row in &sheet.rows {
-        let cell = row.fields.get(at).map(String::as_str).unwrap_or("");
+        let cell = row.field(at);
         match if nanoseconds { seconds(cell) } else { number(cell, log.decimal) } {
             Ok(value) => read.push(value),
             Err(message) => {

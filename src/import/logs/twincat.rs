@@ -7,7 +7,7 @@ use super::{Columns, LogFormat, Values, Wanted, other_unit};
 use crate::base::message::{Message, Place, Problems, Result, Stated, count};
 use crate::document::Source;
 use crate::import::format::{ColumnAt, Decimal, Delimiter};
-use crate::import::lexer::{Row, cell_place, number};
+use crate::import::lexer::{Row, number};
 use crate::import::log::{ChannelValues, Log};
 
 /// Exports of Beckhoff TwinCAT 3 Scope: a time base for each channel.
@@ -148,23 +148,21 @@ fn samples(
             continue;
         }
         source.rows_read += 1;
-        let fields: Vec<&str> = line.split(header.separator).map(str::trim).collect();
-        if fields.iter().skip(header.width).any(|f| !f.is_empty()) {
-            let message = Message::error(format!("the row has {} fields", fields.len()));
-            let message = message.at(Place::line(file, i + 1, *line)).expected(format!("at most {}", header.width));
+        let row = Row::of(i + 1, line, line.split(header.separator).map(str::trim));
+        if row.fields.iter().skip(header.width).any(|f| !f.is_empty()) {
+            let message = Message::error(format!("the row has {} fields", row.fields.len()));
+            let message = message.at(row.place(file)).expected(format!("at most {}", header.width));
             problems.0.push(message.hint("is the decimal mark a comma in a file separated by commas?"));
             continue;
         }
         for (channel, samples) in channels.iter().zip(&mut all) {
-            let cell = |at: usize| fields.get(at).copied().unwrap_or("");
-            let (time, value) = (cell(channel.time), cell(channel.at));
+            let (time, value) = (row.field(channel.time), row.field(channel.at));
             if time.is_empty() && value.is_empty() {
                 samples.ended = true;
                 continue;
             }
             let mut wrong = |message: Message, at: usize| {
-                let row = Row { line: i + 1, fields: fields.iter().map(|f| (*f).to_owned()).collect() };
-                problems.0.push(message.at(cell_place(file, &row, line, at)));
+                problems.0.push(message.at(row.cell(file, at)));
             };
             if samples.ended {
                 wrong(Message::error(format!("channel `{}` goes on after it has ended", channel.name)), channel.at);

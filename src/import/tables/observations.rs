@@ -3,7 +3,7 @@
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
-use crate::import::lexer::{Row, WHOLE, cell_place, number, rows};
+use crate::import::lexer::{WHOLE, number, rows};
 use crate::import::log::meaning;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 
@@ -12,31 +12,27 @@ use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 /// `pose` and `cycle` hold whole numbers, columns whose name ends in a unit hold numbers (empty cells are missing values),
 /// others text. Every row of another width and every cell that does not read is an error with its place.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
-    let mut all = rows(file, text, Delimiter::Comma, None)?;
+    let mut all = rows(file, text, Delimiter::Comma)?;
     if all.len() < 2 {
         return Err(Message::error("the table has no rows").at(Place::file(file)).expected("a header and rows").into());
     }
     let header = all.remove(0);
-    let lines: Vec<&str> = text.lines().collect();
-    let shown = |row: &Row| lines.get(row.line - 1).copied().unwrap_or("");
     let mut problems = Problems::default();
     for (i, name) in header.fields.iter().enumerate().filter(|(i, name)| header.fields[..*i].contains(name)) {
         let message = Message::error(format!("the header names `{name}` twice"));
-        problems.0.push(message.at(cell_place(file, &header, shown(&header), i)));
+        problems.0.push(message.at(header.cell(file, i)));
     }
     let width = header.fields.len();
     for row in all.iter().filter(|row| row.fields.len() != width) {
         let message = Message::error(format!("the row has {} fields", row.fields.len()));
-        problems
-            .0
-            .push(message.at(Place::line(file, row.line, shown(row))).expected(format!("{width}, as the header")));
+        problems.0.push(message.at(row.place(file)).expected(format!("{width}, as the header")));
     }
     let mut columns: Vec<Column> =
         vec![Series::new("line".into(), all.iter().map(|row| row.line as i64).collect::<Vec<i64>>()).into()];
     for (i, name) in header.fields.iter().enumerate().filter(|(_, name)| *name != "line") {
-        let texts = all.iter().map(|row| row.fields.get(i).map_or("", String::as_str));
+        let texts = all.iter().map(|row| row.field(i));
         if meaning(name).is_none() {
-            columns.push(Series::new(name.as_str().into(), texts.collect::<Vec<_>>()).into());
+            columns.push(Series::new(name.as_ref().into(), texts.collect::<Vec<_>>()).into());
             continue;
         }
         let whole = name == "pose" || name == "cycle";
@@ -49,15 +45,15 @@ pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
                 read => read.map(Some),
             };
             values.push(value.unwrap_or_else(|message| {
-                problems.0.push(message.at(cell_place(file, row, shown(row), i)));
+                problems.0.push(message.at(row.cell(file, i)));
                 None
             }));
         }
         columns.push(match whole {
             true => {
-                Series::new(name.as_str().into(), values.iter().map(|v| v.map(|v| v as i64)).collect::<Vec<_>>()).into()
+                Series::new(name.as_ref().into(), values.iter().map(|v| v.map(|v| v as i64)).collect::<Vec<_>>()).into()
             }
-            false => Series::new(name.as_str().into(), values).into(),
+            false => Series::new(name.as_ref().into(), values).into(),
         });
     }
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
