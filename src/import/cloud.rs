@@ -1,7 +1,7 @@
 //! Points of plain tables at the speed of the disk: rows of an optional label and x, y, z, and nothing else. What is not
 //! plain is left to the strict reader, which says where and why.
 
-use super::formats::Format;
+use super::formats::{Format, Plain};
 use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
 use super::names::Names;
 use crate::base::message::{Message, Problems, Result};
@@ -22,16 +22,6 @@ pub struct Cloud {
     pub labels: Vec<String>,
     /// A row each point: `label`, its place in the labels (0 where rows have none), and `x_mm`, `y_mm`, `z_mm`.
     pub table: DataFrame,
-}
-
-/// What the fast reader needs to know of a table of plain rows.
-#[derive(Clone, Copy)]
-pub(crate) struct Plain {
-    /// None: blanks and tabs.
-    pub delimiter: Option<u8>,
-    pub labelled: bool,
-    /// Whether columns called x, y, z that hold two angles and a distance are the strict reader's matter.
-    pub may_be_angles: bool,
 }
 
 /// Rows of one block.
@@ -70,7 +60,7 @@ pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> 
 /// The parts one after the other, without copying their coordinates.
 fn together(mut parts: Vec<Part>) -> Result<Cloud> {
     let texts: Vec<String> = parts.iter_mut().map(|part| std::mem::take(&mut part.labels)).collect();
-    let mut known = Names::new();
+    let mut known = Names::default();
     let mut of_file: Vec<Vec<u32>> = Vec::with_capacity(texts.len());
     for texts in &texts {
         of_file.push(texts.split_terminator('\n').map(|label| known.place(label.as_bytes()).0).collect());
@@ -128,7 +118,7 @@ impl Plain {
         let rows = line_feeds(&bytes[at..]) + 1;
         let mut part = Part { xyz: std::array::from_fn(|_| Vec::with_capacity(rows)), angles: true, ..Part::default() };
         part.label.reserve_exact(rows);
-        let mut known = Names::new();
+        let mut known = Names::default();
         let mut before: (&[u8], u32) = (b"", u32::MAX);
         while at < end.min(bytes.len()) {
             let mut line = Scanner { bytes, at, delimiter: self.delimiter };

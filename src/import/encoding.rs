@@ -2,18 +2,22 @@
 
 use crate::base::message::Message;
 use crate::import::format::Encoding;
+use encoding_rs::{DecoderResult, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
-/// Windows-1252 from 0x80 to 0x9F; a blank where it means nothing.
-const WINDOWS: &str = "€ ‚ƒ„…†‡ˆ‰Š‹Œ Ž  ‘’“”•–—˜™š›œ žŸ";
+fn coding(encoding: Encoding) -> &'static encoding_rs::Encoding {
+    match encoding {
+        Encoding::Utf8 => UTF_8,
+        Encoding::Utf16Le => UTF_16LE,
+        Encoding::Utf16Be => UTF_16BE,
+        Encoding::Windows1252 => WINDOWS_1252,
+    }
+}
 
 /// The encoding that the first bytes name, and how many they are.
 fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
-    match bytes {
-        [0xef, 0xbb, 0xbf, ..] => Some((Encoding::Utf8, 3)),
-        [0xff, 0xfe, ..] => Some((Encoding::Utf16Le, 2)),
-        [0xfe, 0xff, ..] => Some((Encoding::Utf16Be, 2)),
-        _ => None,
-    }
+    let (marked, length) = encoding_rs::Encoding::for_bom(bytes)?;
+    let all = [Encoding::Utf8, Encoding::Utf16Le, Encoding::Utf16Be];
+    all.into_iter().find(|encoding| coding(*encoding) == marked).map(|encoding| (encoding, length))
 }
 
 /// The text of a file, without its byte-order mark, its lines ended by line feeds (or carriage return and line feed).
@@ -29,41 +33,57 @@ pub fn decode(bytes: Vec<u8>, stated: Option<Encoding>) -> Result<String, Messag
                 marked.name(),
                 stated.name()
             );
-            return Err(Message::error(what).hint("leave `encoding` out: the file says it"));
+            return Err(Message::error(what).hint("leave `encoding` out: the mark in the file states it"));
         }
         (stated, marked) => stated.or(marked.map(|m| m.0)).unwrap_or(Encoding::Utf8),
     };
     let skipped = marked.map_or(0, |m| m.1);
-    let body = &bytes[skipped..];
-    let wrong = |at: usize| {
-        let line = body[..at].iter().filter(|b| **b == b'\n').count() + 1;
-        Message::error(format!("byte {} (line {line}) is no {}", skipped + at, encoding.name()))
-    };
     let text = match encoding {
-        Encoding::Utf8 if skipped == 0 => String::from_utf8(bytes).map_err(|e| {
-            let at = e.utf8_error().valid_up_to();
-            let line = e.as_bytes()[..at].iter().filter(|b| **b == b'\n').count() + 1;
-            let byte = e.as_bytes().get(at).copied().unwrap_or_default();
-            let meant = windows(byte).map(|c| format!(": of windows-1252 the byte would be `{c}`")).unwrap_or_default();
-            Message::error(format!("the file is not UTF-8 text (byte {at}, line {line}, 0x{byte:02X})"))
-                .hint(format!("state how it was written, e.g. `encoding = \"windows-1252\"`{meant}"))
-        })?,
-        Encoding::Utf8 => std::str::from_utf8(body).map(str::to_owned).map_err(|e| wrong(e.valid_up_to()))?,
-        Encoding::Windows1252 => {
-            let read = |(at, byte): (usize, &u8)| windows(*byte).ok_or_else(|| wrong(at));
-            body.iter().enumerate().map(read).collect::<Result<_, _>>()?
+        // without a copy
+        Encoding::Utf8 if skipped == 0 => {
+            String::from_utf8(bytes).map_err(|e| not_utf8(e.as_bytes(), e.utf8_error().valid_up_to()))?
         }
-        Encoding::Utf16Le => utf16(body, u16::from_le_bytes).map_err(wrong)?,
-        Encoding::Utf16Be => utf16(body, u16::from_be_bytes).map_err(wrong)?,
+        _ => {
+            let body = &bytes[skipped..];
+            decoded(body, encoding).map_err(|at| {
+                let line = line_of(body, at);
+                Message::error(format!("byte {} (line {line}) is not {}", skipped + at, encoding.name()))
+            })?
+        }
     };
     if let Some(at) = text.find('\0') {
-        let line = text[..at].matches('\n').count() + 1;
-        let message = Message::error(format!("the file holds a NUL byte (line {line}): it is damaged or no text"));
-        return Err(
-            message.hint("UTF-16 without its mark? then state `encoding = \"utf-16le\"`; else export the file again")
-        );
+        let line = line_of(text.as_bytes(), at);
+        let what = format!("the file contains a NUL byte (line {line}): it is damaged or not a text");
+        let hint = "UTF-16 without its mark? then state `encoding = \"utf-16le\"`; else export the file again";
+        return Err(Message::error(what).hint(hint));
     }
     Ok(line_ends(text))
+}
+
+fn line_of(bytes: &[u8], at: usize) -> usize {
+    bytes[..at].iter().filter(|b| **b == b'\n').count() + 1
+}
+
+fn not_utf8(bytes: &[u8], at: usize) -> Message {
+    let (line, byte) = (line_of(bytes, at), bytes.get(at).copied().unwrap_or_default());
+    let meant = decoded(&[byte], Encoding::Windows1252);
+    let meant = meant.map(|c| format!(": of windows-1252 the byte would be `{c}`")).unwrap_or_default();
+    Message::error(format!("the file is not UTF-8 text (byte {at}, line {line}, 0x{byte:02X})"))
+        .hint(format!("state how it was written, e.g. `encoding = \"windows-1252\"`{meant}"))
+}
+
+/// The text of bytes; or the first byte that does not belong to the encoding.
+fn decoded(bytes: &[u8], encoding: Encoding) -> Result<String, usize> {
+    let mut decoder = coding(encoding).new_decoder_without_bom_handling();
+    let mut text = String::with_capacity(decoder.max_utf8_buffer_length(bytes.len()).unwrap_or(0));
+    match decoder.decode_to_string_without_replacement(bytes, &mut text, true) {
+        (DecoderResult::Malformed(length, behind), read) => Err(read.saturating_sub(usize::from(length + behind))),
+        // five bytes of windows-1252 mean nothing; as browsers read them they are control characters
+        _ if encoding == Encoding::Windows1252 => {
+            text.chars().position(|c| ('\u{80}'..='\u{9f}').contains(&c)).map_or(Ok(text), Err)
+        }
+        _ => Ok(text),
+    }
 }
 
 /// Carriage returns alone end lines too.
@@ -74,29 +94,6 @@ fn line_ends(text: String) -> String {
         true => text.replace("\r\n", "\n").replace('\r', "\n"),
         false => text,
     }
-}
-
-fn windows(byte: u8) -> Option<char> {
-    match byte {
-        0x80..=0x9f => WINDOWS.chars().nth(usize::from(byte - 0x80)).filter(|c| *c != ' '),
-        _ => Some(char::from(byte)),
-    }
-}
-
-/// Text of pairs of bytes; where it fails the byte at which.
-fn utf16(body: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, usize> {
-    let (pairs, rest) = body.as_chunks::<2>();
-    if !rest.is_empty() {
-        return Err(body.len() - 1);
-    }
-    let mut text = String::with_capacity(pairs.len());
-    let mut at = 0;
-    for read in char::decode_utf16(pairs.iter().map(|pair| unit(*pair))) {
-        let c = read.map_err(|_| at)?;
-        at += 2 * c.len_utf16();
-        text.push(c);
-    }
-    Ok(text)
 }
 
 #[cfg(test)]
@@ -135,11 +132,11 @@ mod tests {
             utf8.contains("not UTF-8 text (byte 2, line 2, 0xB1)") && utf8.contains("the byte would be `±`"),
             "{utf8}"
         );
-        assert!(said(b"a\n\x81", Some(Encoding::Windows1252)).contains("byte 2 (line 2) is no windows-1252"));
+        assert!(said(b"a\n\x81", Some(Encoding::Windows1252)).contains("byte 2 (line 2) is not windows-1252"));
         assert!(said(LE, Some(Encoding::Utf8)).contains("begins with the mark of utf-16le"));
         assert!(said(&LE[2..], None).contains("not UTF-8"));
         assert!(said(b"1\x002\x00", None).contains("NUL byte (line 1)"));
-        assert!(said(b"\xff\xfe1", None).contains("is no utf-16le"));
+        assert!(said(b"\xff\xfe1", None).contains("is not utf-16le"));
         assert!(said(b"\xff\xfe\x00\xd8\x31\x00", None).contains("byte 2 "));
     }
 

@@ -2,7 +2,6 @@
 
 use super::lexer::marked;
 use super::lexer::{Row, split};
-use std::borrow::Cow;
 use crate::import::format::Columns;
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
@@ -10,6 +9,7 @@ use crate::import::format::Dialect;
 use crate::import::format::Header;
 use crate::import::format::Missing;
 use crate::import::format::Thousands;
+use std::borrow::Cow;
 
 /// Rows that are weighed; a proposal is then tried on all.
 const SAMPLE: usize = 2000;

@@ -5,6 +5,7 @@ use super::formats::qif::is_xml;
 use super::formats::{Recognised, head, recognise};
 use super::guess::{Guess, guesses};
 use super::header_unit::header_unit;
+use super::logs::LogKind;
 use super::roles::{is_joint, looks_like_a_log, names, roles};
 use super::{bytes_of, encoding, workbook};
 use crate::base::message::{Message, Place, Result, count};
@@ -42,6 +43,13 @@ fn known(text: &str) -> Option<(Option<&'static str>, Recognised)> {
         (None, none) => none.map(|none| (None, none)),
     }
 }
+
+/// A log that is recognised as surely is proposed in its format; of another one it is asked.
+const SURE: f64 = 0.5;
+
+/// What is to be done with the columns of a proposed log.
+const JOINTS: &str =
+    "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file cannot say it\n";
 
 /// Problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
@@ -141,8 +149,23 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
         document.toml = with_remarks(&document, &lines);
         return document;
     }
+    let log = LogKind::recognise(text).filter(|_| sheet.is_none());
     let guesses = guesses(text, sheet);
     document.readings = guesses.iter().map(reading).collect();
+    if let Some((kind, found)) = log.filter(|(_, found)| found.score >= SURE) {
+        document.format = Some(kind.about().name.to_owned());
+        document.reasons.push(format!("it is {}", found.what));
+        document.questions.push("which joint each column is, and its unit where it is not known".to_owned());
+        let lines = match guesses.first().filter(|_| !kind.has_channels()) {
+            Some(best) => log_lines(file, best, Some(kind)),
+            None => format!(
+                "[log]\nfile = {file:?}\nformat = {:?}\ncolumns = {{ q1_UNIT = \"NAME\" }}\n{JOINTS}",
+                kind.about().name
+            ),
+        };
+        document.toml = with_remarks(&document, &lines);
+        return document;
+    }
     let Some(best) = guesses.first() else {
         document.toml = format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
         return document;
@@ -153,7 +176,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
         Some(why) => {
             document.reasons.push(format!("a log: {why}"));
             document.questions.push("which joint each column is, and its unit".to_owned());
-            log_lines(file, best)
+            log_lines(file, best, None)
         }
         None => {
             let unit = stated_unit(best);
@@ -168,6 +191,13 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
             export_lines(file, best)
         }
     };
+    if let Some((kind, found)) = log {
+        document.questions.push(format!(
+            "whether it is {} (`[log]` with `format = {:?}`)",
+            found.what,
+            kind.about().name
+        ));
+    }
     document.toml = with_remarks(&document, &lines);
     document
 }
@@ -313,35 +343,41 @@ fn export_lines(file: &str, best: &Guess) -> String {
     out
 }
 
-fn log_lines(file: &str, best: &Guess) -> String {
+/// Lines of a log, in a format of which more is known or none.
+fn log_lines(file: &str, best: &Guess, kind: Option<LogKind>) -> String {
     let names = names(best);
     let decimal = best.dialect.decimal.name();
     let delimiter = best.dialect.delimiter.map_or("", |d| d.name());
+    let format = kind.map(|kind| format!("format = {:?}\n", kind.about().name)).unwrap_or_default();
     let mut out = format!(
-        "[log]\nfile = {file:?}\ndelimiter = {delimiter:?}\ndecimal = {decimal:?}\nheader = {}\n",
+        "[log]\nfile = {file:?}\n{format}delimiter = {delimiter:?}\ndecimal = {decimal:?}\nheader = {}\n",
         names.is_some()
     );
+    let unit_of = |name: &str| kind.and_then(|kind| kind.unit_of(name));
     let mut number = 0;
-    let mut joint = || {
+    let mut joint = |unit: Option<&str>| {
         number += 1;
-        format!("q{number}_UNIT")
+        format!("q{number}_{}", unit.unwrap_or("UNIT"))
     };
+    let mut clock = None;
     let columns: Vec<String> = match &names {
         Some(names) => names
             .iter()
             .filter_map(|name| match name.trim().to_lowercase().as_str() {
                 key @ ("pose" | "cycle" | "time_s") => Some(format!("{key} = {name:?}")),
                 "run" | "repeat" => Some(format!("cycle = {name:?}")),
-                _ if is_joint(name) => Some(format!("{} = {name:?}", joint())),
-                _ => None,
+                _ if is_joint(name) => Some(format!("{} = {name:?}", joint(unit_of(name)))),
+                _ => {
+                    let unit = unit_of(name).filter(|unit| ["s", "ms", "ns"].contains(unit) && clock.is_none())?;
+                    clock = Some(unit);
+                    Some(format!("time_{unit} = {name:?}"))
+                }
             })
             .collect(),
-        None => (1..=best.numeric.len()).map(|column| format!("{} = {column}", joint())).collect(),
+        None => (1..=best.numeric.len()).map(|column| format!("{} = {column}", joint(None))).collect(),
     };
     let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));
-    out.push_str(
-        "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file cannot say it\n",
-    );
+    out.push_str(JOINTS);
     if best.header > 1 && best.dialect.header != Header::Rows(1) {
         out.push_str("# a log has one row of names at most: take the other rows before the data out of the file\n");
     }

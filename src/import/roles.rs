@@ -2,9 +2,9 @@
 
 use super::guess::Guess;
 use super::lexer::marked;
-use std::borrow::Cow;
 use crate::import::format::Decimal;
 use crate::import::format::Role;
+use std::borrow::Cow;
 
 /// Roles by the names of the header, where it names every column and x and y; else by position: leading texts are the
 /// label, the first numbers x, y, z, and a direction behind them i, j, k. A whole number before numbers with a decimal mark is

@@ -48,7 +48,10 @@ fn rules_on_rigid_parts_are_checked_beside_unreadable_rows() {
     scratch.replace("encoders.csv", "\n1,1,", "\n1,x,");
     let rigid = "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = -0.1\n[[rigid]]\ntargets = [\"K\", \"K\"]\ntolerance_mm = 1.0\n[log]";
     scratch.replace("campaign.toml", "[log]", rigid);
-    said(&scratch, &["`x` is not a number", "tolerance_mm = -0.1", "`tolerance_mm` of a rigid part", "each named once"]);
+    said(
+        &scratch,
+        &["`x` is not a number", "tolerance_mm = -0.1", "`tolerance_mm` of a rigid part", "each named once"],
+    );
 }
 
 #[test]

@@ -225,7 +225,10 @@ fn twincat_variants_that_read_two_ways_are_refused() {
     let raw = "columns = { a_mm = \"func_scaled\" }";
     refused(&format!("{}{raw}", scope("-default")), &["does not say whether it is applied", "values = \"raw\""]);
     let point = "values = \"raw\"\ncolumns = { a_mm = \"func_OS\" }";
-    refused(&format!("{}{point}", scope("-default")), &["`0,2` is not a number", "decimal = \",\"", "-default.csv:26:"]);
+    refused(
+        &format!("{}{point}", scope("-default")),
+        &["`0,2` is not a number", "decimal = \",\"", "-default.csv:26:"],
+    );
 }
 
 #[test]

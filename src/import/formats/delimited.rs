@@ -1,10 +1,9 @@
 //! Delimited text: rows of columns in a dialect that the campaign states, or that has a name.
 
-use super::{About, ExportFormat, Recognised, Row as Written, Text, Writing};
+use super::{About, ExportFormat, Plain, Recognised, Row as Written, Text, Writing};
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::{Vector, norm};
 use crate::import::Point;
-use crate::import::cloud::Plain;
 use crate::import::coordinates::cartesian;
 use crate::import::format::{
     ColumnAt, Columns, CoordinateType, Delimiter, Dialect, Header, Role, Unit, coordinate_type,
@@ -143,12 +142,7 @@ pub(crate) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) 
 type Data<'t> = (Vec<Row<'t>>, Vec<Role>, Vec<Message>);
 
 /// The data rows between header and end, and what their columns hold.
-fn data<'t>(
-    file: &str,
-    mut rows: Vec<Row<'t>>,
-    dialect: &Dialect,
-    unit: Unit,
-) -> Result<Data<'t>, Vec<Message>> {
+fn data<'t>(file: &str, mut rows: Vec<Row<'t>>, dialect: &Dialect, unit: Unit) -> Result<Data<'t>, Vec<Message>> {
     let before = match &dialect.header {
         Header::Rows(count) => *count,
         Header::Words(words) => {
@@ -168,11 +162,7 @@ fn data<'t>(
         let other = |(_, name): &(&Role, &Cow<str>)| header_unit(name).is_some_and(|said| said != unit);
         if let Some((_, name)) = lengths.into_iter().find(other) {
             let what = format!("the header says `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
-            remarks.push(
-                Message::error(what)
-                    .at(header.place(file))
-                    .hint("state the unit of the file"),
-            );
+            remarks.push(Message::error(what).at(header.place(file)).hint("state the unit of the file"));
         }
     }
     if let Some(end) = &dialect.end {
@@ -189,12 +179,7 @@ fn data<'t>(
 }
 
 /// What each column holds.
-fn roles(
-    file: &str,
-    header: Option<&Row>,
-    dialect: &Dialect,
-    first: Option<&Row>,
-) -> Result<Vec<Role>, Vec<Message>> {
+fn roles(file: &str, header: Option<&Row>, dialect: &Dialect, first: Option<&Row>) -> Result<Vec<Role>, Vec<Message>> {
     let named = match &dialect.columns {
         Columns::InOrder(roles) => {
             let mut roles = roles.clone();
@@ -267,8 +252,7 @@ impl Reader<'_> {
         };
         let mut point = Point { line: row.line, text: row.text.to_owned(), ..Point::default() };
         let before = problems.0.len();
-        let mut wrong =
-            |message: Message, cell: usize| problems.0.push(message.at(row.cell(self.file, cell)));
+        let mut wrong = |message: Message, cell: usize| problems.0.push(message.at(row.cell(self.file, cell)));
         let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_ref()));
         let mut value = |i: usize, field: &str| {
             let read = marked(field, self.dialect.decimal, self.dialect.thousands);

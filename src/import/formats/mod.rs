@@ -19,7 +19,6 @@ mod sdss_plate;
 mod spatialanalyzer;
 mod vda_fs;
 
-use super::cloud::Plain;
 use super::lexer::written;
 use super::points::Point;
 use crate::base::message::{Message, Place, Problems};
@@ -84,6 +83,16 @@ pub(crate) trait ExportFormat: Sync {
     fn frame<'t>(&self, _text: &'t str) -> Option<&'t str> {
         None
     }
+}
+
+/// What the fast reader needs to know of a table of plain rows.
+#[derive(Clone, Copy)]
+pub(crate) struct Plain {
+    /// None: blanks and tabs.
+    pub delimiter: Option<u8>,
+    pub labelled: bool,
+    /// Whether columns called x, y, z that hold two angles and a distance are the strict reader's matter.
+    pub may_be_angles: bool,
 }
 
 /// What a format is called, and of what kind it is.

@@ -1,9 +1,8 @@
 //! PolyWorks point text: `[name] x y z [i j k]`, blank-separated, no header, decimal point.
 
 use super::delimited::columns_in;
-use super::{About, ExportFormat, Row, Text, Writing};
+use super::{About, ExportFormat, Plain, Row, Text, Writing};
 use crate::base::message::{Message, Problems};
-use crate::import::cloud::Plain;
 use crate::import::format::{Decimal, Delimiter, Dialect, Unit};
 use crate::import::lexer::{number, split};
 use crate::import::{Point, lexer};

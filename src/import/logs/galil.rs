@@ -4,24 +4,31 @@
 //! is that of the controller's `RC` command. Source: galil.com, "Comma-Separated Values (CSV Files)".
 
 use super::sheet::Sheet;
-use super::{LogFormat, Wanted};
+use super::{About, LogFormat, Wanted};
 use crate::base::message::{Message, Problems};
 use crate::document::Refused;
+use crate::import::formats::Recognised;
 
 /// Array uploads of a Galil controller: encoder counts, no clock.
 pub(super) struct Galil;
 
 impl LogFormat for Galil {
-    fn name(&self) -> &'static str {
-        "galil"
+    fn about(&self) -> About {
+        About {
+            name: "galil",
+            title: "Galil arrays",
+            description: "Galil array upload: encoder counts, arrays in alphabetical order, no clock.",
+        }
     }
 
-    fn title(&self) -> &'static str {
-        "Galil arrays"
-    }
-
-    fn description(&self) -> &'static str {
-        "Galil array upload: encoder counts, arrays in alphabetical order, no clock."
+    /// Whole numbers under names in alphabetical order, which is weak: points in whole mm look the same.
+    fn recognise(&self, header: &[&str], text: &str) -> Option<Recognised> {
+        let whole = |cell: &str| cell.trim().is_empty() || cell.trim().parse::<i64>().is_ok();
+        let words = header.iter().all(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
+        let rows = text.lines().skip(1).take(100);
+        let counts = rows.clone().count() > 0 && rows.flat_map(|row| row.split(',')).all(whole);
+        let what = "an upload of Galil arrays: whole numbers alone, under names in alphabetical order";
+        Recognised::by(words && counts && header.len() > 1 && header.is_sorted(), 0.3, what)
     }
 
     fn not_by_number(&self) -> Option<&'static str> {

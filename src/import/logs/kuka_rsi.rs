@@ -2,8 +2,9 @@
 //! counter in ms that the controller advances by its interpolation cycle. `Timestamp` is the wall clock of the computer
 //! that recorded, in whole seconds.
 
-use super::{Columns, LogFormat, Values};
+use super::{About, Columns, LogFormat, Values};
 use crate::base::message::{Message, Place, count};
+use crate::import::formats::Recognised;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -11,16 +12,16 @@ use std::collections::BTreeMap;
 pub(super) struct KukaRsi;
 
 impl LogFormat for KukaRsi {
-    fn name(&self) -> &'static str {
-        "kuka_rsi"
+    fn about(&self) -> About {
+        About {
+            name: "kuka_rsi",
+            title: "KUKA RSI",
+            description: "KUKA RSI recording: mm, deg; `IPOC` in ms is the clock.",
+        }
     }
 
-    fn title(&self) -> &'static str {
-        "KUKA RSI"
-    }
-
-    fn description(&self) -> &'static str {
-        "KUKA RSI recording: mm, deg; `IPOC` in ms is the clock."
+    fn recognise(&self, header: &[&str], _text: &str) -> Option<Recognised> {
+        Recognised::by(header.contains(&"IPOC"), 0.9, "a recording of KUKA RSI: its header names the counter `IPOC`")
     }
 
     fn unit_of(&self, column: &str) -> Option<&'static str> {

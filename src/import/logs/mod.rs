@@ -1,40 +1,131 @@
-//! Formats of logs, one file each: what is known of their columns, units and clocks.
+//! Logs: `[log]` of a campaign, and what is read of it; their formats, one file each: what is known of columns, units and
+//! clocks.
 
 mod galil;
+mod joint_log;
 mod kuka_rsi;
 mod ros;
 mod sheet;
+pub mod standstill;
 mod twincat;
 mod ur_rtde;
 mod write;
 
+pub use joint_log::{JointLog, LogRow, is_joint_column};
+pub(crate) use joint_log::{is_common_column, meaning};
 pub(crate) use write::write;
 
-use super::format::Column;
-use super::log::{Log, is_common_column, meaning};
+use super::format::{Column, Decimal, Delimiter, Encoding, FromRow};
+use super::formats::Recognised;
 use crate::base::message::{Message, Problems, Result, Stated};
+use crate::base::table::ASSEMBLY;
 use crate::document::{Refused, Source};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 use sheet::Sheet;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::fmt;
 use toml::Spanned;
+
+/// A file of a controller.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Log {
+    /// Name of the log, where there are several.
+    #[serde(default = "default_log")]
+    pub name: String,
+    /// Name of the file.
+    #[schemars(with = "String")]
+    pub file: Spanned<String>,
+    /// Encoding of its characters; UTF-8, or that of its byte-order mark, if absent.
+    pub encoding: Option<Encoding>,
+    /// Controller that wrote the log.
+    #[serde(default)]
+    pub format: LogKind,
+    /// What separates the columns; a comma if absent.
+    pub delimiter: Option<Delimiter>,
+    /// Decimal mark.
+    #[serde(default)]
+    pub decimal: Decimal,
+    /// The first row names the columns.
+    #[serde(default = "yes")]
+    pub header: bool,
+    /// The columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point touched), and the joints
+    /// with their units.
+    #[schemars(with = "BTreeMap<String, Column>")]
+    pub columns: BTreeMap<Spanned<String>, Column>,
+    /// `row`: the number of the data row is the number of the pose.
+    pub pose: Option<FromRow>,
+    /// Time from one row to the next, of a log without a clock; its first row is at 0.
+    pub period_s: Option<f64>,
+    /// Whether channels with a scale contain raw or scaled values (TwinCAT).
+    pub values: Option<ChannelValues>,
+    /// Reduces a log recorded during motion to one row of mean joint values for each standstill.
+    pub standstill: Option<Standstill>,
+}
+
+/// A standstill: no joint moves by more than the stated difference for at least the stated time.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Standstill {
+    /// Least duration of a standstill.
+    pub at_least_s: f64,
+    /// Largest difference of two values of a revolute joint in a standstill.
+    pub within_deg: Option<f64>,
+    /// Largest difference of two values of a prismatic joint in a standstill.
+    pub within_mm: Option<f64>,
+}
+
+impl Log {
+    /// What separates the columns of a delimited log.
+    pub fn delimiter(&self) -> Delimiter {
+        self.delimiter.unwrap_or(Delimiter::Comma)
+    }
+}
+
+/// What the channels of a TwinCAT Scope export hold: an option of the export that the file does not tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ChannelValues {
+    /// As they were recorded: factor and offset of the header are still to be applied.
+    Raw,
+    /// Factor and offset are applied.
+    Scaled,
+}
+
+fn default_log() -> String {
+    "log".to_owned()
+}
+
+fn yes() -> bool {
+    true
+}
 
 /// Every format. To add one: its file, and its line here.
 const FORMATS: [&dyn LogFormat; 6] =
     [&sheet::Delimited, &galil::Galil, &ur_rtde::UrRtde, &kuka_rsi::KukaRsi, &twincat::TwinCat, &ros::Ros];
 
+/// What a format of logs is called.
+#[derive(Clone, Copy)]
+pub(crate) struct About {
+    /// As `format` of a campaign states it.
+    pub name: &'static str,
+    /// In words; none of delimited text of which nothing is known.
+    pub title: &'static str,
+    /// What it is, in a sentence.
+    pub description: &'static str,
+}
+
 /// A format of logs: delimited text of which more is known than the campaign states.
 pub(crate) trait LogFormat: Sync {
-    /// As `format` of a campaign states it.
-    fn name(&self) -> &'static str;
+    /// What it is called.
+    fn about(&self) -> About;
 
-    /// In words; none of delimited text of which nothing is known.
-    fn title(&self) -> &'static str;
-
-    /// What it is, in a sentence.
-    fn description(&self) -> &'static str;
+    /// What of a text shows that it is in this format; `header` are the names in its first row.
+    fn recognise(&self, _header: &[&str], _text: &str) -> Option<Recognised> {
+        None
+    }
 
     /// The unit in which it writes the column of this name, where that is known.
     fn unit_of(&self, _column: &str) -> Option<&'static str> {
@@ -88,6 +179,23 @@ pub(crate) trait LogFormat: Sync {
 pub struct LogKind(&'static dyn LogFormat);
 
 impl LogKind {
+    /// The format that a text is most surely in, and what shows it.
+    pub(crate) fn recognise(text: &str) -> Option<(Self, Recognised)> {
+        let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+        let header: Vec<&str> = first.split([',', ';', '\t']).map(|name| name.trim().trim_matches('"')).collect();
+        let all = FORMATS.into_iter().filter_map(|format| Some((Self(format), format.recognise(&header, text)?)));
+        all.reduce(|best, other| if other.1.score > best.1.score { other } else { best })
+    }
+
+    pub(crate) fn about(self) -> About {
+        self.0.about()
+    }
+
+    /// The unit in which the column of this name is, where that is known.
+    pub(crate) fn unit_of(self, column: &str) -> Option<&'static str> {
+        self.0.unit_of(column)
+    }
+
     /// Whether a file has channels that it names and scales itself.
     pub(crate) fn has_channels(self) -> bool {
         self.0.has_channels()
@@ -102,13 +210,13 @@ impl Default for LogKind {
 
 impl fmt::Debug for LogKind {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(self.0.name())
+        f.write_str(self.about().name)
     }
 }
 
 impl Serialize for LogKind {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.0.name())
+        serializer.serialize_str(self.about().name)
     }
 }
 
@@ -118,8 +226,8 @@ impl JsonSchema for LogKind {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let one = |format: &&dyn LogFormat| json_schema!({ "description": format.description(), "type": "string", "const": format.name() });
-        let all: Vec<Schema> = FORMATS.iter().map(one).collect();
+        let one = |About { name, description, .. }| json_schema!({ "description": description, "type": "string", "const": name });
+        let all: Vec<Schema> = FORMATS.iter().map(|format| format.about()).map(one).collect();
         let description = "Who wrote a log: what is known of its columns, units and clock.";
         json_schema!({ "description": description, "oneOf": all })
     }
@@ -128,8 +236,8 @@ impl JsonSchema for LogKind {
 impl<'de> Deserialize<'de> for LogKind {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
         let stated = String::deserialize(deserializer)?;
-        FORMATS.into_iter().find(|format| format.name() == stated).map(Self).ok_or_else(|| {
-            let names: Vec<String> = FORMATS.iter().map(|format| format!("`{}`", format.name())).collect();
+        FORMATS.into_iter().find(|format| format.about().name == stated).map(Self).ok_or_else(|| {
+            let names: Vec<String> = FORMATS.iter().map(|format| format!("`{}`", format.about().name)).collect();
             D::Error::custom(format!("unknown variant `{stated}`, expected one of {}", names.join(", ")))
         })
     }
@@ -185,6 +293,52 @@ impl Wanted<'_> {
     fn is_joint(&self) -> bool {
         !is_common_column(self.key.get_ref())
     }
+}
+
+/// Reads a log, and gives what is to be said of it. Where the campaign states when the robot stands, each standstill is one
+/// row.
+pub fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<(JointLog, Vec<Message>)> {
+    let Columns { rows, lines, columns, said } = columns(stated, log, text, source)?;
+    let mut read = JointLog { name: log.name.clone(), file: log.file.get_ref().clone(), ..JointLog::default() };
+    let mut names = vec!["row", "line"];
+    names.extend(log.pose.map(|_| "pose"));
+    names.extend(log.period_s.map(|_| "time_s"));
+    read.columns = names.into_iter().map(str::to_owned).chain(columns.iter().map(|(name, _)| name.clone())).collect();
+    read.rows = rows
+        .iter()
+        .zip(lines)
+        .map(|(&row, line)| LogRow {
+            row,
+            line: line as usize,
+            pose: log.pose.map(|_| row),
+            time_s: log.period_s.map(|period_s| (row - 1) as f64 * period_s),
+            ..LogRow::default()
+        })
+        .collect();
+    for (name, values) in columns {
+        let values = match values {
+            Values::Text(texts) => {
+                read.rows.iter_mut().zip(texts).for_each(|(row, text)| row.label = Some(text));
+                continue;
+            }
+            Values::Real(values) => values,
+        };
+        let set: fn(&mut LogRow, f64) = match name.as_str() {
+            "pose" => |row, v| row.pose = Some(v as i64),
+            "cycle" => |row, v| row.cycle = Some(v as i64),
+            "time_s" => |row, v| row.time_s = Some(v),
+            ASSEMBLY => |row, v| row.assembly = Some(v),
+            _ => {
+                read.joints.push(name);
+                |row, v| row.joints.push(v)
+            }
+        };
+        read.rows.iter_mut().zip(values).for_each(|(row, value)| set(row, value));
+    }
+    Ok(match &log.standstill {
+        Some(still) => (standstill::reduce(stated, log, still, read, source)?, said),
+        None => (read, said),
+    })
 }
 
 /// Reads the columns that the campaign wants of a log.

@@ -1,24 +1,26 @@
 //! ROS messages as CSV. The order of joints in a JointState is arbitrary: they are found by name, in the header
 //! (`lbr_joint_1,lbr_joint_2,...`) or in the rows of `rostopic echo -p` (`field.name0,...,field.position0,...`).
 
-use super::LogFormat;
 use super::sheet::Sheet;
+use super::{About, LogFormat};
 use crate::base::message::{Message, Problems};
+use crate::import::formats::Recognised;
 
 /// ROS messages: joints in any order, named by the header or by their rows.
 pub(super) struct Ros;
 
 impl LogFormat for Ros {
-    fn name(&self) -> &'static str {
-        "ros"
+    fn about(&self) -> About {
+        About {
+            name: "ros",
+            title: "ROS CSV",
+            description: "ROS messages as CSV: joints in any order, named by the header or by their rows.",
+        }
     }
 
-    fn title(&self) -> &'static str {
-        "ROS CSV"
-    }
-
-    fn description(&self) -> &'static str {
-        "ROS messages as CSV: joints in any order, named by the header or by their rows."
+    fn recognise(&self, header: &[&str], _text: &str) -> Option<Recognised> {
+        let echo = header.first() == Some(&"%time") && header.iter().any(|name| name.starts_with("field."));
+        Recognised::by(echo, 0.9, "messages of ROS: its header is that of `rostopic echo -p`")
     }
 
     fn unit_of(&self, column: &str) -> Option<&'static str> {

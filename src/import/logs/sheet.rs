@@ -1,29 +1,24 @@
 //! Logs that are one table: a header of names, a row for each time.
 
-use super::super::lexer::{Row, WHOLE, number, rows};
-use super::super::propose::propose;
-use super::{Columns, LogFormat, Values, Wanted, unit_agrees};
+use super::{About, Columns, Log, LogFormat, Values, Wanted, unit_agrees};
 use crate::base::message::{Message, Place, Problems, Result, Stated};
 use crate::base::table::{ASSEMBLY, LABEL};
 use crate::document::Source;
-use crate::import::Log;
+use crate::import::format::{ColumnAt, Decimal, Delimiter, Dialect, two_commas};
+use crate::import::guess::guesses;
+use crate::import::lexer::{Row, WHOLE, number, rows};
 use std::borrow::Cow;
-use crate::import::format::{ColumnAt, Decimal, Delimiter, two_commas};
 
 /// Delimited text of which nothing is known but what the campaign states.
 pub(super) struct Delimited;
 
 impl LogFormat for Delimited {
-    fn name(&self) -> &'static str {
-        "delimited"
-    }
-
-    fn title(&self) -> &'static str {
-        ""
-    }
-
-    fn description(&self) -> &'static str {
-        "Delimited text of which nothing is known but what the campaign states."
+    fn about(&self) -> About {
+        About {
+            name: "delimited",
+            title: "",
+            description: "Delimited text of which nothing is known but what the campaign states.",
+        }
     }
 }
 
@@ -58,7 +53,7 @@ pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, sou
     }
     source.dialect = format!(
         "{}delimited by `{}`, decimal `{}`",
-        if log.format.0.title().is_empty() { String::new() } else { format!("{}, ", log.format.0.title()) },
+        if log.format.about().title.is_empty() { String::new() } else { format!("{}, ", log.format.about().title) },
         log.delimiter().name(),
         log.decimal.name()
     );
@@ -115,9 +110,10 @@ fn split<'a>(stated: Stated, log: &'a Log, text: &'a str, problems: &mut Problem
         let what = format!("log `{file}` has one column, of which the campaign names {}", log.columns.len());
         let delimiter = log.delimiter().name();
         let expected = format!("columns separated by `{delimiter}`, decimal `{}`", log.decimal.name());
-        let hint = match propose(file, text).readings.first() {
-            Some(r) => {
-                format!("`delimiter = {:?}` and `decimal = {:?}` read its rows: state them", r.delimiter, r.decimal)
+        let hint = match guesses(text, None).first().map(|guess| &guess.dialect) {
+            Some(Dialect { delimiter, decimal, .. }) => {
+                let delimiter = delimiter.map_or("", Delimiter::name);
+                format!("`delimiter = {delimiter:?}` and `decimal = {:?}` read its rows: state them", decimal.name())
             }
             None => "state `delimiter` and `decimal` of the log, as its rows have them".to_owned(),
         };
@@ -137,7 +133,7 @@ fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<us
     log.format.0.statement(wanted).map_or(Ok(()), Err)?;
     let index = match (&wanted.column.at, &sheet.header, log.format.0.not_by_number()) {
         (ColumnAt::Number(_), _, Some(why)) => {
-            let format = log.format.0.title();
+            let format = log.format.about().title;
             return Err(
                 Message::error(format!("a column of {format} is not given by its number: {why}")).hint("give its name")
             );

@@ -3,27 +3,29 @@
 //! Unsorted exports bring a column of times for each channel, sorted ones for each group of channels with the same times.
 //! A row of the log is a time at which all wanted channels have a value; nothing is interpolated.
 
-use super::{Columns, LogFormat, Values, Wanted, other_unit};
+use super::{About, ChannelValues, Columns, Log, LogFormat, Values, Wanted, other_unit};
 use crate::base::message::{Message, Place, Problems, Result, Stated, count};
 use crate::document::Source;
 use crate::import::format::{ColumnAt, Decimal, Delimiter};
+use crate::import::formats::Recognised;
 use crate::import::lexer::{Row, number};
-use crate::import::log::{ChannelValues, Log};
 
 /// Exports of Beckhoff TwinCAT 3 Scope: a time base for each channel.
 pub(super) struct TwinCat;
 
 impl LogFormat for TwinCat {
-    fn name(&self) -> &'static str {
-        "twincat"
+    fn about(&self) -> About {
+        About {
+            name: "twincat",
+            title: "TwinCAT Scope",
+            description: "Beckhoff TwinCAT 3 Scope CSV: a time base for each channel.",
+        }
     }
 
-    fn title(&self) -> &'static str {
-        "TwinCAT Scope"
-    }
-
-    fn description(&self) -> &'static str {
-        "Beckhoff TwinCAT 3 Scope CSV: a time base for each channel."
+    fn recognise(&self, header: &[&str], text: &str) -> Option<Recognised> {
+        let start = text.lines().take(10).any(|line| line.trim_start_matches('"').starts_with("Starttime of export"));
+        let what = "an export of Beckhoff TwinCAT 3 Scope: its head states the start of the export";
+        Recognised::by(start && header.iter().any(|field| field.starts_with("Name")), 1.0, what)
     }
 
     fn has_channels(&self) -> bool {
@@ -52,7 +54,7 @@ pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, sou
     let header = Header::read(file, &lines, log)?;
     let start = header.start_utc().map_or_else(String::new, |start| format!(", start {start}"));
     let (separator, decimal) = (header.separator, log.decimal.name());
-    source.dialect = format!("{}, delimited by {separator:?}, decimal `{decimal}`{start}", log.format.0.title());
+    source.dialect = format!("{}, delimited by {separator:?}, decimal `{decimal}`{start}", log.format.about().title);
     let mut problems = Problems::default();
     if log.period_s.is_some() {
         let message = Message::error("the channels bring their own times").at(stated.place(&log.file));

@@ -3,22 +3,25 @@
 //! Units are those of the RTDE guide of Universal Robots: rad, m, s. A recording may name a column twice (a real one has
 //! `target_current_0` to `_5` before and after `target_q`); such a name is refused unless the campaign says which.
 
-use super::LogFormat;
+use super::{About, LogFormat};
+use crate::import::formats::Recognised;
 
 /// Recordings of Universal Robots RTDE: rad, m, s.
 pub(super) struct UrRtde;
 
 impl LogFormat for UrRtde {
-    fn name(&self) -> &'static str {
-        "ur_rtde"
+    fn about(&self) -> About {
+        About {
+            name: "ur_rtde",
+            title: "UR RTDE",
+            description: "Universal Robots RTDE recording: rad, m, s; names that occur twice.",
+        }
     }
 
-    fn title(&self) -> &'static str {
-        "UR RTDE"
-    }
-
-    fn description(&self) -> &'static str {
-        "Universal Robots RTDE recording: rad, m, s; names that occur twice."
+    fn recognise(&self, header: &[&str], _text: &str) -> Option<Recognised> {
+        let joints = header.iter().any(|name| name.starts_with("actual_q_") || name.starts_with("target_q_"));
+        let what = "a recording of Universal Robots RTDE: its header has RTDE's names of joint positions";
+        Recognised::by(joints, if header.contains(&"timestamp") { 0.9 } else { 0.7 }, what)
     }
 
     fn unit_of(&self, column: &str) -> Option<&'static str> {

@@ -1,10 +1,10 @@
 //! Writes a log in the columns that a campaign states.
 
-use super::super::lexer::{line, written};
-use super::super::log::{JointLog, Log, LogRow, meaning};
+use super::{JointLog, Log, LogRow, meaning};
 use crate::base::message::{Message, Result, Stated};
 use crate::base::table::{ASSEMBLY, LABEL};
 use crate::import::format::{Column, ColumnAt};
+use crate::import::lexer::{line, written};
 
 /// A campaign may number columns, but not without end.
 const MOST_COLUMNS: usize = 1000;

@@ -4,7 +4,7 @@ use crate::base::message::{Message, Place, Problems, Result};
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
 use crate::import::lexer::{WHOLE, number, rows};
-use crate::import::log::meaning;
+use crate::import::logs::meaning;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 
 /// Reads a table of observations (commas, decimal point, a header): its columns, and `line` with the line of each row.

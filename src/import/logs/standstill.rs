@@ -4,12 +4,11 @@
 //! stated for its kind. The rule is the same read backwards, and knows no filter. What stands together is one interval:
 //! stretches that share a sample are.
 
+use super::joint_log::{JointLog, LogRow};
+use super::{Log, Standstill};
 use crate::base::message::{Message, Place, Result, Stated};
 use crate::base::table::{ASSEMBLY, LABEL};
 use crate::document::{Source, StandingInterval, StandingJoint};
-use crate::import::Log;
-use crate::import::log::Standstill;
-use crate::import::log::{JointLog, LogRow};
 use std::collections::VecDeque;
 
 /// A joint: its values, and how far they may lie apart where it stands, in the same unit.
