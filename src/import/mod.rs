@@ -3,31 +3,27 @@
 //! No input is repaired in silence: a row that means "not measured" is refused by rule and listed, anything else that
 //! does not read as stated is an error with its place, and one run reports all of them.
 
-mod binary;
-mod bounded;
 mod cloud;
 mod coordinates;
-mod encoding;
 mod export;
 pub mod format;
 pub mod formats;
 mod guess;
-mod header_unit;
-mod label;
+mod input;
 mod lexer;
 mod logs;
 mod names;
 mod points;
 mod propose;
-mod roles;
 pub mod tables;
 mod workbook;
 mod xml;
 
 pub use cloud::{Cloud, cloud};
 pub use export::Export;
+pub(crate) use export::Pattern as LabelPattern;
 pub use formats::{Format, qif};
-pub(crate) use label::Pattern as LabelPattern;
+pub(crate) use input::{read_export, read_text};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, Standstill, is_joint_column, standstill};
 pub(crate) use logs::{is_common_column, meaning as log_column, read as log, write as write_log};
 pub use points::{Point, table};
@@ -35,7 +31,7 @@ pub use propose::{propose, propose_file};
 pub use tables::observations::observations;
 
 use crate::base::files;
-use crate::base::message::{Message, Place, Result, count, nearest};
+use crate::base::message::{Message, Place, Result, count};
 use crate::base::pose::Vector;
 use crate::import::format::Encoding;
 use crate::import::format::Unit;
@@ -107,84 +103,4 @@ pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> R
     }
     problems.check()?;
     points::table(&points)
-}
-
-/// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
-pub(crate) fn read_text(path: &Path, encoding: Option<Encoding>, place: Place) -> Result<(String, Vec<u8>)> {
-    let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
-    let text = encoding::decode(bytes.clone(), encoding).map_err(|mut message| {
-        message.what = format!("`{}`: {}", path.display(), message.what);
-        message.at(place)
-    })?;
-    Ok((text, bytes))
-}
-
-/// The same of a file in a format, which may be a sheet of a workbook, or bytes.
-pub(crate) fn read_export(
-    path: &Path,
-    encoding: Option<Encoding>,
-    format: &Format,
-    place: Place,
-) -> Result<(String, Vec<u8>)> {
-    if format.about().binary {
-        let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
-        return Ok((bytes.iter().map(|byte| char::from(*byte)).collect(), bytes));
-    }
-    let Some(sheet) = &format.dialect.sheet else { return read_text(path, encoding, place) };
-    let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
-    let text = workbook::text(&bytes, sheet).map_err(|mut message| {
-        message.what = format!("`{}`: {}", path.display(), message.what);
-        message.at(place)
-    })?;
-    Ok((text, bytes))
-}
-
-/// Bytes of an input file, or why it is none.
-fn bytes_of(path: &Path) -> Result<Vec<u8>> {
-    if path.is_dir() {
-        let message = Message::error(format!("`{}` is a folder", path.display()));
-        return Err(message.expected("a file").hint(format!("name a file in it; {}", listed(path))).into());
-    }
-    if !path.is_file() {
-        let message = Message::error(format!("there is no file `{}`", path.display()));
-        let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        return Err(message.hint(beside(path.parent().unwrap_or(Path::new("")), &name)).into());
-    }
-    let file = files::open(path);
-    let file = file.map_err(|e| Message::error(format!("cannot read `{}`: {e}", path.display())))?;
-    Ok(bounded::read(file).map_err(|mut message| {
-        message.what = format!("`{}`: {}", path.display(), message.what);
-        message
-    })?)
-}
-
-/// What to do about a file that is not there: the file that may be meant, or how one comes by it.
-fn beside(folder: &Path, wrong: &str) -> String {
-    let names = files_in(folder);
-    let truth = folder.ancestors().map(|folder| folder.join("truth.toml")).find(|truth| truth.is_file());
-    match (nearest(wrong, names.iter().map(String::as_str)), truth) {
-        (Some(name), _) => format!("did you mean `{name}`, which is there?"),
-        (None, Some(truth)) => {
-            let campaign = truth.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-            format!("`etalon simulate {}` writes it from truth.toml", campaign.display())
-        }
-        (None, None) if names.is_empty() => {
-            "put it there, or name another: paths begin at the campaign's folder".to_owned()
-        }
-        (None, None) => listed(folder),
-    }
-}
-
-fn listed(folder: &Path) -> String {
-    let names = files_in(folder);
-    let more = if names.len() > 12 { ", ..." } else { "" };
-    format!("there are: {}{more}", names[..names.len().min(12)].join(", "))
-}
-
-/// Names of the files in a folder, sorted.
-fn files_in(folder: &Path) -> Vec<String> {
-    let files = std::fs::read_dir(folder).into_iter().flatten().flatten().filter(|e| e.path().is_file());
-    let mut names: Vec<String> = files.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
-    names.sort();
-    names
 }

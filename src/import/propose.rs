@@ -3,20 +3,13 @@
 use super::formats::delimited::point_rows;
 use super::formats::qif::is_xml;
 use super::formats::{Recognised, head, recognise};
-use super::guess::{Guess, guesses};
-use super::header_unit::header_unit;
+use super::guess::{Guess, guesses, is_joint, looks_like_a_log, names, roles};
+use super::input::{bytes_of, decode};
 use super::logs::LogKind;
-use super::roles::{is_joint, looks_like_a_log, names, roles};
-use super::{bytes_of, encoding, workbook};
+use super::workbook;
 use crate::base::message::{Message, Place, Result, count};
 use crate::document::{FormatsDocument, Reading};
-use crate::import::format::Columns;
-use crate::import::format::CoordinateType;
-use crate::import::format::Dialect;
-use crate::import::format::Encoding;
-use crate::import::format::Header;
-use crate::import::format::Role;
-use crate::import::format::Unit;
+use crate::import::format::{Columns, CoordinateType, Dialect, Encoding, Header, Role, Unit};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -106,7 +99,7 @@ fn of_workbook(file: &str, bytes: &[u8]) -> std::result::Result<FormatsDocument,
 
 /// The text, and the encoding that the campaign must state for it.
 fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Message> {
-    let first = match encoding::decode(bytes.clone(), None) {
+    let first = match decode(bytes.clone(), None) {
         Ok(text) => return Ok((text, None)),
         Err(message) => message,
     };
@@ -116,7 +109,7 @@ fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Me
         (false, true) => Encoding::Utf16Be,
         _ => Encoding::Windows1252,
     };
-    match encoding::decode(bytes, Some(stated)) {
+    match decode(bytes, Some(stated)) {
         Ok(text) => Ok((text, Some(stated))),
         Err(_) => Err(first),
     }
@@ -275,7 +268,7 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
 fn stated_unit(best: &Guess) -> Option<Unit> {
     let names = names(best)?;
     let x = roles(best).iter().position(|role| *role == Role::X)?;
-    header_unit(names.get(x)?)
+    Unit::of_heading(names.get(x)?)
 }
 
 /// Columns of numbers that nothing names and that are not read.
@@ -440,7 +433,10 @@ mod tests {
                 "columns = { pose = \"pose\", cycle = \"run\", q1_UNIT = \"RP1\", q2_UNIT",
             ),
             ("1.5 2.5 3.5 4.5 5.5 6.5\n", "columns = { q1_UNIT = 1, q2_UNIT = 2"),
-            ("timestamp,actual_q_0,actual_q_1\n0.1,0.2,0.3\n", "q1_UNIT = \"actual_q_0\""),
+            (
+                "timestamp,actual_q_0,actual_q_1\n0.1,0.2,0.3\n",
+                "columns = { time_s = \"timestamp\", q1_rad = \"actual_q_0\", q2_rad = \"actual_q_1\" }",
+            ),
         ] {
             let toml = propose("l.csv", text).toml;
             assert!(toml.contains("[log]") && !toml.contains("[[export]]") && toml.contains(columns), "{toml}");
@@ -448,6 +444,27 @@ mod tests {
         assert!(
             propose("p.xyz", "1.5 2.5 3.5 0.0 0.6 0.8\n").toml.contains("\"x\", \"y\", \"z\", \"i\", \"j\", \"k\"")
         );
+    }
+
+    #[test]
+    fn a_log_format_is_recognised_with_its_reason_and_asked_where_the_mark_is_weak() {
+        for (text, format, mark) in [
+            ("timestamp,actual_q_0\n0.1,0.2\n", "ur_rtde", "RTDE's names of joint positions"),
+            ("Timestamp,A1,IPOC\n2024-09-24,1.5,12\n", "kuka_rsi", "`IPOC`"),
+            ("%time,field.header.seq,field.position0\n1,2,0.5\n", "ros", "`rostopic echo -p`"),
+            ("Name\tscope\nStarttime of export\t132959733843760000\n\nName\tq\n", "twincat", "start of the export"),
+        ] {
+            let document = propose("l.csv", text);
+            assert_eq!(document.format.as_deref(), Some(format), "{document:?}");
+            assert!(document.reasons[0].contains(mark), "{document:?}");
+            assert!(
+                document.toml.contains(&format!("[log]\nfile = \"l.csv\"\nformat = \"{format}\"\n")),
+                "{document:?}"
+            );
+        }
+        let document = propose("l.csv", "one,ten\n0,0\n1,10\n2,20\n,0\n");
+        assert_eq!(document.format, None);
+        assert!(document.questions.iter().any(|question| question.contains("Galil")), "{document:?}");
     }
 
     #[test]

@@ -8,10 +8,7 @@ use crate::import::coordinates::cartesian;
 use crate::import::format::{
     ColumnAt, Columns, CoordinateType, Delimiter, Dialect, Header, Role, Unit, coordinate_type,
 };
-use crate::import::header_unit::header_unit;
-use crate::import::lexer;
-use crate::import::lexer::{Row, split};
-use crate::import::lexer::{WHOLE, marked};
+use crate::import::lexer::{self, Row, WHOLE, marked, split};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 
@@ -159,7 +156,7 @@ fn data<'t>(file: &str, mut rows: Vec<Row<'t>>, dialect: &Dialect, unit: Unit) -
     let mut remarks = Vec::new();
     if let Some(header) = rows.last() {
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
-        let other = |(_, name): &(&Role, &Cow<str>)| header_unit(name).is_some_and(|said| said != unit);
+        let other = |(_, name): &(&Role, &Cow<str>)| Unit::of_heading(name).is_some_and(|said| said != unit);
         if let Some((_, name)) = lengths.into_iter().find(other) {
             let what = format!("the header says `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
             remarks.push(Message::error(what).at(header.place(file)).hint("state the unit of the file"));
