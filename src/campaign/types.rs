@@ -81,8 +81,8 @@ pub struct CampaignFile {
     /// Language, logo and templates of the report.
     #[serde(default)]
     pub report: ReportDefinition,
-    /// Formats of the controller files to write: `json`, `csv`, `c-header`; all of them if absent.
-    #[schemars(with = "Option<Vec<String>>")]
+    /// Formats of the controller files to write.
+    #[schemars(with = "Option<Vec<String>>", extend("default" = ["json", "csv", "c-header"]))]
     pub controllers: Option<Vec<Spanned<String>>>,
 }
 

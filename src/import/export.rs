@@ -16,7 +16,8 @@ pub struct Export {
     pub file: Spanned<String>,
     /// Format of the file: a name, or a table of text key by key.
     pub format: Format,
-    /// Encoding of its characters; UTF-8, or that of its byte-order mark, if absent.
+    /// Encoding of its characters, where no byte-order mark states it.
+    #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
     /// Length unit of the file.
     pub unit: Unit,

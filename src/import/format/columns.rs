@@ -9,6 +9,7 @@ use std::fmt;
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(transform = super::accept_aliases)]
 pub enum Role {
     /// Label of the point; the parts of several are joined by `::`.
     Label,
@@ -60,6 +61,7 @@ pub enum Role {
     TimeS,
     /// Not read.
     #[serde(rename = "-", alias = "skip")]
+    #[schemars(extend("aliases" = ["skip"]))]
     Skip,
 }
 

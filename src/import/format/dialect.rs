@@ -42,21 +42,27 @@ pub struct Dialect {
 
 /// What separates columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(transform = super::accept_aliases)]
 pub enum Delimiter {
     /// Any number of blanks or tabs.
     #[serde(rename = "blank", alias = " ")]
+    #[schemars(extend("aliases" = [" "]))]
     Blank,
     /// A tab.
     #[serde(rename = "tab", alias = "\t")]
+    #[schemars(extend("aliases" = ["\t"]))]
     Tab,
     /// A comma.
     #[serde(rename = ",", alias = "comma")]
+    #[schemars(extend("aliases" = ["comma"]))]
     Comma,
     /// A semicolon.
     #[serde(rename = ";", alias = "semicolon")]
+    #[schemars(extend("aliases" = ["semicolon"]))]
     Semicolon,
     /// A vertical bar.
     #[serde(rename = "|", alias = "bar")]
+    #[schemars(extend("aliases" = ["bar"]))]
     Bar,
 }
 
@@ -86,13 +92,16 @@ impl Delimiter {
 
 /// Decimal mark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[schemars(transform = super::accept_aliases)]
 pub enum Decimal {
     /// `1.5`
     #[default]
     #[serde(rename = ".", alias = "point")]
+    #[schemars(extend("aliases" = ["point"]))]
     Point,
     /// `1,5`
     #[serde(rename = ",", alias = "comma")]
+    #[schemars(extend("aliases" = ["comma"]))]
     Comma,
 }
 
@@ -105,6 +114,7 @@ impl Decimal {
 
 /// Length unit of an export.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(transform = super::accept_aliases)]
 pub enum Unit {
     /// Millimetre.
     #[serde(rename = "mm")]
@@ -117,6 +127,7 @@ pub enum Unit {
     Micrometre,
     /// Inch: 25.4 mm exactly.
     #[serde(rename = "inch", alias = "in")]
+    #[schemars(extend("aliases" = ["in"]))]
     Inch,
 }
 

@@ -8,9 +8,11 @@ use std::fmt;
 
 /// How bytes become characters. Without a statement a text is UTF-8, or what its byte-order mark says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(transform = super::accept_aliases)]
 pub enum Encoding {
     /// UTF-8, with a byte-order mark or without.
     #[serde(rename = "utf-8", alias = "utf8", alias = "ascii")]
+    #[schemars(extend("aliases" = ["utf8", "ascii"]))]
     Utf8,
     /// UTF-16, the low byte first.
     #[serde(rename = "utf-16le")]
@@ -20,6 +22,7 @@ pub enum Encoding {
     Utf16Be,
     /// Western European Windows.
     #[serde(rename = "windows-1252", alias = "cp1252")]
+    #[schemars(extend("aliases" = ["cp1252"]))]
     Windows1252,
 }
 
@@ -37,18 +40,23 @@ impl Encoding {
 
 /// What stands between groups of three digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(transform = super::accept_aliases)]
 pub enum Thousands {
     /// `1,234.5`
     #[serde(rename = ",", alias = "comma")]
+    #[schemars(extend("aliases" = ["comma"]))]
     Comma,
     /// `1.234,5`
     #[serde(rename = ".", alias = "point")]
+    #[schemars(extend("aliases" = ["point"]))]
     Point,
     /// `1'234.5`
     #[serde(rename = "'", alias = "apostrophe")]
+    #[schemars(extend("aliases" = ["apostrophe"]))]
     Apostrophe,
     /// `1 234.5`, also with a no-break, narrow or thin blank.
     #[serde(rename = " ", alias = "blank")]
+    #[schemars(extend("aliases" = ["blank"]))]
     Blank,
 }
 

@@ -38,12 +38,14 @@ pub struct Log {
     /// Name of the file.
     #[schemars(with = "String")]
     pub file: Spanned<String>,
-    /// Encoding of its characters; UTF-8, or that of its byte-order mark, if absent.
+    /// Encoding of its characters, where no byte-order mark states it.
+    #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
     /// Controller that wrote the log.
     #[serde(default)]
     pub format: LogKind,
-    /// What separates the columns; a comma if absent.
+    /// What separates the columns.
+    #[schemars(extend("default" = ","))]
     pub delimiter: Option<Delimiter>,
     /// Decimal mark.
     #[serde(default)]
