@@ -1,4 +1,4 @@
-//! How everything says what is wrong: what, where, what was expected, and a hint.
+//! Messages: what is wrong, where, what was expected, and a hint.
 
 use serde::{Deserialize, Serialize};
 use std::fmt;

@@ -75,7 +75,7 @@ pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
 
 fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
     table.column(name).map_err(|_| {
-        // `line` says where a row was read, no user wrote it
+        // `line` is where a row was read, no user wrote it
         let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| *name != "line");
         let names: Vec<&str> = names.collect();
         Message::error(format!("the table has no column `{name}`")).hint_names(name, names).into()

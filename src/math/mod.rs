@@ -1,4 +1,4 @@
-//! Mathematics, which knows no file and no campaign: least squares, fits of elements, kinematics, identification, the geometric
+//! Mathematics, without files and campaigns: least squares, fits of elements, kinematics, identification, the geometric
 //! method and the choice of poses.
 
 pub mod fit;

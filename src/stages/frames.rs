@@ -109,7 +109,7 @@ fn from_plane(
     let feature = |name: &str| features.features.iter().find(|f| f.name == name);
     let wrong = |what: &str| Message::error(what.to_owned()).at(campaign.world_place());
     let plane_name = world.plane.as_ref().ok_or_else(|| wrong("the world frame has no plane"))?;
-    let plane = feature(plane_name.get_ref()).ok_or_else(|| wrong("the plane of the world frame is no feature"))?;
+    let plane = feature(plane_name.get_ref()).ok_or_else(|| wrong("the plane of the world frame is not a feature"))?;
     let normal = plane.direction;
     let project = |p: Vector| {
         let height = dot(minus(p, plane.point_mm), normal);

@@ -6,7 +6,7 @@ use crate::document::PointError;
 use crate::math::identify::{Identification, Observation, Settings, chi_square_exceeds, outliers};
 use crate::math::robots::{Parameter, Quantity, Robot, Role};
 
-/// Gains and couplings further than this from nominal are no errors of a transmission.
+/// Gains and couplings further than this from nominal are not errors of a transmission.
 const RATIO: f64 = 0.1;
 /// A calibrated model leaves thousandths of the workspace; more than this share of it is another robot.
 const LEFT: f64 = 0.02;
@@ -43,7 +43,7 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
     for (p, value) in robot.parameters().iter().zip(values) {
         if p.role == Role::Robot && p.quantity == Quantity::Ratio && (value - p.nominal).abs() > RATIO {
             messages.push(
-                Message::error(format!("`{}` = {value:.4} is no error of a robot: its nominal value is {}", p.name, p.nominal))
+                Message::error(format!("`{}` = {value:.4} is not plausible: its nominal value is {}", p.name, p.nominal))
                     .hint("check sign and unit of the joint in the log, and whether the world frame is right-handed (`towards`)"),
             );
         }

@@ -6,7 +6,7 @@ use crate::document::{FitDocument, FitStated};
 use crate::import::qif::{Geometry, MeasuredFeature, Touch};
 use crate::math::fit::{self, Element, Fit, Probe, Settings, Side};
 
-/// What the user states about the probe, over what the file says.
+/// What the user states about the probe, over what the file states.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ProbeStated {
     /// Its radius.
@@ -16,12 +16,12 @@ pub struct ProbeStated {
 }
 
 /// Fits a measured feature to its points by `settings` (without probe), compensates it where the points are probe
-/// centres, and sets it against what the file states; `None` where it has no points or is no element.
+/// centres, and sets it against what the file states; `None` where it has no points or is not an element.
 ///
 /// A circle whose stated normal is exactly an axis of coordinates is fitted in that plane: no measured normal is.
 ///
 /// # Errors
-/// If its points do not determine the element, or if they are probe centres and neither the file nor the user says how
+/// If its points do not determine the element, or if they are probe centres and neither the file nor the user states how
 /// large the probe was and on which side.
 pub fn refit(feature: &MeasuredFeature, settings: &Settings, probe: ProbeStated) -> Result<Option<FitDocument>> {
     let Some(element) = feature.element().filter(|_| !feature.points_mm.is_empty()) else { return Ok(None) };
@@ -66,7 +66,7 @@ fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Re
         Some(side) => (side, "as stated by the user".to_owned()),
         None => side_of(feature, centres, radius_mm).ok_or_else(|| {
             missing(
-                "the file does not say on which side the probe was",
+                "the file does not state on which side the probe was",
                 "state it: --probe-side inside, outside or x,y,z",
             )
         })?,
@@ -74,7 +74,7 @@ fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Re
     Ok(Some((Probe { radius_mm, side }, from)))
 }
 
-/// On which side of the feature the probe was, as far as the file says it, and by what.
+/// On which side of the feature the probe was, as far as the file states it, and by what.
 fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, String)> {
     let known = [(&feature.nominal, "nominal"), (&feature.stated, "stated")];
     let first = |side: &dyn Fn(&Geometry) -> Option<Side>, of: &str| {
@@ -93,8 +93,8 @@ fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(S
         element => {
             let side = |inside: bool| if inside { Side::Inside } else { Side::Outside };
             if let Some(inside) = feature.internal {
-                let said = if inside { "INTERNAL" } else { "EXTERNAL" };
-                return Some((side(inside), format!("from `InternalExternal`: {said}")));
+                let stated = if inside { "INTERNAL" } else { "EXTERNAL" };
+                return Some((side(inside), format!("from `InternalExternal`: {stated}")));
             }
             let by_size = |values: &Geometry| {
                 let (size, found) = match element {

@@ -66,7 +66,7 @@ pub(crate) struct CampaignTables<'a> {
 }
 
 impl CampaignTables<'_> {
-    /// A table; `holds` is what the list of inputs says of it.
+    /// A table; `holds` describes it in the list of inputs.
     pub fn read(&mut self, file: &Spanned<String>, holds: &str) -> Result<TableFile> {
         self.read_with(file, "table", holds, import::observations)
     }

@@ -191,7 +191,7 @@ fn a_result_that_cannot_be_the_robot_reaches_no_controller() {
     scratch.replace("campaign.toml", "y_axis = [\"R_home\", \"R_end\"]", "y_axis = [\"R_end\", \"R_home\"]");
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(1), "{said}");
-    assert!(said.contains("`delta2` = -0.9996 is no error of a robot") && said.contains("hint: check sign"), "{said}");
+    assert!(said.contains("`delta2` = -0.9996 is not plausible") && said.contains("hint: check sign"), "{said}");
     assert!(said.contains("no controller file is written"), "{said}");
     assert!(!scratch.path().join("out/controller.json").exists(), "the file of the run before is still there");
     let report = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();

@@ -89,13 +89,13 @@ pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283Str
             Some(weave) => document.weaving = Some(driven.weaving(weave)?),
             None => document.path = Some(driven.path(settings.band_mm, settings.seed)?),
         }
-        document.messages.extend(driven.doubts());
+        document.messages.extend(driven.warnings());
     }
     Ok(document)
 }
 
 fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
-    let mut said = vec![
+    let mut conventions = vec![
         settings.time.clone(),
         format!(
             "standing: within {} mm of the mean for {} s or longer; a pose is visited within {} mm; its position is the \
@@ -105,7 +105,7 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
         "clauses 7.4, 7.5, 8, 9 and 11 were not compared with a bought copy of the standard".to_owned(),
     ];
     if let Some(band) = settings.band_mm {
-        said.push(format!("limit band: {band} mm about the mean of the standstill"));
+        conventions.push(format!("limit band: {band} mm about the mean of the standstill"));
     }
     if let Some(path) = &settings.path {
         let mut text = format!(
@@ -122,9 +122,9 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
                 settings.near_mm
             );
         }
-        said.push(text);
+        conventions.push(text);
         if path.weave.is_none() {
-            said.push(
+            conventions.push(
                 "AT and RT: intervals by parametric bootstrap over the passes, of the AT and RT of infinitely many; in simulated \
                  tests of ten passes they hold the truth in 90 to 98 % by the kind of scatter"
                     .to_owned(),
@@ -133,9 +133,9 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
     }
     if !recording.angles.is_empty() {
         let names: Vec<&str> = recording.angles.iter().map(|&k| &ANGLES[k][..1]).collect();
-        said.push(format!("angles {} are followed along the motion and treated each alone", names.join(", ")));
+        conventions.push(format!("angles {} are followed along the motion and treated each alone", names.join(", ")));
     }
-    said
+    conventions
 }
 
 /// Pose and number of the visit of each standstill.

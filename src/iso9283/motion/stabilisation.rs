@@ -30,7 +30,7 @@ pub fn arrival(stream: &Stream, before: Option<&Standstill>, standstill: &Stands
     let within = |i: usize| norm(minus(stream.positions_mm()[i], standstill.mean_mm)) <= band_mm;
     let entered = watched.clone().find(|&i| within(i)).filter(|&i| i > watched.start)?;
     let settled = watched.clone().rev().find(|&i| !within(i)).map_or(watched.start, |i| i + 1);
-    // a standstill's middle says where the robot stands: it must be inside
+    // a standstill's middle is the attained position: it must be inside
     (settled <= standstill.middle().start).then(|| {
         let settled = settled.max(entered);
         Arrival { entered, settled, stabilisation_s: stream.time_s()[settled] - stream.time_s()[entered] }

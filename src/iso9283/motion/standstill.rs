@@ -1,5 +1,5 @@
 //! Standstills in a recorded motion, and which of the poses each of them visits. The standard measures poses after
-//! stabilisation and does not say how standing is told from moving: both thresholds are the user's, and are told.
+//! stabilisation and does not define how standing differs from moving: both thresholds are the user's, and are reported.
 
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Vector, minus, norm};

@@ -43,7 +43,7 @@ impl From<Unusable> for Problems {
     }
 }
 
-/// No robot's tool moves faster than this, in mm/s: what does is no motion.
+/// No robot's tool moves faster than this, in mm/s: what does is not a motion.
 pub const FASTEST_MM_S: f64 = 20_000.0;
 
 impl Stream {
@@ -56,7 +56,7 @@ impl Stream {
         }
         for i in 0..n {
             let angles = angles_rad.iter().map(|a| a[i]);
-            // squares of more are no numbers
+            // squares of more are not finite
             if !positions_mm[i].iter().copied().chain(angles).chain([time_s[i]]).all(|v| v.abs() < 1e100) {
                 return wrong(i, "a coordinate or the time is missing or is not a finite number".to_owned());
             }

@@ -36,7 +36,7 @@ const POINTS: usize = 100;
 
 /// Probability beyond either end for AT: with 2.5 %, simulated tests of ten passes hold the truth in 93 % and not in 95 %.
 const AT_TAIL: f64 = 0.018;
-/// Probability below the lower end for RT: few passes tell neighbours more alike than they are, which hides some of what the
+/// Probability below the lower end for RT: in few passes neighbours look more alike than they are, which hides some of what the
 /// largest of many adds; with 2.5 %, simulated tests lie above the truth in up to 11 %.
 const RT_LOW_TAIL: f64 = 0.01;
 
@@ -87,7 +87,7 @@ impl PathBootstrap {
     }
 
     /// 95 % interval of RT_p, at least three passes. A sample's scatters lie wider apart along the path than the truth's, and
-    /// few passes do not tell by how much: for the lower end they are drawn together, for the upper end they stay as found.
+    /// few passes do not show by how much: for the lower end they are drawn together, for the upper end they stay as found.
     pub fn repeatability(
         &self,
         passes: &[Pass],

@@ -64,13 +64,13 @@ impl<'a> Driven<'a> {
         Ok(Self { recording, settings, points, found })
     }
 
-    /// What speaks against what is found: passes that were not ended, and a corner where the velocity should be constant.
-    pub fn doubts(&self) -> Vec<Message> {
-        let mut said = Vec::new();
+    /// Warnings of what was found: passes that were not ended, and a corner where the velocity should be constant.
+    pub fn warnings(&self) -> Vec<Message> {
+        let mut warnings = Vec::new();
         if self.found.incomplete > 0 {
             let what = format!("{} begun and not ended: left out", count(self.found.incomplete, "pass"));
             let hint = "was the motion cut off? where the robot rounds off a corner widely, --near-mm (near_mm) leaves out more of it";
-            said.push(Message::warning(what).hint(hint));
+            warnings.push(Message::warning(what).hint(hint));
         }
         if self.settings.velocity_mm_s.is_some() && self.settings.weave.is_none() {
             let (from, to) = central(&self.points, self.settings.central);
@@ -79,10 +79,10 @@ impl<'a> Driven<'a> {
             if let Some(corner) = self.settings.path.corners(CORNER_RAD).iter().find(inside) {
                 let what = format!("the central part of the path holds a corner, at {:.3} mm", corner.along_mm[1]);
                 let hint = "where a robot slows down for it, that is in AV, RV and FV: state a path without it, or a smaller central part";
-                said.push(Message::warning(what).hint(hint));
+                warnings.push(Message::warning(what).hint(hint));
             }
         }
-        said
+        warnings
     }
 
     /// AT, RT, velocities and corners.

@@ -43,7 +43,7 @@ pub fn layout(low_mm: Vector, high_mm: Vector, plane: usize) -> Result<Layout> {
     let sides = if planar { &extent[..2] } else { &extent[..] };
     let side_mm = sides.iter().copied().fold(f64::INFINITY, f64::min);
     if !norm(extent).is_finite() || side_mm.is_nan() || side_mm <= 0.0 || plane >= PLANES.len() {
-        let message = Message::error("the workspace is no box");
+        let message = Message::error("the workspace is not a box");
         return Err(message.expected("the smallest x, y, z, then the largest").into());
     }
     let half = 0.5 * side_mm;

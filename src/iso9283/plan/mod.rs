@@ -113,7 +113,7 @@ fn conventions(planar: bool) -> Vec<String> {
 }
 
 fn programme() -> Vec<Iso9283Item> {
-    let told = |item: &crate::iso9283::plan::programme::Item| Iso9283Item {
+    let planned = |item: &crate::iso9283::plan::programme::Item| Iso9283Item {
         characteristic: item.characteristic.to_owned(),
         clause: item.clause.to_owned(),
         visits: item.visits.to_owned(),
@@ -121,5 +121,5 @@ fn programme() -> Vec<Iso9283Item> {
         cycles: item.cycles,
         read: item.read,
     };
-    PROGRAMME.iter().map(told).collect()
+    PROGRAMME.iter().map(planned).collect()
 }

@@ -4,7 +4,7 @@ use crate::base::message::Result;
 use crate::base::pose::{Vector, minus, norm};
 use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapped};
 
-/// Where the robot stands on average, against where it was sent.
+/// The mean attained pose against the commanded one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseAccuracy {
     /// Barycentre of the attained positions.

@@ -1,4 +1,4 @@
-//! Where a robot stands depends on where it comes from: multi-directional pose accuracy variation vAP (ISO 9283:1998 7.2.3,
+//! The attained pose depends on the direction of approach: multi-directional pose accuracy variation vAP (ISO 9283:1998 7.2.3,
 //! unverified against a bought copy) and the same by any pose approached from (not of the standard).
 
 use crate::base::message::{Message, Result};

@@ -73,7 +73,7 @@ pub fn evaluate(all: &PoseTest, settings: &Settings) -> Result<Iso9283Document> 
     let short: Vec<String> = poses.iter().filter(|p| p.cycles < CYCLES).map(|p| p.pose.to_string()).collect();
     if !short.is_empty() {
         let message = Message::warning(format!("fewer than {CYCLES} cycles at pose {}", short.join(", ")));
-        messages.push(message.hint("ISO 9283 asks for 30; the intervals say what fewer leave open"));
+        messages.push(message.hint("ISO 9283 asks for 30; the intervals show what fewer leave open"));
     }
     let coarse: Vec<String> =
         poses.iter().filter(|p| p.quarter_rule_met == Some(false)).map(|p| p.pose.to_string()).collect();
@@ -103,12 +103,12 @@ pub fn evaluate(all: &PoseTest, settings: &Settings) -> Result<Iso9283Document> 
 }
 
 fn conventions(visits: &PoseTest, settings: &Settings) -> Vec<String> {
-    let mut said = vec![
+    let mut conventions = vec![
         "AP: mean minus commanded; RP: mean radius + 3 s, s with n - 1; intervals 95 %, Gaussian scatter".to_owned(),
         "RP follows the standard's text (7.2.2); the other clauses were not compared with a bought copy".to_owned(),
     ];
     if settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
-        said.push(
+        conventions.push(
             "conformity: ISO 14253-1's rule with the 95 % interval (unverified): proved only where all of it is on one side"
                 .to_owned(),
         );
@@ -116,16 +116,16 @@ fn conventions(visits: &PoseTest, settings: &Settings) -> Vec<String> {
     let robots = visits.robots();
     if let (Some(first), true) = (robots.first(), robots.len() > 1) {
         let one = one_line(first);
-        said.push(format!("of {} robots: all is of `{one}`, but for exchangeability", robots.len()));
+        conventions.push(format!("of {} robots: all is of `{one}`, but for exchangeability", robots.len()));
     }
     if visits.poses.iter().flat_map(|p| &p.attained).any(|v| v.readings_mm.len() > 1) {
-        said.push("readings of one visit are averaged; their scatter is the instrument's noise".to_owned());
+        conventions.push("readings of one visit are averaged; their scatter is the instrument's noise".to_owned());
     }
     if !visits.angles.is_empty() {
         let order = settings.rotation_order.as_deref().unwrap_or("not stated");
-        said.push(format!("angles a, b, c are unwrapped and treated each alone; order of rotations: {order}"));
+        conventions.push(format!("angles a, b, c are unwrapped and treated each alone; order of rotations: {order}"));
     }
-    said
+    conventions
 }
 
 /// A warning where visits of a pose come from several directions: the standard's AP and RP are of one (7.2.1, 7.2.2).

@@ -1,4 +1,4 @@
-//! Reference targets (not of the standard): targets that stand still beside the robot and are measured again and again tell how
+//! Reference targets (not of the standard): targets that do not move, beside the robot, measured again and again, show how
 //! instrument and foundation moved against each other; what is measured between is carried back.
 
 use crate::base::message::{Message, Result};

@@ -10,7 +10,7 @@ pub struct RotationOrder {
 }
 
 impl RotationOrder {
-    /// From a text like `Rz(c) Ry(b) Rx(a)`; `None` where it says something else, or an order that reaches not every orientation.
+    /// From a text like `Rz(c) Ry(b) Rx(a)`; `None` where it is something else, or an order that reaches not every orientation.
     pub fn parse(text: &str) -> Option<Self> {
         let step = |word: &str| {
             let inner = word.strip_prefix('R')?.strip_suffix(')')?;
@@ -33,7 +33,7 @@ impl RotationOrder {
         })
     }
 
-    /// Angles a, b, c of an orientation, those on the way from `start_rad` (Newton); `None` where the order does not tell two
+    /// Angles a, b, c of an orientation, those on the way from `start_rad` (Newton); `None` where the order does not distinguish two
     /// angles apart (gimbal lock).
     pub fn angles_rad(&self, wanted: &Pose, start_rad: Vector) -> Option<Vector> {
         let mut angles = start_rad;

@@ -14,9 +14,9 @@ pub struct AttainedPose {
     pub position_mm: Vector,
     /// Attained angles, in the order of [`PoseTest::angles`].
     pub angles_rad: Vec<f64>,
-    /// How it was approached: what the column `approach` says, or the pose visited before; `None` for the first row.
+    /// How it was approached: the value in the column `approach`, or the pose visited before; `None` for the first row.
     pub approach: Option<String>,
-    /// What the column `robot` says.
+    /// The value in the column `robot`.
     pub robot: String,
     /// Readings whose mean the position is; one where it was read once.
     pub readings_mm: Vec<Vector>,

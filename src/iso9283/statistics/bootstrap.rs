@@ -75,7 +75,7 @@ impl Bootstrap {
         };
         let end = |share: f64| {
             let (mut near, mut far) = (FARTHEST, -FARTHEST);
-            // to a millionth: draws tell less
+            // to a millionth: draws resolve less
             for _ in 0..26 {
                 let middle = 0.5 * (near + far);
                 if beyond(scatter.plausible(mean, middle)) > share { far = middle } else { near = middle }

@@ -94,7 +94,7 @@ impl Source<'_> {
     }
 }
 
-/// Checked points, to be seen in normalised coordinates, with what their spread says.
+/// Checked points, to be seen in normalised coordinates, with their spread.
 #[derive(Clone)]
 pub(super) struct Cloud<'a> {
     pub(super) source: Source<'a>,
@@ -171,7 +171,7 @@ impl<'a> Cloud<'a> {
     fn survey(&mut self, name: &str, rough_dimensions: Option<usize>) -> Result<()> {
         let few = Cloud { weights: None, ..self.thinned(SAMPLE) };
         let rough = few.gather(Survey::along(self.axes));
-        // a coordinate that is no number is found in the look at all points
+        // a coordinate that is not a number is found in the look at all points
         if rough.is_usable() {
             self.take_up(rough, few.len());
             let wide =
@@ -192,7 +192,7 @@ impl<'a> Cloud<'a> {
         Ok(())
     }
 
-    /// Refuses a coordinate that is no number, or too large to have a square.
+    /// Refuses a coordinate that is not a number, or too large to have a square.
     fn check(&self, name: &str, all: &Surveyed) -> Result<()> {
         let corners = [self.to_mm(all.low), self.to_mm(all.high)];
         if self.len() == 0 || (all.is_usable() && !corners.into_iter().flatten().any(outside)) {
@@ -211,7 +211,7 @@ impl<'a> Cloud<'a> {
         ))
     }
 
-    /// Takes up centre, scale and axes from `count` points, and says whether the axes were near enough for the spreads
+    /// Takes up centre, scale and axes from `count` points, and returns whether the axes were near enough for the spreads
     /// to be right to rounding.
     fn take_up(&mut self, surveyed: Surveyed, count: usize) -> bool {
         let Surveyed { low, high, sum, products: mut moments } = surveyed;

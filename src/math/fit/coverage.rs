@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 /// Sectors that the directions of points are sorted into: of 0.9 to 1.8 degrees.
 const SECTORS: usize = 256;
 
-/// What says how much of an element has points.
+/// A measure of how much of an element has points.
 pub(super) trait Coverage: Gather {
     /// The angle that has points, in radians.
     fn angle_rad(sum: Self::Sum) -> f64;
@@ -88,7 +88,7 @@ impl Gather for Arc {
         let [x, y, _] = self.chart.seen(q, self.centre);
         let part = x * (x.abs() + y.abs()).inverse_or_zero();
         let turn = F64x8::all(2.0) - (F64x8::all(1.0) + part).with_sign_of(y);
-        // added to 2^52 a number is a whole one, and stands in the last bits
+        // added to 2^52 a number is a whole one, in the last bits
         let sector = (turn * (SECTORS / 4) as f64 + F64x8::all(4_503_599_627_370_496.0)).0.map(f64::to_bits);
         self.sectors.take(&turn.0.map(f64::to_bits), &sector);
     }

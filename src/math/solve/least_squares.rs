@@ -156,7 +156,7 @@ fn finish<P: Problem>(run: &mut Run<'_, P>) -> Termination {
             break;
         }
     }
-    // the Jacobian at hand is that of the solution, or of a point closer to it than rounding can tell
+    // the Jacobian at hand is that of the solution, or of a point closer to it than rounding
     run.factorise(None).err().unwrap_or(termination)
 }
 

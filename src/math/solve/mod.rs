@@ -1,5 +1,5 @@
 //! Nonlinear least squares: a [`Problem`] gives residuals and their exact Jacobian, [`solve`] finds the parameters,
-//! and the answer says in words how it ended ([`Termination`]), with its covariance.
+//! and the answer states in words how it ended ([`Termination`]), with its covariance.
 //!
 //! Every step is solved on a triangular factor with scaled columns, from an orthogonal factorisation; the fits of
 //! elements, which are well conditioned, take it from normal equations where that loses nothing. Prior knowledge adds

@@ -70,12 +70,12 @@ impl PreparedTest {
         let Self { test, drift } = self;
         let mut document = evaluate(test, settings)?;
         if !drift.epochs.is_empty() {
-            let said = match (drift.turned, test.angles.is_empty()) {
+            let convention = match (drift.turned, test.angles.is_empty()) {
                 (true, _) => "positions and orientations are carried back by reference targets",
                 (false, true) => "positions are carried back by reference targets",
                 (false, false) => "positions are carried back by reference targets; angles are not",
             };
-            document.conventions.push(said.to_owned());
+            document.conventions.push(convention.to_owned());
         }
         document.reference.clone_from(&drift.epochs);
         Ok(document)
