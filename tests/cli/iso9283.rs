@@ -182,8 +182,8 @@ fn a_plan_writes_tables_that_the_command_takes_and_targets() {
     for (options, said) in [
         ("", "--workspace-mm"),
         (" --workspace-mm 1,2,3", "has 3 numbers"),
-        (" --workspace-mm 0,0,0,0,0,0", "no box"),
-        (" --workspace-mm 0,0,0,NaN,1,1", "no box"),
+        (" --workspace-mm 0,0,0,0,0,0", "not a box"),
+        (" --workspace-mm 0,0,0,NaN,1,1", "not a box"),
         (" --workspace-mm 0,0,0,1,1,1 --test-plane C1-C2", "is not a test plane"),
         (" --workspace-mm 0,0,1,1 --test-plane C1-C2-C7-C8", "one test plane"),
         (" --workspace-mm 0,0,0,1,1,1 --orientation-deg 1,2", "has 2 angles"),

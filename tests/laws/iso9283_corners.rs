@@ -35,7 +35,7 @@ fn round_off_and_overshoot_of_a_corner_are_those_drawn() {
         let stream = Stream::new(time_s, all, &[]).unwrap();
         let found = passes(&stream, &points, 15.0).unwrap();
         assert_eq!(found.complete.len(), 1);
-        cornering(&stream, (&found.complete, &points), &corners[0], Some(limit)).unwrap()
+        cornering(&stream, &found.complete, &points, &corners[0], Some(limit)).unwrap()
     };
     let round = measure(
         drawn(&|t| {
@@ -67,7 +67,7 @@ fn round_off_and_overshoot_of_a_corner_are_those_drawn() {
 #[test]
 fn command_points_are_left_on_both_sides_of_a_corner_however_short_a_leg_is() {
     let short = CommandedPath::new(vec![[0.0; 3], [8.0, 0.0, 0.0], [8.0, 200.0, 0.0]], &[]).unwrap();
-    let points = short.command_points_beside(208, (0.5, 10.0));
+    let points = short.command_points_beside(208, 0.5, 10.0);
     let before = points.iter().filter(|p| p.along_mm < 8.0).count();
     // up to two of eight millimetres are left out before it, and ten behind it
     assert_eq!((before, points.iter().filter(|p| p.along_mm < 18.0).count()), (6, 6));
@@ -99,7 +99,7 @@ fn a_widely_rounded_corner_parts_no_pass() {
         }
         let time_s = (0..all.len()).map(|i| i as f64 / RATE_HZ).collect();
         let stream = Stream::new(time_s, all, &[]).unwrap();
-        let points = corner.command_points_beside(50, (0.5, near_mm));
+        let points = corner.command_points_beside(50, 0.5, near_mm);
         let found = passes(&stream, &points, near_mm).unwrap();
         assert_eq!((found.complete.len(), found.incomplete), (3, 0), "{radius}");
         for (cycle, pass) in found.complete.iter().enumerate() {
@@ -108,9 +108,9 @@ fn a_widely_rounded_corner_parts_no_pass() {
             assert!((end[0] - 200.0 - cycle as f64).abs() < 1e-9, "{radius}: {end:?}");
         }
         // from sample to sample it is half a millimetre; no velocity is told across the corner
-        let velocity = path_velocity(&found.complete, &points, (0.5 * RATE_HZ, 0.5)).unwrap();
+        let velocity = path_velocity(&found.complete, &points, 0.5 * RATE_HZ, 0.5).unwrap();
         assert!(radius > near_mm || velocity.fv_mm_s < 0.02 * velocity.mean_mm_s, "{radius}: {velocity:?}");
-        let round = cornering(&stream, (&found.complete, &points), &corner.corners(0.5)[0], None).unwrap();
+        let round = cornering(&stream, &found.complete, &points, &corner.corners(0.5)[0], None).unwrap();
         assert!((round.round_off_mm - radius * (2f64.sqrt() - 1.0)).abs() < 1.5, "{radius}: {round:?}");
     }
 }

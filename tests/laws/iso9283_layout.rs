@@ -2,7 +2,7 @@
 
 use etalon::base::pose::{Vector, cross, dot, minus, norm, unit};
 use etalon::iso9283::plan::layout::{PLANES, layout};
-use etalon::iso9283::plan::programme::PROGRAMME;
+use etalon::iso9283::plan::programme::programme;
 
 const LOW: Vector = [300.0, -250.0, 100.0];
 const HIGH: Vector = [900.0, 350.0, 500.0];
@@ -78,5 +78,5 @@ fn a_planar_robot_gets_a_square_and_no_workspace_gets_nothing() {
     for (low, high, plane) in [(HIGH, LOW, 0), (LOW, LOW, 0), (LOW, nan, 0), (nan, HIGH, 0), (LOW, HIGH, 4)] {
         assert!(layout(low, high, plane).is_err());
     }
-    assert!(PROGRAMME.iter().all(|item| item.cycles >= 3 && !item.clause.is_empty()));
+    assert!(programme().iter().all(|item| item.cycles >= 3 && !item.clause.is_empty()));
 }

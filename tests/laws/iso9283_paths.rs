@@ -158,7 +158,7 @@ fn a_path_without_deviation_has_none() {
     assert!(path_repeatability(&complete, &points).unwrap().rt_mm < 1e-9);
     let points = CommandedPath::new(PATH[..2].to_vec(), &[vec![0.0; 2]]).unwrap().command_points(30);
     let complete = passes(&stream, &points, 10.0).unwrap().complete;
-    let velocity = path_velocity(&complete, &points, (100.0, 0.5)).unwrap();
+    let velocity = path_velocity(&complete, &points, 100.0, 0.5).unwrap();
     assert!(velocity.av_percent.abs() < 1e-6 && velocity.rv_percent < 1e-6 && velocity.fv_mm_s < 1e-6, "{velocity:?}");
 }
 
@@ -223,7 +223,7 @@ fn velocities_are_those_driven() {
     let stream = stream(driven(&mut Noise::new(35, 0), &speeds, 0.0, 0.0));
     let points = CommandedPath::new(PATH[..2].to_vec(), &[vec![0.0; 2]]).unwrap().command_points(30);
     let found = passes(&stream, &points, 10.0).unwrap().complete;
-    let velocity = path_velocity(&found, &points, (200.0, 0.5)).unwrap();
+    let velocity = path_velocity(&found, &points, 200.0, 0.5).unwrap();
     close(velocity.mean_mm_s, 199.7);
     close(velocity.av_percent, -0.15);
     assert!((velocity.rv_percent - 3.0 * deviation_by_pairs(&speeds) / 2.0).abs() < 1e-9);
@@ -236,11 +236,9 @@ fn velocities_are_those_driven() {
     let stepped = Stream::new(time_s, (0..600).map(|i| [at(i), 0.0, 0.0]).collect(), &[]).unwrap();
     let points = line.command_points(40);
     let found = passes(&stepped, &points, 1.0).unwrap().complete;
-    let velocity = path_velocity(&found, &points, (100.0, 0.5)).unwrap();
+    let velocity = path_velocity(&found, &points, 100.0, 0.5).unwrap();
     assert!((velocity.fv_mm_s - 10.0).abs() < 1e-6 && velocity.rv_percent.is_nan(), "{velocity:?}");
-    assert!(
-        path_velocity(&found, &points, (100.0, 0.01)).is_err() && path_velocity(&found, &points, (0.0, 0.5)).is_err()
-    );
+    assert!(path_velocity(&found, &points, 100.0, 0.01).is_err() && path_velocity(&found, &points, 0.0, 0.5).is_err());
 }
 
 #[test]
@@ -254,8 +252,8 @@ fn rigid_motion_changes_no_path_and_scaling_scales_it() {
         let planes = path.command_points(37);
         let found = passes(&stream, &planes, 10.0 * length).unwrap().complete;
         assert_eq!(found.len(), 3);
-        let velocity = path_velocity(&found, &planes, (250.0 * length, 0.4)).unwrap();
-        let corner = cornering(&stream, (&found, &planes), &path.corners(0.5)[0], Some(0.3 * length)).unwrap();
+        let velocity = path_velocity(&found, &planes, 250.0 * length, 0.4).unwrap();
+        let corner = cornering(&stream, &found, &planes, &path.corners(0.5)[0], Some(0.3 * length)).unwrap();
         let lengths = [
             path_accuracy(&found, &planes).unwrap().at_mm,
             path_repeatability(&found, &planes).unwrap().rt_mm,
@@ -290,6 +288,6 @@ fn paths_that_are_none_are_refused() {
     }
     assert!(passes(&stream, &points[..1], 1.0).is_err());
     assert!(path_accuracy(&[], &points).is_err() && path_repeatability(&[], &points).is_err());
-    assert!(path_velocity(&[], &points, (1.0, 0.5)).is_err());
-    assert!(cornering(&stream, (&[], &points), &path().corners(0.5)[0], None).is_err());
+    assert!(path_velocity(&[], &points, 1.0, 0.5).is_err());
+    assert!(cornering(&stream, &[], &points, &path().corners(0.5)[0], None).is_err());
 }

@@ -90,8 +90,8 @@ fn settling_overshoot_and_posing_time_agree_with_brute_force() {
                 assert!((arrived.stabilisation_s - seconds).abs() < 1e-9);
                 let largest = (entered..range.end).map(away).fold(0.0, f64::max);
                 let expected = if largest > band { largest } else { 0.0 };
-                assert_eq!(overshoot_mm(&stream, before(&found, i), s, (&arrived, band)), expected);
-                let way = posing(&stream, &found[i - 1], s, (&arrived, band));
+                assert_eq!(overshoot_mm(&stream, before(&found, i), s, &arrived), expected);
+                let way = posing(&stream, &found[i - 1], s, &arrived);
                 let was_there = |j: usize| norm(minus(stream.positions_mm()[j], found[i - 1].mean_mm)) <= band;
                 let left = (found[i - 1].middle().start..settled).filter(|&j| was_there(j)).max().unwrap();
                 assert!((way.time_s - (settled - left) as f64 / RATE_HZ).abs() < 1e-9);
@@ -121,7 +121,7 @@ fn a_damped_spring_settles_when_its_formula_says() {
         let share = (band / (3.0 * way)).sqrt();
         let expected = share * 400.0 / RATE_HZ + last;
         assert!((a.stabilisation_s - expected).abs() < 1.5 / RATE_HZ + 0.002, "{} {expected}", a.stabilisation_s);
-        let overshoot = overshoot_mm(&stream, before(&found, i + 1), &found[i + 1], (a, band));
+        let overshoot = overshoot_mm(&stream, before(&found, i + 1), &found[i + 1], a);
         assert!((overshoot - largest).abs() < 0.01, "{overshoot} {largest}");
     }
     let mean = arrivals.iter().map(|a| a.stabilisation_s).sum::<f64>() / 6.0;
@@ -136,7 +136,7 @@ fn without_swing_and_noise_settling_and_overshoot_are_exactly_zero() {
     for (i, s) in found.iter().enumerate().skip(1) {
         let arrived = arrival(&stream, before(&found, i), s, 0.1).unwrap();
         assert_eq!(arrived.stabilisation_s, 0.0);
-        assert_eq!(overshoot_mm(&stream, before(&found, i), s, (&arrived, 0.1)), 0.0);
+        assert_eq!(overshoot_mm(&stream, before(&found, i), s, &arrived), 0.0);
     }
     assert_eq!(arrival(&stream, None, &found[0], 0.1), None, "the recording begins where the robot stands");
 }
@@ -161,8 +161,8 @@ fn rigid_motion_changes_no_settling_and_scaling_scales_it() {
         let of = |i: usize| {
             let band = 0.1 * length;
             let arrived = arrival(&stream, before(&found, i), &found[i], band)?;
-            let overshoot = overshoot_mm(&stream, before(&found, i), &found[i], (&arrived, band)) / length;
-            let way = posing(&stream, &found[i - 1], &found[i], (&arrived, band));
+            let overshoot = overshoot_mm(&stream, before(&found, i), &found[i], &arrived) / length;
+            let way = posing(&stream, &found[i - 1], &found[i], &arrived);
             Some([overshoot, arrived.stabilisation_s / time, way.time_s / time])
         };
         (1..found.len()).map(|i| of(i).unwrap()).collect()

@@ -85,7 +85,7 @@ pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283Str
     };
     if let Some(path) = &settings.path {
         let driven = Driven::new(recording, path, settings.near_mm)?;
-        match path.weave {
+        match &path.weave {
             Some(weave) => document.weaving = Some(driven.weaving(weave)?),
             None => document.path = Some(driven.path(settings.band_mm, settings.seed)?),
         }
@@ -171,13 +171,12 @@ fn standing(
     let mut all = Vec::new();
     for (i, s) in stood.iter().enumerate() {
         let before = i.checked_sub(1).map(|i| &stood[i]);
-        let arrived = band_mm.and_then(|band| Some((arrival(stream, before, s, band)?, band)));
+        let arrived = band_mm.and_then(|band| arrival(stream, before, s, band));
         let from_s = stream.time_s()[s.samples.start];
         if band_mm.is_some() && arrived.is_none() && s.samples.start > 0 {
             unsettled.push(format!("{from_s:.3}"));
         }
-        let arrived = arrived.as_ref().map(|(arrival, band)| (arrival, *band));
-        let posing = before.zip(arrived).map(|(before, arrived)| posing(stream, before, s, arrived));
+        let posing = before.zip(arrived).map(|(before, arrived)| posing(stream, before, s, &arrived));
         all.push(Standing {
             standstill: Iso9283Standstill {
                 pose: visits[i].map(|v| v.0),
@@ -188,11 +187,11 @@ fn standing(
                 mean_mm: s.mean_mm[..axes].to_vec(),
                 mean_deg: s.angles_rad.iter().map(|a| a.to_degrees()).collect(),
                 noise_mm: pose_repeatability(&stream.positions_mm()[s.middle()]).ok().map(|r| r.rp_mm),
-                stabilisation_s: arrived.map(|(arrival, _)| arrival.stabilisation_s),
-                overshoot_mm: arrived.map(|arrived| overshoot_mm(stream, before, s, arrived)),
+                stabilisation_s: arrived.map(|arrival| arrival.stabilisation_s),
+                overshoot_mm: arrived.map(|arrived| overshoot_mm(stream, before, s, &arrived)),
                 posing_s: posing.map(|p| p.time_s),
             },
-            arrival: arrived.map(|(arrival, _)| *arrival),
+            arrival: arrived,
             posing,
         });
     }

@@ -7,13 +7,8 @@ use crate::iso9283::motion::stream::Stream;
 
 /// OV_j of one arrival: the largest distance from the attained pose after the first entry; zero where the limit band is
 /// not left.
-pub fn overshoot_mm(
-    stream: &Stream,
-    before: Option<&Standstill>,
-    standstill: &Standstill,
-    (arrival, band_mm): (&Arrival, f64),
-) -> f64 {
+pub fn overshoot_mm(stream: &Stream, before: Option<&Standstill>, standstill: &Standstill, arrival: &Arrival) -> f64 {
     let after = arrival.entered..watched(before, standstill).end;
     let farthest = away_mm(stream, after, standstill.mean_mm).fold(0.0, f64::max);
-    if farthest > band_mm { farthest } else { 0.0 }
+    if farthest > arrival.band_mm { farthest } else { 0.0 }
 }

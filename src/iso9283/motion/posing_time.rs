@@ -16,10 +16,10 @@ pub struct Posing {
 }
 
 /// The move to a standstill whose arrival is known.
-pub fn posing(stream: &Stream, from: &Standstill, to: &Standstill, (arrival, band_mm): (&Arrival, f64)) -> Posing {
+pub fn posing(stream: &Stream, from: &Standstill, to: &Standstill, arrival: &Arrival) -> Posing {
     // the robot may shake in the band before it leaves: the last time counts
     let start = from.middle().start;
-    let back = away_mm(stream, start..arrival.settled, from.mean_mm).rev().position(|d| d <= band_mm);
+    let back = away_mm(stream, start..arrival.settled, from.mean_mm).rev().position(|d| d <= arrival.band_mm);
     let left = back.map_or(start, |back| arrival.settled - 1 - back);
     Posing {
         distance_mm: norm(minus(to.mean_mm, from.mean_mm)),

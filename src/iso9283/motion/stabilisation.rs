@@ -15,6 +15,8 @@ pub struct Arrival {
     pub settled: usize,
     /// Stabilisation time.
     pub stabilisation_s: f64,
+    /// The limit band.
+    pub band_mm: f64,
 }
 
 /// Samples in which an arrival is looked at: from the end of the standstill before (or the begin of the recording) to
@@ -33,7 +35,7 @@ pub fn arrival(stream: &Stream, before: Option<&Standstill>, standstill: &Stands
     // a standstill's middle is the attained position: it must be inside
     (settled <= standstill.middle().start).then(|| {
         let settled = settled.max(entered);
-        Arrival { entered, settled, stabilisation_s: stream.time_s()[settled] - stream.time_s()[entered] }
+        Arrival { entered, settled, stabilisation_s: stream.time_s()[settled] - stream.time_s()[entered], band_mm }
     })
 }
 

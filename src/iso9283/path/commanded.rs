@@ -81,7 +81,7 @@ impl CommandedPath {
 
     /// The same without those within `near_mm` of a corner that turns by more than `least_rad`, and at most a quarter of its leg:
     /// a robot that rounds it off goes through their planes in another order, or not at all.
-    pub fn command_points_beside(&self, count: usize, (least_rad, near_mm): (f64, f64)) -> Vec<CommandPoint> {
+    pub fn command_points_beside(&self, count: usize, least_rad: f64, near_mm: f64) -> Vec<CommandPoint> {
         let corners = self.corners(least_rad);
         let mut points = self.command_points(count);
         let beside = |p: &CommandPoint, c: &Corner| {

@@ -22,7 +22,8 @@ pub struct Cornering {
 /// A corner in all passes, at least one; samples count from the middle of the first leg to the middle of the second.
 pub fn cornering(
     stream: &Stream,
-    (passes, points): (&[Pass], &[CommandPoint]),
+    passes: &[Pass],
+    points: &[CommandPoint],
     corner: &Corner,
     limit_mm: Option<f64>,
 ) -> Result<Cornering> {

@@ -33,8 +33,8 @@ pub struct PathSettings {
     pub velocity_mm_s: Option<f64>,
     /// That share, 0 to 1.
     pub central: f64,
-    /// The swing of a weave about the path: across, stroke, frequency.
-    pub weave: Option<(Vector, f64, f64)>,
+    /// The weave about the path.
+    pub weave: Option<Weave>,
 }
 
 /// Turns of the commanded path from this angle on are corners.
@@ -53,7 +53,7 @@ pub(crate) struct Driven<'a> {
 impl<'a> Driven<'a> {
     /// Finds the passes, each point within `near_mm` of the path.
     pub fn new(recording: &'a Recording, settings: &'a PathSettings, near_mm: f64) -> Result<Self> {
-        let points = settings.path.command_points_beside(settings.points, (CORNER_RAD, near_mm));
+        let points = settings.path.command_points_beside(settings.points, CORNER_RAD, near_mm);
         let found = passes(&recording.stream, &points, near_mm)?;
         if found.complete.is_empty() {
             let message = Message::error("no pass of the commanded path was found");
@@ -138,7 +138,7 @@ impl<'a> Driven<'a> {
 
     fn velocity(&self, passes: &[Pass]) -> Result<Option<Iso9283Velocity>> {
         let Some(commanded_mm_s) = self.settings.velocity_mm_s else { return Ok(None) };
-        let found = path_velocity(passes, &self.points, (commanded_mm_s, self.settings.central))?;
+        let found = path_velocity(passes, &self.points, commanded_mm_s, self.settings.central)?;
         Ok(Some(Iso9283Velocity {
             commanded_mm_s,
             mean_mm_s: found.mean_mm_s,
@@ -149,7 +149,7 @@ impl<'a> Driven<'a> {
     }
 
     fn corner(&self, corner: &Corner, band_mm: Option<f64>) -> Result<Iso9283Corner> {
-        let found = cornering(&self.recording.stream, (&self.found.complete, &self.points), corner, band_mm)?;
+        let found = cornering(&self.recording.stream, &self.found.complete, &self.points, corner, band_mm)?;
         Ok(Iso9283Corner {
             position_mm: self.there(corner.position_mm),
             cr_mm: found.round_off_mm,
@@ -158,20 +158,19 @@ impl<'a> Driven<'a> {
         })
     }
 
-    /// The weave about the path, which is its centre line: across, stroke and frequency as commanded.
-    pub fn weaving(&self, (across, stroke_mm, frequency_hz): (Vector, f64, f64)) -> Result<Iso9283Weaving> {
+    /// The weave about the path, which is its centre line.
+    pub fn weaving(&self, weave: &Weave) -> Result<Iso9283Weaving> {
         let last = self.points.len() - 1;
         let along = minus(self.points[last].position_mm, self.points[0].position_mm);
-        let weave = Weave { along, across, stroke_mm, frequency_hz };
-        let swung = |pass: &Pass| weaving(&self.recording.stream, pass.samples(0, last), &weave);
+        let swung = |pass: &Pass| weaving(&self.recording.stream, pass.samples(0, last), along, weave);
         let all = self.found.complete.iter().map(swung).collect::<Result<Vec<_>>>()?;
         let mean = |of: fn(&Weaving) -> f64| all.iter().map(of).sum::<f64>() / all.len() as f64;
         Ok(Iso9283Weaving {
             passes: all.len(),
             turns: all.iter().map(|w| w.turns).sum(),
-            commanded_stroke_mm: stroke_mm,
+            commanded_stroke_mm: weave.stroke_mm,
             stroke_mm: mean(|w| w.stroke_mm),
-            commanded_frequency_hz: frequency_hz,
+            commanded_frequency_hz: weave.frequency_hz,
             frequency_hz: mean(|w| w.frequency_hz),
             ws_percent: mean(|w| w.ws_percent),
             wf_percent: mean(|w| w.wf_percent),

@@ -55,7 +55,7 @@ pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<
     // passes begun, the eldest first: on a closed path the next may begin before one is at its end
     let mut begun: Vec<Vec<Crossing>> = Vec::new();
     for sample in 1..stream.len() {
-        let crossing = |point: usize, forwards: bool| crossing(stream, sample, &points[point], (forwards, near_mm));
+        let crossing = |point: usize, forwards: bool| crossing(stream, sample, &points[point], forwards, near_mm);
         begun.extend(crossing(0, true).map(|first| vec![first]));
         for crossings in &mut begun {
             // one step may go through several planes
@@ -87,12 +87,7 @@ pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<
 }
 
 /// The crossing of a plane on the way to a sample, in the direction of the path or against it.
-fn crossing(
-    stream: &Stream,
-    sample: usize,
-    point: &CommandPoint,
-    (forwards, near_mm): (bool, f64),
-) -> Option<Crossing> {
+fn crossing(stream: &Stream, sample: usize, point: &CommandPoint, forwards: bool, near_mm: f64) -> Option<Crossing> {
     let (from, to) = (stream.positions_mm()[sample - 1], stream.positions_mm()[sample]);
     let beyond = |p: Vector| dot(minus(p, point.position_mm), point.tangent);
     let (a, b) = (beyond(from), beyond(to));

@@ -25,7 +25,8 @@ pub struct PathVelocity {
 pub fn path_velocity(
     passes: &[Pass],
     points: &[CommandPoint],
-    (commanded_mm_s, share): (f64, f64),
+    commanded_mm_s: f64,
+    share: f64,
 ) -> Result<PathVelocity> {
     check(passes, points, 1, "path velocity")?;
     if !(commanded_mm_s > 0.0 && commanded_mm_s.is_finite()) {

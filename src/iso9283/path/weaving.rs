@@ -25,9 +25,7 @@ pub struct Weaving {
 /// What was commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weave {
-    /// Along the centre line.
-    pub along: Vector,
-    /// Across it: the way the weave swings.
+    /// Across the centre line: the way the weave swings.
     pub across: Vector,
     /// Stroke from side to side.
     pub stroke_mm: f64,
@@ -35,13 +33,13 @@ pub struct Weave {
     pub frequency_hz: f64,
 }
 
-/// Weaving in the samples of a recorded motion. A turn counts when the path comes back by a quarter of the commanded stroke:
+/// Weaving in the samples of a recorded motion about a centre line that runs `along`. A turn counts when the path comes back by a quarter of the commanded stroke:
 /// noise makes no turns. The first and the last turn may be those of a standing robot and do not count; three others are
 /// needed.
-pub fn weaving(stream: &Stream, samples: Range<usize>, weave: &Weave) -> Result<Weaving> {
+pub fn weaving(stream: &Stream, samples: Range<usize>, along: Vector, weave: &Weave) -> Result<Weaving> {
     let wrong = |what: &str| Message::error(format!("weaving: {what}"));
     let positive = |v: f64| v > 0.0 && v.is_finite();
-    let along = unit(weave.along).ok_or_else(|| wrong("the centre line has no direction"))?;
+    let along = unit(along).ok_or_else(|| wrong("the centre line has no direction"))?;
     let part = dot(weave.across, along);
     let across = unit([0, 1, 2].map(|k| weave.across[k] - part * along[k]));
     let across = across.ok_or_else(|| wrong("the swing is along the centre line, or has no direction"))?;

@@ -9,9 +9,9 @@ pub use reach::reach;
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 use crate::base::table::{ANGLES, XYZ};
-use crate::document::{Iso9283Item, Iso9283Places, Iso9283PlanDocument};
+use crate::document::{Iso9283Places, Iso9283PlanDocument};
 use crate::iso9283::plan::layout::{PLANES, layout};
-use crate::iso9283::plan::programme::{LOADS_PERCENT, PROGRAMME};
+use crate::iso9283::plan::programme::{LOADS_PERCENT, programme};
 use std::collections::BTreeMap;
 
 /// What the user states.
@@ -110,16 +110,4 @@ fn conventions(planar: bool) -> Vec<String> {
             .to_owned(),
         "whether all joints move between poses, and whether the robot reaches them, was not looked at".to_owned(),
     ]
-}
-
-fn programme() -> Vec<Iso9283Item> {
-    let planned = |item: &crate::iso9283::plan::programme::Item| Iso9283Item {
-        characteristic: item.characteristic.to_owned(),
-        clause: item.clause.to_owned(),
-        visits: item.visits.to_owned(),
-        velocities_percent: item.velocities_percent.to_vec(),
-        cycles: item.cycles,
-        read: item.read,
-    };
-    PROGRAMME.iter().map(planned).collect()
 }

@@ -34,11 +34,6 @@ impl RigidFit {
         let squares: f64 = self.residuals_mm.iter().map(|&r| dot(r, r)).sum();
         (squares / self.residuals_mm.len().max(1) as f64).sqrt()
     }
-
-    /// Largest distance.
-    pub fn max_mm(&self) -> f64 {
-        self.distances_mm().into_iter().fold(0.0, f64::max)
-    }
 }
 
 /// Finds the rigid transform that carries `from` onto `to`, point by point: at least three, not on one line.

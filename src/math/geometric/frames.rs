@@ -61,8 +61,6 @@ impl Plane {
 pub struct Circle {
     /// Centre.
     pub centre: Flat,
-    /// Radius.
-    pub radius: Uncertain,
     /// How much of the turn has points.
     pub coverage_deg: f64,
     /// Radial residuals (thesis 2.6.1 gives their largest and their norm).
@@ -83,16 +81,11 @@ impl Circle {
         let rows: Vec<[f64; 3]> = p.iter().map(radial).map(|[gx, gy]| [-gx, -gy, -1.0]).collect();
         let moves: Vec<Uncertain> =
             flat.iter().zip(&p).map(|(f, p)| Uncertain::linear(0.0, radial(p).into_iter().zip(f))).collect();
-        let [dx, dy, dr] = shifts(&rows, &moves)?;
+        let [dx, dy, _] = shifts(&rows, &moves)?;
         let radius = fitted.radius_mm.unwrap_or_default();
         let residuals: Vec<f64> = p.iter().map(|p| (p[0] - x).hypot(p[1] - y) - radius).collect();
         let scatter = readings.judge(&residuals, &moves, 3, points);
-        Ok(Self {
-            centre: [dx.at(x), dy.at(y)],
-            radius: dr.at(radius),
-            coverage_deg: fitted.coverage_deg().unwrap_or_default(),
-            scatter,
-        })
+        Ok(Self { centre: [dx.at(x), dy.at(y)], coverage_deg: fitted.coverage_deg().unwrap_or_default(), scatter })
     }
 }
 

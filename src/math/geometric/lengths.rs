@@ -102,8 +102,6 @@ pub struct ShaftMeasurements {
 pub struct Shaft {
     /// Two points of its axis, projected into the base frame.
     pub axis: [Flat; 2],
-    /// Radius.
-    pub radius: Uncertain,
     /// Distances of the points from the cylinder.
     pub scatter: Scatter,
 }
@@ -135,7 +133,7 @@ impl Shaft {
             residuals.push(norm(across) - radius);
             reach = reach.max(norm(w));
         }
-        let [a, b, u, v, r] = shifts(&rows, &moves)?;
+        let [a, b, u, v, _] = shifts(&rows, &moves)?;
         let scatter = readings.judge(&residuals, &moves, 5, &points);
         let at = |t: f64| {
             let point = [0, 1, 2].map(|k| {
@@ -143,7 +141,7 @@ impl Shaft {
             });
             base.locate(&point)
         };
-        Ok(Self { axis: [at(-reach), at(reach)], radius: r.at(radius), scatter })
+        Ok(Self { axis: [at(-reach), at(reach)], scatter })
     }
 }
 

@@ -68,11 +68,6 @@ impl Criterion {
         !matches!(self, Self::O2 | Self::O3 | Self::O4 | Self::O5)
     }
 
-    /// Whether an upper bound is known: O4 is not the quotient of a concave and a linear function.
-    pub fn has_bound(self) -> bool {
-        self != Self::O4
-    }
-
     /// How columns are scaled and what is larger, in words.
     pub fn definition(self) -> &'static str {
         match self {

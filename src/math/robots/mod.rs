@@ -78,15 +78,6 @@ pub trait Robot: Send + Sync {
     /// The same, to be changed.
     fn definition_mut(&mut self) -> &mut Definition;
 
-    /// The same robot with other nominal values.
-    fn with_nominal(mut self, values: &[f64]) -> Self
-    where
-        Self: Sized,
-    {
-        self.definition_mut().set_nominal(values);
-        self
-    }
-
     /// The parameters, in the order in which every slice of parameters comes.
     fn parameters(&self) -> &[Parameter] {
         &self.definition().parameters
