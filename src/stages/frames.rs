@@ -1,12 +1,12 @@
 //! World frames from features and targets (thesis 3.4.1), and targets brought into them.
 
 use crate::base::message::{Message, Problems, Result};
-use crate::base::pattern::matches_pattern;
 use crate::base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
 use crate::campaign::{Campaign, WorldDefinition};
 use crate::document::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
 use crate::import::Point;
 use crate::math::fit;
+use crate::stages::labelled_points::LabelledPoints;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
@@ -15,12 +15,12 @@ type Key = (i64, i64);
 
 /// Fits the features of a campaign to the points with their labels.
 pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
-    let labelled = Labelled(points);
+    let labelled = LabelledPoints::new(campaign, points);
     let settings = fit::Settings::default();
     let (mut features, mut messages, mut problems) = (Vec::new(), Vec::new(), Problems::default());
     for (name, definition) in &campaign.file.features {
         let Some((element, labels)) = definition.element() else { continue };
-        let chosen: Vec<Vector> = labels.iter().flat_map(|l| labelled.points(l.get_ref())).collect();
+        let chosen: Vec<Vector> = labels.iter().flat_map(|l| labelled.named([l])).collect();
         let found = match element {
             "plane" => fit::plane(&chosen, &settings),
             "line" => fit::line(&chosen, &settings),
@@ -105,7 +105,7 @@ fn from_plane(
     features: &FeaturesDocument,
     world: &WorldDefinition,
 ) -> Result<WorldFrame> {
-    let labelled = Labelled(points);
+    let labelled = LabelledPoints::new(campaign, points);
     let feature = |name: &str| features.features.iter().find(|f| f.name == name);
     let wrong = |what: &str| Message::error(what.to_owned()).at(campaign.world_place());
     let plane_name = world.plane.as_ref().ok_or_else(|| wrong("the world frame has no plane"))?;
@@ -117,7 +117,7 @@ fn from_plane(
     };
     let place = |name: &Spanned<String>| {
         let text = name.get_ref();
-        let found = feature(text).map(|f| f.point_mm).or_else(|| centroid(&labelled.points(text)));
+        let found = feature(text).map(|f| f.point_mm).or_else(|| centroid(&labelled.named([name])));
         found.map(project).ok_or_else(|| Message::error(format!("nothing is called `{text}`")).at(campaign.place(name)))
     };
     let origin = place(world.origin.as_ref().ok_or_else(|| wrong("the world frame has no origin"))?)?;
@@ -239,14 +239,4 @@ fn measured(points: &[Point], names: &[&str]) -> BTreeMap<Key, Vec<Option<Vector
         seen.entry(key).or_insert_with(|| vec![None; names.len()])[k] = Some(point.xyz_mm);
     }
     seen
-}
-
-/// Points by label.
-struct Labelled<'a>(&'a [Point]);
-
-impl Labelled<'_> {
-    /// All points whose label is, or matches, `name`.
-    fn points(&self, name: &str) -> Vec<Vector> {
-        self.0.iter().filter(|p| matches_pattern(name, &p.label)).map(|p| p.xyz_mm).collect()
-    }
 }

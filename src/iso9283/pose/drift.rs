@@ -3,31 +3,16 @@
 
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
+use crate::document::Iso9283Drift;
 use crate::iso9283::pose::accuracy::pose_accuracy;
 use crate::iso9283::pose::repeatability::pose_repeatability;
-
-/// AP and RP over the sets of a drift test.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Drift {
-    /// AP of each set.
-    pub ap_mm: Vec<f64>,
-    /// RP of each set.
-    pub rp_mm: Vec<f64>,
-    /// |AP at the start - AP at the end|.
-    pub dap_mm: f64,
-    /// |RP at the start - RP at the end|.
-    pub drp_mm: f64,
-    /// Number of sets after which the test might have ended: AP changed by at most 10 % of its largest change in five sets
-    /// in a row.
-    pub settled_after: Option<usize>,
-}
 
 /// Sets in a row that must be quiet, and the share of the largest change that counts as quiet.
 const QUIET_SETS: usize = 5;
 const QUIET: f64 = 0.1;
 
 /// Drift over at least two sets of at least two positions of one pose.
-pub fn drift(sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Drift> {
+pub fn drift(pose: i64, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Iso9283Drift> {
     if sets_mm.len() < 2 {
         let message = Message::error(format!("drift: {} sets of cycles", sets_mm.len()));
         return Err(message.expected("at least two").into());
@@ -36,7 +21,14 @@ pub fn drift(sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Drift> {
         sets_mm.iter().map(|set| Ok(pose_accuracy(set, commanded_mm)?.ap_mm)).collect::<Result<_>>()?;
     let rp_mm: Vec<f64> = sets_mm.iter().map(|set| Ok(pose_repeatability(set)?.rp_mm)).collect::<Result<_>>()?;
     let change = |values: &[f64]| (values[values.len() - 1] - values[0]).abs();
-    Ok(Drift { dap_mm: change(&ap_mm), drp_mm: change(&rp_mm), settled_after: settled(&ap_mm), ap_mm, rp_mm })
+    Ok(Iso9283Drift {
+        pose,
+        dap_mm: change(&ap_mm),
+        drp_mm: change(&rp_mm),
+        settled_after: settled(&ap_mm),
+        ap_mm,
+        rp_mm,
+    })
 }
 
 fn settled(ap_mm: &[f64]) -> Option<usize> {

@@ -303,15 +303,7 @@ pub(crate) fn drifts(visits: &PoseTest, set: Option<usize>) -> Result<Vec<Iso928
         let cycles: Vec<i64> = cycles.into_iter().collect();
         let sets: Vec<Vec<Vector>> =
             cycles.chunks_exact(size.max(1)).map(|set| p.positions_mm(|v| set.contains(&v.cycle))).collect();
-        let found = drift(&sets, commanded)?;
-        Ok(Iso9283Drift {
-            pose: p.pose,
-            ap_mm: found.ap_mm,
-            rp_mm: found.rp_mm,
-            dap_mm: found.dap_mm,
-            drp_mm: found.drp_mm,
-            settled_after: found.settled_after,
-        })
+        drift(p.pose, &sets, commanded)
     };
     visits.poses.iter().filter_map(|p| Some((p, p.commanded_mm?))).map(drifting).collect()
 }

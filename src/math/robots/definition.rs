@@ -37,9 +37,9 @@ impl Quantity {
 /// What a parameter describes: decides what is fitted "before" the calibration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Role {
-    /// Where the base stands in the world.
+    /// Pose of the base in the world.
     Base,
-    /// Where the targets sit on the moving part.
+    /// Places of the targets on the moving part.
     Target,
     /// Geometry, joint offsets, gains and compliance of the robot itself.
     Robot,
@@ -84,6 +84,10 @@ impl Joint {
 /// What every robot has: its parameters, joints and targets, each in the order in which slices of them come.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
+    /// Short name of the model: `prexyt`, `five_bar`, `serial` ...
+    pub model: &'static str,
+    /// Coordinates measured per target: 2 for planar robots (x, y), 3 in space.
+    pub dimension: usize,
     /// The parameters.
     pub parameters: Vec<Parameter>,
     /// The joints.

@@ -147,8 +147,13 @@ impl Default for FiveBar {
     fn default() -> Self {
         let parameters = TABLE.map(|(name, quantity, role, nominal)| Parameter::new(name, quantity, role, nominal));
         let joints = ["theta1", "theta2"].map(|name| Joint { name: name.into(), quantity: Quantity::Angle });
-        let definition =
-            Definition { parameters: parameters.into(), joints: joints.into(), targets: vec!["tool".into()] };
+        let definition = Definition {
+            model: "five_bar",
+            dimension: 2,
+            parameters: parameters.into(),
+            joints: joints.into(),
+            targets: vec!["tool".into()],
+        };
         Self { definition, limits: Limits::default() }
     }
 }
@@ -328,17 +333,11 @@ fn segment_distance(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
 }
 
 impl Robot for FiveBar {
-    fn model(&self) -> &'static str {
-        "five_bar"
-    }
     fn definition(&self) -> &Definition {
         &self.definition
     }
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
-    }
-    fn dimension(&self) -> usize {
-        2
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         out.copy_from_slice(&self.tool(parameters, joints));

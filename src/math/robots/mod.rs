@@ -70,9 +70,11 @@ pub trait Description: Debug + Send + Sync {
 /// A robot whose targets are seen by a measuring system.
 pub trait Robot: Send + Sync {
     /// Short name of the model: `prexyt`, `five_bar`, `serial` ...
-    fn model(&self) -> &'static str;
+    fn model(&self) -> &'static str {
+        self.definition().model
+    }
 
-    /// Parameters, joints and targets.
+    /// Model, parameters, joints and targets.
     fn definition(&self) -> &Definition;
 
     /// The same, to be changed.
@@ -94,7 +96,9 @@ pub trait Robot: Send + Sync {
     }
 
     /// Coordinates measured per target: 2 for planar robots (x, y), 3 in space.
-    fn dimension(&self) -> usize;
+    fn dimension(&self) -> usize {
+        self.definition().dimension
+    }
 
     /// Writes the positions of all targets in the world (mm), `dimension` values each.
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);

@@ -85,7 +85,9 @@ impl Prexyt {
         }
         let joints = ["rho1", "rho2", "rho3"].map(|name| Joint { name: name.into(), quantity: Quantity::Length });
         let targets = vec!["K".into(), "L".into()];
-        Self { definition: Definition { parameters, joints: joints.into(), targets }, full, travel_mm: None }
+        let model = if full { "prexyt_full" } else { "prexyt" };
+        let definition = Definition { model, dimension: 2, parameters, joints: joints.into(), targets };
+        Self { definition, full, travel_mm: None }
     }
 
     /// The same robot with actuators that go from zero to these displacements.
@@ -177,17 +179,11 @@ fn wrap<T: Scalar>(angle: T) -> T {
 }
 
 impl Robot for Prexyt {
-    fn model(&self) -> &'static str {
-        if self.full { "prexyt_full" } else { "prexyt" }
-    }
     fn definition(&self) -> &Definition {
         &self.definition
     }
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
-    }
-    fn dimension(&self) -> usize {
-        2
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         out.copy_from_slice(self.balls(parameters, joints).as_flattened());

@@ -242,7 +242,13 @@ impl Serial {
             coupling,
             gravity,
             base_turn_y_rad: 0.0,
-            definition: Definition { parameters, joints: names.collect(), targets: targets.to_vec() },
+            definition: Definition {
+                model: "serial",
+                dimension: 3,
+                parameters,
+                joints: names.collect(),
+                targets: targets.to_vec(),
+            },
         }
     }
 
@@ -371,17 +377,11 @@ impl Serial {
 }
 
 impl Robot for Serial {
-    fn model(&self) -> &'static str {
-        "serial"
-    }
     fn definition(&self) -> &Definition {
         &self.definition
     }
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
-    }
-    fn dimension(&self) -> usize {
-        3
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         out.copy_from_slice(self.target_positions(parameters, joints).as_flattened());
