@@ -1,4 +1,4 @@
-//! Who may know whom: the rooms of `src`, read from every `crate::` path of every file.
+//! Who may know whom: the modules of `src`, read from every `crate::` and `super::` path of every file up to its tests.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -41,39 +41,47 @@ fn code(text: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// All paths below `crate` that the code names; those in braces are spelled out.
-fn named(code: &str) -> Vec<Named> {
-    let at = code.match_indices("crate::").map(|(at, _)| at + "crate::".len());
-    at.flat_map(|at| {
-        let line = code[..at].lines().count();
-        spelled(&code[at..]).0.into_iter().map(move |path| Named { line, path })
-    })
-    .collect()
+/// All paths of the crate that the code of a module names, from `crate` or from `super`; those in braces are spelled out.
+fn named(module: &str, code: &str) -> Vec<Named> {
+    let mut all = Vec::new();
+    for (at, start) in code.match_indices("crate::").chain(code.match_indices("super::")) {
+        let before = &code[..at];
+        // the second of `super::super::`, or the end of a longer word
+        if before.ends_with("super::") || before.ends_with(|c: char| c.is_alphanumeric() || c == '_') {
+            continue;
+        }
+        let (mut at, mut above) = (at, module);
+        while code[at..].starts_with("super::") {
+            above = above.rsplit_once("::").map_or("", |(above, _)| above);
+            at += "super::".len();
+        }
+        if start == "crate::" {
+            (at, above) = (at + start.len(), "");
+        }
+        let line = before.matches('\n').count() + 1;
+        let whole = |path: String| if above.is_empty() { path } else { format!("{above}::{path}") };
+        all.extend(spelled(&code[at..]).0.into_iter().map(|path| Named { line, path: whole(path) }));
+    }
+    all
 }
 
 /// The paths at the beginning of a text, and how much of it they take: `a::{b, c::d}` gives `a::b` and `a::c::d`.
 fn spelled(text: &str) -> (Vec<String>, usize) {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
-    let mut head = String::new();
-    let mut at = 0;
-    loop {
-        let word: String = text[at..].chars().take_while(|c| is_name(*c)).collect();
-        at += word.len();
-        head.push_str(&word);
-        match text[at..].strip_prefix("::") {
-            Some(rest) if rest.starts_with(is_name) => (head.push_str("::"), at += 2).1,
-            Some(rest) if rest.starts_with('{') => break at += 3,
-            _ => return (vec![head], at),
-        }
+    let end = text.find(|c: char| !is_name(c) && c != ':').unwrap_or(text.len());
+    let head = text[..end].trim_end_matches(':');
+    if !text[end..].starts_with('{') || (end > 0 && !text[..end].ends_with("::")) {
+        return (vec![head.to_owned()], head.len());
     }
-    let mut all = Vec::new();
+    let (mut all, mut at) = (Vec::new(), end + 1);
     loop {
         at += text[at..].len() - text[at..].trim_start_matches([' ', '\n', ',']).len();
         if at >= text.len() || text[at..].starts_with('}') {
             return (all, at + 1);
         }
         let (paths, taken) = spelled(&text[at..]);
-        all.extend(paths.into_iter().map(|path| format!("{head}::{path}")));
+        let join = |path: String| if head.is_empty() { path } else { format!("{head}::{path}") };
+        all.extend(paths.into_iter().map(join));
         at += taken;
         // ` as name`, `*`
         at += text[at..].find([',', '}']).unwrap_or(text.len() - at);
@@ -132,7 +140,7 @@ fn every_file_names_only_rooms_that_its_own_may_know() {
     let mut wrong = String::new();
     for (module, file) in &modules {
         let allowed = ROOMS.iter().find(|(name, _)| *name == room(module)).unwrap().1;
-        for Named { line, path } in named(&code(&std::fs::read_to_string(file).unwrap())) {
+        for Named { line, path } in named(module, &code(&std::fs::read_to_string(file).unwrap())) {
             let other = room(&path);
             if other != room(module) && !allowed.contains(&other) {
                 let _ = writeln!(wrong, "{}:{line}: `{}` may not know `crate::{path}`", file.display(), room(module));
@@ -147,7 +155,7 @@ fn no_files_name_each_other_in_a_circle() {
     let modules = modules();
     let mut arrows: BTreeMap<&str, BTreeMap<&str, usize>> = BTreeMap::new();
     for (module, file) in &modules {
-        for Named { line, path } in named(&code(&std::fs::read_to_string(file).unwrap())) {
+        for Named { line, path } in named(module, &code(&std::fs::read_to_string(file).unwrap())) {
             if let Some(other) = target(&modules, &path).filter(|other| other != module) {
                 arrows.entry(module).or_default().entry(other).or_insert(line);
             }
@@ -175,8 +183,11 @@ fn no_files_name_each_other_in_a_circle() {
 
 #[test]
 fn paths_are_found_in_braces_and_not_in_comments() {
-    let text = "use crate::a::{self, b::{C, D}, e};\n// crate::f\nfn g() { crate::h::i() }\n";
-    let paths: Vec<(usize, String)> = named(&code(text)).into_iter().map(|n| (n.line, n.path)).collect();
-    let expected = [(1, "a::self"), (1, "a::b::C"), (1, "a::b::D"), (1, "a::e"), (3, "h::i")];
-    assert_eq!(paths, expected.map(|(line, path)| (line, path.to_owned())));
+    let text = "use crate::a::{self, b::{C, D}, e};\n// crate::f\nfn g() { crate::h::i() }\nuse crate::{j, k::L};\n\
+                use super::m::N;\nuse super::super::{o, p::Q};\n";
+    let paths: Vec<(usize, String)> = named("x::y::z", &code(text)).into_iter().map(|n| (n.line, n.path)).collect();
+    let mut expected =
+        vec![(1, "a::self"), (1, "a::b::C"), (1, "a::b::D"), (1, "a::e"), (3, "h::i"), (4, "j"), (4, "k::L")];
+    expected.extend([(5, "x::y::m::N"), (6, "x::o"), (6, "x::p::Q")]);
+    assert_eq!(paths, expected.into_iter().map(|(line, path)| (line, path.to_owned())).collect::<Vec<_>>());
 }

@@ -1,5 +1,5 @@
 //! Points of plain tables at the speed of the disk: rows of an optional label and x, y, z, and nothing else. What is not
-//! plain is left to the strict reader, which says where and why.
+//! plain is left to the strict reader, which reports where and why.
 
 use super::formats::{Format, Plain};
 use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
@@ -102,7 +102,7 @@ impl Plain {
         size: u64,
         bytes: &mut Vec<u8>,
     ) -> std::io::Result<Option<Part>> {
-        // one byte before tells whether a line begins with the block
+        // one byte before shows whether a line begins with the block
         let from = start.saturating_sub(1);
         bytes.clear();
         bytes.reserve_exact(BLOCK as usize + LONGEST_LINE + 2);

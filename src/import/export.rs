@@ -30,7 +30,7 @@ pub struct Export {
     pub pose: Option<FromRow>,
 }
 
-/// What a label says.
+/// What a label names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Named {
     pub target: Option<String>,

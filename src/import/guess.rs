@@ -39,7 +39,7 @@ pub(super) struct Guess<'t> {
     pub read: usize,
     /// Line of the first one that has not.
     pub unread: Option<usize>,
-    /// Of each column, whether it holds numbers alone (or cells that say "not measured").
+    /// Of each column, whether it holds numbers alone (or cells that mean "not measured").
     pub numeric: Vec<bool>,
     /// The first row of data.
     pub first: Row<'t>,

@@ -11,37 +11,27 @@ use std::io::{self, Read as _};
 use std::path::Path;
 
 /// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
-pub(crate) fn read_text(path: &Path, encoding: Option<Encoding>, place: Place) -> Read<(String, Vec<u8>)> {
-    let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
-    let text = decode(bytes.clone(), encoding).map_err(|mut message| {
-        message.what = format!("`{}`: {}", path.display(), message.what);
-        message.at(place)
-    })?;
+pub(crate) fn read_text(path: &Path, encoding: Option<Encoding>, place: &Place) -> Read<(String, Vec<u8>)> {
+    let bytes = bytes_of(path).map_err(|problems| problems.at(place))?;
+    let text = text_of(path, &bytes, encoding, &Format::default()).map_err(|problems| problems.at(place))?;
     Ok((text, bytes))
 }
 
-/// The same of a file in a format, which may be a sheet of a workbook, or bytes.
-pub(crate) fn read_export(
-    path: &Path,
-    encoding: Option<Encoding>,
-    format: &Format,
-    place: Place,
-) -> Read<(String, Vec<u8>)> {
-    if format.about().binary {
-        let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
-        return Ok((bytes.iter().map(|byte| char::from(*byte)).collect(), bytes));
-    }
-    let Some(sheet) = &format.dialect.sheet else { return read_text(path, encoding, place) };
-    let bytes = bytes_of(path).map_err(|problems| problems.at(&place))?;
-    let text = workbook::text(&bytes, sheet).map_err(|mut message| {
+/// The text of a file in a format, which may be a sheet of a workbook, or bytes with a character for each.
+pub(crate) fn text_of(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &Format) -> Read<String> {
+    let text = match &format.dialect.sheet {
+        _ if format.about().binary => return Ok(bytes.iter().map(|byte| char::from(*byte)).collect()),
+        Some(sheet) => workbook::text(bytes, sheet),
+        None => decode(bytes.to_vec(), encoding),
+    };
+    Ok(text.map_err(|mut message| {
         message.what = format!("`{}`: {}", path.display(), message.what);
-        message.at(place)
-    })?;
-    Ok((text, bytes))
+        message
+    })?)
 }
 
 /// Bytes of an input file, or why it is none.
-pub(super) fn bytes_of(path: &Path) -> Read<Vec<u8>> {
+pub(crate) fn bytes_of(path: &Path) -> Read<Vec<u8>> {
     if path.is_dir() {
         let message = Message::error(format!("`{}` is a folder", path.display()));
         return Err(message.expected("a file").hint(format!("name a file in it; {}", listed(path))).into());

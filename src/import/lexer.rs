@@ -147,7 +147,7 @@ fn unmarked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Opti
         '\u{2212}' => Some('-'),
         'd' | 'D' => Some('e'),
         c if c == mark => Some('.'),
-        // words that `parse` would take for infinity or NaN are no measured values
+        // words that `parse` would take for infinity or NaN are not measured values
         '0'..='9' | '+' | '-' | 'e' | 'E' => Some(c),
         _ => None,
     };

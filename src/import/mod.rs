@@ -23,7 +23,7 @@ pub use cloud::{Cloud, cloud};
 pub use export::Export;
 pub(crate) use export::Pattern as LabelPattern;
 pub use formats::{Format, qif};
-pub(crate) use input::{read_export, read_text};
+pub(crate) use input::{bytes_of, read_text, text_of};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, Standstill, is_joint_column, standstill};
 pub(crate) use logs::{is_common_column, meaning as log_column, read as log, write as write_log};
 pub use points::{Point, table};
@@ -31,22 +31,22 @@ pub use propose::{propose, propose_file};
 pub use tables::observations::observations;
 
 use crate::base::files;
-use crate::base::message::{Message, Place, Result, count};
+use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::Vector;
-use crate::import::format::Encoding;
-use crate::import::format::Unit;
+use crate::import::format::{Encoding, Unit};
 use polars::prelude::DataFrame;
 use std::path::Path;
 
-/// Rows of a file in a format, without a campaign; those that were not measured say so in `refused`.
+/// Rows of a file in a format, without a campaign; those that were not measured are `refused`.
 ///
 /// # Errors
 /// Everything in it that does not read, with its line.
 pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit: Unit) -> Result<Vec<Point>> {
     let name = path.display().to_string();
-    let (text, _) = read_export(path, encoding, format, Place::file(name.as_str()))?;
+    let here = |problems: Problems| problems.at(&Place::file(name.as_str()));
+    let text = bytes_of(path).and_then(|bytes| text_of(path, &bytes, encoding, format)).map_err(here)?;
     let (points, problems) = format.read(&name, &text, unit);
-    problems.at(&Place::file(name)).check()?;
+    here(problems).check()?;
     Ok(points)
 }
 
@@ -59,7 +59,7 @@ pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> R
 }
 
 /// Labels and points of a file, in millimetres. A row that was not measured is an error in a table; of a format with a
-/// reader of its own what is no point is left out, with a warning.
+/// reader of its own what is not a point is left out, with a warning.
 pub fn points_and_refused(
     file: &str,
     text: &str,
@@ -89,7 +89,7 @@ pub fn points_and_refused(
 /// The text of a file in a format; of one that may be binary, a character for each byte.
 pub fn text_in(path: &Path, format: &Format) -> Result<String> {
     match format.about().binary {
-        true => read_export(path, None, format, Place::default()).map(|(text, _)| text),
+        true => text_of(path, &bytes_of(path)?, None, format),
         false => files::read_text(path),
     }
 }

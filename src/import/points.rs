@@ -4,7 +4,7 @@ use crate::base::message::Result;
 use crate::base::pose::Vector;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 
-/// A row of an export. A reader fills in what the row says; what the campaign says of the export comes after.
+/// A row of an export. A reader fills in what the row states; what the campaign states of the export comes after.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// File, as the campaign names it.
@@ -27,15 +27,15 @@ pub struct Point {
     pub time_s: Option<f64>,
     /// Place; no numbers where one of them does not read.
     pub xyz_mm: Vector,
-    /// Of x, y and z, where the file says it.
+    /// Of x, y and z, where the file states it.
     pub standard_uncertainty_mm: Option<Vector>,
-    /// Direction of surface or probe, of length 1, where the file says it.
+    /// Direction of surface or probe, of length 1, where the file states it.
     pub direction: Option<Vector>,
     /// The rule that refuses it.
     pub refused: Option<String>,
 }
 
-/// Points as a table: `export row line label target pose cycle time_s x_mm y_mm z_mm`, and what few files say.
+/// Points as a table: `export row line label target pose cycle time_s x_mm y_mm z_mm`, and what few files state.
 pub fn table(points: &[Point]) -> Result<DataFrame> {
     let p = points;
     let strings = |name: &str, f: &dyn Fn(&Point) -> Option<&str>| -> Column {
@@ -60,7 +60,7 @@ pub fn table(points: &[Point]) -> Result<DataFrame> {
         real("y_mm", &|p| Some(p.xyz_mm[1])),
         real("z_mm", &|p| Some(p.xyz_mm[2])),
     ];
-    // few files say these
+    // few files state these
     if p.iter().any(|p| p.standard_uncertainty_mm.is_some()) {
         let of = |axis: usize| move |p: &Point| p.standard_uncertainty_mm.map(|u| u[axis]);
         columns.extend([real("ux_mm", &of(0)), real("uy_mm", &of(1)), real("uz_mm", &of(2))]);

@@ -27,7 +27,7 @@ const NO_POINTS: [fn(&str) -> Option<Recognised>; 3] = [
     },
 ];
 
-/// The format of a text that says what it is, none where it holds no points; and what says so.
+/// The format of a text that states what it is, none where it holds no points; and what states so.
 fn known(text: &str) -> Option<(Option<&'static str>, Recognised)> {
     let none = NO_POINTS.iter().filter_map(|kind| kind(text)).max_by(|a, b| a.score.total_cmp(&b.score));
     match (recognise(text), none) {
@@ -42,7 +42,7 @@ const SURE: f64 = 0.5;
 
 /// What is to be done with the columns of a proposed log.
 const JOINTS: &str =
-    "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file cannot say it\n";
+    "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
 
 /// Problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
@@ -50,7 +50,7 @@ const SHOWN: usize = 3;
 /// Proposes readings of a file, the first also as lines for campaign.toml.
 ///
 /// # Errors
-/// If there is no such file, if it is empty or no text, or if no reading gives rows of numbers.
+/// If there is no such file, if it is empty or not a text, or if no reading gives rows of numbers.
 pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     let name = path.display().to_string();
     let bytes = bytes_of(path)?;
@@ -75,7 +75,7 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
         document.toml = document.toml.replacen("format = ", &format!("{line}format = "), 1);
         document
             .doubts
-            .push(format!("the file is no UTF-8; as {} its letters make sense or not: look at them", encoding.name()));
+            .push(format!("the file is not UTF-8; as {} its letters make sense or not: look at them", encoding.name()));
         document.toml.insert_str(0, &format!("# DOUBT: {}\n", document.doubts.last().map_or("", String::as_str)));
     }
     Ok(document)
@@ -115,7 +115,7 @@ fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Me
     }
 }
 
-/// Proposes readings of a text, the first also as lines for campaign.toml. What the file cannot say is asked.
+/// Proposes readings of a text, the first also as lines for campaign.toml. What the file cannot state is asked.
 pub fn propose(file: &str, text: &str) -> FormatsDocument {
     propose_in(file, text, None)
 }
@@ -250,7 +250,7 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
     if best.fractions == 0 {
         doubts.push(format!("no number has a decimal mark: that it is `{mark}` is not proved"));
     } else if best.threes == best.fractions && best.dialect.thousands.is_none() {
-        doubts.push(format!("every `{mark}` stands before three digits: it may be a thousands mark"));
+        doubts.push(format!("every `{mark}` is before three digits: it may be a thousands mark"));
     }
     if let Some(line) = best.unread {
         doubts.push(format!("{} not read this way, the first is line {line}", count(best.rows - best.read, "row")));
@@ -300,7 +300,8 @@ fn tried(file: &str, text: &str, best: &Guess, unit: Option<Unit>) -> Vec<String
     let origin = points.iter().find(|p| p.refused.is_none() && p.xyz_mm == [0.0; 3]);
     let refused = points.iter().find(|p| p.refused.is_some());
     doubts.extend(
-        origin.map(|p| format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` says otherwise", p.line)),
+        origin
+            .map(|p| format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` states otherwise", p.line)),
     );
     doubts.extend(refused.map(|p| format!("line {}: {}", p.line, p.refused.as_deref().unwrap_or(""))));
     doubts
@@ -313,9 +314,11 @@ fn dialect(best: &Guess) -> Dialect {
 
 fn unit_line(unit: Option<&str>) -> String {
     match unit {
-        Some(unit) => format!("unit = {unit:?}                # the file says it\n"),
-        None => "unit = \"?\"                 # mm, m, um or inch: the file cannot say it, and it is never guessed\n"
-            .to_owned(),
+        Some(unit) => format!("unit = {unit:?}                # the file states it\n"),
+        None => {
+            "unit = \"?\"                 # mm, m, um or inch: the file does not state it, and it is never guessed\n"
+                .to_owned()
+        }
     }
 }
 
@@ -377,7 +380,7 @@ fn log_lines(file: &str, best: &Guess, kind: Option<LogKind>) -> String {
     out
 }
 
-/// The lines under comments that say why, what speaks against them, and what is asked.
+/// The lines under comments with the reasons, what speaks against them, and what is asked.
 fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
     let mut out = format!("# proposed for `{}`\n", document.file);
     document.reasons.iter().for_each(|reason| out.push_str(&format!("# because {reason}\n")));
@@ -426,7 +429,7 @@ mod tests {
     }
 
     #[test]
-    fn a_log_is_no_export() {
+    fn a_log_is_not_an_export() {
         for (text, columns) in [
             (
                 "pose,run,RP1,RP2,RP3\n1,1,0.5,3.25,4.5\n",

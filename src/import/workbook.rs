@@ -83,7 +83,7 @@ fn field(value: &DataRef) -> String {
         DataRef::String(text) => text.clone(),
         DataRef::SharedString(text) => (*text).to_owned(),
         DataRef::Bool(v) => v.to_string(),
-        // Excel makes a date of a label like 1-2: shown as what it is, it is no label that anybody states
+        // Excel makes a date of a label like 1-2: shown as what it is, it is not a label that anybody states
         DataRef::DateTime(date) => {
             let (year, month, day, hour, minute, second, _) = date.to_ymd_hms_milli();
             format!("date {year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}")
@@ -98,7 +98,7 @@ fn field(value: &DataRef) -> String {
     }
 }
 
-/// What a proposal says of a workbook's other sheets.
+/// What a proposal states of a workbook's other sheets.
 pub(super) fn others(names: &[String], taken: &str) -> Option<String> {
     let others: Vec<&str> = names.iter().map(String::as_str).filter(|name| *name != taken).collect();
     (!others.is_empty())
@@ -200,7 +200,7 @@ mod tests {
         assert!(bomb.len() < 1 << 20);
         let begun = std::time::Instant::now();
         assert!(text(&bomb, "S").unwrap_err().to_string().contains("unpacks to more than"));
-        println!("a bomb is told after {:.2} s", begun.elapsed().as_secs_f64());
+        println!("a bomb is reported after {:.2} s", begun.elapsed().as_secs_f64());
     }
 
     #[test]

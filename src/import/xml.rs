@@ -5,7 +5,7 @@ use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::borrow::Cow;
 
-/// Elements nested deeper are no measurement.
+/// Elements nested deeper are not a measurement.
 const DEEPEST: usize = 64;
 /// Elements that are kept: 2²² take half a gigabyte at most.
 const MOST_ELEMENTS: usize = 1 << 22;
@@ -40,7 +40,7 @@ pub(super) struct Node<'t, 'a> {
 }
 
 impl<'a> Tree<'a> {
-    /// Reads a text. `skipped` says which elements are left out with all that they hold.
+    /// Reads a text. `skipped` states which elements are left out with all that they hold.
     ///
     /// # Errors
     /// If it is not well-formed XML, or if it declares a document type.
@@ -48,7 +48,7 @@ impl<'a> Tree<'a> {
         let breaks = text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i + 1);
         let mut tree = Self { file, text, lines: std::iter::once(0).chain(breaks).collect(), elements: Vec::new() };
         if let Some(at) = text.find('\0') {
-            return Err(tree.error(at, "the file holds a NUL byte: it is damaged or no text").into());
+            return Err(tree.error(at, "the file contains a NUL byte: it is damaged or not a text").into());
         }
         let mut reader = Reader::from_str(text);
         let mut open: Vec<usize> = Vec::new();
@@ -142,7 +142,7 @@ impl<'a> Tree<'a> {
     fn append(&mut self, open: &[usize], piece: Cow<'a, str>) {
         let Some(element) = open.last().and_then(|&i| self.elements.get_mut(i)) else { return };
         match element.text.is_empty() {
-            // blanks between elements are no text
+            // blanks between elements are not text
             true if piece.trim().is_empty() => {}
             true => element.text = piece,
             false => element.text.to_mut().push_str(&piece),

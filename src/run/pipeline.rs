@@ -151,6 +151,18 @@ mod tests {
     }
 
     #[test]
+    fn exports_that_share_a_file_open_it_once() {
+        let again = "\n[[export]]\nfile = \"exports/world.txt\"\nformat = \"polyworks\"\nunit = \"mm\"\n";
+        let folder = copy("prexyt-cmm", again, &[]);
+        let campaign = Campaign::read(folder.path()).unwrap();
+        OPENED.take();
+        let (gathered, _) = crate::stages::gather::recover(&campaign);
+        let opened = OPENED.take().into_iter().filter(|path| path.ends_with("exports/world.txt")).count();
+        let listed = gathered.document.sources.iter().filter(|source| source.file == "exports/world.txt").count();
+        assert_eq!((opened, listed), (1, 2));
+    }
+
+    #[test]
     fn a_run_opens_every_input_once() {
         let stream = "\n[[stream]]\nname = \"s\"\nfile = \"s.csv\"\ncommanded = \"s_poses.csv\"\n\
             [compliance]\nfile = \"load.csv\"\n[report]\nlogo = \"logo.svg\"\n";

@@ -63,7 +63,7 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
             let Turn { pose, cycle, .. } = row.turn;
             let named = format!("target {:?}, pose {:?}, cycle {:?}", point.target, point.pose, point.cycle);
             let meant = format!("`{}`, pose {pose}, cycle {cycle}", row.target);
-            return Err(wrong(format!("line {} is {meant}, and says {named}", point.line)).into());
+            return Err(wrong(format!("line {} is {meant}, and names {named}", point.line)).into());
         }
     }
     Ok(written)
@@ -115,7 +115,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Whether `point` says of the row what a join or a feature needs.
+/// Whether `point` states of the row what a join or a feature needs.
 fn is_meant(row: &Row, point: &import::Point) -> bool {
     let target = point.target.as_deref() == Some(row.target.as_str());
     let label = point.label == row.label;

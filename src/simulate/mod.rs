@@ -52,7 +52,7 @@ impl Turn {
 }
 
 impl Scene<'_> {
-    /// Refuses poses that the robot file says the robot cannot go to; all are told.
+    /// Refuses poses that the robot file states the robot cannot go to; all are reported.
     fn check_reach(&self) -> Result<()> {
         let nominal = self.robot.nominal();
         let beyond =
@@ -75,7 +75,7 @@ impl Scene<'_> {
         (1..=cycles.saturating_mul(self.joints.len() as i64)).map(|number| self.turn(number))
     }
 
-    /// What the encoders say at a pose: stated, or of a point that is found again with the contact's noise.
+    /// What the encoders state at a pose: stated, or of a point that is found again with the contact's noise.
     fn encoders(&self, turn: Turn, contact: &mut Noise) -> Result<Vec<f64>> {
         let pose = turn.pose as usize - 1;
         let Some(at) = self.stands[pose] else { return Ok(self.joints[pose].clone()) };
@@ -99,7 +99,7 @@ impl Scene<'_> {
 /// Writes every export and log that `campaign` names, when all of them read back as they are meant; gives their names.
 pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     if campaign.file.synthetic.is_none() {
-        return Err(Message::error("the campaign does not say that it is synthetic: its files may be measured ones")
+        return Err(Message::error("the campaign does not state that it is synthetic: its files may be measured ones")
             .hint(
                 "state `synthetic = \"how the data are made\"` in campaign.toml: every report repeats it; \
                  `etalon init --synthetic FOLDER` writes such a campaign with a truth",

@@ -31,7 +31,7 @@ pub struct Truth {
     /// Height of the targets of a planar robot above the plane.
     #[serde(default)]
     pub target_height_mm: f64,
-    /// Where the world stands in the coordinates of the exports.
+    /// Where the world is in the coordinates of the exports.
     pub export_T_world: Placement,
     /// True parameters by name, in mm, deg and 1; those not given are nominal.
     pub parameters: BTreeMap<String, f64>,
@@ -92,8 +92,8 @@ fn once() -> usize {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Poses {
-    /// The labelled point that the tool stands on; `joints` then say which way it is reached, and the log what the encoders
-    /// say of it.
+    /// The labelled point that the tool stands on; `joints` then state which way it is reached, and the log what the encoders
+    /// state of it.
     pub label: Option<String>,
     /// Joint values in mm or deg.
     #[serde(default)]
@@ -159,7 +159,7 @@ impl Truth {
         let mut all = Vec::new();
         for poses in &self.poses {
             for q in &poses.joints {
-                // the assembly mode stands behind the joints of robots that have several
+                // the assembly mode is behind the joints of robots that have several
                 let count = robot.joints().len() + usize::from(robot.has_assembly_modes());
                 if q.len() != count {
                     let what = format!("a pose has {} joint values, the robot {count} joints", q.len());

@@ -323,7 +323,7 @@ fn statements_about_standstills_that_contradict_are_errors() {
         (
             "standstill = { at_least_s = 99.0, within_mm = 0.01 }\n",
             "clock_offset_s = 0\ntolerance_s = 0",
-            "never stands for 99 s",
+            "is never at a standstill for 99 s",
         ),
     ] {
         let scratch = copy_sample("prexyt-cmm");

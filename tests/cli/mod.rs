@@ -180,7 +180,7 @@ fn formats_proposes_and_asks() {
         "mm",
     ];
     let refused = etalon(folder.path(), &table);
-    assert!(text(&refused.stderr).contains("the header says `X [in]`"), "{}", text(&refused.stderr));
+    assert!(text(&refused.stderr).contains("the header states `X [in]`"), "{}", text(&refused.stderr));
 
     // a number before the coordinates is none of them, and what is not read is told
     std::fs::write(folder.path().join("p.txt"), "1 10.1 20.2 30.3\n2 10.5 20.5 30.5\n").unwrap();

@@ -112,7 +112,7 @@ fn logs_that_do_not_look_as_stated() {
     let (code, said) = etalon(&scratch, "check");
     assert!(code == Some(2) && said.contains("has one column, of which the campaign names 5"), "{said}");
     assert!(said.contains("hint: `delimiter = \";\"` and `decimal = \".\"` read its rows"), "{said}");
-    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["is no whole number", "encoders.csv:2:1"]);
+    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["is not a whole number", "encoders.csv:2:1"]);
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
     let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
     for (text, parts) in [
         (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "is not a number"]),
-        (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "is no whole number"]),
+        (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "is not a whole number"]),
         (head.replace("rho2_mm", "rho2") + "1,1,K,1,2,3,4,5\n", ["observations.csv", "no column `rho2_mm`"]),
         (format!("{head}1,1,K,1,2,3,4,5\n1,1,K,1,2,3,4,5\n"), ["observations.csv:3", "occurs twice"]),
     ] {

@@ -42,7 +42,7 @@ fn galil_holes_fractions_and_wraps_are_told_with_their_places() {
     let good = read("A,B\n1,2\n3,4\n", GALIL).unwrap();
     assert_eq!((column(&good, "a_mm"), column(&good, "b_mm")), (vec![0.5, 1.5], vec![4.0, 8.0]));
     refused("A,B\n1,2\n,4\n5,6\n", GALIL, &["`a_mm` has a hole", "encoders.csv:3"]);
-    refused("A,B\n1,2\n3.5,4\n", GALIL, &["3.5 is no count", "encoders.csv:3:1"]);
+    refused("A,B\n1,2\n3.5,4\n", GALIL, &["3.5 is not a count", "encoders.csv:3:1"]);
     refused("A,B\n2147483000,2\n-2147483000,4\n", GALIL, &["it wrapped", "encoders.csv:3:1"]);
     refused("A,B\n,2\n,4\n", GALIL, &["one of the arrays is empty"]);
     refused("A,B\n1,2\n", &format!("{GALIL}\nperiod_s = 0"), &["`period_s` must be positive"]);

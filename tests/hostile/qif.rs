@@ -136,7 +136,7 @@ fn a_value_may_bear_its_own_unit() {
     let text = HEAD.replace("</PrimaryUnits>", other) + sphere;
     let stated = qif::read("f.qif", &text, None).unwrap().features[0].stated;
     assert_eq!((stated.point_mm, stated.radius_mm), (Some([1.0, 2.0, 3.0]), Some(25.4)));
-    error(&text.replace("\"inch\"", "\"cubit\""), &["`cubit` is no unit of this file", "hint:"]);
+    error(&text.replace("\"inch\"", "\"cubit\""), &["`cubit` is not a unit of this file", "hint:"]);
 }
 
 #[test]
@@ -147,7 +147,7 @@ fn references_and_ranges_that_lead_nowhere_are_reported() {
     for wrong in ["0 2", "1 4", "3 2", "-1 2", "", "1 2 3", "99999999999999999999 1", "a b"] {
         let (points, said) = read(&plane(&range(wrong), SET));
         assert_eq!(points, 0, "{wrong}");
-        assert!(said.contains("is no part of point set 2") && said.contains("f.qif:3"), "{wrong}: {said}");
+        assert!(said.contains("is not part of point set 2") && said.contains("f.qif:3"), "{wrong}: {said}");
     }
     let (points, said) = read(&plane("<WholePointSetId>3</WholePointSetId>", SET));
     assert!(

@@ -47,7 +47,7 @@ fn a_report_with_a_row_for_each_control_becomes_points_by_name() {
 #[test]
 fn trap_1_a_tolerance_in_another_encoding_is_told() {
     let wrong = REPORT.replacen("±2.000", "Â±2.000", 1);
-    refused("polyworks_report", &wrong, &["`Â±2.000` is no tolerance", "f.txt:4:17", "another encoding"]);
+    refused("polyworks_report", &wrong, &["`Â±2.000` is not a tolerance", "f.txt:4:17", "another encoding"]);
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn trap_10_rows_of_calypso_are_ragged_and_end_in_a_word() {
     refused(
         "calypso",
         &CHR.replace("-3.5\t0\tA\tmm", "-3.5\t0\tA\tdeg"),
-        &["`deg` is no unit of a coordinate", "f.txt:4:"],
+        &["`deg` is not a unit of a coordinate", "f.txt:4:"],
     );
 }
 
@@ -259,7 +259,7 @@ fn counts_that_no_file_can_hold_are_refused_at_once() {
     refused("ply", &ended, &["states 4000000000 of `vertex`, and the file ends after 4", "f.txt:4"]);
     refused("ply", &huge(&binary(false, false)), &["states 4000000000 of `vertex`"]);
     refused("ply", &binary(false, true).replace("face 1", "face 18446744073709551615"), &["of `face`"]);
-    refused("ply", &PLY.replace("vertex 4", "vertex 99999999999999999999"), &["is no number of elements"]);
+    refused("ply", &PLY.replace("vertex 4", "vertex 99999999999999999999"), &["is not a number of elements"]);
     refused("vda_fs", "A = HEADER / 4000000000000\n", &["the file has no end"]);
     assert!(start.elapsed().as_secs_f64() < 20.0, "{:?}", start.elapsed());
 }

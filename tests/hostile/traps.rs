@@ -122,7 +122,7 @@ fn trap_10_rows_of_other_widths_trailing_fields_and_the_last_word() {
     let told = said("A;1;2;3;7\nB;4;5\nC;1;2;3\n", &format);
     assert!(told.contains("the row has 5 columns") && told.contains("the row has 3 columns"), "{told}");
     assert!(said("A;1;2;3\nEND\nB;1;2;3\n", &format).contains("rows behind `END`"));
-    // without a statement the word is no point
+    // without a statement the word is not a point
     assert!(said("A;1;2;3\nEND\n", &format!("{{ delimiter = \";\", {LXYZ} }}")).contains("the row has 1 columns"));
 }
 

@@ -37,7 +37,7 @@ pub enum Role {
     Elevation,
     /// Distance from the origin.
     Distance,
-    /// Coordinate that is what `types` says for the row's `type`.
+    /// Coordinate that is what `types` states for the row's `type`.
     C1,
     /// The same.
     C2,
@@ -97,7 +97,7 @@ impl Role {
         }
     }
 
-    /// A coordinate whose kind the column says.
+    /// A coordinate whose kind the column states.
     pub fn is_coordinate(self) -> bool {
         matches!(self, Self::X | Self::Y | Self::Z | Self::Radius | Self::Distance) || self.is_angle()
     }
@@ -107,7 +107,7 @@ impl Role {
         matches!(self, Self::Azimuth | Self::AzimuthClockwise | Self::Zenith | Self::Elevation)
     }
 
-    /// A coordinate of a kind that the row says.
+    /// A coordinate of a kind that the row states.
     pub fn is_typed(self) -> bool {
         matches!(self, Self::C1 | Self::C2 | Self::C3)
     }

@@ -190,7 +190,7 @@ impl Dialect {
         let mut wrong = Vec::new();
         if stated.iter().filter(|s| **s).count() != 1 {
             wrong.push(
-                Message::error("the format does not say what separates columns, or says it twice")
+                Message::error("the format does not state what separates columns, or states it twice")
                     .expected("one of `delimiter`, `widths` and `sheet`")
                     .hint("`etalon formats FILE` proposes how to read the file"),
             );
@@ -236,7 +236,7 @@ impl Dialect {
         let coordinates: Vec<Role> = roles.iter().copied().filter(|r| r.is_coordinate()).collect();
         match (typed, coordinates.is_empty()) {
             (true, false) => wrong.push(
-                Message::error("`columns` names coordinates, and others whose kind each row says")
+                Message::error("`columns` names coordinates, and others whose kind each row states")
                     .expected("either x, y, z and the like, or c1, c2, c3"),
             ),
             (true, true) => wrong.extend(self.row_types(&roles)),
@@ -244,7 +244,7 @@ impl Dialect {
         }
         if !typed && (!self.types.is_empty() || roles.contains(&Role::Type)) {
             let message = Message::error("`type` and `types` mean nothing without columns c1, c2, c3");
-            wrong.push(message.hint("name the columns whose meaning they say `c1`, `c2`, `c3`"));
+            wrong.push(message.hint("name the columns whose meaning they state `c1`, `c2`, `c3`"));
         }
         let of = |set: [Role; 3]| set.into_iter().filter(|r| roles.contains(r)).count();
         if !matches!(of([Role::I, Role::J, Role::K]), 0 | 3) {
@@ -262,7 +262,8 @@ impl Dialect {
     fn row_types(&self, roles: &[Role]) -> Vec<Message> {
         let mut wrong = Vec::new();
         if !roles.contains(&Role::Type) || self.types.is_empty() {
-            let message = Message::error("columns c1, c2, c3 need a column `type`, and `types` that say what they are");
+            let message =
+                Message::error("columns c1, c2, c3 need a column `type`, and `types` that state what they are");
             wrong.push(
                 message.hint("e.g. types = { 0 = [\"x\", \"y\", \"z\"], 7 = [\"azimuth\", \"zenith\", \"distance\"] }"),
             );
@@ -285,20 +286,20 @@ impl Dialect {
             let names: Vec<&str> = roles.iter().map(|r| r.name()).collect();
             let what = match names.is_empty() {
                 true => format!("{place} names no coordinates"),
-                false => format!("{place}: {} are no coordinates of one point", names.join(", ")),
+                false => format!("{place}: {} are not the coordinates of one point", names.join(", ")),
             };
             wrong.push(Message::error(what).expected(
                 "x and y, and z in space; radius, azimuth, and z; or azimuth, zenith or elevation, and distance",
             ));
         }
         if roles.iter().any(|r| r.is_angle()) && self.angle_unit.is_none() {
-            let message = Message::error(format!("{place} names angles, and the format does not say their unit"));
+            let message = Message::error(format!("{place} names angles, and the format does not state their unit"));
             wrong.push(message.expected("`angle_unit`: deg, rad or gon").hint("it is never guessed"));
         }
         if let (Some(stated), Some(kind), true) = (self.coordinates, kind, self.types.is_empty())
             && stated != kind
         {
-            let what = format!("`coordinates` says {}, and {place} names {} ones", stated.name(), kind.name());
+            let what = format!("`coordinates` states {}, and {place} names {} ones", stated.name(), kind.name());
             wrong.push(Message::error(what));
         }
         wrong

@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 use std::fmt;
 
-/// How bytes become characters. Without a statement a text is UTF-8, or what its byte-order mark says.
+/// How bytes become characters. Without a statement a text is UTF-8, or what its byte-order mark states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[schemars(transform = super::accept_aliases)]
 pub enum Encoding {
@@ -38,7 +38,7 @@ impl Encoding {
     }
 }
 
-/// What stands between groups of three digits.
+/// What is between groups of three digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[schemars(transform = super::accept_aliases)]
 pub enum Thousands {
@@ -141,7 +141,7 @@ impl CoordinateType {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
 pub enum Header {
-    /// After so many rows; empty lines and comments are no rows.
+    /// After so many rows; empty lines and comments are not rows.
     Rows(usize),
     /// After the first line that holds all these words.
     Words(Vec<String>),
@@ -200,11 +200,11 @@ impl<'de> Deserialize<'de> for Header {
     }
 }
 
-/// Cells that say "not measured", where the campaign states none itself; a row of stars is an overflow.
+/// Cells that mean "not measured", where the campaign states none itself; a row of stars is an overflow.
 pub const NOT_MEASURED: [&str; 12] =
     ["", "-", "--", "---", "N/A", "n/a", "#N/A", "nan", "1.#QNAN", "-1.#IND", "*", "0 0 0"];
 
-/// What says "not measured".
+/// Cells that mean "not measured".
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Missing(Vec<String>);
@@ -216,13 +216,13 @@ impl Default for Missing {
 }
 
 impl Missing {
-    /// Whether a cell says it.
+    /// Whether a cell is one of them.
     pub fn says(&self, cell: &str) -> bool {
         let stars = !cell.is_empty() && cell.bytes().all(|b| b == b'*');
         self.0.iter().any(|marker| cell.eq_ignore_ascii_case(marker) || marker == "*" && stars)
     }
 
-    /// Whether coordinates that are all zero say it.
+    /// Whether coordinates that are all zero mean it.
     pub fn origin(&self) -> bool {
         self.0.iter().any(|marker| marker == "0 0 0")
     }

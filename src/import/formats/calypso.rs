@@ -1,8 +1,8 @@
 //! Zeiss Calypso table files, separated by tabs: characteristics (`_chr`), features (`_fet`), and the head of a run (`_hdr`).
 //!
 //! Columns are found by their names, whose order and number change with the version. Rows are ragged: a row may end where
-//! its last value stands, though the header goes on. The last row is the word `END`. Of characteristics a point is what
-//! `xValue`, `yValue` and `zValue` of one feature in one run say. The names of a `_fet` file are not documented: `x`, `y`,
+//! its last value is, though the header goes on. The last row is the word `END`. Of characteristics a point is what
+//! `xValue`, `yValue` and `zValue` of one feature in one run state. The names of a `_fet` file are not documented: `x`, `y`,
 //! `z` and `featureid` or `id` are taken.
 
 use super::pivot::{Pivot, Said};
@@ -22,7 +22,7 @@ impl ExportFormat for Calypso {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("planid\tpartnb"), 1.0, "a table of Zeiss Calypso: its header says so")
+        Recognised::by(text.starts_with("planid\tpartnb"), 1.0, "a table of Zeiss Calypso, by its header")
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -138,7 +138,7 @@ fn characteristics(table: &Table, decimal: Decimal, unit: Unit, problems: &mut P
         let (label, symbol) = (cell(feature), cell(symbol));
         let run = format!("{}\t{}", cell(column("planid")), cell(column("partnb")));
         if label.is_empty() || symbol.is_empty() {
-            let message = Message::error("the row does not say which characteristic of which feature it is");
+            let message = Message::error("the row does not state which characteristic of which feature it is");
             problems.0.push(message.at(row.place(table.text.file)).hint("was the file cut off?"));
             continue;
         }
@@ -205,7 +205,7 @@ fn unit_of(table: &Table, row: &Fields, stated: Unit) -> Result<(), Message> {
         "m" => Unit::Metre,
         "um" | "µm" | "μm" => Unit::Micrometre,
         other => {
-            let message = Message::error(format!("`{other}` is no unit of a coordinate"));
+            let message = Message::error(format!("`{other}` is not a unit of a coordinate"));
             return Err(message.at(table.place(row, at)).expected("mm, m, um or inch"));
         }
     };

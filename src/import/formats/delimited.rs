@@ -81,7 +81,7 @@ impl ExportFormat for Named {
 }
 
 impl Named {
-    /// Columns that nothing but the name says.
+    /// Columns that nothing but the name states.
     const fn simple(name: &'static str, dialect: fn() -> Dialect) -> Self {
         Self { name, recognise: |_| None, dialect }
     }
@@ -158,7 +158,7 @@ fn data<'t>(file: &str, mut rows: Vec<Row<'t>>, dialect: &Dialect, unit: Unit) -
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
         let other = |(_, name): &(&Role, &Cow<str>)| Unit::of_heading(name).is_some_and(|said| said != unit);
         if let Some((_, name)) = lengths.into_iter().find(other) {
-            let what = format!("the header says `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
+            let what = format!("the header states `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
             remarks.push(Message::error(what).at(header.place(file)).hint("state the unit of the file"));
         }
     }
@@ -229,7 +229,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// One point. Numbers that do not read are reported, and leave it without a place; a row that is no row of the
+    /// One point. Numbers that do not read are reported, and leave it without a place; a row that is not a row of the
     /// stated columns is reported, and gives none.
     fn point(&self, row: &Row, problems: &mut Problems) -> Option<Point> {
         let line = || row.place(self.file);
@@ -280,7 +280,7 @@ impl Reader<'_> {
         for (i, role, field) in wholes {
             let whole = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
             if whole.is_none() {
-                wrong(Message::error(format!("`{field}` is no whole number")), i);
+                wrong(Message::error(format!("`{field}` is not a whole number")), i);
             }
             *(if role == Role::Pose { &mut point.pose } else { &mut point.cycle }) = whole;
         }
@@ -309,13 +309,13 @@ impl Reader<'_> {
         Some(point)
     }
 
-    /// What the columns hold in this row, where each row says it; or what is wrong, and in which cell.
+    /// What the columns hold in this row, where each row states it; or what is wrong, and in which cell.
     fn of_this_row(&self, row: &Row) -> Result<Cow<'_, [Role]>, (Message, usize)> {
         let Some(at) = self.roles.iter().position(|r| *r == Role::Type) else { return Ok(Cow::Borrowed(&self.roles)) };
         let name = row.field(at);
         let Some(meant) = self.dialect.types.get(name) else {
             let known: Vec<&str> = self.dialect.types.keys().map(String::as_str).collect();
-            let message = Message::error(format!("`types` does not say what coordinates of type `{name}` are"));
+            let message = Message::error(format!("`types` does not state what coordinates of type `{name}` are"));
             return Err((message.expected(known.join(", ")), at));
         };
         let of = |role: &Role| {
@@ -338,7 +338,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Why the row was not measured, if it says so. Empty cells say so only where no coordinate is there.
+    /// Why the row was not measured, if it states that. Empty cells do only where no coordinate is there.
     fn not_measured<'r>(&self, cells: impl Iterator<Item = (Role, &'r str)>) -> Option<String> {
         let cells: Vec<(Role, &str)> = cells.collect();
         let says = |cell: &str| self.dialect.missing.says(cell);
@@ -396,7 +396,7 @@ fn write(rows: &[Written], how: &Writing) -> Result<String, Message> {
         Message::error("simulate writes neither fixed widths nor workbooks").hint("state a `delimiter` for this export")
     })?;
     if !dialect.types.is_empty() {
-        return Err(Message::error("simulate writes no coordinates whose kind each row says"));
+        return Err(Message::error("simulate writes no coordinates whose kind each row states"));
     }
     let line = |field: &mut dyn FnMut(&Role, &str) -> String| {
         let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();

@@ -1,7 +1,7 @@
 //! DMIS output (ISO 22093): measured features `FA(label) = FEAT/kind, ...`; sizes are diameters.
 //!
 //! The dialect of Mitutoyo GEOPAK writes the three angles of a direction in degrees where DMIS has a unit vector. Their
-//! cosines are the vector, so that a file tells which it has; the campaign must state the same.
+//! cosines are the vector, so that a file shows which it has; the campaign must state the same.
 
 use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
 use crate::base::message::{Message, Place, Problems, Result};
@@ -34,7 +34,7 @@ impl ExportFormat for Dmis {
         Recognised::by(
             self.directions == Directions::Vectors && text.starts_with("FILNAM/"),
             1.0,
-            "DMIS output: its first record says so",
+            "DMIS output, by its first record",
         )
     }
 
@@ -116,7 +116,7 @@ pub fn features(file: &str, text: &str, directions: Directions, unit: Unit) -> R
     problems.check().map(|_| features)
 }
 
-/// A row for each measured feature; one whose point may lie anywhere on it is no point.
+/// A row for each measured feature; one whose point may lie anywhere on it is not a point.
 fn rows(text: &Text, directions: Directions, unit: Unit) -> (Vec<Point>, Problems) {
     let (features, unknown, mut problems) = read(text, directions, unit);
     let row = |feature: &Feature| {
@@ -131,7 +131,7 @@ fn rows(text: &Text, directions: Directions, unit: Unit) -> (Vec<Point>, Problem
     if points.is_empty() && problems.0.is_empty() {
         let program = text.lines.iter().find(|line| line.trim_start().to_uppercase().starts_with("MEAS/"));
         let what = match program {
-            Some(_) => "this is a DMIS program: it says what is to be measured, and holds nothing measured",
+            Some(_) => "this is a DMIS program: it states what is to be measured, and contains nothing measured",
             None => "the file holds no measured feature",
         };
         let message = Message::error(what).at(text.place(1)).expected("records `FA(label) = FEAT/kind, ...`");
@@ -313,7 +313,7 @@ impl Record {
         (label, major.trim(), fields)
     }
 
-    /// Where a part stands.
+    /// Where a part is.
     fn place(&self, text: &Text, part: &Part) -> Place {
         let before = self.pieces.partition_point(|piece| piece.0 <= part.at);
         let (start, line, byte) = self.pieces.get(before.saturating_sub(1)).copied().unwrap_or((0, 1, 0));

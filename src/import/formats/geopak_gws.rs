@@ -20,7 +20,7 @@ impl ExportFormat for GeopakGws {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("#00:GEOPAK"), 1.0, "a scan of GEOPAK-Win: its first record says so")
+        Recognised::by(text.starts_with("#00:GEOPAK"), 1.0, "a scan of GEOPAK-Win, by its first record")
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -35,7 +35,7 @@ impl ExportFormat for GeopakGws {
     }
 }
 
-/// What stands between one `#nn:` and the next.
+/// What is between one `#nn:` and the next.
 struct Record<'a> {
     code: &'a str,
     content: &'a str,
@@ -63,14 +63,14 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
                         Message::error("the contour is in polar coordinates").hint("scan it in XY(Z), YZ(X) or ZX(Y)"),
                     );
                 }
-                _ => wrong(Message::error(format!("`{content}` is no plane")).expected("XY(Z), YZ(X) or ZX(Y)")),
+                _ => wrong(Message::error(format!("`{content}` is not a plane")).expected("XY(Z), YZ(X) or ZX(Y)")),
             },
             "06" => {
                 unit_stated = true;
                 let of_file = match content {
                     "MM" => Ok(Unit::Millimetre),
                     "Inch" => Ok(Unit::Inch),
-                    _ => Err(Message::error(format!("`{content}` is no unit")).expected("MM or Inch")),
+                    _ => Err(Message::error(format!("`{content}` is not a unit")).expected("MM or Inch")),
                 };
                 let agrees = of_file.and_then(|of_file| unit_agrees(unit, of_file, "#06", record.place.clone()));
                 agrees.err().into_iter().for_each(&mut wrong);
@@ -95,7 +95,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
                 }
                 points.push(text.point(record.line, label, xyz, unit));
             }
-            code => wrong(Message::error(format!("`#{code}:` is no record of a GEOPAK scan"))),
+            code => wrong(Message::error(format!("`#{code}:` is not a record of a GEOPAK scan"))),
         }
     }
     if !unit_stated && !points.is_empty() {

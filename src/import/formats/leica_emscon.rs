@@ -9,13 +9,13 @@ pub(super) const LEICA_EMSCON: Named = Named {
     name: "leica-emscon",
     recognise: |text| {
         let header = |line: &str| line.starts_with("coordsystype,") && line.contains(",val1,val2,val3,");
-        let what = "a list of stationary points measured through Leica's emScon interface: its header says so";
+        let what = "a list of stationary points measured through Leica's emScon interface, by its header";
         Recognised::by(text.lines().next().is_some_and(header), 1.0, what)
     },
     dialect,
 };
 
-/// Rows say their coordinate type: 0 is right-handed Cartesian, 7 spherical counter-clockwise (horizontal angle, zenith
+/// Rows state their coordinate type: 0 is right-handed Cartesian, 7 spherical counter-clockwise (horizontal angle, zenith
 /// angle, distance), angles in rad.
 fn dialect() -> Dialect {
     let names = [

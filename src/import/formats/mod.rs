@@ -58,12 +58,12 @@ pub(crate) trait ExportFormat: Sync {
     /// What it is called, and of what kind it is.
     fn about(&self) -> About;
 
-    /// What of a text says that it is in this format.
+    /// What of a text states that it is in this format.
     fn recognise(&self, _text: &str) -> Option<Recognised> {
         None
     }
 
-    /// The dialect that the name stands for, if it is one of delimited text.
+    /// The dialect that the name is for, if it is one of delimited text.
     fn dialect(&self) -> Dialect {
         Dialect::default()
     }
@@ -79,7 +79,7 @@ pub(crate) trait ExportFormat: Sync {
         None
     }
 
-    /// The frame that the file says its points are relative to.
+    /// The frame that the file states its points are relative to.
     fn frame<'t>(&self, _text: &'t str) -> Option<&'t str> {
         None
     }
@@ -110,7 +110,7 @@ pub(crate) struct About {
     pub points_only: bool,
 }
 
-/// What says that a text is in a format.
+/// What states that a text is in a format.
 #[derive(Clone, Copy)]
 pub(crate) struct Recognised {
     /// From 0 to 1: 1 for a signature at a fixed place.
@@ -128,7 +128,7 @@ impl Recognised {
     }
 }
 
-/// Where a document says what it is: its first characters.
+/// Where a document states what it is: its first characters.
 pub(crate) fn head(text: &str) -> &str {
     let end = text.char_indices().nth(4000).map_or(text.len(), |(i, _)| i);
     &text[..end]
@@ -169,7 +169,7 @@ impl Format {
         FORMATS.iter().map(|format| format.about().name)
     }
 
-    /// Whether coordinates that are all zero say "not measured".
+    /// Whether coordinates that are all zero mean "not measured".
     pub fn origin_is_missing(&self) -> bool {
         self.dialect.missing.origin()
     }
@@ -199,7 +199,7 @@ impl Format {
         self.kind.plain(&self.dialect, start)
     }
 
-    /// The frame that a text of the format says its points are relative to.
+    /// The frame that a text of the format states its points are relative to.
     pub(crate) fn frame<'t>(&self, text: &'t str) -> Option<&'t str> {
         self.kind.frame(text)
     }
@@ -350,7 +350,7 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// A row at a line that is no point, with the rule that says so.
+    /// A row at a line that is not a point, with that rule.
     fn no_point(&self, line: usize, label: &str, reason: impl Into<String>) -> Point {
         Point { refused: Some(reason.into()), ..self.point(line, label, [0.0; 3], Unit::Millimetre) }
     }

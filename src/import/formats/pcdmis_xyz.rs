@@ -17,7 +17,7 @@ impl ExportFormat for PcdmisXyz {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("XYZIJK"), 1.0, "an .xyz file of PC-DMIS: its first line says so")
+        Recognised::by(text.starts_with("XYZIJK"), 1.0, "an .xyz file of PC-DMIS, by its first line")
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -47,7 +47,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
         if row.fields.len() < 3 {
             let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(i + 1));
             let message = message.expected("three to eight numbers separated by commas");
-            problems.0.push(message.hint("a file with names or tabs is no PC-DMIS xyz: state it as delimited text"));
+            problems.0.push(message.hint("a file with names or tabs is not a PC-DMIS xyz: state it as delimited text"));
             continue;
         }
         let mut values = Vec::new();
@@ -67,13 +67,13 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
 fn head(line: &str) -> Result<(Unit, &'static str), Message> {
     let expected = "`XYZIJK` in columns 1 to 6, and `METRIC` in columns 11 to 16 of a metric file";
     let Some(rest) = line.strip_prefix("XYZIJK") else {
-        return Err(Message::error("this is no PC-DMIS xyz file").expected(expected));
+        return Err(Message::error("this is not a PC-DMIS xyz file").expected(expected));
     };
     match (rest.get(..4), rest.get(4..).map(str::trim_end), rest.trim()) {
         (_, _, "") => Ok((Unit::Inch, "no METRIC in line 1")),
         (Some("    "), Some("METRIC"), _) => Ok((Unit::Millimetre, "METRIC in line 1")),
         (.., "METRIC") => Err(Message::error(
-            "`METRIC` does not stand in columns 11 to 16: by PC-DMIS' rule the file is in inch, by its word in mm",
+            "`METRIC` is not in columns 11 to 16: by PC-DMIS' rule the file is in inch, by its word in mm",
         )
         .expected(expected)
         .hint("ask who wrote it, then correct line 1, or state it as delimited text with its unit")),

@@ -23,7 +23,7 @@ struct Pivoted {
     other: Vec<String>,
 }
 
-/// What a row says of a point.
+/// What a row states of a point.
 pub(super) enum Said {
     /// A coordinate: index of the axis, value.
     Coordinate(usize, f64),

@@ -16,11 +16,7 @@ impl ExportFormat for Ply {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(
-            text.starts_with("ply\n") || text.starts_with("ply\r"),
-            1.0,
-            "a PLY file: its first line says so",
-        )
+        Recognised::by(text.starts_with("ply\n") || text.starts_with("ply\r"), 1.0, "a PLY file, by its first line")
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -295,16 +291,16 @@ fn read(file: &str, bytes: &[u8]) -> Result<Header, Message> {
                     "ascii" => Some(Encoding::Ascii),
                     "binary_little_endian" => Some(Encoding::LittleEndian),
                     "binary_big_endian" => Some(Encoding::BigEndian),
-                    _ => return Err(wrong(format!("`{name}` is no encoding of PLY"))),
+                    _ => return Err(wrong(format!("`{name}` is not an encoding of PLY"))),
                 };
             }
             (_, ["element", name, count]) => {
-                let count = count.parse().map_err(|_| wrong(format!("`{count}` is no number of elements")))?;
+                let count = count.parse().map_err(|_| wrong(format!("`{count}` is not a number of elements")))?;
                 elements.push(Element { name: (*name).to_owned(), count, properties: Vec::new(), line });
             }
             (_, ["property", stated @ ..]) => {
                 let kind =
-                    |name: &str| Kind::named(name).ok_or_else(|| wrong(format!("`{name}` is no type of number")));
+                    |name: &str| Kind::named(name).ok_or_else(|| wrong(format!("`{name}` is not a type of number")));
                 let property = match stated {
                     ["list", length, item, _] => Property::List(kind(length)?, kind(item)?),
                     [item, name] => Property::Number((*name).to_owned(), kind(item)?),

@@ -24,7 +24,7 @@ impl ExportFormat for Polyworks {
         Ok(rows.iter().map(line).collect())
     }
 
-    /// The first row says whether rows bear labels.
+    /// The first row states whether rows bear labels.
     fn plain(&self, _dialect: &Dialect, start: &[u8]) -> Option<Plain> {
         let first = start.split(|b| *b == b'\n').find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
         let labelled = match first.split(u8::is_ascii_whitespace).filter(|f| !f.is_empty()).count() {

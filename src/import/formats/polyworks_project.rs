@@ -20,7 +20,7 @@ impl ExportFormat for PolyworksProject {
         Recognised::by(
             head(text).contains("PolyWorks|Inspector project description"),
             0.9,
-            "a project description of PolyWorks|Inspector: its first line says so",
+            "a project description of PolyWorks|Inspector, by its first line",
         )
     }
 
@@ -55,7 +55,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     if !text.lines.first().is_some_and(|line| line.contains("PolyWorks|Inspector project description file")) {
-        let message = Message::error(format!("`{}` is no project description of PolyWorks|Inspector", text.file));
+        let message = Message::error(format!("`{}` is not a project description of PolyWorks|Inspector", text.file));
         let expected = "a first line `# === PolyWorks|Inspector project description file ===`";
         problems.0.push(message.at(text.place(1)).expected(expected));
         return (points, problems);
@@ -90,7 +90,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     (points, problems)
 }
 
-/// A point, or the reason why a primitive is none; other objects are no primitives.
+/// A point, or the reason why a primitive is none; other objects are not primitives.
 fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) -> Option<Point> {
     let value = |key: &str| block.keys.get(key).map(|(_, value)| *value);
     if value("CLASS") != Some("Primitive") {
@@ -98,7 +98,7 @@ fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) ->
     }
     let label = match block.keys.get("NAME") {
         Some((line, name)) => name_of(name).unwrap_or_else(|| {
-            let message = Message::error(format!("`{name}` is no name")).at(text.place(*line));
+            let message = Message::error(format!("`{name}` is not a name")).at(text.place(*line));
             problems.0.push(message.expected("text, or `UNICODE( ... )` with four hexadecimal digits a character"));
             String::new()
         }),
@@ -113,7 +113,7 @@ fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) ->
     let message = match (numbers[..].try_into(), stated.split_whitespace().count(), scaled) {
         (Ok(xyz), 3, false) => return Some(text.point(*line, &label, xyz, unit)),
         (_, _, true) => Message::error("the object is scaled, and what its factor scales is not documented"),
-        _ => Message::error(format!("`{stated}` is no point")).expected("three numbers"),
+        _ => Message::error(format!("`{stated}` is not a point")).expected("three numbers"),
     };
     problems.0.push(message.at(text.place(*line)));
     Some(text.point(*line, &label, [f64::NAN; 3], unit))

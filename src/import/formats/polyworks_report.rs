@@ -1,7 +1,7 @@
 //! PolyWorks|Inspector report tables as CSV: one row for each control of a feature, not for each point.
 //!
 //! Columns `Name,Control,Nom,Meas,Tol,Dev,Test,Out Tol`, found by their words: a report may begin with title lines, and
-//! what separates its columns is what stands after `Name`. A point has the controls `X`, `Y` and `Z`, or such of a kind
+//! what separates its columns is what is after `Name`. A point has the controls `X`, `Y` and `Z`, or such of a kind
 //! (`Surface Point X`). Layout from a quoted report and a vendor page; no whole real file was found.
 
 use super::pivot::{Pivot, Said};
@@ -23,7 +23,7 @@ impl ExportFormat for PolyworksReport {
         Recognised::by(
             text.starts_with("Name,Control,Nom,Meas"),
             1.0,
-            "a report of PolyWorks with a row for each control: its header says so",
+            "a report of PolyWorks with a row for each control, by its header",
         )
     }
 
@@ -56,7 +56,7 @@ pub struct Control {
     pub control: String,
     /// Nominal value, where it is a number.
     pub nominal: Option<f64>,
-    /// Measured value; none where a word stands in its place.
+    /// Measured value; none where a word is in its place.
     pub measured: Option<f64>,
     /// Upper and lower tolerance.
     pub tolerance: Option<(f64, f64)>,
@@ -181,7 +181,7 @@ fn control(text: &Text, columns: &Columns, row: &Fields, decimal: Decimal, probl
     let tolerance = tolerance(stated, decimal);
     if let (None, false, Some(at)) = (tolerance, stated.is_empty(), columns.tolerance) {
         let message =
-            Message::error(format!("`{stated}` is no tolerance")).at(place(at)).expected("`±0.5` or `+0.5/-0.2`");
+            Message::error(format!("`{stated}` is not a tolerance")).at(place(at)).expected("`±0.5` or `+0.5/-0.2`");
         let wrong_encoding = stated.contains('Â') || stated.contains('\u{fffd}');
         problems.0.push(if wrong_encoding {
             message.hint("the text was decoded in another encoding than it was written in: state the right one")

@@ -8,7 +8,7 @@ pub(super) const SDSS_PLATE: Named = Named {
     name: "sdss-plate",
     recognise: |text| {
         let mark = text.lines().take(5).any(|line| line.contains("Meas X    Meas Y     Nom X"));
-        Recognised::by(mark, 0.9, "a table of drilled holes in columns of fixed width: its header says so")
+        Recognised::by(mark, 0.9, "a table of drilled holes in columns of fixed width, by its header")
     },
     dialect: || Dialect {
         widths: vec![10, 10, 10, 10, 10, 10, 8, 8, 8],

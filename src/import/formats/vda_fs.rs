@@ -21,7 +21,7 @@ impl ExportFormat for VdaFs {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(head(text).contains("= HEADER /"), 0.9, "a VDA-FS file: its header says so")
+        Recognised::by(head(text).contains("= HEADER /"), 0.9, "a VDA-FS file, by its header")
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {

@@ -32,7 +32,7 @@ impl LogFormat for Galil {
     }
 
     fn not_by_number(&self) -> Option<&'static str> {
-        Some("arrays stand in alphabetical order, whatever joints they belong to")
+        Some("arrays are in alphabetical order, whatever joints they belong to")
     }
 
     fn statement(&self, wanted: &Wanted) -> Option<Message> {
@@ -58,7 +58,7 @@ fn states_counts(wanted: &Wanted) -> Option<Message> {
     let key = wanted.key.get_ref();
     missing.then(|| {
         Message::error(format!(
-            "an array of a Galil controller holds counts, and `{key}` does not say what one is worth"
+            "an array of a Galil controller holds counts, and `{key}` does not state what one is worth"
         ))
         .expected(format!("`{key} = {{ name = \"...\", per_count = 0.001 }}`, with the worth in the unit of the key"))
     })
@@ -98,10 +98,10 @@ fn check_counts(sheet: &Sheet, at: usize, counts: &[f64], problems: &mut Problem
     const RANGE: f64 = 4_294_967_296.0;
     for (row, count) in sheet.rows.iter().zip(counts) {
         if count.fract() != 0.0 || count.abs() > RANGE / 2.0 {
-            let message = Message::error(format!("{count} is no count")).expected("a whole number of 32 bits");
-            problems
-                .0
-                .push(message.at(sheet.cell(row, at)).hint("is the array already scaled? Then it is no Galil upload"));
+            let message = Message::error(format!("{count} is not a count")).expected("a whole number of 32 bits");
+            problems.0.push(
+                message.at(sheet.cell(row, at)).hint("is the array already scaled? Then it is not a Galil upload"),
+            );
         }
     }
     for (i, pair) in counts.windows(2).enumerate().filter(|(_, pair)| (pair[1] - pair[0]).abs() > RANGE / 2.0) {

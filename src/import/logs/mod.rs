@@ -86,7 +86,7 @@ impl Log {
     }
 }
 
-/// What the channels of a TwinCAT Scope export hold: an option of the export that the file does not tell.
+/// What the channels of a TwinCAT Scope export hold: an option of the export that the file does not state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ChannelValues {
@@ -254,7 +254,7 @@ pub(crate) struct Columns {
     pub lines: Vec<i64>,
     /// Columns by their names in the table, in mm, deg and s.
     pub columns: Vec<(String, Values)>,
-    /// What is to be said of it.
+    /// Remarks on it.
     pub said: Vec<Message>,
 }
 
@@ -297,7 +297,7 @@ impl Wanted<'_> {
     }
 }
 
-/// Reads a log, and gives what is to be said of it. Where the campaign states when the robot stands, each standstill is one
+/// Reads a log, and gives the remarks on it. Where the campaign states when the robot stands, each standstill is one
 /// row.
 pub fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<(JointLog, Vec<Message>)> {
     let Columns { rows, lines, columns, said } = columns(stated, log, text, source)?;

@@ -206,9 +206,9 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     for (value, row) in read.iter().zip(&sheet.rows) {
         let message = if modes && value.abs() != 1.0 {
             let hint = "leave the column out of `columns` if it is not known: then the nearer solution is taken";
-            Message::error(format!("{value} is no assembly mode")).expected("1 or -1").hint(hint)
+            Message::error(format!("{value} is not an assembly mode")).expected("1 or -1").hint(hint)
         } else if whole && (value.fract() != 0.0 || value.abs() > WHOLE) {
-            Message::error(format!("{} {value} is no whole number", wanted.name))
+            Message::error(format!("{} {value} is not a whole number", wanted.name))
         } else {
             continue;
         };
@@ -221,7 +221,7 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
 /// Seconds of whole nanoseconds. Nineteen digits are more than a number of 64 bits keeps, so that seconds are split off
 /// first.
 fn seconds(cell: &str) -> std::result::Result<f64, Message> {
-    let wrong = |_| Message::error(format!("`{cell}` is no whole number of nanoseconds"));
+    let wrong = |_| Message::error(format!("`{cell}` is not a whole number of nanoseconds"));
     let ns: i64 = cell.parse().map_err(wrong)?;
     Ok(ns.div_euclid(1_000_000_000) as f64 + ns.rem_euclid(1_000_000_000) as f64 * 1e-9)
 }

@@ -1,7 +1,7 @@
 //! Where a robot stands, in a log that was recorded while it moved.
 //!
 //! A sample stands if it lies in some stretch of at least the stated time within which no joint moves by more than is
-//! stated for its kind. The rule is the same read backwards, and knows no filter. What stands together is one interval:
+//! stated for its kind. The rule is the same read backwards, and has no filter. What stands together is one interval:
 //! stretches that share a sample are.
 
 use super::joint_log::{JointLog, LogRow};
@@ -110,10 +110,12 @@ pub(super) fn reduce(
     if found.is_empty() {
         let longest = stretches(times_s.len(), &watched).into_iter().map(|(a, b)| times_s[b] - times_s[a]);
         let longest = longest.fold(0.0, f64::max);
-        let message =
-            Message::error(format!("the robot of log `{}` never stands for {} s", log.name, still.at_least_s));
+        let message = Message::error(format!(
+            "the robot of log `{}` is never at a standstill for {} s",
+            log.name, still.at_least_s
+        ));
         let hint =
-            format!("the longest it stands within these limits is {longest:.3} s: check `at_least_s` and the limits");
+            format!("its longest standstill within these limits is {longest:.3} s: check `at_least_s` and the limits");
         return Err(message.at(place()).hint(hint).into());
     }
     let mut rows = Vec::with_capacity(found.len());
@@ -147,7 +149,7 @@ fn limits(log: &Log, still: &Standstill, read: &JointLog) -> std::result::Result
     let limits = [Some(still.at_least_s), still.within_deg, still.within_mm];
     if limits.into_iter().flatten().any(|limit| limit <= 0.0 || !limit.is_finite()) {
         let message = Message::error("the limits of [log.standstill] must be positive");
-        return Err(message.hint("they are what the robot does while it stands, as its encoders show it"));
+        return Err(message.hint("they are the movements at a standstill, as the encoders show them"));
     }
     let Some(times_s) = read.rows.iter().map(|row| row.time_s).collect::<Option<Vec<f64>>>() else {
         let message = Message::error("[log.standstill] needs the times of the rows");
@@ -161,7 +163,7 @@ fn limits(log: &Log, still: &Standstill, read: &JointLog) -> std::result::Result
         let (key, within) =
             if name.ends_with("_deg") { ("within_deg", still.within_deg) } else { ("within_mm", still.within_mm) };
         within.ok_or_else(|| {
-            let message = Message::error(format!("[log.standstill] does not say when `{name}` stands"));
+            let message = Message::error(format!("[log.standstill] does not state when `{name}` is at a standstill"));
             message.hint(format!("add `{key}`: the largest movement that is none"))
         })
     };
@@ -181,9 +183,9 @@ fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
     for (name, value) in of.into_iter().filter(|(name, _)| *name != "pose" || log.pose.is_none()) {
         let first = value(&rows[0]);
         if let Some(row) = rows.iter().find(|row| value(row) != first) {
-            let what = format!("`{name}` goes from {first} to {} while the robot stands", value(row));
+            let what = format!("`{name}` goes from {first} to {} within a standstill", value(row));
             let place = Place { line: Some(row.line), ..Place::file(log.file.get_ref()) };
-            let hint = "a standing robot is at one pose: leave the column out, or lower the limits";
+            let hint = "at a standstill the robot is at one pose: leave the column out, or lower the limits";
             return Err(Message::error(what).at(place).hint(hint).into());
         }
     }

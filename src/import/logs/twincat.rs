@@ -128,7 +128,7 @@ fn scale(channel: &Channel, values: Option<ChannelValues>) -> std::result::Resul
         }
         ((f, o), (uf, uo), None) => {
             let what = format!("channel `{}` has a scale ({f}, {o}) or a unit with one ({uf}, {uo})", channel.name);
-            let message = Message::error(format!("{what}, and the file does not say whether it is applied"));
+            let message = Message::error(format!("{what}, and the file does not state whether it is applied"));
             Err(message.hint("state `values = \"raw\"` or `values = \"scaled\"`, as the export was set"))
         }
     }
@@ -304,7 +304,7 @@ impl Header {
                 "" => absent,
                 // the head keeps the decimal mark of the operating system, whatever the data have
                 text => text.replace(',', ".").parse().unwrap_or_else(|_| {
-                    let what = format!("`{key}` of channel `{name}` is `{text}`, no number");
+                    let what = format!("`{key}` of channel `{name}` is `{text}`, not a number");
                     problems.0.push(Message::error(what).at(shown(first)));
                     absent
                 }),
@@ -338,12 +338,11 @@ fn separator(lines: &[&str], log: &Log) -> std::result::Result<char, Message> {
     let after = lines.first().and_then(|line| line.strip_prefix("Name")).and_then(|rest| rest.chars().next());
     let again = "export again, separated by tabs or semicolons";
     let Some(separator) = after.filter(|c| ['\t', ' ', ':', ';', ','].contains(c)) else {
-        let message = Message::error("this is no TwinCAT 3 Scope export");
+        let message = Message::error("this is not a TwinCAT 3 Scope export");
         return Err(message.expected("a first line of `Name`, a separator, and the name of the export"));
     };
     if separator == ' ' {
-        let what =
-            "the export is separated by blanks, and a blank is also what stands for a missing value and in names";
+        let what = "the export is separated by blanks, and a blank is also a missing value and part of names";
         return Err(Message::error(what).hint(again));
     }
     if separator == ',' && log.decimal == Decimal::Comma {
@@ -353,7 +352,7 @@ fn separator(lines: &[&str], log: &Log) -> std::result::Result<char, Message> {
     let stated = log.delimiter.and_then(Delimiter::byte).map(char::from);
     if log.delimiter.is_some() && stated != Some(separator) {
         let message = Message::error(format!("the export is separated by {separator:?}"));
-        return Err(message.hint("leave `delimiter` out of this log: the export says it itself"));
+        return Err(message.hint("leave `delimiter` out of this log: the export states it itself"));
     }
     Ok(separator)
 }

@@ -1,7 +1,7 @@
 //! Universal Robots RTDE recordings: a row for each cycle of the controller, columns named after RTDE's outputs.
 //!
 //! Units are those of the RTDE guide of Universal Robots: rad, m, s. A recording may name a column twice (a real one has
-//! `target_current_0` to `_5` before and after `target_q`); such a name is refused unless the campaign says which.
+//! `target_current_0` to `_5` before and after `target_q`); such a name is refused unless the campaign states which.
 
 use super::{About, LogFormat};
 use crate::import::formats::Recognised;

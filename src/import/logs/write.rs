@@ -46,7 +46,7 @@ pub(crate) fn write(stated: Stated, log: &Log, values: &JointLog) -> Result<Stri
 
 type Placed<'a> = (&'a toml::Spanned<String>, &'a Column, usize, Option<&'a String>);
 
-/// Index and name of each column: numbered ones stand where they say, named ones fill the gaps in their order.
+/// Index and name of each column: numbered ones stand where they state, named ones fill the gaps in their order.
 fn places(log: &Log) -> std::result::Result<Vec<Placed<'_>>, Message> {
     let number = |column: &Column| if let ColumnAt::Number(n) = column.at { Some(n - 1) } else { None };
     let taken: Vec<usize> = log.columns.values().filter_map(number).collect();

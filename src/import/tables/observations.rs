@@ -41,7 +41,7 @@ pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
             let odd = |v: &f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
             let value = match number(field, Decimal::Point) {
                 _ if field.is_empty() => Ok(None),
-                Ok(value) if odd(&value) => Err(Message::error(format!("`{field}` is no whole number"))),
+                Ok(value) if odd(&value) => Err(Message::error(format!("`{field}` is not a whole number"))),
                 read => read.map(Some),
             };
             values.push(value.unwrap_or_else(|message| {

@@ -21,8 +21,8 @@ pub struct SetupDrift {
 /// Brings every attained pose into the frame of the first epoch of a table `cycle,target,x_mm,y_mm[,z_mm]`: the targets
 /// measured in a cycle hold from this cycle on, until the next time.
 ///
-/// Orientations are turned back as well, where `rotation_order` says what the angles mean (as [`RotationOrder::parse`] reads
-/// it) and all of a, b, c are there, or c of a planar robot; else angles stay, and a warning says so.
+/// Orientations are turned back as well, where `rotation_order` states what the angles mean (as [`RotationOrder::parse`] reads
+/// it) and all of a, b, c are there, or c of a planar robot; else angles stay, and a warning reports it.
 pub fn compensate_setup_drift(
     test: &mut PoseTest,
     table: NamedTable,
@@ -42,7 +42,7 @@ pub fn compensate_setup_drift(
             let pose = order.pose(all_three(&angles, &attained.angles_rad));
             let Some(turned) = order.angles_rad(&epoch.first_T_now.then(&pose), start_rad) else {
                 let what = format!("angles of pose {}, cycle {} cannot be turned back", p.pose, attained.cycle);
-                let hint = "near this orientation the order of rotations does not tell two angles apart: state another";
+                let hint = "near this orientation the order of rotations does not separate two angles: state another";
                 return Err(Message::error(what).hint(hint).into());
             };
             attained.angles_rad = angles.iter().map(|&k| turned[k]).collect();
@@ -83,7 +83,7 @@ fn holding<'a>(cycles: &[i64], epochs: &'a [Epoch], cycle: i64) -> Result<&'a Ep
     })
 }
 
-/// Cycles in which the targets were measured, ascending, and what they say.
+/// Cycles in which the targets were measured, ascending, and what they state.
 fn read(table: NamedTable) -> Result<(Vec<i64>, Vec<Epoch>)> {
     let cycles = table.integers("cycle")?;
     let names = table.texts("target")?;

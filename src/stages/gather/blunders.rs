@@ -94,7 +94,7 @@ fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Resu
     Ok(())
 }
 
-/// The targets of a rigid part as they were measured together; an error about the first row that cannot be told.
+/// The targets of a rigid part as they were measured together; an error about the first row that cannot be found.
 fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::Result<Groups, Message> {
     let names: Vec<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     let mut groups = Groups::new();

@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn a_target_that_lies_where_another_is_in_the_same_pose_is_told_and_which_one_it_is() {
+    fn a_target_that_lies_where_another_is_in_the_same_pose_is_reported_and_which_one_it_is() {
         let mut points = Vec::new();
         for pose in 1..=9 {
             let moves = [100.0 * pose as f64, 0.0, 7.0];
@@ -207,32 +207,32 @@ mod tests {
                 if wrong { [500.01, 0.0, 7.0] } else { [-3.0, 0.001 * pose as f64, 0.0] },
             ));
         }
-        let told = misplaced(&campaign(""), &points);
-        let whats: Vec<&str> = told.iter().map(|m| m.what.as_str()).collect();
+        let found = misplaced(&campaign(""), &points);
+        let whats: Vec<&str> = found.iter().map(|m| m.what.as_str()).collect();
         assert_eq!(whats, ["row 5: `base_3` lies where `SMR_3` is"]);
         points[9].xyz_mm = [-3.0, 0.0, 0.0];
         assert!(misplaced(&campaign(""), &points).is_empty());
     }
 
     #[test]
-    fn a_label_far_from_its_own_rows_and_at_another_point_is_told() {
+    fn a_label_far_from_its_own_rows_and_at_another_point_is_reported() {
         let at = |x| [x, 1.0, 2.0];
         let points = [
             point(1, "Slave", None, at(0.0)),
             point(2, "D", None, at(500.0)),
             point(3, "Slave", None, at(500.03)),
             point(4, "D", None, at(500.02)),
-            // two names of one point that never part are no mistake
+            // two names of one point that never part are not a mistake
             point(5, "nominal", None, at(900.0)),
             point(6, "measured", None, at(900.05)),
         ];
-        let told = misplaced(&campaign(""), &points);
-        let whats: Vec<&str> = told.iter().map(|m| m.what.as_str()).collect();
+        let found = misplaced(&campaign(""), &points);
+        let whats: Vec<&str> = found.iter().map(|m| m.what.as_str()).collect();
         assert_eq!(whats, ["row 3: `Slave` lies where `D` is"]);
     }
 
     #[test]
-    fn places_that_are_measured_again_under_another_label_are_no_mistake() {
+    fn places_that_are_measured_again_under_another_label_are_not_a_mistake() {
         let run = |first: i64, label, shift: f64| {
             (0..8).map(move |i| point(first + i, label, None, [40.0 * i as f64 + shift, 1.0, 2.0]))
         };
@@ -241,24 +241,24 @@ mod tests {
         assert!(misplaced(&campaign(""), &points).is_empty());
         points.push(point(25, "D", None, [700.0, 0.0, 0.0]));
         points.push(point(26, "shaft-2", None, [700.0, 0.0, 0.05]));
-        let told = misplaced(&campaign(""), &points);
-        let whats: Vec<&str> = told.iter().map(|m| m.what.as_str()).collect();
+        let found = misplaced(&campaign(""), &points);
+        let whats: Vec<&str> = found.iter().map(|m| m.what.as_str()).collect();
         assert_eq!(whats, ["row 26: `shaft-2` lies where `D` is"]);
     }
 
     #[test]
-    fn targets_that_drift_are_told_with_their_rows() {
+    fn targets_that_drift_are_reported_with_their_rows() {
         let campaign = campaign("[[fixed]]\ntargets = [\"N\"]\ndrift_mm = 0.02\n");
         let rows = |slope: f64| -> Vec<Point> {
             let place = |i: i64| [slope * i as f64, if i % 7 == 0 { 5.0 } else { 0.0 }, 0.0];
             (1..=100).map(|i| point(i, "N", Some(i), place(i))).collect()
         };
-        let told = drifting(&campaign, &rows(0.001));
-        assert_eq!(told.len(), 1, "{told:?}");
+        let found = drifting(&campaign, &rows(0.001));
+        assert_eq!(found.len(), 1, "{found:?}");
         assert!(
-            told[0].what.contains("between rows 1 to 10 and rows 91 to 100 it moves 0.0900 mm"),
+            found[0].what.contains("between rows 1 to 10 and rows 91 to 100 it moves 0.0900 mm"),
             "{}",
-            told[0].what
+            found[0].what
         );
         assert!(drifting(&campaign, &rows(0.0001)).is_empty());
         assert!(drifting(&campaign, &rows(0.001)[..20])[0].what.contains("too few to see it drift"));

@@ -16,6 +16,7 @@ use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Source};
 use crate::import::{self, Export, JointLog, Log, Point};
 use points::PointColumns;
+use std::collections::BTreeMap;
 
 /// What a campaign's files hold.
 #[derive(Clone, Debug)]
@@ -45,18 +46,23 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     ];
     let mut columns = PointColumns::default();
     let mut frames = Vec::new();
-    for (i, export) in campaign.file.exports.iter().enumerate() {
-        if export.file.get_ref().is_empty() {
+    let exports = &campaign.file.exports;
+    // bytes of files that a later export names again
+    let mut opened: BTreeMap<&str, Vec<u8>> = BTreeMap::new();
+    for (i, export) in exports.iter().enumerate() {
+        let file = export.file.get_ref().as_str();
+        if file.is_empty() {
             continue;
         }
-        let read = campaign
-            .resolve(&export.file)
-            .and_then(|path| import::read_export(&path, export.encoding, &export.format, campaign.place(&export.file)));
-        match read {
+        let read = campaign.resolve(&export.file).and_then(|path| {
+            let bytes = opened.remove(file).map_or_else(|| import::bytes_of(&path), Ok)?;
+            import::text_of(&path, &bytes, export.encoding, &export.format).map(|text| (text, bytes))
+        });
+        match read.map_err(|problems| problems.at(&campaign.place(&export.file))) {
             // what it states of itself is reported already
             Ok(_) if !campaign.export_reads(i) => {}
             Ok((text, bytes)) => {
-                let mut source = statement("export", export.file.get_ref(), &bytes);
+                let mut source = statement("export", file, &bytes);
                 source.dialect = format!("{}, unit {}", export.format, export.unit.name());
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
                 if let Some(frame) = export.format.frame(&text) {
@@ -64,6 +70,9 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
                     frames.push((campaign.place(&export.file), frame.to_owned()));
                 }
                 sources.push(source);
+                if exports[i + 1..].iter().any(|later| later.file.get_ref() == file) {
+                    opened.insert(file, bytes);
+                }
             }
             Err(more) => problems.0.extend(more.0),
         }
@@ -72,7 +81,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
         let read = campaign
             .resolve(&stated.file)
-            .and_then(|path| import::read_text(&path, stated.encoding, campaign.place(&stated.file)));
+            .and_then(|path| import::read_text(&path, stated.encoding, &campaign.place(&stated.file)));
         match read.and_then(|(text, bytes)| {
             if campaign.unread.affects(&["log"]) {
                 return Ok(None);

@@ -1,4 +1,4 @@
-//! The log says which measured point the robot touches: a plate measured once, then encoders alone.
+//! The log states which measured point the robot touches: a plate measured once, then encoders alone.
 
 use super::unmatched::At;
 use super::{Remarks, Row};

@@ -25,7 +25,7 @@ struct Met {
     other: Option<(usize, f64)>,
 }
 
-/// Joins each point with what the log says of its time; where no label names a pose, the log's row becomes the pose, or
+/// Joins each point with what the log states of its time; where no label names a pose, the log's row becomes the pose, or
 /// between rows the number of the time.
 pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remarks: &mut Remarks) -> Result<Vec<Row>> {
     let name = &log.name;

@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn the_offset_follows_the_clock_and_the_order_of_times_is_no_matter() {
+    fn the_offset_follows_the_clock_and_the_order_of_times_does_not_matter() {
         let times = [41.0, 11.0, 27.5, 21.0];
         let here = offset(&times, &STANDS).unwrap();
         let there = offset(&times.map(|t| t - 500.0), &STANDS).unwrap();

@@ -32,7 +32,7 @@ pub struct Joined {
     pub unmatched: Vec<Unmatched>,
 }
 
-/// What a join says beside its observations.
+/// What a join states beside its observations.
 #[derive(Default)]
 struct Remarks {
     messages: Vec<Message>,
@@ -177,7 +177,7 @@ fn apart_s(join: &Join, targets: &[Target], log: &JointLog) -> Option<f64> {
     targets.iter().filter_map(|t| nearest(t.point.time_s? - offset_s)).min_by(f64::total_cmp)
 }
 
-/// What the counts of rows say against a join by row, before anything is known of targets and frames.
+/// What the counts of rows state against a join by row, before anything is known of targets and frames.
 pub fn counts(campaign: &Campaign, imported: &Gathered, robot: &dyn Robot) -> Result<()> {
     if campaign.file.join_by() != Some(JoinBy::Row) {
         return Ok(());

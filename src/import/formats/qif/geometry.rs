@@ -61,7 +61,7 @@ fn point(node: Node, units: &Units) -> Result<Vector, Message> {
 }
 
 fn direction(node: Node) -> Result<Vector, Message> {
-    let wrong = || node.warning(format!("`{}` is no direction", node.text()));
+    let wrong = || node.warning(format!("`{}` is not a direction", node.text()));
     unit(three(node)?).ok_or_else(wrong)
 }
 

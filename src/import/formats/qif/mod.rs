@@ -1,6 +1,6 @@
 //! QIF 2.0, 2.1 and 3.0 (ISO 23952): measured features with their points, units and probe.
 //!
-//! What the file says about a feature is taken as it stands: the measured values, the nominal ones, and the points with
+//! What the file states about a feature is taken as it stands: the measured values, the nominal ones, and the points with
 //! the word whether they are probe centres. References that lead nowhere, lists that are not as long as they state and
 //! points that cannot be used are reported with their place; such a feature has no points.
 
@@ -45,7 +45,7 @@ impl ExportFormat for Qif {
     }
 }
 
-/// Messages of one file that are told; the rest is counted.
+/// Messages of one file that are reported; the rest is counted.
 const MOST_MESSAGES: usize = 50;
 
 /// Parts of a document that hold no measured feature and may be large.
@@ -111,7 +111,7 @@ pub enum Touch {
 }
 
 impl MeasuredFeature {
-    /// The element that it is fitted by; `None` of points and of what is no single element.
+    /// The element that it is fitted by; `None` of points and of what is not a single element.
     pub fn element(&self) -> Option<Element> {
         Some(match self.kind.as_str() {
             "Line" => Element::Line,
@@ -139,7 +139,7 @@ pub fn is_xml(text: &str) -> bool {
 /// Reads a QIF file; `mm_in_unit` is its unit of length where it states none.
 ///
 /// # Errors
-/// If it is no well-formed QIF 2.x or 3.x document, states no unit, or holds a number that is none.
+/// If it is not well-formed QIF 2.x or 3.x document, states no unit, or holds a number that is none.
 pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredFeatures> {
     let tree = Tree::read(file, text, |name| NOT_READ.contains(&name))?;
     let Some(root) = tree.root().filter(|r| r.name() == "QIFDocument") else {
@@ -185,7 +185,7 @@ pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredF
     Ok(MeasuredFeatures { version, features, points, messages })
 }
 
-/// Keeps the first messages and says how many there were.
+/// Keeps the first messages and states how many there were.
 fn cut(messages: &mut Vec<Message>, more: impl Fn(String) -> Message) {
     let count = messages.len();
     if count > MOST_MESSAGES {
@@ -200,7 +200,7 @@ fn nodes_with_id<'t, 'a>(root: Node<'t, 'a>, messages: &mut Vec<Message>) -> BTr
     for node in root.all() {
         let Some(id) = node.id() else { continue };
         match nodes.get(id) {
-            // many copies of one id say it once
+            // many copies of one id state it once
             Some(_) if messages.len() > MOST_MESSAGES => {}
             Some(first) => {
                 let line = Node::place(*first).line.unwrap_or(0);

@@ -108,7 +108,7 @@ impl<'t, 'a> PointSets<'t, 'a> {
             _ => within(stated.as_deref().unwrap_or_default()).ok_or_else(|| {
                 let set = format!("point set {id} of {}:{}", node.place().file, node.place().line.unwrap_or(0));
                 entry
-                    .warning(format!("`{}` is no part of {set}", stated.as_deref().unwrap_or_default()))
+                    .warning(format!("`{}` is not part of {set}", stated.as_deref().unwrap_or_default()))
                     .expected(format!("whole numbers from 1 to {count}, the smaller first"))
             })?,
         };
@@ -126,7 +126,7 @@ fn inline(node: Node, units: &Units) -> Result<Sample, Message> {
     let Some(point) = node.child("Point") else { return Err(node.warning("the point has no coordinates")) };
     let factor = units.mm_in(point, None)?;
     let &[x, y, z] = &point.numbers()?[..] else {
-        return Err(point.warning(format!("`{}` is no point", point.text())).expected("three numbers"));
+        return Err(point.warning(format!("`{}` is not a point", point.text())).expected("three numbers"));
     };
     let centre = node.child("Compensated").map(|n| flag(n, n.text())).transpose()?.is_some_and(|c| !c);
     let radius = node.child("ProbeRadius").map(|n| radius(n, units, None)).transpose()?;
@@ -163,7 +163,7 @@ fn set(node: Node, units: &Units) -> Result<Vec<Sample>, Message> {
     let mut flags = match (node.child("Compensated"), node.child("Compensations")) {
         (Some(one), _) => vec![flag(one, one.text())?],
         (_, Some(all)) => all.text().split_ascii_whitespace().map(|t| flag(all, t)).collect::<Result<_, _>>()?,
-        _ => return Err(node.warning("the point set does not say whether its points are compensated")),
+        _ => return Err(node.warning("the point set does not state whether its points are compensated")),
     };
     let mut radii = match (node.child("ProbeRadius"), node.child("ProbeRadii")) {
         (Some(one), _) => vec![Some(radius(one, units, own_unit)?)],

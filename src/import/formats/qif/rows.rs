@@ -9,7 +9,7 @@ use crate::import::format::Unit;
 /// Rows of a QIF file, in the stated unit (which must be that of the file), and what does not read.
 ///
 /// A feature with a centre or a place (point, circle, sphere, torus) is one row with its stated location, any other one
-/// row a point; the label is the name of the feature. Probe centres are refused: they are not on the feature. What the reader has to say is a refused row of its own.
+/// row a point; the label is the name of the feature. Probe centres are refused: they are not on the feature. What the reader has to state is a refused row of its own.
 pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
     let read = match super::read(file, text, Some(unit.in_mm())) {
         Ok(read) => read,

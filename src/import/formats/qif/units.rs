@@ -4,7 +4,7 @@ use crate::base::message::Message;
 use crate::import::xml::Node;
 use std::collections::BTreeMap;
 
-/// What the file says about its units. A name of a unit is free text ("mm", "MM", "inch"): only its factor counts.
+/// What the file states about its units. A name of a unit is free text ("mm", "MM", "inch"): only its factor counts.
 #[derive(Default)]
 pub(super) struct Units {
     mm_in_primary: Option<f64>,
@@ -80,7 +80,7 @@ fn named(value: Node, attribute: &str, units: &BTreeMap<String, f64>) -> Result<
     let Some(name) = value.attribute(attribute) else { return Ok(None) };
     units.get(&*name).copied().map(Some).ok_or_else(|| {
         value
-            .error(format!("`{name}` is no unit of this file"))
+            .error(format!("`{name}` is not a unit of this file"))
             .expected("a `UnitName` of `FileUnits`")
             .hint_names(&name, units.keys().map(String::as_str))
     })
