@@ -1,6 +1,6 @@
 //! What commanded poses add: accuracy of position and orientation, distances, exchangeability.
 
-use super::repeatability::{conformity, interval};
+use super::repeatability::{angles, conformity, interval};
 use crate::document::{Characteristics, Iso9283Distance, Iso9283Document, Iso9283Pose};
 use crate::report::model::{Block, Columns, Section, Table, fixed, um};
 use crate::report::number;
@@ -8,8 +8,6 @@ use crate::report::words::Words;
 
 /// Distances that a page shows; the workbook has all.
 const DISTANCES: usize = 60;
-/// The angles of a pose, in their order.
-const ANGLES: [&str; 3] = ["a", "b", "c"];
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.poses.as_ref()?;
@@ -112,11 +110,4 @@ fn turned(document: &Iso9283Document, words: &Words) -> Table {
         columns.page(title, "deg", move |d| fixed(d.rd_angles_deg.get(k).copied(), 4))
     });
     Table::of(words, &document.distances, columns).showing(DISTANCES)
-}
-
-/// Angles that the poses have, in their order.
-pub(super) fn angles(document: &Iso9283Document) -> Vec<&'static str> {
-    let of: [fn(&Iso9283Pose) -> Option<f64>; 3] = [|p| p.ap_a_deg, |p| p.ap_b_deg, |p| p.ap_c_deg];
-    let has = |angle: &fn(&Iso9283Pose) -> Option<f64>| document.poses.iter().any(|p| angle(p).is_some());
-    ANGLES.into_iter().zip(&of).filter(|(_, angle)| has(angle)).map(|(name, _)| name).collect()
 }

@@ -1,6 +1,5 @@
 //! Visited poses: table 2.1 of the thesis, the uncertainty of RP, the 25 % rule, approaches, coplanarity.
 
-use super::accuracy::angles;
 use crate::base::pose::{Vector, centroid, minus};
 use crate::document::{
     Characteristics, Iso9283Approach, Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane,
@@ -44,6 +43,16 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.push(Block::Table(of_robot(document, words)));
     section.push(Block::Table(attained(document, words)));
     section.on_terminal().whole()
+}
+
+/// The angles of a pose, in their order.
+const ANGLES: [&str; 3] = ["a", "b", "c"];
+
+/// Angles that the poses have, in their order.
+pub(super) fn angles(document: &Iso9283Document) -> Vec<&'static str> {
+    let of: [fn(&Iso9283Pose) -> Option<f64>; 3] = [|p| p.ap_a_deg, |p| p.ap_b_deg, |p| p.ap_c_deg];
+    let has = |angle: &fn(&Iso9283Pose) -> Option<f64>| document.poses.iter().any(|p| angle(p).is_some());
+    ANGLES.into_iter().zip(&of).filter(|(_, angle)| has(angle)).map(|(name, _)| name).collect()
 }
 
 /// An interval in µm.
