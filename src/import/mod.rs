@@ -4,7 +4,6 @@
 //! does not read as stated is an error with its place, and one run reports all of them.
 
 mod cloud;
-mod coordinates;
 mod export;
 pub mod format;
 pub mod formats;
@@ -12,7 +11,6 @@ mod guess;
 mod input;
 mod lexer;
 mod logs;
-mod names;
 mod points;
 mod propose;
 pub mod tables;
