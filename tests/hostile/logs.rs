@@ -75,7 +75,7 @@ fn times_in_ms_and_ns_are_seconds() {
     refused(
         "t,n,A\n1500,1651499784.376,2\n",
         "columns = { time_ns = \"n\" }",
-        &["no whole number of nanoseconds", "encoders.csv:2:6"],
+        &["not a whole number of nanoseconds", "encoders.csv:2:6"],
     );
 }
 
@@ -124,7 +124,7 @@ fn twincat_channels_meet_at_equal_times_with_their_scale_and_unit() {
     assert_eq!(column(&good, "a_deg"), [1.5, 3.5]);
     refused(SCOPE, &CHANNELS.replace("a_deg", "a_rad"), &["`a` is in deg", "write `a_deg"]);
     refused(SCOPE, &CHANNELS.replace("\"raw\"", "\"scaled\"").replace("b_mm", "b_deg"), &["`b` is in mm"]);
-    refused(SCOPE, &CHANNELS.replace("values = \"raw\"\n", ""), &["does not say whether it is applied"]);
+    refused(SCOPE, &CHANNELS.replace("values = \"raw\"\n", ""), &["does not state whether it is applied"]);
 }
 
 #[test]
@@ -142,7 +142,7 @@ fn twincat_holes_and_clocks_that_stand_are_told_at_once() {
         ],
     );
     refused(&SCOPE.replace("3\t4.5\n", "3\t4.5\t\t\t9\n"), CHANNELS, &["the row has 5 fields"]);
-    refused("no scope\n", CHANNELS, &["no TwinCAT 3 Scope export"]);
+    refused("no scope\n", CHANNELS, &["not a TwinCAT 3 Scope export"]);
     refused("Name\tx\n", CHANNELS, &["no row names the channels"]);
     refused(&SCOPE.replace("Offset\t0\tOffset\t0\n\n", "Offset\t0\tOffset\t0\n"), CHANNELS, &["does not end"]);
     refused(SCOPE, &CHANNELS.replace("\"b\"", "\"c\""), &["the export has no channel `c`"]);

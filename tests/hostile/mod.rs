@@ -273,7 +273,7 @@ fn simulate_does_not_write_over_measured_files() {
     let measured: String = text.lines().filter(|l| !l.starts_with("synthetic")).map(|l| format!("{l}\n")).collect();
     std::fs::write(scratch.path().join("campaign.toml"), measured).unwrap();
     let (code, said) = etalon(&scratch, "simulate");
-    assert!(code == Some(2) && said.contains("does not say that it is synthetic"), "{said}");
+    assert!(code == Some(2) && said.contains("does not state that it is synthetic"), "{said}");
 }
 
 #[test]

@@ -170,7 +170,7 @@ fn point_sets_that_contradict_themselves_give_no_points() {
         ("count=\"3\"", "count=\"99999999999999999999\"", ""),
         ("count=\"3\"", "count=\"6148914691236517206\"", "holds 9 numbers"),
         ("0 1 0</", "0 1</", "holds 8 numbers"),
-        ("<Compensated>true</Compensated>", "", "does not say whether"),
+        ("<Compensated>true</Compensated>", "", "does not state whether"),
         ("<Compensated>true", "<Compensated>maybe", "neither true nor false"),
         (
             "<Compensated>true</Compensated>",

@@ -148,7 +148,7 @@ fn trap_8_pcdmis_is_in_inch_unless_metric_stands_in_its_place() {
         &["by PC-DMIS' rule the file is in inch, by its word in mm"],
     );
     refused("pcdmis_xyz", "XYZIJK    METRIC\nPT_001\t10.2\t3\n1,x,3\n", &["the row has 1 fields", "f.txt:3:3", "`x`"]);
-    refused("pcdmis_xyz", "1,2,3\n", &["no PC-DMIS xyz file", "f.txt:1"]);
+    refused("pcdmis_xyz", "1,2,3\n", &["not a PC-DMIS xyz file", "f.txt:1"]);
 }
 
 #[test]
@@ -163,7 +163,7 @@ fn records_of_a_gws_scan_stand_anywhere_on_a_line() {
     let inch = read("geopak_gws", "#03: 1 2 3", Unit::Inch).unwrap_err();
     assert!(inch.contains("MM is the default of the format"), "{inch}");
     let wrong = scan.replace("ZX(Y)", "RZ(P)").replace("4 5 6", "4 5x 6").replace("1 1 1", "1 1") + "#99: x";
-    refused("geopak_gws", &wrong, &["polar", "f.txt:1:34", "`5x`", "2 numbers", "f.txt:4:12", "`#99:` is no record"]);
+    refused("geopak_gws", &wrong, &["polar", "f.txt:1:34", "`5x`", "2 numbers", "f.txt:4:12", "`#99:` is not a record"]);
 }
 
 #[test]

@@ -223,7 +223,7 @@ fn twincat_variants_that_read_two_ways_are_refused() {
     let comma = ["row `SampleTime[ms]` of the head has 25 fields", "expected: 24", "_4.csv:10"];
     refused(&format!("{}{columns}", scope("-Seperator_4")), &comma);
     let raw = "columns = { a_mm = \"func_scaled\" }";
-    refused(&format!("{}{raw}", scope("-default")), &["does not say whether it is applied", "values = \"raw\""]);
+    refused(&format!("{}{raw}", scope("-default")), &["does not state whether it is applied", "values = \"raw\""]);
     let point = "values = \"raw\"\ncolumns = { a_mm = \"func_OS\" }";
     refused(
         &format!("{}{point}", scope("-default")),

@@ -198,7 +198,7 @@ fn the_project_description_of_polyworks_has_56_points() {
         &format!("{folder}/workspace1.pwk"),
         "\"polyworks_project\"",
         "mm",
-        &["is no project description", ".pwk:1"],
+        &["is not a project description", ".pwk:1"],
     );
     refused(&format!("{folder}/polyworks_objectmodel.xml.gz"), "\"polyworks_project\"", "mm", &["objectmodel.xml.gz"]);
 }
