@@ -75,7 +75,7 @@ fn dmis_output_of_nist_has_one_circle_and_its_programs_nothing_measured() {
     assert_eq!((circle.direction, circle.diameter_mm), (Some([0.0, 0.0, 1.0]), Some(50.0)));
     refused("exports/dmis/output.dms", "\"dmis\"", "inch", &["the file is in mm (UNITS)", "output.dms:2:7"]);
     for program in ["simple_in.dms", "IMTS_M_clean.dmi"] {
-        refused(&format!("exports/dmis/{program}"), "\"dmis\"", "mm", &["a DMIS program", "holds nothing measured"]);
+        refused(&format!("exports/dmis/{program}"), "\"dmis\"", "mm", &["a DMIS program", "contains nothing measured"]);
     }
 }
 
