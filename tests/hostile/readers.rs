@@ -163,7 +163,11 @@ fn records_of_a_gws_scan_stand_anywhere_on_a_line() {
     let inch = read("geopak_gws", "#03: 1 2 3", Unit::Inch).unwrap_err();
     assert!(inch.contains("MM is the default of the format"), "{inch}");
     let wrong = scan.replace("ZX(Y)", "RZ(P)").replace("4 5 6", "4 5x 6").replace("1 1 1", "1 1") + "#99: x";
-    refused("geopak_gws", &wrong, &["polar", "f.txt:1:34", "`5x`", "2 numbers", "f.txt:4:12", "`#99:` is not a record"]);
+    refused(
+        "geopak_gws",
+        &wrong,
+        &["polar", "f.txt:1:34", "`5x`", "2 numbers", "f.txt:4:12", "`#99:` is not a record"],
+    );
 }
 
 #[test]
