@@ -5,7 +5,6 @@ use super::super::text_format::{TextFormat, word};
 use super::super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::Result;
-use crate::base::pose::Vector;
 use crate::base::table::ANGLES;
 use crate::base::table::XYZ;
 use crate::document::{Characteristics, Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument};
@@ -14,6 +13,7 @@ use crate::import::tables::recording::{commanded_path, commanded_poses, recordin
 use crate::iso9283::motion::stream::Recording;
 use crate::iso9283::motion::{Stated, evaluate};
 use crate::iso9283::path::commanded::CommandedPath;
+use crate::iso9283::pose::test::CommandedPose;
 use crate::report::Faces;
 use crate::run::output;
 use std::path::{Path, PathBuf};
@@ -131,7 +131,7 @@ fn read_path(path: &Path, (of, recording): (&Path, &Recording)) -> Result<Comman
     commanded_path(table.named(), &of.display().to_string(), recording).map_err(|p| table.place(p))
 }
 
-fn poses(path: &Path) -> Result<Vec<(i64, Vector)>> {
+fn poses(path: &Path) -> Result<Vec<CommandedPose>> {
     let table = TableFile::read(path)?;
     commanded_poses(table.named()).map_err(|p| table.place(p))
 }

@@ -1,11 +1,11 @@
 //! Recorded motions and commanded paths: tables, checked, become what the characteristics are computed of.
 
 use crate::base::message::{Message, Place, Result};
-use crate::base::pose::Vector;
 use crate::base::table::numbers;
 use crate::import::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
 use crate::iso9283::motion::stream::{Recording, Stream};
 use crate::iso9283::path::commanded::CommandedPath;
+use crate::iso9283::pose::test::CommandedPose;
 
 /// At most this share of the samples may be such: with more of them rate, unit or stamps are wrong.
 const MOST_LEFT_OUT: f64 = 0.01;
@@ -49,12 +49,12 @@ pub fn commanded_path(table: NamedTable, recorded: &str, recording: &Recording) 
 }
 
 /// Numbers and positions of commanded poses.
-pub fn commanded_poses(table: NamedTable) -> Result<Vec<(i64, Vector)>> {
+pub fn commanded_poses(table: NamedTable) -> Result<Vec<CommandedPose>> {
     let poses = table.integers("pose")?;
     let positions_mm = table.coordinates()?.positions_mm;
     if let Some(i) = (0..poses.len()).find(|&i| poses[..i].contains(&poses[i])) {
         let message = Message::error(format!("pose {} is commanded twice", poses[i]));
         return Err(table.at_row(message, i).into());
     }
-    Ok(poses.into_iter().zip(positions_mm).collect())
+    Ok(poses.into_iter().zip(positions_mm).map(|(pose, position_mm)| CommandedPose { pose, position_mm }).collect())
 }

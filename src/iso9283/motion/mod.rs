@@ -18,6 +18,7 @@ use crate::iso9283::motion::standstill::{Standstill, Stillness, places_mm, stand
 use crate::iso9283::motion::stream::{Recording, Stream};
 use crate::iso9283::path::{CORNER_RAD, Driven, PathSettings};
 use crate::iso9283::pose::repeatability::pose_repeatability;
+use crate::iso9283::pose::test::CommandedPose;
 pub use stated::Stated;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -38,7 +39,7 @@ pub struct Settings {
     /// Limit band of 7.4 and 7.5; without it there are none.
     pub band_mm: Option<f64>,
     /// Commanded poses with their numbers; without them places are numbered as they come.
-    pub poses: Option<Vec<(i64, Vector)>>,
+    pub poses: Option<Vec<CommandedPose>>,
     /// Commanded path.
     pub path: Option<PathSettings>,
     /// Where times come from, in words.
@@ -62,9 +63,12 @@ pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283Str
         messages.push(message.hint("velocities are those of a path that is driven without weaving"));
     }
     let stood = standstills(stream, &settings.still)?;
-    let places: Vec<(i64, Vector)> = match &settings.poses {
+    let places: Vec<CommandedPose> = match &settings.poses {
         Some(poses) => poses.clone(),
-        None => (1..).zip(places_mm(&stood, settings.near_mm)).collect(),
+        None => (1..)
+            .zip(places_mm(&stood, settings.near_mm))
+            .map(|(pose, position_mm)| CommandedPose { pose, position_mm })
+            .collect(),
     };
     let visits = visits(&stood, &places, settings.near_mm);
     let standing = standing(recording, &stood, &visits, settings.band_mm, &mut messages);
@@ -139,11 +143,11 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
 }
 
 /// Pose and number of the visit of each standstill.
-fn visits(stood: &[Standstill], places: &[(i64, Vector)], near_mm: f64) -> Vec<Option<(i64, i64)>> {
-    let positions: Vec<Vector> = places.iter().map(|p| p.1).collect();
+fn visits(stood: &[Standstill], places: &[CommandedPose], near_mm: f64) -> Vec<Option<(i64, i64)>> {
+    let positions: Vec<Vector> = places.iter().map(|p| p.position_mm).collect();
     let mut counts: BTreeMap<i64, i64> = BTreeMap::new();
     let mut visit = |place: Option<usize>| {
-        let pose = places[place?].0;
+        let pose = places[place?].pose;
         let cycle = counts.entry(pose).or_default();
         *cycle += 1;
         Some((pose, *cycle))

@@ -2,11 +2,11 @@
 
 use super::Settings;
 use crate::base::message::{Message, Problems, Result};
-use crate::base::pose::Vector;
 use crate::iso9283::motion::standstill::Stillness;
 use crate::iso9283::path::PathSettings;
 use crate::iso9283::path::commanded::CommandedPath;
 use crate::iso9283::path::weaving::Weave;
+use crate::iso9283::pose::test::CommandedPose;
 
 /// Statements under the names that they have in `campaign.toml`; options of the command are named alike.
 #[derive(Clone, Debug)]
@@ -85,7 +85,7 @@ impl Stated<'_> {
     }
 
     /// What was stated, with the poses and the path that were read.
-    pub fn settings(&self, poses: Option<Vec<(i64, Vector)>>, path: Option<CommandedPath>, seed: u64) -> Settings {
+    pub fn settings(&self, poses: Option<Vec<CommandedPose>>, path: Option<CommandedPath>, seed: u64) -> Settings {
         let weave = match (self.weave_stroke_mm, self.weave_hz, self.weave_across) {
             (Some(stroke_mm), Some(frequency_hz), &[x, y, z]) => {
                 Some(Weave { across: [x, y, z], stroke_mm, frequency_hz })

@@ -22,6 +22,15 @@ pub struct AttainedPose {
     pub readings_mm: Vec<Vector>,
 }
 
+/// A pose as it is commanded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CommandedPose {
+    /// Number of the pose.
+    pub pose: i64,
+    /// Commanded position.
+    pub position_mm: Vector,
+}
+
 /// A pose of the test with all that was attained of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TestedPose {

@@ -1,14 +1,14 @@
 //! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of ISO 9283 out.
 
 use crate::base::message::{Message, Problems, Result};
-use crate::base::pose::{Pose, Vector};
+use crate::base::pose::Pose;
 use crate::base::table::ANGLES;
 use crate::campaign::{Campaign, RepeatabilityDefinition};
 use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
 use crate::import::Point;
 use crate::import::tables::recording::commanded_poses;
 use crate::iso9283::pose::coplanarity::from_the_others;
-use crate::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose, from_pose};
+use crate::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTest, TestedPose, from_pose};
 use crate::iso9283::pose::{self, Settings};
 use crate::stages::iso9283::COVERAGE_FACTOR;
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
@@ -103,7 +103,7 @@ pub fn gather(
 #[derive(Clone, Debug)]
 pub struct Commanded {
     table: TableFile,
-    poses: Vec<(i64, Vector)>,
+    poses: Vec<CommandedPose>,
     spatial: bool,
 }
 
@@ -122,7 +122,7 @@ impl Commanded {
 
     /// Every visited pose must be commanded. Where no z is, the visits lose theirs.
     fn give_to(&self, visits: &mut PoseTest) -> Result<()> {
-        let known = |pose: i64| self.poses.iter().find(|(known, _)| *known == pose).map(|(_, p)| *p);
+        let known = |pose: i64| self.poses.iter().find(|known| known.pose == pose).map(|known| known.position_mm);
         let mut missing = Vec::new();
         for p in &mut visits.poses {
             p.commanded_mm = known(p.pose);
@@ -135,7 +135,7 @@ impl Commanded {
             let message = message.hint("add a row for every pose of the trajectory that was measured");
             return Err(self.table.named().place(message));
         }
-        for (pose, _) in self.poses.iter().filter(|(pose, _)| visits.poses.iter().all(|p| p.pose != *pose)) {
+        for CommandedPose { pose, .. } in self.poses.iter().filter(|c| visits.poses.iter().all(|p| p.pose != c.pose)) {
             let what = format!("pose {pose} is commanded, but nothing was measured there");
             visits.warnings.push(Message::warning(what));
         }
