@@ -402,6 +402,17 @@ impl<'a, T> Columns<'a, T> {
         self.with(On::Sheet, title, unit, cell)
     }
 
+    /// With a column of lengths in millimetres, shown in micrometres.
+    pub fn micrometres<V: Into<Option<f64>>>(self, title: &'a str, mm: impl Fn(&'a T) -> V + 'a) -> Self {
+        self.both(title, "mm", move |record| um(mm(record))).shown_in("µm")
+    }
+
+    /// With a column of the workbook for each coordinate, where there is one.
+    pub fn sheet_xyz(self, titles: [&'a str; 3], unit: &'a str, of: fn(&'a T) -> &'a [f64]) -> Self {
+        let add = |columns: Self, (i, title)| columns.sheet(title, unit, move |record| of(record).get(i).copied());
+        titles.into_iter().enumerate().fold(self, add)
+    }
+
     /// The last column shown in another unit than that of the documents.
     pub fn shown_in(mut self, unit: &'a str) -> Self {
         self.0.iter_mut().rev().take(1).for_each(|c| c.shown_in = unit);

@@ -107,9 +107,18 @@ mod tests {
         }
         // the tests of a file say what comes out, not what goes in
         let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
-        for call in
-            [".say(", ".fill(", "term(words,", ".both(", ".page(", ".below(2,", ".below(3,", ".below(4,", ".below(5,"]
-        {
+        for call in [
+            ".say(",
+            ".fill(",
+            "term(words,",
+            ".both(",
+            ".page(",
+            ".micrometres(",
+            ".below(2,",
+            ".below(3,",
+            ".below(4,",
+            ".below(5,",
+        ] {
             for (i, _) in text.match_indices(call) {
                 let Some(literal) = text[i + call.len()..].trim_start().strip_prefix('"') else { continue };
                 let end = literal.match_indices('"').find(|(j, _)| !literal[..*j].ends_with('\\')).unwrap().0;

@@ -77,7 +77,7 @@ impl StreamOptions {
         stated.check(|key| format!("--{}", key.replace('_', "-")))?;
         let recording = self.recording(file)?;
         let poses = commanded.map(poses).transpose()?;
-        let path = self.path.as_deref().map(|path| read_path(path, (file, &recording))).transpose()?;
+        let path = self.path.as_deref().map(|path| read_path(path, file, &recording)).transpose()?;
         let settings = stated.settings(poses, path, seed);
         let document = evaluate(&recording, &settings)?;
         if let Some(path) = &self.write_poses {
@@ -126,7 +126,7 @@ impl StreamOptions {
     }
 }
 
-fn read_path(path: &Path, (of, recording): (&Path, &Recording)) -> Result<CommandedPath> {
+fn read_path(path: &Path, of: &Path, recording: &Recording) -> Result<CommandedPath> {
     let table = TableFile::read(path)?;
     commanded_path(table.named(), &of.display().to_string(), recording).map_err(|p| table.place(p))
 }

@@ -55,11 +55,11 @@ impl Axis {
 
     /// A logarithmic axis over whole decades, at most six below `largest`.
     pub fn logarithmic(smallest: f64, largest: f64, from: f64, to: f64) -> Self {
-        Self::decades((smallest, largest), 6, from, to)
+        Self::decades(smallest, largest, 6, from, to)
     }
 
     /// The same with at most `most` decades.
-    pub fn decades((smallest, largest): (f64, f64), most: u8, from: f64, to: f64) -> Self {
+    pub fn decades(smallest: f64, largest: f64, most: u8, from: f64, to: f64) -> Self {
         let top = largest.log10().ceil();
         let bottom = smallest.log10().floor().clamp(top - f64::from(most.max(1)), top - 1.0);
         Self { low: bottom, high: top, from, to, logarithmic: true }

@@ -29,7 +29,7 @@ pub(in crate::report) fn picture(o: &ObservabilitySummary, words: &Words) -> Opt
     let cut = o.rank_cut * largest;
     let is_cut_drawn = cut > 0.0 && cut < largest && !o.held_singular_values.is_empty();
     let smallest = all.iter().map(|(s, _)| s.value).fold(if is_cut_drawn { cut } else { largest }, f64::min);
-    let up = Axis::decades((smallest, largest), DECADES, BOTTOM, TOP);
+    let up = Axis::decades(smallest, largest, DECADES, BOTTOM, TOP);
     let title = words.say("Singular values of the identification");
     let description = words.say("One mark for each singular value in descending order, on a logarithmic axis: high is well observable, low is badly observable.");
     let mut svg = Svg::new("singular-values", WIDTH, BOTTOM + 46.0, &title, &description);

@@ -64,28 +64,26 @@ fn distances(document: &Iso9283Document, words: &Words) -> Table {
         .sheet("pose", "", |d| d.poses[0])
         .sheet("other pose", "", |d| d.poses[1])
         .both("cycles", "", |d| d.cycles)
-        .both("AD", "mm", |d| um(d.ad_mm))
-        .shown_in("µm")
+        .micrometres("AD", |d| d.ad_mm)
         .both("AD x", "mm", move |d| axis(&d.ad_axes_mm, 0))
         .shown_in("µm")
         .both("AD y", "mm", move |d| axis(&d.ad_axes_mm, 1))
         .shown_in("µm")
         .both("AD z", "mm", move |d| axis(&d.ad_axes_mm, 2))
         .shown_in("µm")
-        .both("RD", "mm", |d| um(d.rd_mm))
-        .shown_in("µm")
+        .micrometres("RD", |d| d.rd_mm)
         .both("RD x", "mm", move |d| axis(&d.rd_axes_mm, 0))
         .shown_in("µm")
         .both("RD y", "mm", move |d| axis(&d.rd_axes_mm, 1))
         .shown_in("µm")
         .both("RD z", "mm", move |d| axis(&d.rd_axes_mm, 2))
         .shown_in("µm")
-        .sheet("AD of the first angle", "deg", |d| d.ad_angles_deg.first().copied())
-        .sheet("AD of the second angle", "deg", |d| d.ad_angles_deg.get(1).copied())
-        .sheet("AD of the third angle", "deg", |d| d.ad_angles_deg.get(2).copied())
-        .sheet("RD of the first angle", "deg", |d| d.rd_angles_deg.first().copied())
-        .sheet("RD of the second angle", "deg", |d| d.rd_angles_deg.get(1).copied())
-        .sheet("RD of the third angle", "deg", |d| d.rd_angles_deg.get(2).copied());
+        .sheet_xyz(["AD of the first angle", "AD of the second angle", "AD of the third angle"], "deg", |d| {
+            &d.ad_angles_deg
+        })
+        .sheet_xyz(["RD of the first angle", "RD of the second angle", "RD of the third angle"], "deg", |d| {
+            &d.rd_angles_deg
+        });
     let table = Table::of(words, &document.distances, columns).without_empty_columns();
     table.showing(DISTANCES).on("ISO 9283 distances")
 }

@@ -1,7 +1,7 @@
 //! How a robot gives way under load.
 
 use crate::document::{Characteristics, Iso9283Compliance};
-use crate::report::model::{Block, Columns, Section, Table, Text, shown, um};
+use crate::report::model::{Block, Columns, Section, Table, Text, shown};
 use crate::report::number::significant;
 use crate::report::words::Words;
 
@@ -15,10 +15,8 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         .both("u (k = 1)", "mm/N", move |d| per_newton(d.standard_uncertainty_mm_n))
         .shown_in("µm/N")
         .both("force up to", "N", |d| shown(d.force_n, |v| v.to_string()))
-        .both("displacement up to", "mm", |d| um(d.largest_mm))
-        .shown_in("µm")
-        .both("off the line", "mm", |d| um(d.off_line_mm))
-        .shown_in("µm")
+        .micrometres("displacement up to", |d| d.largest_mm)
+        .micrometres("off the line", |d| d.off_line_mm)
         .both("readings", "", |d| d.readings)
         .both("cycles", "", |d| d.cycles);
     let note = words.say(

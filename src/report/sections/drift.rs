@@ -73,10 +73,8 @@ fn by_set(
 fn reference(epochs: &[Iso9283Epoch], words: &Words) -> Table {
     let columns = Columns::<Iso9283Epoch>::new()
         .both("from cycle on", "", |e| e.cycle)
-        .both("moved", "mm", |e| um(e.moved_mm))
-        .shown_in("µm")
-        .both("left, RMS", "mm", |e| um(e.rms_mm))
-        .shown_in("µm");
+        .micrometres("moved", |e| e.moved_mm)
+        .micrometres("left, RMS", |e| e.rms_mm);
     Table::of(words, epochs, columns).on("ISO 9283 reference targets")
 }
 

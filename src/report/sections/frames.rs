@@ -44,12 +44,8 @@ fn elements(features: &[Feature], words: &Words) -> Table {
         .both("points", "", |f| f.points)
         .page("point", "mm", |f| numbers(triple(f.point_mm, 4)))
         .page("direction", "", |f| numbers(triple(f.direction, 6)))
-        .sheet("point x", "mm", |f| f.point_mm[0])
-        .sheet("point y", "mm", |f| f.point_mm[1])
-        .sheet("point z", "mm", |f| f.point_mm[2])
-        .sheet("direction x", "", |f| f.direction[0])
-        .sheet("direction y", "", |f| f.direction[1])
-        .sheet("direction z", "", |f| f.direction[2])
+        .sheet_xyz(["point x", "point y", "point z"], "mm", |f| &f.point_mm)
+        .sheet_xyz(["direction x", "direction y", "direction z"], "", |f| &f.direction)
         .both("radius", "mm", |f| fixed(f.radius_mm, 4))
         .both("distances, RMS", "mm", |f| digits(f.rms_mm, 3))
         .both("distances, max", "mm", |f| digits(f.max_mm, 3))
@@ -60,12 +56,11 @@ fn elements(features: &[Feature], words: &Words) -> Table {
 
 /// Where the world frame was each time it was measured.
 fn poses(world: &WorldFrame, words: &Words) -> Table {
-    let first = Columns::<FramePose>::new()
-        .sheet("pose", "", |f| f.pose)
-        .sheet("cycle", "", |f| f.cycle)
-        .sheet("origin x", "mm", |f| f.export_T_world.translation_mm[0])
-        .sheet("origin y", "mm", |f| f.export_T_world.translation_mm[1])
-        .sheet("origin z", "mm", |f| f.export_T_world.translation_mm[2]);
+    let first = Columns::<FramePose>::new().sheet("pose", "", |f| f.pose).sheet("cycle", "", |f| f.cycle).sheet_xyz(
+        ["origin x", "origin y", "origin z"],
+        "mm",
+        |f| &f.export_T_world.translation_mm,
+    );
     let titles = [
         ["x axis, x", "x axis, y", "x axis, z"],
         ["y axis, x", "y axis, y", "y axis, z"],

@@ -230,9 +230,9 @@ fn by_approach(document: &Iso9283Document, section: &mut Section, words: &Words)
         .sheet("vAP", "mm", |v| v.vap_mm)
         .sheet("between", "", |v| v.between[0].as_str())
         .sheet("and", "", |v| v.between[1].as_str())
-        .sheet("vAP of the first angle", "deg", |v| v.vap_angles_deg.first().copied())
-        .sheet("vAP of the second angle", "deg", |v| v.vap_angles_deg.get(1).copied())
-        .sheet("vAP of the third angle", "deg", |v| v.vap_angles_deg.get(2).copied());
+        .sheet_xyz(["vAP of the first angle", "vAP of the second angle", "vAP of the third angle"], "deg", |v| {
+            &v.vap_angles_deg
+        });
     let variation = Table::of(words, &document.approaches, columns).on("ISO 9283 variation");
     section.push(Block::Table(variation.without_empty_columns()));
 }
@@ -255,13 +255,9 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Table {
         .page("y", "", move |r| off(r, 1))
         .page("z", "", move |r| r.spatial.then(|| off(r, 2)))
         .below(3, "its mean from that of all, µm")
-        .sheet("mean x", "mm", |r| r.approach.mean_mm[0])
-        .sheet("mean y", "mm", |r| r.approach.mean_mm[1])
-        .sheet("mean z", "mm", |r| r.approach.mean_mm[2])
-        .both("RP", "mm", |r| um(r.approach.rp_mm))
-        .shown_in("µm")
-        .both("enclosing sphere, radius", "mm", |r| um(r.approach.enclosing_radius_mm))
-        .shown_in("µm");
+        .sheet_xyz(["mean x", "mean y", "mean z"], "mm", |r| &r.approach.mean_mm)
+        .micrometres("RP", |r| r.approach.rp_mm)
+        .micrometres("enclosing sphere, radius", |r| r.approach.enclosing_radius_mm);
     Table::of(words, &rows, columns).on("ISO 9283 approaches")
 }
 
@@ -330,8 +326,6 @@ fn attained(document: &Iso9283Document, words: &Words) -> Table {
         .sheet("pose", "", |v| v.pose)
         .sheet("cycle", "", |v| v.cycle)
         .sheet("approached", "", |v| v.approach.as_deref())
-        .sheet("x", "mm", |v| v.attained_mm[0])
-        .sheet("y", "mm", |v| v.attained_mm[1])
-        .sheet("z", "mm", |v| v.attained_mm[2]);
+        .sheet_xyz(["x", "y", "z"], "mm", |v| &v.attained_mm);
     Table::of(words, &document.visits, columns).on("ISO 9283 visits")
 }

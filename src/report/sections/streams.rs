@@ -4,7 +4,7 @@ use crate::document::{
     Characteristics, Iso9283Arrival, Iso9283Corner, Iso9283Interval, Iso9283NamedStream, Iso9283Path, Iso9283PathPoint,
     Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamsDocument, Iso9283Weaving,
 };
-use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers, um};
+use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers};
 use crate::report::number;
 use crate::report::plots::chart::{Chart, Curve, Mark};
 use crate::report::words::Words;
@@ -225,7 +225,6 @@ fn characteristics(document: &Iso9283StreamsDocument, words: &Words) -> Table {
 }
 
 fn standstills(named: &Iso9283NamedStream, words: &Words) -> Table {
-    let axis = |values: &[f64], i: usize| values.get(i).copied();
     let columns = Columns::<Iso9283Standstill>::new()
         .sheet("stream", "", |_| named.name.as_str())
         .both("pose", "", |s| s.pose)
@@ -233,17 +232,11 @@ fn standstills(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both("from", "s", |s| fixed(s.from_s, 3))
         .both("to", "s", |s| fixed(s.to_s, 3))
         .sheet("samples", "", |s| s.samples)
-        .sheet("mean x", "mm", |s| axis(&s.mean_mm, 0))
-        .sheet("mean y", "mm", |s| axis(&s.mean_mm, 1))
-        .sheet("mean z", "mm", |s| axis(&s.mean_mm, 2))
-        .sheet("mean a", "deg", |s| axis(&s.mean_deg, 0))
-        .sheet("mean b", "deg", |s| axis(&s.mean_deg, 1))
-        .sheet("mean c", "deg", |s| axis(&s.mean_deg, 2))
-        .both("noise", "mm", |s| um(s.noise_mm))
-        .shown_in("µm")
+        .sheet_xyz(["mean x", "mean y", "mean z"], "mm", |s| &s.mean_mm)
+        .sheet_xyz(["mean a", "mean b", "mean c"], "deg", |s| &s.mean_deg)
+        .micrometres("noise", |s| s.noise_mm)
         .both("stabilisation time", "s", |s| fixed(s.stabilisation_s, 3))
-        .both("overshoot", "mm", |s| um(s.overshoot_mm))
-        .shown_in("µm")
+        .micrometres("overshoot", |s| s.overshoot_mm)
         .both("posing time", "s", |s| fixed(s.posing_s, 3));
     Table::of(words, &named.stream.standstills, columns).on("Standstills").not_on_page()
 }
@@ -254,8 +247,7 @@ fn settling(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both("pose", "", |s| s.pose)
         .both("arrivals", "", |s| s.arrivals)
         .both("stabilisation time", "s", |s| fixed(s.stabilisation_s, 3))
-        .both("overshoot", "mm", |s| um(s.overshoot_mm))
-        .shown_in("µm");
+        .micrometres("overshoot", |s| s.overshoot_mm);
     Table::of(words, &named.stream.settling, columns).on("Stabilisation")
 }
 
@@ -272,17 +264,12 @@ fn posing(named: &Iso9283NamedStream, words: &Words) -> Table {
 
 fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
     let at = |c: &Iso9283Corner| c.position_mm.iter().map(|v| number::fixed(*v, 2)).collect::<Vec<_>>().join(", ");
-    let axis = |values: &[f64], i: usize| values.get(i).copied();
     let columns = Columns::<Iso9283Corner>::new()
         .sheet("stream", "", |_| named.name.as_str())
         .page("corner", "mm", at)
-        .sheet("x", "mm", move |c| axis(&c.position_mm, 0))
-        .sheet("y", "mm", move |c| axis(&c.position_mm, 1))
-        .sheet("z", "mm", move |c| axis(&c.position_mm, 2))
-        .both("round-off CR", "mm", |c| um(c.cr_mm))
-        .shown_in("µm")
-        .both("overshoot CO", "mm", |c| um(c.co_mm))
-        .shown_in("µm");
+        .sheet_xyz(["x", "y", "z"], "mm", |c| &c.position_mm)
+        .micrometres("round-off CR", |c| c.cr_mm)
+        .micrometres("overshoot CO", |c| c.co_mm);
     let of_all = || named.stream.path.iter().flat_map(|p| &p.corners);
     let length = |c: &Iso9283Corner| fixed(c.stabilisation_mm, 3);
     let columns = match of_all().any(|c| c.stabilisation_mm.is_some()) {
@@ -293,16 +280,11 @@ fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
 }
 
 fn points(named: &Iso9283NamedStream, words: &Words) -> Table {
-    let axis = |values: &[f64], i: usize| values.get(i).copied();
     let columns = Columns::<Iso9283PathPoint>::new()
         .sheet("stream", "", |_| named.name.as_str())
         .sheet("along", "mm", |p| p.along_mm)
-        .sheet("commanded x", "mm", |p| axis(&p.commanded_mm, 0))
-        .sheet("commanded y", "mm", |p| axis(&p.commanded_mm, 1))
-        .sheet("commanded z", "mm", |p| axis(&p.commanded_mm, 2))
-        .sheet("mean x", "mm", |p| axis(&p.mean_mm, 0))
-        .sheet("mean y", "mm", |p| axis(&p.mean_mm, 1))
-        .sheet("mean z", "mm", |p| axis(&p.mean_mm, 2))
+        .sheet_xyz(["commanded x", "commanded y", "commanded z"], "mm", |p| &p.commanded_mm)
+        .sheet_xyz(["mean x", "mean y", "mean z"], "mm", |p| &p.mean_mm)
         .sheet("deviation", "mm", |p| p.deviation_mm)
         .sheet("mean radius + 3 s", "mm", |p| p.rt_mm);
     Table::of(words, named.stream.path.iter().flat_map(|p| &p.points), columns).on("Path")
