@@ -77,28 +77,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Err(more) => problems.0.extend(more.0),
         }
     }
-    let (mut logs, mut said) = (Vec::new(), Vec::new());
-    for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
-        let read = campaign
-            .resolve(&stated.file)
-            .and_then(|path| import::read_text(&path, stated.encoding, &campaign.place(&stated.file)));
-        match read.and_then(|(text, bytes)| {
-            if campaign.unread.affects(&["log"]) {
-                return Ok(None);
-            }
-            let mut source = statement("log", stated.file.get_ref(), &bytes);
-            let table = import::log(campaign.stated(), stated, &text, &mut source)?;
-            Ok(Some((source, table)))
-        }) {
-            Ok(None) => {}
-            Ok(Some((source, (table, more)))) => {
-                sources.push(source);
-                logs.push(table);
-                said.extend(more);
-            }
-            Err(more) => problems.0.extend(more.0),
-        }
-    }
+    let (logs, said) = logs(campaign, &mut sources, &mut problems);
     problems.0.extend(columns.measured_twice());
     problems.0.extend(blunders::check(campaign).0);
     problems.0.extend(mislabelling::check(campaign).0);
@@ -123,6 +102,33 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         unmatched: Vec::new(),
     };
     (Gathered { points: columns.points, logs, document }, problems)
+}
+
+/// Reads what can be read of all logs: their rows, and remarks.
+fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems) -> (Vec<JointLog>, Vec<Message>) {
+    let (mut logs, mut said) = (Vec::new(), Vec::new());
+    for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
+        let read = campaign
+            .resolve(&stated.file)
+            .and_then(|path| import::read_text(&path, stated.encoding, &campaign.place(&stated.file)));
+        match read.and_then(|(text, bytes)| {
+            if campaign.unread.affects(&["log"]) {
+                return Ok(None);
+            }
+            let mut source = statement("log", stated.file.get_ref(), &bytes);
+            let table = import::log(campaign.stated(), stated, &text, &mut source)?;
+            Ok(Some((source, table)))
+        }) {
+            Ok(None) => {}
+            Ok(Some((source, (table, more)))) => {
+                sources.push(source);
+                logs.push(table);
+                said.extend(more);
+            }
+            Err(more) => problems.0.extend(more.0),
+        }
+    }
+    (logs, said)
 }
 
 /// The points that an export brings if this is its text, before rules about blunders.
