@@ -54,9 +54,13 @@ impl Turn {
 impl Scene<'_> {
     /// Refuses poses that the robot file states the robot cannot go to; all are reported.
     fn check_reach(&self) -> Result<()> {
-        let nominal = self.robot.nominal();
+        // as the true robot goes there: where a limit is near, the drawing may be on its other side
+        let violation = |(q, at): (&Vec<f64>, &Option<Vector>)| match at {
+            Some(at) => self.robot.limit_violation(&self.values, &self.robot.inverse(&self.values, q, *at)?),
+            None => self.robot.limit_violation(&self.values, q),
+        };
         let beyond =
-            (1..).zip(&self.joints).filter_map(|(pose, q)| Some((pose, self.robot.limit_violation(&nominal, q)?)));
+            (1..).zip(self.joints.iter().zip(&self.stands)).filter_map(|(pose, p)| Some((pose, violation(p)?)));
         let told = |(pose, why): (usize, String)| {
             let message = Message::error(format!("pose {pose} is out of reach: {why}"));
             message.hint("correct the pose in the truth, or [reach] in robot.toml")

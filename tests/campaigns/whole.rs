@@ -5,6 +5,7 @@ use etalon::campaign::Campaign;
 use etalon::document::ParameterStatus;
 use etalon::run::pipeline;
 use etalon::simulate::Truth;
+use std::path::Path;
 
 /// Runs the sample with its noise multiplied; gives the parameters that are off by more than `sigmas` of their u.
 fn off_by(sample: &str, noise_um: f64, sigmas: f64) -> Vec<String> {
@@ -138,4 +139,22 @@ fn report_and_controller_files_are_made_again_from_the_output_folder_alone() {
         assert!(*bytes == std::fs::read(alone.join(name)).unwrap(), "{name} differs");
     }
     assert_eq!(first.iter().filter(|(name, _)| made.contains(&name.as_str())).count(), made.len());
+}
+
+#[test]
+fn every_synthetic_sample_is_made_again_from_its_truth() {
+    let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
+    for sample in std::fs::read_dir(&samples).unwrap().flatten().map(|entry| entry.path()) {
+        if !sample.join("truth.toml").exists() {
+            continue;
+        }
+        let name = sample.file_name().unwrap().to_str().unwrap();
+        let scratch = copy_sample(name);
+        let campaign = Campaign::read(&scratch.path()).unwrap();
+        let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
+        for file in etalon::simulate::simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{name}: {e}")) {
+            let read = |folder: &Path| std::fs::read(folder.join(&file)).unwrap();
+            assert!(read(&sample) == read(&scratch.path()), "{name}: {file}");
+        }
+    }
 }
