@@ -168,13 +168,14 @@ pub struct Iso9283Pose {
     /// RP_c.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rp_c_deg: Option<f64>,
-    /// 95 % interval of AP by parametric bootstrap; null with fewer than three visits.
+    /// 95 % interval of AP by parametric bootstrap, and with the instrument's uncertainty where that is stated; null with fewer than
+    /// three visits.
     pub ap_interval: Option<Iso9283Interval>,
-    /// 95 % interval of RP.
+    /// 95 % interval of RP, likewise.
     pub rp_interval: Option<Iso9283Interval>,
-    /// 95 % interval of AP in closed form.
+    /// 95 % interval of AP in closed form, of the sampling alone.
     pub ap_interval_analytic: Option<Iso9283Interval>,
-    /// 95 % interval of RP in closed form.
+    /// 95 % interval of RP in closed form, of the sampling alone.
     pub rp_interval_analytic: Option<Iso9283Interval>,
     /// Where the next position lies with 95 % probability; null with fewer than five visits (planar robots: four).
     pub ellipsoid: Option<Iso9283Ellipsoid>,

@@ -6,8 +6,8 @@
 //!
 //! | characteristic | clause | file | rests on |
 //! | --- | --- | --- | --- |
-//! | pose accuracy AP | 7.2.1 | [`pose::accuracy`] | thesis eq. 1.1 to 1.6; clause unverified |
-//! | pose repeatability RP | 7.2.2 | [`pose::repeatability`] | read; thesis eq. 1.7 to 1.12 |
+//! | pose accuracy AP | 7.2.1 | [`pose::accuracy`] | thesis eq. 1.9 to 1.12; clause unverified |
+//! | pose repeatability RP | 7.2.2 | [`pose::repeatability`] | read; thesis eq. 1.1 to 1.8 |
 //! | multi-directional pose accuracy variation vAP | 7.2.3 | [`pose::directions`] | unverified |
 //! | distance accuracy AD and repeatability RD | 7.3 | [`pose::distance`] | unverified |
 //! | position stabilisation time | 7.4 | [`motion::stabilisation`] | unverified |

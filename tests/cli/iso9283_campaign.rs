@@ -106,6 +106,9 @@ fn the_report_shows_every_characteristic_in_html_pdf_and_workbook() {
     assert_eq!(std::fs::read_to_string(&report).unwrap(), html, "the report is made again from the documents alone");
 }
 
+/// The instrument of the sample, as the command takes it.
+const INSTRUMENT: [&str; 2] = ["--expanded-uncertainty-um", "2.7"];
+
 /// The labelled visits of a campaign as the tables of the command, with these coordinates.
 fn as_tables(scratch: &Scratch, found: &Iso9283Document, axes: &[usize]) {
     let names = axes.iter().map(|k| ["x_mm", "y_mm", "z_mm"][*k]).collect::<Vec<_>>().join(",");
@@ -134,8 +137,10 @@ fn labelled_visits_with_commanded_poses_have_the_accuracy_that_the_command_finds
         let shown = ran(&scratch);
         let found: Iso9283Document = read(&scratch, "iso9283.json");
         as_tables(&scratch, &found, axes);
-        let same: Iso9283Document =
-            answered(&scratch, &["visits.csv", "--commanded", "positions.csv", "--all", "--drift-set", "10"]);
+        let same: Iso9283Document = answered(
+            &scratch,
+            &[&["visits.csv", "--commanded", "positions.csv", "--all", "--drift-set", "10"][..], &INSTRUMENT].concat(),
+        );
         for (p, q) in found.poses.iter().zip(&same.poses) {
             let numbers = |p: &Iso9283Pose| [p.ap_mm.unwrap(), p.ap_interval.unwrap().high_mm, p.rp_mm.unwrap()];
             numbers(p).iter().zip(numbers(q)).for_each(|(a, b)| assert!((a - b).abs() < 1e-9, "{p:?} {q:?}"));
@@ -323,4 +328,22 @@ fn a_missed_limit_of_iso_9283_beside_an_identification_that_meets_its_own_is_mis
     // made again from the documents, it says the same
     assert!(etalon(scratch.root(), &["report", "campaign/out"]).status.success());
     assert_eq!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap(), html);
+}
+
+#[test]
+fn a_worse_instrument_widens_the_intervals_and_proves_less() {
+    let scratch = copy_sample("pose-test");
+    let tables = ["poses.csv", "--commanded", "commanded.csv", "--rotation-order", "Rz(c) Ry(b) Rx(a)", "--all"];
+    let with = |um: &str, limit_mm: &str| -> Iso9283Document {
+        answered(&scratch, &[&tables[..], &["--expanded-uncertainty-um", um, "--ap-limit-mm", limit_mm]].concat())
+    };
+    let limit_mm = with("10", "1").poses[0].ap_interval.unwrap().high_mm + 0.001;
+    let [fine, coarse] = ["10", "90"].map(|um| with(um, &limit_mm.to_string()).poses.swap_remove(0));
+    let (a, b, ap) = (fine.ap_interval.unwrap(), coarse.ap_interval.unwrap(), fine.ap_mm.unwrap());
+    // both ends by hand: sampling and instrument as the root of the sum of squares
+    let sampling = ((a.high_mm - ap).powi(2) - 0.010f64.powi(2)).sqrt();
+    assert!((b.high_mm - (ap + sampling.hypot(0.090))).abs() < 1e-12, "{a:?} {b:?}");
+    assert!(b.low_mm < a.low_mm && coarse.rp_interval.unwrap().low_mm < fine.rp_interval.unwrap().low_mm);
+    assert_eq!(fine.ap_conformity, Some(Iso9283Conformity::Conforming));
+    assert_eq!(coarse.ap_conformity, Some(Iso9283Conformity::Neither));
 }

@@ -1,4 +1,4 @@
-//! Pose accuracy AP (ISO 9283:1998 7.2.1; thesis eq. 1.1 to 1.6).
+//! Pose accuracy AP (ISO 9283:1998 7.2.1; thesis eq. 1.9 to 1.12).
 
 use crate::base::message::Result;
 use crate::base::pose::{Vector, minus, norm};

@@ -1,4 +1,4 @@
-//! Pose repeatability RP (ISO 9283:1998 7.2.2; thesis eq. 1.7 to 1.12), and the smallest ball that holds all positions.
+//! Pose repeatability RP (ISO 9283:1998 7.2.2; thesis eq. 1.1 to 1.8), and the smallest ball that holds all positions.
 
 use crate::base::message::Result;
 use crate::base::pose::{Vector, minus, norm};
