@@ -41,6 +41,8 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     let tested: Vec<_> = all.iter().filter_map(|c| c.iso9283.as_ref()).collect();
     if identified.len() == all.len() {
         trends.extend(parameters::trends(&identified, &mut messages));
+        let names: Vec<&str> = all.iter().map(|c| c.folder.as_str()).collect();
+        messages.extend(parameters::without_evidence(&identified, &mut trends, &names));
         together = parameters::together(&identified, &trends);
         trends.extend(errors::trends(&identified));
     }

@@ -67,12 +67,42 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
     trends
 }
 
+/// Whether residuals exceed what the instrument explains: parameters then take up what the model leaves out, at the poses that were
+/// measured.
+fn misfits((parameters, _): &Identified) -> bool {
+    use UncertaintyFrom::{Residuals, ResidualsByPose};
+    let residuals = &parameters.residuals;
+    residuals.stated_standard_uncertainty_mm.is_some()
+        && matches!(residuals.uncertainties_from, Residuals | ResidualsByPose)
+}
+
+/// Takes the probabilities of changes from or to a campaign in which the model misfits: by chance is then not by noise. `names` are
+/// those of the campaigns.
+pub(super) fn without_evidence(all: &[Identified], trends: &mut [CompareTrend], names: &[&str]) -> Option<Message> {
+    let wrong: Vec<usize> = (0..all.len()).filter(|&i| misfits(&all[i])).collect();
+    let touches = |change: &&mut CompareChange| wrong.contains(&(change.from - 1)) || wrong.contains(&(change.to - 1));
+    for change in trends.iter_mut().flat_map(|trend| &mut trend.changes).filter(touches) {
+        change.p = None;
+    }
+    let named: Vec<String> = wrong.iter().map(|&i| format!("`{}`", names[i])).collect();
+    (!wrong.is_empty()).then(|| {
+        let what = format!(
+            "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters are no evidence of a \
+             change, and have no p value",
+            named.join(", ")
+        );
+        Message::warning(what)
+            .hint("compare errors on the same poses, or identify with a model that describes the robot, and the same poses each time")
+    })
+}
+
 /// Whether the robot's parameters changed, all together: Δᵀ (C₁ + C₂)⁻¹ Δ, which sees changes along directions that single
 /// uncertainties, blown up by correlation, hide.
 pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<CompareTogether> {
     let robot = |t: &&CompareTrend| t.family == CompareFamily::Robot;
     let names: Vec<&str> = trends.iter().filter(robot).map(|t| t.name.as_str()).collect();
-    pairs(all.len()).into_iter().filter_map(|pair| pair_together(all, &names, pair)).collect()
+    let fits = |&(from, to): &(usize, usize)| !misfits(&all[from]) && !misfits(&all[to]);
+    pairs(all.len()).into_iter().filter(fits).filter_map(|pair| pair_together(all, &names, pair)).collect()
 }
 
 fn pair_together(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<CompareTogether> {
