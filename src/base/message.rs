@@ -139,7 +139,10 @@ impl Message {
     pub fn hint_names<'a>(self, wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
         let names: Vec<&str> = names.into_iter().collect();
         match nearest(wrong, names.iter().copied()) {
-            Some(name) => self.hint(format!("did you mean `{name}`?")),
+            Some(name) => match other_unit(wrong, name) {
+                Some(unit) => self.hint(format!("`{name}` is meant in another unit: {unit}")),
+                None => self.hint(format!("did you mean `{name}`?")),
+            },
             None if names.is_empty() => self,
             None => {
                 let more = if names.len() > 12 { ", ..." } else { "" };
@@ -147,6 +150,28 @@ impl Message {
             }
         }
     }
+}
+
+/// Units of names, by what is measured: mm, rad.
+const UNITS: [(&str, f64, bool); 7] = [
+    ("deg", std::f64::consts::PI / 180.0, true),
+    ("rad", 1.0, true),
+    ("mrad", 1e-3, true),
+    ("mm", 1.0, false),
+    ("m", 1e3, false),
+    ("um", 1e-3, false),
+    ("inch", 25.4, false),
+];
+
+/// How the units of two names differ that differ in nothing else: "1 rad is 57.29577951 deg".
+fn other_unit(wrong: &str, name: &str) -> Option<String> {
+    let split = |name: &str| {
+        let (stem, unit) = name.rsplit_once('_')?;
+        Some((stem.to_owned(), UNITS.into_iter().find(|u| u.0 == unit)?))
+    };
+    let ((stem, from), (other, to)) = (split(wrong)?, split(name)?);
+    let factor = (1e8 * from.1 / to.1).round() / 1e8;
+    (stem == other && from.0 != to.0 && from.2 == to.2).then(|| format!("1 {} is {factor} {}", from.0, to.0))
 }
 
 /// `1 row`, `2 rows`.

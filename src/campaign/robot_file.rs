@@ -2,7 +2,7 @@
 
 use super::toml_file::{self, Recovered, UnreadKeys};
 use crate::base::message::{Message, Place, Problems, Result};
-use crate::math::robots::{Description, MODELS, Model, Parameter, Quantity, Robot, Role};
+use crate::math::robots::{Definition, Description, MODELS, Model, Parameter, Quantity, Robot, Role};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, de};
@@ -19,6 +19,7 @@ pub struct RobotFile {
     /// Name for the report.
     pub name: Option<String>,
     nominal: BTreeMap<String, f64>,
+    tolerance: BTreeMap<String, f64>,
     /// The model and its own keys; none where the file does not read.
     description: Option<(&'static Model, Arc<dyn Description>)>,
     /// The file as the user named it, and its text.
@@ -41,9 +42,18 @@ struct CommonKeys {
     /// have the values of the model.
     #[serde(default)]
     nominal: BTreeMap<String, f64>,
+    /// How far from nominal a parameter may be identified, beyond which the set-up is wrong and nothing is exported: of all lengths
+    /// of the robot (`length_mm`, 10 where it is not stated), all angles (`angle_deg`, 2), all gains and couplings (`ratio`, 0.05), or of one
+    /// parameter by its name, in mm, deg or without unit.
+    #[serde(default)]
+    tolerance: BTreeMap<String, f64>,
 }
 
-const COMMON: [&str; 3] = ["name", "model", "nominal"];
+const COMMON: [&str; 4] = ["name", "model", "nominal", "tolerance"];
+
+/// Keys of `tolerance` that are those of a whole kind.
+const KINDS: [(&str, Quantity); 3] =
+    [("length_mm", Quantity::Length), ("angle_deg", Quantity::Angle), ("ratio", Quantity::Ratio)];
 
 fn model<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<&'static Model, D::Error> {
     let name = String::deserialize(deserializer)?;
@@ -112,6 +122,7 @@ fn read(root: Spanned<DeTable<'_>>) -> std::result::Result<RobotFile, toml::de::
     Ok(RobotFile {
         name: common.name,
         nominal: common.nominal,
+        tolerance: common.tolerance,
         description,
         source: Default::default(),
         unread: UnreadKeys::default(),
@@ -138,6 +149,7 @@ impl RobotFile {
         Self {
             name: None,
             nominal: BTreeMap::new(),
+            tolerance: BTreeMap::new(),
             description: None,
             source: Default::default(),
             unread: UnreadKeys::default(),
@@ -168,6 +180,7 @@ impl RobotFile {
             let mut values = robot.nominal();
             self.nominal(robot.as_ref(), description.states_geometry(), &mut values)?;
             robot.definition_mut().set_nominal(&values);
+            self.tolerances(robot.definition_mut())?;
             Ok(robot)
         });
         built.map_err(|more| problems.0.extend(more.0)).ok().filter(|_| problems.0.is_empty()).ok_or(problems)
@@ -200,6 +213,32 @@ impl RobotFile {
         }
         if !geometry_is_stated && !self.unread.contains(&["nominal".to_owned()]) {
             problems.0.extend(self.unstated(robot));
+        }
+        problems.check().map(|_| ())
+    }
+
+    /// Writes the tolerances of the file over those of the model: those of a kind first, then those of single parameters.
+    fn tolerances(&self, definition: &mut Definition) -> Result<()> {
+        let mut problems = Problems::default();
+        for (name, &value) in &self.tolerance {
+            let place = || self.place(&["tolerance", name]);
+            if !(value > 0.0 && value.is_finite()) {
+                let what = format!("the tolerance `{name}` must be positive");
+                problems.0.push(Message::error(what).at(place()));
+            }
+            let kind = KINDS.iter().find(|(key, _)| key == name).map(|(_, quantity)| *quantity);
+            let of_kind = |p: &&mut Parameter| kind == Some(p.quantity) && p.role == Role::Robot;
+            definition.parameters.iter_mut().filter(of_kind).for_each(|p| p.tolerance = p.quantity.inward(value));
+            if kind.is_none() && definition.parameters.iter().all(|p| p.name != *name) {
+                let names = KINDS.iter().map(|k| k.0).chain(definition.parameters.iter().map(|p| p.name.as_str()));
+                let what = format!("`tolerance` names `{name}`, which is not a parameter of this robot");
+                problems.0.push(Message::error(what).at(place()).hint_names(name, names));
+            }
+        }
+        for parameter in &mut definition.parameters {
+            if let Some(value) = self.tolerance.get(&parameter.name) {
+                parameter.tolerance = parameter.quantity.inward(*value);
+            }
         }
         problems.check().map(|_| ())
     }

@@ -273,6 +273,39 @@ pub struct Identify {
     #[serde(default)]
     #[schemars(with = "Vec<String>")]
     pub hold: Vec<Spanned<String>>,
+    /// Readings that are left out, each with its reason, which the report shows.
+    #[serde(default)]
+    #[schemars(with = "Vec<Exclude>")]
+    pub exclude: Vec<Spanned<Exclude>>,
+    /// What becomes of outliers, readings more than 6 robust standard deviations from a robust fit: they are named and used
+    /// (`keep`, without it), or named and left out (`exclude`).
+    #[serde(default)]
+    pub outliers: OutlierRule,
+}
+
+/// What becomes of outliers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OutlierRule {
+    /// They are named, and used.
+    #[default]
+    Keep,
+    /// They are named, and left out; at most a tenth of all readings.
+    Exclude,
+}
+
+/// Readings that are left out of identification and validation.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Exclude {
+    /// Poses: numbers and ranges.
+    pub poses: String,
+    /// Repeat; without it all repeats.
+    pub cycle: Option<i64>,
+    /// Target; without it all targets.
+    pub target: Option<String>,
+    /// Why, for the report.
+    pub reason: String,
 }
 
 fn default_residuals() -> ResidualKind {

@@ -10,7 +10,8 @@ use crate::report::Faces;
 use crate::run::output;
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::parameters::parameters_document;
-use crate::stages::plausible::doubts;
+use crate::stages::plausible::plausibility;
+use crate::stages::repeats::stale;
 use std::path::PathBuf;
 
 /// Identify the parameters of a robot from a table of observations, without a campaign
@@ -58,6 +59,7 @@ impl Identify {
         let robot = robot_file.build(&observed.targets()?).map_err(here)?;
         let mut messages = Vec::new();
         let observations = Observation::from_table(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
+        messages.extend(stale(robot.as_ref(), &observations));
         let settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
@@ -69,8 +71,8 @@ impl Identify {
         found.warnings.splice(0..0, messages);
         let sets = Sets { calibration: observations, validation: Vec::new() };
         let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
-        let doubts = doubts(robot.as_ref(), &sets.calibration, &settings, &found, &errors);
-        found.warnings.splice(0..0, doubts);
+        let messages = plausibility(robot.as_ref(), &sets.calibration, &settings, &before, &found, &errors);
+        found.warnings.splice(0..0, messages);
         let inputs = files::sha256_of([&self.robot, &self.observations])?;
         let document = parameters_document(robot.as_ref(), &settings, &before, &found, &inputs);
         let faces = Faces::identification(&document);

@@ -81,4 +81,9 @@ pub struct FramePose {
     pub cycle: Option<i64>,
     /// `export_T_world`.
     pub export_T_world: crate::base::pose::Pose,
+    /// Covariance, from the uncertainty of the points that make the frame, of a small shift along (mm) and then a small rotation about
+    /// (rad) the axes of the world; of a planar world the shift is that at the height of the targets. Absent where the exports state
+    /// the frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub covariance: Option<[[f64; 6]; 6]>,
 }

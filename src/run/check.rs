@@ -1,7 +1,7 @@
 //! Everything that is wrong with a campaign, found at once and without identifying anything; what was read is kept for the run.
 
 use super::{names, statements};
-use crate::base::message::{Problems, Result};
+use crate::base::message::{Problems, Result, Severity};
 use crate::base::pattern::matches_pattern;
 use crate::base::table;
 use crate::campaign::Campaign;
@@ -12,7 +12,7 @@ use crate::report::{self, branding};
 use crate::stages::frames;
 use crate::stages::gather::{self, Gathered};
 use crate::stages::geometric;
-use crate::stages::identification::check_selections;
+use crate::stages::identification::{check_selections, preview};
 use crate::stages::iso9283::{self, TestData};
 use crate::stages::join;
 use std::collections::BTreeSet;
@@ -80,6 +80,11 @@ pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
             Some(world) => {
                 let joined = join::join(campaign, &found.gathered, &world, robot.as_ref());
                 if let Some(joined) = found.problems.keep(joined) {
+                    let shown = found.problems.keep(preview(campaign, robot.as_ref(), &joined)).unwrap_or_default();
+                    let (errors, warnings): (Vec<_>, Vec<_>) =
+                        shown.into_iter().partition(|message| message.severity == Severity::Error);
+                    found.problems.0.extend(errors);
+                    found.gathered.document.messages.extend(warnings);
                     found.gathered.document.messages.extend(joined.messages);
                     let first = joined.observations.first();
                     let first = first.and_then(|(_, table)| table::integers(table, "pose").ok());

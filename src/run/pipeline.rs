@@ -67,7 +67,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
 
         // identify: observations become parameters, and errors before and after
         let inputs = gathered.document.inputs();
-        let found = identified.insert(identify(campaign, stated, robot.as_ref(), observed, &inputs)?);
+        let found = identified.insert(identify(campaign, stated, robot.as_ref(), observed, &frames, &inputs)?);
 
         // geometry: balls, a shaft and an arm give the same parameters without a model
         geometric = geometric::calibrate(campaign, robot.as_ref(), measured, found)?;

@@ -11,6 +11,9 @@ use std::ffi::OsString;
 use std::path::{Component, Path, PathBuf};
 use toml::Spanned;
 
+/// Expanded uncertainties of a coordinate, from an interferometer's to a camera's; beyond them the unit is another.
+const PLAUSIBLE_UM: std::ops::RangeInclusive<f64> = 1e-3..=1e5;
+
 /// All statements but those on features and frames.
 pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
@@ -45,6 +48,10 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
                 _ => "touch one point often and take the scatter of the encoder readings",
             };
             problems.0.push(message.hint(hint));
+        } else if key.ends_with("_um") && !PLAUSIBLE_UM.contains(&value) {
+            let what = format!("`{key}` = {value} is not an uncertainty of a measured coordinate in micrometres");
+            let message = Message::error(what).at(campaign.place_of(&[table, key]));
+            problems.0.push(message.hint("check its unit: 0.0027 mm is 2.7 um"));
         }
     }
     for (key, limit) in file.limits.stated() {

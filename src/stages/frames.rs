@@ -1,12 +1,15 @@
 //! World frames from features and targets (thesis 3.4.1), and targets brought into them.
 
 use crate::base::message::{Message, Problems, Result};
+use crate::base::pattern::matches_pattern;
 use crate::base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
 use crate::campaign::{Campaign, WorldDefinition};
 use crate::document::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
 use crate::import::Point;
 use crate::math::fit;
+use crate::stages::gather::used_labels;
 use crate::stages::labelled_points::LabelledPoints;
+use crate::stages::repeats;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
@@ -15,6 +18,12 @@ type Key = (i64, i64);
 
 /// Fits the features of a campaign to the points with their labels.
 pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
+    let mut document = elements(campaign, points)?;
+    document.messages.splice(0..0, repeats::fixed_points(campaign, points, &used_labels(campaign)));
+    Ok(document)
+}
+
+fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     let labelled = LabelledPoints::new(campaign, points);
     let settings = fit::Settings::default();
     let (mut features, mut messages, mut problems) = (Vec::new(), Vec::new(), Problems::default());
@@ -81,20 +90,28 @@ pub fn make_frames(
     features: &FeaturesDocument,
     planar: bool,
 ) -> Result<FramesDocument> {
-    let world = match campaign.file.world().filter(|world| !world.as_exported) {
+    let mut world = match campaign.file.world().filter(|world| !world.as_exported) {
         Some(WorldDefinition { targets: Some(targets), each, .. }) => {
             from_targets(campaign, points, targets, each.is_some())?
         }
-        Some(world) => from_plane(campaign, points, features, world)?,
+        Some(world) => {
+            let mut found = from_plane(campaign, points, features, world)?;
+            let nominal = found.poses[0].export_T_world;
+            found.poses[0].covariance = Some(covariance(campaign, points, world, &nominal)?);
+            found
+        }
         None => WorldFrame {
             definition: "the coordinates of the exports are those of the world".to_owned(),
             planar: false,
-            poses: vec![FramePose { pose: None, cycle: None, export_T_world: Pose::identity() }],
+            poses: vec![FramePose { pose: None, cycle: None, export_T_world: Pose::identity(), covariance: None }],
             rms_mm: None,
             max_mm: None,
             reference_mm: Vec::new(),
         },
     };
+    if planar {
+        world.poses.iter_mut().for_each(|frame| at_height(frame, points));
+    }
     Ok(FramesDocument { schema: "etalon/frames/1".to_owned(), world: WorldFrame { planar, ..world } })
 }
 
@@ -153,11 +170,86 @@ fn from_plane(
     Ok(WorldFrame {
         definition,
         planar: false,
-        poses: vec![FramePose { pose: None, cycle: None, export_T_world: from_axes(origin, x, y) }],
+        poses: vec![FramePose { pose: None, cycle: None, export_T_world: from_axes(origin, x, y), covariance: None }],
         rms_mm: None,
         max_mm: None,
         reference_mm: Vec::new(),
     })
+}
+
+/// Covariance of a world frame by the uncertainty of each point that makes it: Z = (f(x + u) − f(x − u)) / 2 for each coordinate
+/// (GUM 5.1.3, note 2), and the sum of Z Zᵀ.
+fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, nominal: &Pose) -> Result<[[f64; 6]; 6]> {
+    // features and points that the frame is made from, and no others
+    let mut campaign = campaign.clone();
+    let named: Vec<&str> = world.plane.iter().chain(world.names()).map(|n| n.get_ref().as_str()).collect();
+    campaign.file.features.retain(|name, _| named.contains(&name.as_str()));
+    let labels = used_labels(&campaign);
+    let used = |p: &&Point| labels.iter().any(|name| matches_pattern(name, &p.label));
+    let mut points: Vec<Point> = points.iter().filter(used).cloned().collect();
+    let instrument_mm = campaign.file.instrument.standard_uncertainty_mm();
+    let mut sum = [[0.0; 6]; 6];
+    for i in 0..points.len() {
+        for axis in 0..3 {
+            let (at, u_mm) =
+                (points[i].xyz_mm[axis], points[i].standard_uncertainty_mm.map_or(instrument_mm, |u| u[axis]));
+            let mut moved = |by: f64| {
+                points[i].xyz_mm[axis] = at + by;
+                let features = elements(&campaign, &points)?;
+                let frame = from_plane(&campaign, &points, &features, world)?;
+                Ok::<_, Problems>(twist(&nominal.inverse().then(&frame.poses[0].export_T_world)))
+            };
+            let (up, down) = (moved(u_mm)?, moved(-u_mm)?);
+            points[i].xyz_mm[axis] = at;
+            add_outer(&mut sum, &std::array::from_fn(|k| 0.5 * (up[k] - down[k])));
+        }
+    }
+    Ok(sum)
+}
+
+/// Shift and small rotation of a pose near identity.
+fn twist(pose: &Pose) -> [f64; 6] {
+    let (t, r) = (pose.translation_mm, pose.rotation);
+    [t[0], t[1], t[2], 0.5 * (r[2][1] - r[1][2]), 0.5 * (r[0][2] - r[2][0]), 0.5 * (r[1][0] - r[0][1])]
+}
+
+fn add_outer(sum: &mut [[f64; 6]; 6], z: &[f64; 6]) {
+    for (row, a) in sum.iter_mut().zip(z) {
+        row.iter_mut().zip(z).for_each(|(s, b)| *s += a * b);
+    }
+}
+
+/// Covariance of a best fit to points at `places`, each with the standard uncertainty `u_mm` of its coordinates.
+fn rigid_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]; 6]> {
+    let mut normal = nalgebra::Matrix6::<f64>::zeros();
+    for (p, u_mm) in places.iter().zip(u_mm) {
+        let rows = nalgebra::Matrix3x6::new(
+            1.0, 0.0, 0.0, 0.0, p[2], -p[1], 0.0, 1.0, 0.0, -p[2], 0.0, p[0], 0.0, 0.0, 1.0, p[1], -p[0], 0.0,
+        );
+        normal += rows.transpose() * rows / (u_mm * u_mm);
+    }
+    let inverse = normal.try_inverse()?;
+    Some(std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])))
+}
+
+/// Brings the covariance of the frame of a planar robot to the mean height of its targets: what they see of a tilt is a shift.
+fn at_height(frame: &mut FramePose, points: &[Point]) {
+    let Some(covariance) = &mut frame.covariance else { return };
+    let world_T_export = frame.export_T_world.inverse();
+    let moving = points.iter().filter(|p| p.pose.is_some() && p.target.is_some());
+    let heights: Vec<Vector> = moving.map(|p| world_T_export.apply(p.xyz_mm)).collect();
+    let height_mm = centroid(&heights).map_or(0.0, |middle| middle[2]);
+    // shift in x and y at this height, and the turn about z
+    let mut planar = [[0.0; 6]; 6];
+    planar[0][0] = 1.0;
+    planar[0][4] = height_mm;
+    planar[1][1] = 1.0;
+    planar[1][3] = -height_mm;
+    planar[5][5] = 1.0;
+    let product = |a: &[[f64; 6]; 6], b: &[[f64; 6]; 6]| -> [[f64; 6]; 6] {
+        std::array::from_fn(|i| std::array::from_fn(|j| (0..6).map(|k| a[i][k] * b[j][k]).sum()))
+    };
+    *covariance = product(&product(&planar, covariance), &planar);
 }
 
 /// Frame with unit axes x and y, and z = x × y.
@@ -181,15 +273,19 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     if names.len() < 3 {
         return Err(wrong("a frame needs three targets or more".to_owned()).into());
     }
+    let u_mm = campaign.file.instrument.standard_uncertainty_mm();
+    let mut u_of = vec![u_mm; names.len()];
     let seen = if each {
         measured(points, &names)
     } else {
         // measured once or often, with or without a pose: the mean of all points of that name
-        let of = |name: &&str| {
+        let bearing = |name: &&str| -> Vec<Vector> {
             let bears = |p: &&Point| p.target.as_deref() == Some(*name) || p.label == *name;
-            centroid(&points.iter().filter(bears).map(|p| p.xyz_mm).collect::<Vec<_>>())
+            points.iter().filter(bears).map(|p| p.xyz_mm).collect()
         };
-        BTreeMap::from([((0, 0), names.iter().map(of).collect())])
+        let all: Vec<Vec<Vector>> = names.iter().map(bearing).collect();
+        u_of = all.iter().map(|of| u_mm / (of.len().max(1) as f64).sqrt()).collect();
+        BTreeMap::from([((0, 0), all.iter().map(|of| centroid(of)).collect())])
     };
     let whole: BTreeMap<Key, Vec<Vector>> =
         seen.into_iter().filter_map(|(key, places)| Some((key, places.into_iter().collect::<Option<_>>()?))).collect();
@@ -211,7 +307,8 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
             largest = largest.max(r);
         }
         let (pose, cycle) = if each { (Some(pose), Some(cycle)) } else { (None, None) };
-        poses.push(FramePose { pose, cycle, export_T_world: fitted.to_T_from });
+        let covariance = rigid_covariance(&reference, &u_of);
+        poses.push(FramePose { pose, cycle, export_T_world: fitted.to_T_from, covariance });
     }
     let definition = format!(
         "best fit of the targets {}{}: origin at the first, x axis to the second, the third in the xy plane",

@@ -1,14 +1,15 @@
 //! Identify: observations become parameters, and errors before and after.
 
 use crate::base::message::{Message, Problems, Result, count};
-use crate::campaign::{Campaign, Identify, Selection};
-use crate::document::{AccuracyDocument, ParametersDocument, PointError};
-use crate::math::identify::{self, Identification, Observation};
+use crate::campaign::{Campaign, Exclude, Identify, OutlierRule, Selection};
+use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError};
+use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings};
 use crate::math::robots::Robot;
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::join::Joined;
 use crate::stages::parameters::parameters_document;
-use crate::stages::plausible::doubts;
+use crate::stages::plausible::plausibility;
+use crate::stages::repeats::stale;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a campaign identifies.
@@ -33,19 +34,34 @@ pub fn identify(
     stated: &Identify,
     robot: &dyn Robot,
     joined: &Joined,
+    frames: &FramesDocument,
     inputs: &BTreeMap<String, String>,
 ) -> Result<Identified> {
     let mut messages = Vec::new();
-    let observations = Observation::from_table(robot, &joined.observations[0].1, &mut messages)?;
+    let mut observations = Observation::from_table(robot, &joined.observations[0].1, &mut messages)?;
+    messages.extend(exclude(campaign, stated, robot, &mut observations)?);
+    messages.extend(stale(robot, &observations));
     let poses = evaluate::poses(&observations);
     check_selections(campaign, &poses)?;
     let selections = campaign.selections(stated)?;
-    let sets = evaluate::split(&observations, &poses, &selections);
+    let mut sets = evaluate::split(&observations, &poses, &selections);
     let settings = campaign.settings(stated);
-    let before = identify::fit_frames(robot, &sets.calibration, &settings)?;
+    let mut before = identify::fit_frames(robot, &sets.calibration, &settings)?;
     let mut found = identify::identify_from(robot, &sets.calibration, &settings, &before)?;
+    if stated.outliers == OutlierRule::Exclude {
+        let readings: usize = sets.calibration.iter().map(|o| o.targets.iter().flatten().count()).sum();
+        let fewest = (readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
+        while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, &settings, &found)? {
+            messages.push(left_out);
+            before = identify::fit_frames(robot, &sets.calibration, &settings)?;
+            found = identify::identify_from(robot, &sets.calibration, &settings, &before)?;
+        }
+    }
+    let frames: Vec<FrameError> = frames.world.poses.iter().filter_map(frame_error).collect();
+    found.carry_frames(robot, &sets.calibration, &settings, &frames)?;
     for (name, table) in joined.observations.iter().skip(1) {
-        let observations = Observation::from_table(robot, table, &mut messages)?;
+        let mut observations = Observation::from_table(robot, table, &mut messages)?;
+        exclude(campaign, stated, robot, &mut observations)?;
         let others = evaluate::split(&observations, &poses, &selections);
         let theirs = identify::identify(robot, &others.calibration, &settings)?;
         let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, found: &found };
@@ -56,8 +72,8 @@ pub fn identify(
     }
     found.warnings.splice(0..0, messages);
     let errors = evaluate::errors(robot, &sets, &before, &found.values);
-    let doubts = doubts(robot, &sets.calibration, &settings, &found, &errors);
-    found.warnings.splice(0..0, doubts);
+    let messages = plausibility(robot, &sets.calibration, &settings, &before, &found, &errors);
+    found.warnings.splice(0..0, messages);
     Ok(Identified {
         parameters: parameters_document(robot, &settings, &before, &found, inputs),
         accuracy: evaluate::evaluate(robot, &errors, &campaign.file.limits)?,
@@ -65,6 +81,101 @@ pub fn identify(
         sets,
         found,
     })
+}
+
+/// The uncertainty of a frame, as the observations that it places have it in common.
+fn frame_error(frame: &FramePose) -> Option<FrameError> {
+    Some(FrameError { pose: frame.pose.zip(frame.cycle), covariance: frame.covariance? })
+}
+
+/// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is
+/// nowhere near the measurements.
+pub fn preview(campaign: &Campaign, robot: &dyn Robot, joined: &Joined) -> Result<Vec<Message>> {
+    let (Some(stated), Some((_, table))) = (&campaign.file.identify, joined.observations.first()) else {
+        return Ok(Vec::new());
+    };
+    let mut observations = Observation::from_table(robot, table, &mut Vec::new())?;
+    exclude(campaign, stated, robot, &mut observations)?;
+    let mut messages = stale(robot, &observations);
+    messages.extend(identify::set_up_problem(robot, &observations));
+    Ok(messages)
+}
+
+/// Leaves out the readings that the campaign excludes, and names them with their reasons.
+fn exclude(
+    campaign: &Campaign,
+    stated: &Identify,
+    robot: &dyn Robot,
+    observations: &mut Vec<Observation>,
+) -> Result<Vec<Message>> {
+    let (mut messages, mut problems) = (Vec::new(), Problems::default());
+    for rule in &stated.exclude {
+        let Exclude { poses, cycle, target, reason } = rule.get_ref();
+        let selection = match Selection::parse(poses) {
+            Ok(selection @ Selection::Ranges(_)) => selection,
+            _ => {
+                let message = Message::error(format!("`{poses}` names no poses to exclude")).at(campaign.place(rule));
+                problems.0.push(message.expected("numbers and ranges like \"13, 20-22\""));
+                continue;
+            }
+        };
+        let mut left_out = 0;
+        for o in observations.iter_mut().filter(|o| selection.contains(o.pose, 0, false)) {
+            if cycle.is_some_and(|cycle| cycle != o.cycle) {
+                continue;
+            }
+            for (name, measured) in robot.targets().iter().zip(&mut o.targets) {
+                if target.as_ref().is_none_or(|target| target == name) {
+                    left_out += usize::from(measured.take().is_some());
+                }
+            }
+        }
+        if reason.trim().is_empty() {
+            problems.0.push(Message::error("an exclusion needs its reason").at(campaign.place(rule)));
+        } else if left_out == 0 {
+            let what = "this exclusion leaves no reading out: there is none of this pose, cycle and target";
+            problems.0.push(Message::error(what).at(campaign.place(rule)));
+        } else {
+            let of = target.as_ref().map_or(String::new(), |target| format!(" of `{target}`"));
+            let cycle = cycle.map_or(String::new(), |cycle| format!(", cycle {cycle}"));
+            let what = format!("excluded: {}{of}, poses {poses}{cycle}: {reason}", count(left_out, "reading"));
+            messages.push(Message::warning(what));
+        }
+    }
+    observations.retain(|o| o.targets.iter().any(Option::is_some));
+    problems.check()?;
+    Ok(messages)
+}
+
+/// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.
+const MOST_OUTLIERS: f64 = 0.1;
+
+/// Leaves the outliers of a robust fit out of `observations`, of which `fewest` readings must remain, and names them; `None` where
+/// there are none.
+fn leave_outliers_out(
+    robot: &dyn Robot,
+    observations: &mut Vec<Observation>,
+    fewest: usize,
+    settings: &Settings,
+    found: &Identification,
+) -> Result<Option<Message>> {
+    let Some(robust) = RobustFit::new(robot, observations, settings, found) else { return Ok(None) };
+    let outliers = robust.outliers();
+    if outliers.is_empty() {
+        return Ok(None);
+    }
+    if robust.readings.len() - outliers.len() < fewest {
+        let what = "`outliers = \"exclude\"` would leave out more than a tenth of all readings";
+        return Err(Message::error(what)
+            .hint("the model or the set-up is wrong: see what `outliers = \"keep\"` reports")
+            .into());
+    }
+    for outlier in outliers {
+        observations[outlier.observation].targets[outlier.target] = None;
+    }
+    observations.retain(|o| o.targets.iter().any(Option::is_some));
+    let left_out = robust.message(robot);
+    Ok(Some(Message::warning(format!("excluded by `outliers = \"exclude\"`: {}", left_out.what))))
 }
 
 /// A log, its observations and what they identify.

@@ -11,4 +11,5 @@ pub(crate) mod labelled_points;
 pub mod parameters;
 pub mod plausible;
 pub mod qif_fit;
+pub mod repeats;
 pub(crate) mod table_file;

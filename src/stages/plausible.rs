@@ -3,11 +3,25 @@
 use crate::base::message::Message;
 use crate::base::pose::{centroid, minus, norm};
 use crate::document::PointError;
-use crate::math::identify::{Identification, Observation, Settings, chi_square_exceeds, outliers};
+use crate::math::identify::{
+    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
+    moved_between, set_up_error,
+};
 use crate::math::robots::{Parameter, Quantity, Robot, Role};
+use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// Gains and couplings further than this from nominal are not errors of a transmission.
-const RATIO: f64 = 0.1;
+/// Parameters beyond their tolerance that a message names.
+const NAMED: usize = 5;
+/// A residual this many times the root mean square is looked at as an outlier where no uncertainty is stated.
+const SPIKE: f64 = 5.0;
+/// Parameters that must be off by one factor, at least.
+const FEWEST_SCALED: usize = 4;
+/// Nominal values below this (mm, 1) have no factor.
+const LEAST_NOMINAL: f64 = 0.5;
+/// A common factor below this is within what an instrument and a drawing are wrong by.
+const LEAST_SCALE: f64 = 2e-4;
+/// Probability with which independent deviations look like a common factor.
+const CHANCE: f64 = 1e-3;
 /// A calibrated model leaves thousandths of the workspace; more than this share of it is another robot.
 const LEFT: f64 = 0.02;
 /// Errors after over errors before beyond which it is not noise that makes an already good robot look no better.
@@ -15,22 +29,92 @@ const WORSE: f64 = 1.1;
 
 /// Messages about `found` and the errors that it leaves: errors where it can be no robot, and which of the observations to
 /// look at first where they do not fit.
-pub fn doubts(
+pub fn plausibility(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
+    before: &[f64],
     found: &Identification,
     errors: &[PointError],
 ) -> Vec<Message> {
     let mut messages = implausible(robot, &found.values, errors);
+    let far = far_before(robot, observations, before, errors);
     let misfit = match found.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.degrees_of_freedom),
-        None => !messages.is_empty(),
+        None => !messages.is_empty() || found.max > SPIKE * found.rms,
     };
+    match far {
+        Some(far) => messages.insert(0, far),
+        None if exchanged(robot, &found.values).is_none() => explain(&mut messages, robot, observations),
+        None => {}
+    }
+    messages.extend(common_factor(robot, found));
     if misfit {
-        messages.extend(outliers(robot, observations, settings, found));
+        messages.extend(moved_between(robot, observations, &found.values));
+    }
+    let spike = settings.standard_uncertainty_mm.is_some_and(|u_mm| found.max > OUTLIER * u_mm);
+    if (misfit || spike)
+        && let Some(robust) = RobustFit::new(robot, observations, settings, found)
+    {
+        // a few wrong readings explain what follows, the largest residuals of a wrong model do not
+        let place = if robust.outliers().is_empty() { messages.len() } else { 0 };
+        messages.insert(place, robust.message(robot));
     }
     messages
+}
+
+/// A warning where lengths, or gains of sliding joints, are all off by one factor: the scale of the measuring system, or a unit.
+fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
+    let sliding = robot.joints().iter().all(|j| j.quantity == Quantity::Length);
+    let of = |quantity: Quantity| -> Vec<usize> {
+        let fits = |&&i: &&usize| {
+            let p = &robot.parameters()[i];
+            p.role == Role::Robot && p.quantity == quantity && p.nominal.abs() > LEAST_NOMINAL
+        };
+        found.free.iter().filter(fits).copied().collect()
+    };
+    let all = [of(Quantity::Length), if sliding { of(Quantity::Ratio) } else { Vec::new() }].concat();
+    if all.len() < FEWEST_SCALED {
+        return None;
+    }
+    // relative deviations, and their scatter about the mean
+    let off: Vec<f64> = all.iter().map(|&i| found.values[i] / robot.parameters()[i].nominal - 1.0).collect();
+    let n = off.len() as f64;
+    let mean = off.iter().sum::<f64>() / n;
+    let deviation = (off.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
+    let quantile = StudentsT::new(0.0, 1.0, n - 1.0).ok()?.inverse_cdf(1.0 - 0.5 * CHANCE);
+    (mean.abs() > LEAST_SCALE && mean.abs() > quantile * deviation / n.sqrt()).then(|| {
+        let names: Vec<String> = all.iter().map(|&i| format!("`{}`", robot.parameters()[i].name)).collect();
+        let what = format!(
+            "{} are all about {:.5} times nominal: this is a scale error of the measuring system, or of the joints, rather than of {} parts",
+            names.join(", "),
+            1.0 + mean,
+            all.len()
+        );
+        Message::warning(what).hint("check scale, temperature compensation and unit of the measuring system and of the encoders")
+    })
+}
+
+/// Adds to the first of `messages` the change of the set-up that explains it, where there is one.
+fn explain(messages: &mut [Message], robot: &dyn Robot, observations: &[Observation]) {
+    if let Some(first) = messages.first_mut()
+        && let Some(cause) = set_up_error(robot, observations)
+    {
+        *first = first.clone().hint(cause.hint());
+    }
+}
+
+/// An error where the nominal robot, at `before`, is further from the measurements than its tolerances allow.
+fn far_before(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    before: &[f64],
+    errors: &[PointError],
+) -> Option<Message> {
+    let of = || errors.iter().filter(|e| e.set == "calibration");
+    let before_mm = (of().map(|e| norm(e.before_mm).powi(2)).sum::<f64>() / of().count().max(1) as f64).sqrt();
+    let allowed_mm = allowed_mm(robot, observations, before)?;
+    (before_mm > allowed_mm).then(|| far_from_nominal(robot, observations, before_mm, allowed_mm))
 }
 
 /// Errors about the parameters `values` and the errors that they leave; empty where the result is plausible.
@@ -40,14 +124,7 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
         let what = format!("K and L are exchanged: `{}`, their distance, is {value:.3} {}", p.name, p.quantity.unit());
         return vec![Message::error(what).hint("exchange the names of the two targets in the labels of the export")];
     }
-    for (p, value) in robot.parameters().iter().zip(values) {
-        if p.role == Role::Robot && p.quantity == Quantity::Ratio && (value - p.nominal).abs() > RATIO {
-            messages.push(
-                Message::error(format!("`{}` = {value:.4} is not plausible: its nominal value is {}", p.name, p.nominal))
-                    .hint("check sign and unit of the joint in the log, and whether the world frame is right-handed (`towards`)"),
-            );
-        }
-    }
+    messages.extend(beyond_tolerance(robot, values));
     for set in ["calibration", "validation"] {
         let of = || errors.iter().filter(|e| e.set == set);
         let rms = |size: &dyn Fn(&PointError) -> f64| {
@@ -76,6 +153,33 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
         }
     }
     messages
+}
+
+/// An error about parameters that are further from nominal than their tolerance.
+fn beyond_tolerance(robot: &dyn Robot, values: &[f64]) -> Option<Message> {
+    let beyond = |(p, value): &(&Parameter, &f64)| value.is_nan() || (*value - p.nominal).abs() > p.tolerance;
+    let wrong: Vec<(&Parameter, &f64)> = robot.parameters().iter().zip(values).filter(beyond).collect();
+    let text = |(p, value): &(&Parameter, &f64)| {
+        let (unit, out) = (p.quantity.unit(), |v: f64| p.quantity.outward(v));
+        let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+        let decimals = if unit.is_empty() { 4 } else { 3 };
+        format!(
+            "`{}` = {:.decimals$}{unit} (nominal {}{unit}, tolerance {:.3}{unit})",
+            p.name,
+            out(**value),
+            (1e6 * out(p.nominal)).round() / 1e6,
+            out(p.tolerance),
+        )
+    };
+    let named: Vec<String> = wrong.iter().take(NAMED).map(text).collect();
+    let more = wrong.len().saturating_sub(NAMED);
+    let more = if more > 0 { format!(", and {more} more") } else { String::new() };
+    (!wrong.is_empty()).then(|| {
+        Message::error(format!("beyond the tolerance of the robot: {}{more}", named.join(", "))).hint(
+            "check signs, units and order of the joints, the nominal values, and the frames; where the robot is drawn otherwise, \
+             state `tolerance` in the robot file",
+        )
+    })
 }
 
 /// The distance of K and L where it came out negative: each was measured where the other is.

@@ -104,3 +104,32 @@ fn a_touched_point_that_nobody_measured_is_told_with_its_line() {
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
     assert!(said.contains("`repeatability_um` must be positive"), "{said}");
 }
+
+#[test]
+fn joints_are_read_in_the_unit_that_their_column_names() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), ROBOT).unwrap();
+    let run = |csv: &str| {
+        std::fs::write(folder.path().join("o.csv"), csv).unwrap();
+        etalon(folder.path(), &["identify", "--robot", "robot.toml", "--observations", "o.csv", "--json"])
+    };
+    let mut csv = "pose,cycle,target,x_mm,y_mm,theta1_rad,theta2_deg\n".to_owned();
+    for o in measure(&robot(), &truth(), &SEVEN, &mut || 0.0) {
+        let [x, y, _] = o.targets[0].unwrap();
+        let _ = writeln!(csv, "{},1,tool,{x},{y},{:.17},{:.15}", o.pose, o.joints[0], o.joints[1].to_degrees());
+    }
+    let answered = run(&csv);
+    assert!(answered.status.success(), "{}", text_of(&answered));
+    let document: etalon::document::ParametersDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    assert!((document.parameters[0].value - truth()[0]).abs() < 1e-9, "{:?}", document.parameters[0]);
+    let twice = run(&csv.replace("theta2_deg", "theta1_deg"));
+    assert_eq!(twice.status.code(), Some(2));
+    assert!(text_of(&twice).contains("has joint `theta1` twice"), "{}", text_of(&twice));
+    // the name of another unit is no misspelling
+    let other = run(&csv.replace("theta2_deg", "theta2_mrad"));
+    assert!(
+        text_of(&other).contains("`theta2_mrad` is meant in another unit: 1 deg is 17.45329252 mrad"),
+        "{}",
+        text_of(&other)
+    );
+}

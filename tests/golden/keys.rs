@@ -7,13 +7,15 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Units by the ending of a key.
-const UNITS: [(&str, &str); 11] = [
+const UNITS: [(&str, &str); 13] = [
     ("_mm_s", "mm/s"),
     ("_mm", "mm"),
     ("_um", "µm"),
     ("_deg", "deg"),
     ("_hz", "Hz"),
     ("_s", "s"),
+    ("_rad", "rad"),
+    ("_m", "m"),
     ("_kg", "kg"),
     ("_percent", "%"),
     ("_minutes", "min"),
@@ -21,8 +23,10 @@ const UNITS: [(&str, &str); 11] = [
     ("per_count", "of the joint"),
 ];
 /// Numbers without a unit.
-const PURE: [&str; 15] = [
+const PURE: [&str; 17] = [
     "coverage_factor",
+    "cycle",
+    "tolerance",
     "seed",
     "drift_set",
     "path_points",

@@ -5,6 +5,7 @@
 mod arms;
 mod common;
 mod compare;
+mod coverage;
 mod fits;
 mod fits_covariances;
 mod fits_hostile;
@@ -22,6 +23,7 @@ mod plans;
 mod probes;
 mod robots;
 mod serial;
+mod set_ups;
 mod solving;
 #[path = "../support/mod.rs"]
 mod support;

@@ -2,13 +2,14 @@
 
 use super::identifiability::{Analysis, Group};
 use super::observation::misplaced;
-use super::residuals::Residuals;
+use super::residuals::{OF_MEDIAN, Residuals};
+use super::set_up::explained;
 use super::{Identification, Observation, ResidualKind, Settings, unseen_by};
 use crate::base::message::{Message, Problems};
 use crate::base::pose::{Vector, minus, norm};
 use crate::math::robots::{Robot, Role};
 use crate::math::solve::{self, Loss, Options, Problem, Termination};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Measured and predicted positions whose extents differ by more than this are not in the same unit.
 const SAME_UNIT: f64 = 3.0;
@@ -30,20 +31,20 @@ pub(super) fn diagnose_failure(
         return too_little(robot, observations, &all, start);
     }
     let ended = "the identification ended without a result";
-    match cause(robot, observations, start) {
+    let message = match cause(robot, observations, start) {
         Some((what, hint)) => Message::error(format!("{ended}: {what}")).hint(hint),
         None => Message::error(format!("{ended}: {termination}"))
             .hint("check units, order and signs of the joints and the nominal parameters; `hold` in [identify] holds parameters"),
-    }
-    .into()
+    };
+    explained(message.into(), robot, observations)
 }
 
 /// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
-pub(super) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Message {
+pub(super) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Problems {
     let what = "no parameter is left to identify";
     match cause(robot, observations, start) {
-        Some((why, hint)) => Message::error(format!("{what}: {why}")).hint(hint),
-        None => Message::error(what).hint("hold fewer parameters, and measure more poses"),
+        Some((why, hint)) => explained(Message::error(format!("{what}: {why}")).hint(hint).into(), robot, observations),
+        None => Message::error(what).hint("hold fewer parameters, and measure more poses").into(),
     }
 }
 
@@ -140,53 +141,106 @@ fn poses(numbers: &BTreeSet<i64>) -> String {
     }
 }
 
-/// Measurements that are named.
+/// Measurements that are named where none lies beyond the rest.
 const NAMED: usize = 3;
+/// Measurements that are named at most.
+const NAMED_OUTLIERS: usize = 40;
+/// A distance beyond this many robust standard deviations of a coordinate is an outlier: with three coordinates and normal errors
+/// fewer than one of ten million is.
+pub const OUTLIER: f64 = 6.0;
 /// Constant of the Cauchy loss that costs 5 % of the precision where there are no outliers (Holland & Welsch 1977).
 const CAUCHY: f64 = 2.385;
-/// Root mean square of normal residuals over their median size.
-const MEDIAN: f64 = 1.4826;
 /// Fits, each with the scale that the one before it shows.
 const FITS: usize = 12;
 /// Least scale of residuals in mm: below it nothing is measured.
 const LEAST_MM: f64 = 1e-6;
 
-/// The largest residuals of a robust fit: targets and poses to look at first, where least squares `found`
-/// what the instrument does not explain. `None` where no such fit is found.
-pub fn outliers(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    found: &Identification,
-) -> Option<Message> {
-    let mut free = found.free.clone();
-    free.extend(unseen_by(robot, settings.kind).filter(|i| !found.free.contains(i)));
-    let values = robust(robot, observations, &free, &found.values)?;
-    // the worst repeat of each target of each pose
-    let mut worst: BTreeMap<(i64, usize), (f64, i64)> = BTreeMap::new();
-    for o in observations {
-        for (k, measured) in o.targets.iter().enumerate() {
-            let Some(measured) = measured else { continue };
-            let left_mm = norm(minus(*measured, robot.position(&values, &o.joints, k)));
-            let entry = worst.entry((o.pose, k)).or_insert((left_mm, o.cycle));
-            if left_mm > entry.0 {
-                *entry = (left_mm, o.cycle);
+/// What a robust fit leaves of every reading.
+#[derive(Clone, Debug)]
+pub struct RobustFit {
+    /// The largest first.
+    pub readings: Vec<Reading>,
+    /// Standard deviation of a coordinate as the bulk of the residuals shows it, or as it is stated where that is more, mm.
+    pub scale_mm: f64,
+}
+
+/// A measured target, and how far from it a model is.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// Index of its observation.
+    pub observation: usize,
+    /// Index of its target.
+    pub target: usize,
+    /// Number of the pose.
+    pub pose: i64,
+    /// Number of the repeat.
+    pub cycle: i64,
+    /// Distance, mm.
+    pub left_mm: f64,
+}
+
+impl RobustFit {
+    /// A robust fit of what least squares `found`; `None` where there is none.
+    pub fn new(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        found: &Identification,
+    ) -> Option<Self> {
+        let mut free = found.free.clone();
+        free.extend(unseen_by(robot, settings.kind).filter(|i| !found.free.contains(i)));
+        let values = robust(robot, observations, &free, &found.values)?;
+        let [own_mm, common_mm] =
+            [settings.standard_uncertainty_mm, settings.common_uncertainty_mm].map(|u| u.unwrap_or(0.0));
+        let scale_mm = OF_MEDIAN * median_mm(robot, observations, &values)?;
+        let mut readings = Vec::new();
+        for (observation, o) in observations.iter().enumerate() {
+            for (target, measured) in o.targets.iter().enumerate() {
+                let Some(measured) = measured else { continue };
+                readings.push(Reading {
+                    observation,
+                    target,
+                    pose: o.pose,
+                    cycle: o.cycle,
+                    left_mm: norm(minus(*measured, robot.position(&values, &o.joints, target))),
+                });
             }
         }
+        readings.sort_by(|a, b| b.left_mm.total_cmp(&a.left_mm));
+        Some(Self { readings, scale_mm: scale_mm.max(own_mm.hypot(common_mm)).max(LEAST_MM) })
     }
-    let mut all: Vec<_> = worst.into_iter().collect();
-    all.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
-    let named: Vec<String> = all
-        .iter()
-        .take(NAMED)
-        .map(|((pose, k), (left_mm, cycle))| {
-            format!("{left_mm:.4} mm ({}, pose {pose}, cycle {cycle})", robot.targets()[*k])
-        })
-        .collect();
-    let what = format!("largest residuals of a robust fit: {}", named.join(", "));
-    let hint =
-        "look there first for exchanged labels and wrong readings; errors of the robot are spread over all poses";
-    Some(Message::warning(what).hint(hint))
+
+    /// Readings beyond the rest, the largest first.
+    pub fn outliers(&self) -> &[Reading] {
+        let beyond = self.readings.iter().take_while(|reading| reading.left_mm > OUTLIER * self.scale_mm);
+        &self.readings[..beyond.count()]
+    }
+
+    /// Readings to look at first where the instrument does not explain the residuals: the outliers, or the largest residuals.
+    pub fn message(&self, robot: &dyn Robot) -> Message {
+        let named = |readings: &[Reading]| -> String {
+            let target = |r: &Reading| robot.targets()[r.target].as_str();
+            let text = |r: &Reading| format!("{:.4} mm ({}, pose {}, cycle {})", r.left_mm, target(r), r.pose, r.cycle);
+            readings.iter().map(text).collect::<Vec<_>>().join(", ")
+        };
+        let outliers = self.outliers();
+        if outliers.is_empty() {
+            let largest = &self.readings[..self.readings.len().min(NAMED)];
+            let hint = "look there first for exchanged labels and wrong readings; errors of the robot are spread over all poses";
+            return Message::warning(format!("largest residuals of a robust fit: {}", named(largest))).hint(hint);
+        }
+        let more = if outliers.len() > NAMED_OUTLIERS { ", ..." } else { "" };
+        let what = format!(
+            "{} of {} readings are outliers, more than {OUTLIER:.0} times {:.4} mm, the standard deviation of the others in a robust \
+             fit: {}{more}",
+            outliers.len(),
+            self.readings.len(),
+            self.scale_mm,
+            named(&outliers[..outliers.len().min(NAMED_OUTLIERS)]),
+        );
+        Message::warning(what)
+            .hint("look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]")
+    }
 }
 
 /// Parameters at which the bulk of the measurements is met best: fits with the Cauchy loss, the scale of which follows
@@ -197,7 +251,7 @@ fn robust(robot: &dyn Robot, observations: &[Observation], free: &[usize], found
         for _ in 0..FITS {
             let scaled = Settings {
                 kind: ResidualKind::Targets,
-                standard_uncertainty_mm: Some((MEDIAN * best.0).max(LEAST_MM)),
+                standard_uncertainty_mm: Some((OF_MEDIAN * best.0).max(LEAST_MM)),
                 common_uncertainty_mm: None,
                 hold: Vec::new(),
             };

@@ -1,13 +1,7 @@
-//! Which parameters are separately identifiable: rank of the scaled Jacobian, column by column in the model's order; and
-//! the least-squares solution at which the same parameters are held as those it was found with.
+//! Which parameters are separately identifiable: rank of the scaled Jacobian, column by column in the model's order.
 
-use super::diagnosis::{diagnose_failure, nothing_left};
 use super::residuals::Residuals;
-use super::{Observation, Settings};
-use crate::base::message::{Message, Result};
-use crate::math::robots::{Parameter, Quantity, Robot, Role};
-use crate::math::solve::{self, Factor, Options, Prior, Problem, Solution, WithPriors, column_norms};
-use std::f64::consts::TAU;
+use crate::math::solve::{Factor, Problem, column_norms};
 
 /// A column of the scaled Jacobian that lies this near to the span of the columns before it adds nothing: far above
 /// rounding (1e-15), far below what any useful set of poses has (1/condition, about 1/100: Schröer, cited in
@@ -30,18 +24,6 @@ pub struct Group {
     /// Standard uncertainty (mm, rad, 1) that `held` would have if it were identified, where that is merely useless: the
     /// parameters would be separable with less noise.
     pub useless_uncertainty: Option<f64>,
-}
-
-/// Standard uncertainty beyond which data say less of a parameter than the drawing does, or, of base and targets, less
-/// than a look at them (mm, rad, 1).
-fn useless_beyond(parameter: &Parameter) -> f64 {
-    match (parameter.role, parameter.quantity) {
-        (Role::Robot, Quantity::Length) => 10.0,
-        (Role::Robot, Quantity::Angle) => 2f64.to_radians(),
-        (Role::Robot, Quantity::Ratio) => 0.05,
-        (_, Quantity::Length) => 100.0,
-        (_, _) => 0.2,
-    }
 }
 
 /// Rank and groups at one set of parameter values.
@@ -97,7 +79,7 @@ impl Analysis {
     }
 }
 
-/// Of the columns `kept`, those whose parameters would be known uselessly badly: the worst is held, until none is left.
+/// Of the columns `kept`, those whose parameters would be known worse than they are before: the worst is held, until none is left.
 fn useless(problem: &Residuals, factor: &Factor, norms: &[f64], mut kept: Vec<usize>, noise: f64) -> Vec<Group> {
     let mut groups = Vec::new();
     loop {
@@ -106,7 +88,7 @@ fn useless(problem: &Residuals, factor: &Factor, norms: &[f64], mut kept: Vec<us
         let Some(inverse) = some.inverse_normal() else { return groups };
         let n = kept.len();
         let u = |k: usize| noise * inverse[k * n + k].sqrt() / norms[kept[k]];
-        let excess = |k: usize| u(k) / useless_beyond(&problem.robot.parameters()[problem.free[kept[k]]]);
+        let excess = |k: usize| u(k) / problem.robot.parameters()[problem.free[kept[k]]].known_within();
         let worst = (0..n).filter(|&k| excess(k) > 1.0).max_by(|&a, &b| excess(a).total_cmp(&excess(b)));
         let Some(worst) = worst else { return groups };
         let correlation = |k: usize| inverse[worst * n + k] / (inverse[worst * n + worst] * inverse[k * n + k]).sqrt();
@@ -150,152 +132,4 @@ fn weights(shares: &[f64], basis: &[(usize, Vec<f64>)], factor: &Factor) -> Vec<
         }
     }
     weights
-}
-
-/// Observations that suffice to come near, if they are spread over all.
-const SUBSET: usize = 96;
-/// Changes of what is held after which the search ends.
-const ROUNDS: usize = 8;
-/// Noise that the first, tied solution takes residuals to have.
-const ANCHOR_MM: f64 = 0.01;
-
-/// A solution, and what was held to find it.
-pub(super) struct Identifiable {
-    /// All parameters of the robot.
-    pub values: Vec<f64>,
-    /// Indices of the free ones.
-    pub free: Vec<usize>,
-    /// What was held, and why.
-    pub groups: Vec<Group>,
-    /// The solution in the free parameters.
-    pub solution: Solution,
-    /// Steps taken in all.
-    pub iterations: usize,
-}
-
-/// Solves for the `wanted` parameters from `start` (all parameters of the robot).
-pub(super) fn solve_identifiable(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    wanted: &[usize],
-    start: &[f64],
-) -> Result<Identifiable> {
-    // a subset of many poses brings the parameters near, all poses then take few steps
-    let (mut values, mut held) = (start.to_vec(), None);
-    if observations.len() > 2 * SUBSET {
-        let step = observations.len().div_ceil(SUBSET);
-        let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
-        if let Ok(near) = rounds(robot, &subset, settings, wanted, values.clone(), None) {
-            (values, held) = (near.values, Some(near.groups.iter().map(|g| g.held).collect()));
-        }
-    }
-    let mut found = rounds(robot, observations, settings, wanted, values, held)?;
-    // a whole turn more or less is the same robot: the angle nearest to nominal is taken
-    for (value, p) in found.values.iter_mut().zip(robot.parameters()) {
-        if p.quantity == Quantity::Angle {
-            *value -= ((*value - p.nominal) / TAU).round() * TAU;
-        }
-    }
-    found.solution.x = found.free.iter().map(|&i| found.values[i]).collect();
-    Ok(found)
-}
-
-/// Solves with redundant and useless parameters held, until the same are redundant at the solution; `held` is a first guess of them.
-fn rounds(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    wanted: &[usize],
-    start: Vec<f64>,
-    held: Option<Vec<usize>>,
-) -> Result<Identifiable> {
-    let mut values = start.clone();
-    let mut iterations = 0;
-    let (asked, mut wanted) = (wanted, wanted.to_vec());
-    // what a solution showed to be useless stays held: at nominal it may look better than it is
-    let mut useless: Vec<Group> = Vec::new();
-    let mut held = match held {
-        Some(held) => held,
-        None => {
-            let near = anchored(robot, observations, settings, &wanted, &values)?;
-            values = near.0;
-            useless = near.1.iter().filter(|g| g.useless_uncertainty.is_some()).cloned().collect();
-            held_by(&near.1)
-        }
-    };
-    for _round in 0..ROUNDS {
-        let free = without(&wanted, &held);
-        if free.is_empty() {
-            return Err(nothing_left(robot, observations, &start).into());
-        }
-        for &i in &held {
-            values[i] = robot.parameters()[i].nominal;
-        }
-        let problem = Residuals::new(robot, observations, settings, &free, &values)?;
-        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-        let solution = solve::solve(&problem, &x, Options::default());
-        iterations += solution.iterations;
-        values = problem.all(&solution.x);
-        if !solution.termination.is_success() {
-            return Err(diagnose_failure(robot, observations, settings, asked, &start, solution.termination));
-        }
-        wanted.retain(|&i| useless.iter().all(|g| g.held != i));
-        let all = Residuals::new(robot, observations, settings, &wanted, &values)?;
-        let (new, redundant): (Vec<Group>, Vec<Group>) = Analysis::at(&all, &values, all.noise(Some(&solution)))
-            .groups
-            .into_iter()
-            .partition(|g| g.useless_uncertainty.is_some());
-        useless.extend(new);
-        let groups = [useless.clone(), redundant].concat();
-        let now = held_by(&groups);
-        if now == held {
-            return Ok(Identifiable { values, free, groups, solution, iterations });
-        }
-        held = now;
-    }
-    Err(Message::error("which parameters are separately identifiable changes from step to step")
-        .hint("hold parameters in [identify], or measure more poses")
-        .into())
-}
-
-fn without(wanted: &[usize], held: &[usize]) -> Vec<usize> {
-    wanted.iter().copied().filter(|i| !held.contains(i)).collect()
-}
-
-/// What `groups` hold, in the model's order.
-fn held_by(groups: &[Group]) -> Vec<usize> {
-    let mut held: Vec<usize> = groups.iter().map(|g| g.held).collect();
-    held.sort_unstable();
-    held
-}
-
-/// A first solution tied to the start, each parameter as loosely as it may be known before it is useless, and what must
-/// be held there: what the data do not determine stays where it is, instead of running away.
-fn anchored(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    wanted: &[usize],
-    start: &[f64],
-) -> Result<(Vec<f64>, Vec<Group>)> {
-    let all = Residuals::new(robot, observations, settings, wanted, start)?;
-    let analysis = Analysis::at(&all, start, 0.0);
-    let free = without(wanted, &held_by(&analysis.groups));
-    if free.is_empty() {
-        return Err(nothing_left(robot, observations, start).into());
-    }
-    let residuals = Residuals::new(robot, observations, settings, &free, start)?;
-    let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
-    let weight = |&i: &usize| ANCHOR_MM / residuals.unit / useless_beyond(&robot.parameters()[i]);
-    let prior = |(parameter, i)| Prior { parameter, value: x[parameter], weight: weight(i) };
-    let priors: Vec<Prior> = free.iter().enumerate().map(prior).collect();
-    let solution =
-        solve::solve(&WithPriors::new(&residuals, &priors), &x, Options { step: 1e-3, ..Options::default() });
-    if !solution.termination.is_success() {
-        return Ok((start.to_vec(), analysis.groups));
-    }
-    let values = residuals.all(&solution.x);
-    let noise = all.noise(Some(&solution));
-    Ok((values.clone(), Analysis::at(&all, &values, noise).groups))
 }

@@ -1,29 +1,35 @@
 //! Identification: parameters from observations, which of them the data determine, and how well.
 
 mod diagnosis;
+mod frame_error;
 mod identifiability;
 mod logs;
 mod observability;
 mod observation;
+mod placing;
 mod predict;
 mod residuals;
+mod set_up;
+mod solution;
 mod start;
 mod uncertainty;
 
-pub use diagnosis::outliers;
+pub use diagnosis::{OUTLIER, Reading, RobustFit};
+pub use frame_error::FrameError;
 pub use identifiability::{Group, RANK_TOLERANCE};
 pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, SingularValue, WeakGroup};
-pub use observation::{Observation, stated_modes};
+pub use observation::{Observation, joint_column, stated_modes};
 pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use residuals::ResidualKind;
+pub use set_up::{SetUpError, allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem};
 pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
 
 use crate::base::message::{Message, Result};
 use crate::base::pattern::matches_pattern;
 use crate::math::robots::{Robot, Role};
 use crate::math::solve::Termination;
-use identifiability::solve_identifiable;
+use solution::solve_identifiable;
 
 /// What is identified from which residuals.
 #[derive(Clone, Debug, PartialEq)]

@@ -26,7 +26,9 @@ impl Observation {
     /// another observation. What was taken from the measurement is in `messages`.
     pub fn from_table(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Self>> {
         let needed = ["pose", "cycle", "target", table::XYZ[0], table::XYZ[1]].map(str::to_owned);
-        table::require(table, &[&needed[..], &robot.joints().iter().map(Joint::column).collect::<Vec<_>>()].concat())?;
+        let columns: Vec<(String, f64)> =
+            robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
+        table::require(table, &[&needed[..], &columns.iter().map(|c| c.0.clone()).collect::<Vec<_>>()].concat())?;
         let poses = table::integers(table, "pose")?;
         let cycles = table::integers(table, "cycle")?;
         let names = table::texts(table, "target")?;
@@ -35,9 +37,9 @@ impl Observation {
             return Err(Message::error("observations of a robot in space lack `z_mm`").into());
         }
         let mut joints = Vec::new();
-        for joint in robot.joints() {
-            let column = table::numbers(table, &joint.column())?;
-            joints.push(column.into_iter().map(|v| joint.quantity.inward(v)).collect::<Vec<f64>>());
+        for (column, factor) in &columns {
+            let values = table::numbers(table, column)?;
+            joints.push(values.into_iter().map(|v| factor * v).collect::<Vec<f64>>());
         }
         let stated = stated_modes(robot, table)?;
         let mut observations: Vec<Self> = Vec::new();
@@ -85,6 +87,20 @@ impl Observation {
             messages.extend(assign_modes(robot, &mut observations, &modes)?);
         }
         Ok(observations)
+    }
+}
+
+/// The column of a joint, in one of its units, and what takes its values to mm or rad; without one the column that is missing.
+pub fn joint_column(joint: &Joint, table: &DataFrame) -> Result<(String, f64)> {
+    let names = table.get_column_names().into_iter().map(|name| name.to_string());
+    let mut found = names.filter_map(|name| Some((joint.factor(&name)?, name)));
+    match (found.next(), found.next()) {
+        (Some((_, one)), Some((_, two))) => {
+            let message = Message::error(format!("the table has joint `{}` twice: `{one}` and `{two}`", joint.name));
+            Err(message.at(Place { line: Some(1), ..Place::default() }).hint("leave one of them out").into())
+        }
+        (Some((factor, name)), None) => Ok((name, factor)),
+        (None, _) => Ok((joint.column(), joint.quantity.inward(1.0))),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
+use crate::base::pose::Vector;
 use crate::math::robots::{Platform, Robot};
 use crate::math::solve::{Problem, Solution};
 use rayon::prelude::*;
@@ -19,6 +20,8 @@ pub enum ResidualKind {
 }
 
 const CHUNK: usize = 32;
+/// Standard deviation of normal residuals over their median size.
+pub(super) const OF_MEDIAN: f64 = 1.4826;
 
 /// Residuals of the observations as a function of the free parameters.
 pub(super) struct Residuals<'a> {
@@ -81,11 +84,15 @@ impl<'a> Residuals<'a> {
         values
     }
 
-    /// Standard deviation of a residual: as stated, or as `solution` shows it where that is more; 0 where neither tells.
+    /// Standard deviation of a residual: as stated, or as most residuals of `solution` show it where that is more (from their
+    /// median size, which a few wrong readings do not move); 0 where neither is known.
     pub fn noise(&self, solution: Option<&Solution>) -> f64 {
         let shown = |s: &Solution| {
             let dof = self.residual_count().saturating_sub(s.x.len());
-            if dof > 0 { (s.cost / dof as f64).sqrt() } else { 0.0 }
+            let mut sizes: Vec<f64> = s.residuals.iter().take(self.residual_count()).map(|r| r.abs()).collect();
+            sizes.sort_by(f64::total_cmp);
+            let median = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+            if dof > 0 { OF_MEDIAN * median * (self.residual_count() as f64 / dof as f64).sqrt() } else { 0.0 }
         };
         self.stated_noise.unwrap_or(0.0).max(solution.map_or(0.0, shown))
     }
@@ -127,6 +134,45 @@ impl<'a> Residuals<'a> {
         let all = self.all(x);
         let of = |o: &Observation| both(o).map(|pair| platform.pose_error_jacobians(&all, &o.joints, pair).1);
         Some(self.observations.iter().filter_map(of).collect())
+    }
+
+    /// Derivatives of the residuals at `x`, whitened, by a small shift (mm) and rotation (rad) of the frame that places the observations
+    /// of `pose` and cycle, or all: rows of six.
+    pub fn frame_jacobian(&self, x: &[f64], pose: Option<(i64, i64)>) -> Vec<f64> {
+        let sensitivities = self.target_sensitivities(x);
+        let mut poses = sensitivities.iter().flatten();
+        let mut rows: Vec<f64> = Vec::with_capacity(6 * self.residual_count());
+        for o in self.observations {
+            let placed = pose.is_none_or(|key| key == (o.pose, o.cycle));
+            // a point p of a frame that shifts by t and turns by w is measured t + w × p less
+            let moved = |p: &Vector| {
+                let lever = [[0.0, p[2], -p[1]], [-p[2], 0.0, p[0]], [p[1], -p[0], 0.0]];
+                let axis = |i: usize| {
+                    std::array::from_fn(|c| if c < 3 { f64::from(u8::from(c == i)) } else { lever[i][c - 3] })
+                };
+                [0, 1, 2].map(axis).map(|row: [f64; 6]| row.map(|v| if placed { v } else { 0.0 }))
+            };
+            match self.platform {
+                Some(_) => {
+                    let [Some(k), Some(l)] = &o.targets[..] else { continue };
+                    let coordinates = [moved(k)[0], moved(k)[1], moved(l)[0], moved(l)[1]];
+                    let Some(sensitivity) = poses.next() else { continue };
+                    for row in sensitivity {
+                        rows.extend((0..6).map(|c| -(0..4).map(|i| row[i] * coordinates[i][c]).sum::<f64>()));
+                    }
+                }
+                None => {
+                    for measured in o.targets.iter().flatten() {
+                        let axes = moved(measured);
+                        rows.extend(axes[..self.robot.dimension()].iter().flatten().map(|v| v / self.unit));
+                    }
+                }
+            }
+        }
+        if let Some(common) = &self.common {
+            common.whiten(&mut rows, 6);
+        }
+        rows
     }
 
     /// Residuals as observed, not whitened.

@@ -1,8 +1,8 @@
 //! Uncertainty of the parameters: covariance and chi-square.
 
-use super::identifiability::Identifiable;
 use super::observability::{held_singular_values, observe, weak_message};
 use super::residuals::Residuals;
+use super::solution::Identifiable;
 use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
 use crate::math::robots::{Quantity, Robot};
@@ -172,6 +172,13 @@ pub(super) fn held_message(robot: &dyn Robot, group: &Group) -> Message {
         None => Message::warning(format!(
             "`{name}` and `{names}` are not separately identifiable: `{name}` is held at its nominal value"
         )),
+        Some(u) if held.tolerance.is_infinite() => Message::warning(format!(
+            "`{name}` is separable from `{names}` only with a standard uncertainty of {:.2} {}: it stays where base and targets are \
+             placed first",
+            quantity.outward(u),
+            quantity.unit(),
+        ))
+        .hint("measure poses in which these parameters act differently"),
         Some(u) => Message::warning(format!(
             "`{name}` is separable from `{names}` only with a standard uncertainty of {:.2}{}, worse than that of its \
              nominal value: it is held there",

@@ -2,8 +2,8 @@
 
 use crate::base::message::{Message, Result, count};
 use crate::base::table;
-use crate::math::identify::{Observation, stated_modes};
-use crate::math::robots::Robot;
+use crate::math::identify::{Observation, joint_column, stated_modes};
+use crate::math::robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 
@@ -19,7 +19,8 @@ pub struct Candidates {
 /// The candidates of a table.
 pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates> {
     let poses = table::integers(table, "pose")?;
-    let by_joints = robot.joints().iter().any(|j| table.column(&j.column()).is_ok()) || table.column("x_mm").is_err();
+    let stated = |j: &Joint| table.get_column_names().iter().any(|name| j.factor(name).is_some());
+    let by_joints = robot.joints().iter().any(stated) || table.column("x_mm").is_err();
     let all = if by_joints { from_joints(robot, table, &poses)? } else { from_positions(robot, table, &poses)? };
     let nominal = robot.nominal();
     let mut beyond = Vec::new();
@@ -56,8 +57,8 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[i64]) -> Result<Ve
     let names = if table.column("target").is_ok() { Some(table::texts(table, "target")?) } else { None };
     let mut columns = Vec::new();
     for joint in robot.joints() {
-        let column = table::numbers(table, &joint.column())?;
-        columns.push(column.into_iter().map(|v| joint.quantity.inward(v)).collect::<Vec<f64>>());
+        let (column, factor) = joint_column(joint, table)?;
+        columns.push(table::numbers(table, &column)?.into_iter().map(|v| factor * v).collect::<Vec<f64>>());
     }
     let mut all: Vec<Observation> = Vec::new();
     let mut places = BTreeMap::new();

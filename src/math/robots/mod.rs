@@ -144,6 +144,11 @@ pub trait Robot: Send + Sync {
         None
     }
 
+    /// The robot that the same numbers describe in another convention of the field, and its name.
+    fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
+        Vec::new()
+    }
+
     /// What to measure so that these parameters become separately identifiable, where a model has an answer.
     fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
         None

@@ -48,23 +48,66 @@ fn down() -> Vector {
     [0.0, 0.0, -1.0]
 }
 
-/// A joint of a serial arm by its nominal modified Denavit-Hartenberg parameters (Craig), from the base.
+/// A joint of a serial arm by its nominal modified Denavit-Hartenberg parameters (Craig), from the base: four, each in one of its
+/// units.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct JointKeys {
+struct JointTable {
     /// Twist of the previous link.
-    alpha_deg: f64,
+    alpha_deg: Option<f64>,
+    /// The same in radians.
+    alpha_rad: Option<f64>,
     /// Length of the previous link.
-    a_mm: f64,
+    a_mm: Option<f64>,
+    /// The same in metres.
+    a_m: Option<f64>,
     /// Joint offset.
-    theta_deg: f64,
+    theta_deg: Option<f64>,
+    /// The same in radians.
+    theta_rad: Option<f64>,
     /// Link offset.
-    d_mm: f64,
+    d_mm: Option<f64>,
+    /// The same in metres.
+    d_m: Option<f64>,
     /// The joint is prismatic.
     #[serde(default)]
     prismatic: bool,
     /// Near-parallel to the previous axis: Hayati's beta replaces d. By default so below 3 degrees of twist.
     parallel: Option<bool>,
+}
+
+/// A joint as its table states it, in mm and rad.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(try_from = "JointTable")]
+struct JointKeys {
+    alpha_rad: f64,
+    a_mm: f64,
+    theta_rad: f64,
+    d_mm: f64,
+    prismatic: bool,
+    parallel: Option<bool>,
+}
+
+impl TryFrom<JointTable> for JointKeys {
+    type Error = String;
+
+    fn try_from(t: JointTable) -> std::result::Result<Self, String> {
+        let either = |key: &str, stated: Option<f64>, other: &str, converted: Option<f64>| match (stated, converted) {
+            (Some(value), None) | (None, Some(value)) => Ok(value),
+            (Some(_), Some(_)) => Err(format!("`{key}` and `{other}` state the same: leave one of them out")),
+            (None, None) => Err(format!("missing field `{key}`")),
+        };
+        let angle = |key, deg: Option<f64>, other, rad| either(key, deg.map(f64::to_radians), other, rad);
+        let length = |key, mm, other, m: Option<f64>| either(key, mm, other, m.map(|m| 1000.0 * m));
+        Ok(Self {
+            alpha_rad: angle("alpha_deg", t.alpha_deg, "alpha_rad", t.alpha_rad)?,
+            a_mm: length("a_mm", t.a_mm, "a_m", t.a_m)?,
+            theta_rad: angle("theta_deg", t.theta_deg, "theta_rad", t.theta_rad)?,
+            d_mm: length("d_mm", t.d_mm, "d_m", t.d_m)?,
+            prismatic: t.prismatic,
+            parallel: t.parallel,
+        })
+    }
 }
 
 impl Keys {
@@ -117,12 +160,11 @@ impl Description for Keys {
         }
         self.check(targets, place).check()?;
         let joint = |(i, j): (usize, &JointKeys)| {
-            let alpha_rad = j.alpha_deg.to_radians();
-            let near = i > 0 && alpha_rad.sin().abs() < NEAR_PARALLEL_RAD && !j.prismatic;
+            let near = i > 0 && j.alpha_rad.sin().abs() < NEAR_PARALLEL_RAD && !j.prismatic;
             SerialJoint {
-                alpha_rad,
+                alpha_rad: j.alpha_rad,
                 a_mm: j.a_mm,
-                theta_rad: j.theta_deg.to_radians(),
+                theta_rad: j.theta_rad,
                 d_mm: j.d_mm,
                 prismatic: j.prismatic,
                 parallel: j.parallel.unwrap_or(near),
@@ -193,7 +235,11 @@ impl Serial {
     ) -> Self {
         let mut parameters = Vec::new();
         let mut add = |name: String, quantity, role, nominal| {
-            parameters.push(Parameter::new(name, quantity, role, nominal));
+            let mut parameter = Parameter::new(name, quantity, role, nominal);
+            if role != Role::Robot {
+                parameter.tolerance = f64::INFINITY;
+            }
+            parameters.push(parameter);
             parameters.len() - 1
         };
         use Quantity::{Angle, Length, Ratio};
@@ -382,6 +428,19 @@ impl Robot for Serial {
     }
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
+    }
+    /// Standard Denavit-Hartenberg parameters have twist and length of the link behind the joint, modified ones of the link before it.
+    fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
+        let before =
+            |i: usize| i.checked_sub(1).map_or((0.0, 0.0), |b| (self.nominal[b].alpha_rad, self.nominal[b].a_mm));
+        let joint = |(i, j): (usize, &SerialJoint)| {
+            let (alpha_rad, a_mm) = before(i);
+            let parallel = i > 0 && alpha_rad.sin().abs() < NEAR_PARALLEL_RAD && !j.prismatic;
+            SerialJoint { alpha_rad, a_mm, parallel, ..*j }
+        };
+        let joints: Vec<SerialJoint> = self.nominal.iter().enumerate().map(joint).collect();
+        let other = Self::new(&joints, self.targets(), self.gravity, &[], &[]).with_base_turn_y(self.base_turn_y_rad);
+        vec![("the table of joints read as standard Denavit-Hartenberg parameters".into(), Box::new(other))]
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         out.copy_from_slice(self.target_positions(parameters, joints).as_flattened());

@@ -189,7 +189,7 @@ fn frames() -> FramesDocument {
         world: WorldFrame {
             definition: "plane rails, origin R_home, y axis from R_home to R_end".to_owned(),
             planar: true,
-            poses: vec![FramePose { pose: None, cycle: None, export_T_world }],
+            poses: vec![FramePose { pose: None, cycle: None, export_T_world, covariance: None }],
             rms_mm: None,
             max_mm: None,
             reference_mm: vec![],

@@ -1,0 +1,141 @@
+//! Base and targets of an arm, wherever they are.
+//!
+//! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube, and the nominal one,
+//! are tried in closed form, the best few refined on a subset of the poses, and the best of those taken.
+
+use super::identifiability::Analysis;
+use super::residuals::Residuals;
+use super::{Observation, ResidualKind, Settings};
+use crate::base::message::Result;
+use crate::base::pose::{Pose, centroid, minus, norm};
+use crate::math::robots::{FreeBase, Robot};
+use crate::math::solve::{self, Factor, Options, Termination};
+use std::f64::consts::FRAC_PI_2;
+
+const REFINED: usize = 4;
+/// Coordinates of targets, unweighted.
+pub(super) const PLAIN: Settings = Settings {
+    kind: ResidualKind::Targets,
+    standard_uncertainty_mm: None,
+    common_uncertainty_mm: None,
+    hold: Vec::new(),
+};
+
+/// At most `count` of the observations, spread over all.
+pub(super) fn spread_over(observations: &[Observation], count: usize) -> Vec<Observation> {
+    observations.iter().step_by(observations.len().div_ceil(count).max(1)).cloned().collect()
+}
+
+/// Base and targets where they explain observations best, and what they leave.
+pub(super) struct Placed {
+    /// Root mean square of the distances that are left, mm.
+    pub rms_mm: f64,
+    /// All parameters.
+    pub values: Vec<f64>,
+}
+
+/// Base and targets (the parameters `places`) of an arm whose other parameters are `nominal`; `None` where no solution is found.
+pub(super) fn place(
+    robot: &dyn Robot,
+    arm: &dyn FreeBase,
+    observations: &[Observation],
+    nominal: &[f64],
+    places: &[usize],
+) -> Result<Option<Placed>> {
+    let turned = |r: &[f64; 3]| linear_start(arm, observations, nominal, places, *r);
+    let mut candidates: Vec<(f64, Vec<f64>)> = rotations(nominal, places).iter().filter_map(turned).collect();
+    candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let spread = spread_mm(observations);
+    let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count().max(1) as f64;
+    let mut best: Option<Placed> = None;
+    for (_, values) in candidates.into_iter().take(REFINED) {
+        let all = Residuals::new(robot, observations, &PLAIN, places, &values)?;
+        let held = Analysis::at(&all, &values, 0.0).held();
+        let free: Vec<usize> = places.iter().copied().filter(|i| !held.contains(i)).collect();
+        let problem = Residuals::new(robot, observations, &PLAIN, &free, &values)?;
+        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+        let solution = solve::solve(&problem, &x, Options { iterations: 50, step: 1e-6, ..Options::default() });
+        let rms_mm = (solution.cost / points).sqrt();
+        let moved = solution.termination.is_success() || solution.termination == Termination::LostPatience;
+        if moved && best.as_ref().is_none_or(|b| rms_mm < b.rms_mm) {
+            best = Some(Placed { rms_mm, values: problem.all(&solution.x) });
+            // a wrong minimum is off by much of the arm's reach, the right one by the robot's errors
+            if rms_mm < 0.01 * spread {
+                break;
+            }
+        }
+    }
+    Ok(best)
+}
+
+/// Root mean square distance of the measured positions from their mean.
+pub(super) fn spread_mm(observations: &[Observation]) -> f64 {
+    let all: Vec<_> = observations.iter().flat_map(|o| o.targets.iter().flatten().copied()).collect();
+    let mean = centroid(&all).unwrap_or_default();
+    (all.iter().map(|p| norm(minus(*p, mean)).powi(2)).sum::<f64>() / all.len().max(1) as f64).sqrt()
+}
+
+/// Angles of the base to try: those of the 24 rotations that bring a cube to itself, and the nominal ones; held angles
+/// keep their nominal values in all.
+fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
+    let held = |mut angles: [f64; 3]| {
+        for (k, angle) in angles.iter_mut().enumerate().filter(|(k, _)| !places.contains(&(3 + k))) {
+            *angle = nominal[3 + k];
+        }
+        angles
+    };
+    let mut all = vec![[nominal[3], nominal[4], nominal[5]]];
+    for up in 0..6 {
+        let tilted = match up {
+            0..4 => Pose::identity().turn_x(f64::from(up) * FRAC_PI_2),
+            _ => Pose::identity().turn_y(if up == 4 { FRAC_PI_2 } else { -FRAC_PI_2 }),
+        };
+        all.extend((0..4).map(|k| held(tilted.turn_z(f64::from(k) * FRAC_PI_2).rpy_rad())));
+    }
+    all.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+    all.dedup();
+    all
+}
+
+/// With the rotation of the base given by its angles: p = b + R (R_i r_k + t_i) is linear in the place b of the base and
+/// the targets r_k; those of them not in `places` keep their nominal values. Gives the cost and all parameters.
+fn linear_start(
+    arm: &dyn FreeBase,
+    subset: &[Observation],
+    nominal: &[f64],
+    places: &[usize],
+    angles: [f64; 3],
+) -> Option<(f64, Vec<f64>)> {
+    let mut values = nominal.to_vec();
+    values[..3].fill(0.0);
+    values[3..6].copy_from_slice(&angles);
+    let free: Vec<usize> = places.iter().copied().filter(|i| !(3..6).contains(i)).collect();
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    for o in subset {
+        let flange = arm.flange(&values, &o.joints);
+        for (k, measured) in o.targets.iter().enumerate() {
+            let Some(measured) = measured else { continue };
+            let place = arm.target_place(k);
+            for (i, p) in measured.iter().enumerate() {
+                let coefficient = |j: usize| match j {
+                    0..3 => f64::from(u8::from(i == j)),
+                    _ if (place..place + 3).contains(&j) => flange.rotation[i][j - place],
+                    _ => 0.0,
+                };
+                let known = (0..3).chain(place..place + 3).filter(|j| !free.contains(j));
+                let stated: f64 = known.map(|j| coefficient(j) * nominal[j]).sum();
+                a.extend(free.iter().map(|&j| coefficient(j)));
+                b.push(p - flange.translation_mm[i] - stated);
+            }
+        }
+    }
+    values[..3].copy_from_slice(&nominal[..3]);
+    let factor = Factor::new(&a, &b, &vec![1.0; free.len()]);
+    if !free.is_empty() {
+        // where base and targets are not separable, the shortest solution
+        for (&j, x) in free.iter().zip(factor.damped(1e-6).solve()?) {
+            values[j] = x;
+        }
+    }
+    Some((factor.rest, values))
+}

@@ -1,0 +1,465 @@
+//! Errors of the set-up: a reversed joint, a unit, exchanged columns, a convention. Each is tried on the nominal robot, with base and
+//! targets placed anew; the one with which it explains the measurements is the one to look for.
+
+use super::Observation;
+use super::placing::{PLAIN, place, spread_over};
+use super::residuals::Residuals;
+use crate::base::message::{Message, Problems};
+use crate::base::pose::{Vector, centroid, minus, norm};
+use crate::math::robots::{Quantity, Robot, Role};
+use crate::math::solve::{self, Factor, Options, Problem, column_norms};
+use std::f64::consts::FRAC_PI_2;
+
+/// Poses on which changes are tried.
+const SUBSET: usize = 32;
+/// A change explains the data where the nominal robot then misses by less than this share of what it missed before.
+const EXPLAINS: f64 = 0.5;
+/// The same where the change is a value found from the data: that alone lowers what is missed.
+const EXPLAINS_FITTED: f64 = 0.25;
+/// Below this share no other explanation is looked for.
+const CLEARLY: f64 = 0.05;
+/// Changes that come this near to the best one are named beside it.
+const AS_GOOD: f64 = 1.2;
+/// Changes that are named.
+const NAMED: usize = 3;
+const MM_PER_INCH: f64 = 25.4;
+/// Factors of lengths whose unit is another, and which.
+const LENGTHS: [(f64, &str); 4] = [
+    (1000.0, "in metres instead of millimetres"),
+    (0.001, "in millimetres instead of metres"),
+    (MM_PER_INCH, "in inches instead of millimetres"),
+    (1.0 / MM_PER_INCH, "in millimetres instead of inches"),
+];
+
+/// The change of a set-up with which the nominal robot explains the measurements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetUpError {
+    /// The change, and others that explain the data as well: "`q7` reversed".
+    pub changes: Vec<String>,
+    /// Root mean square of the distances that the nominal robot misses the measurements by as the set-up is stated, mm; infinite
+    /// where it cannot be where the joints put it.
+    pub stated_mm: f64,
+    /// The same with the change, mm.
+    pub changed_mm: f64,
+}
+
+impl SetUpError {
+    /// What to look for.
+    pub fn hint(&self) -> String {
+        let [first, others @ ..] = &self.changes[..] else { return String::new() };
+        let others = match others {
+            [] => String::new(),
+            others => {
+                format!(" (as well {})", others.iter().map(|o| format!("with {o}")).collect::<Vec<_>>().join(", "))
+            }
+        };
+        let stated = match self.stated_mm.is_finite() {
+            true => format!("falls from {:.3} to {:.3} mm", self.stated_mm, self.changed_mm),
+            false => format!("is {:.3} mm, as it stands it is out of reach", self.changed_mm),
+        };
+        format!("with {first}{others}, the root mean square error of the nominal robot {stated}: check that first")
+    }
+}
+
+/// `problems` with the set-up error that explains them, where one does.
+pub(super) fn explained(mut problems: Problems, robot: &dyn Robot, observations: &[Observation]) -> Problems {
+    if let (Some(first), Some(found)) = (problems.0.first_mut(), set_up_error(robot, observations)) {
+        *first = first.clone().hint(found.hint());
+    }
+    problems
+}
+
+/// Root mean square, in mm, of the errors of a nominal robot whose parameters are as far from nominal as their tolerances, taken
+/// as half-widths of rectangular distributions (GUM 4.3.7), allow; base and targets, at `values`, take up what they can.
+pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
+    let of = |role: fn(Role) -> bool| (0..values.len()).filter(move |&i| role(robot.parameters()[i].role));
+    let places: Vec<usize> = of(|role| role != Role::Robot).collect();
+    let free: Vec<usize> = places.iter().copied().chain(of(|role| role == Role::Robot)).collect();
+    let problem = Residuals::new(robot, observations, &PLAIN, &free, values).ok()?;
+    let (m, n) = (problem.residual_count(), free.len());
+    let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+    let mut jacobian = vec![0.0; m * n];
+    problem.jacobian(&x, &mut jacobian);
+    let norms = column_norms(&jacobian, n);
+    let factor = Factor::new(&jacobian, &vec![0.0; m], &norms);
+    // what of a column base and targets do not take up lies below their rows
+    let left = |j: usize| (places.len()..=j).map(|i| factor.r(i, j).powi(2)).sum::<f64>() * norms[j].powi(2);
+    let variance = |j: usize| left(j) * robot.parameters()[free[j]].tolerance.powi(2) / 3.0;
+    let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count();
+    let sum: f64 = (places.len()..n).map(variance).sum();
+    Some((sum / points.max(1) as f64).sqrt()).filter(|v| v.is_finite())
+}
+
+/// An error where no place of base and targets brings the nominal robot as near to the measurements as its tolerances allow, with the
+/// change of the set-up that would.
+pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation]) -> Option<Message> {
+    let subset = spread_over(observations, SUBSET);
+    let nominal = robot.nominal();
+    let stated_mm = misfit(robot, &subset, &nominal, false).map_or(f64::INFINITY, |m| m.rms_mm);
+    let allowed_mm = allowed_mm(robot, &subset, &nominal)?;
+    (stated_mm > allowed_mm).then(|| far_from_nominal(robot, observations, stated_mm, allowed_mm))
+}
+
+/// That the nominal robot misses the measurements by more than its tolerances allow.
+pub fn far_from_nominal(robot: &dyn Robot, observations: &[Observation], left_mm: f64, allowed_mm: f64) -> Message {
+    let message = Message::error(format!(
+        "the nominal robot misses the measurements by {left_mm:.3} mm (root mean square), with base and targets where they explain \
+         them best; parameters within their tolerances explain {allowed_mm:.3} mm"
+    ));
+    message.hint(match set_up_error(robot, observations) {
+        Some(cause) => cause.hint(),
+        None => "check signs, units and order of the joints, the nominal values, and how log and points are joined"
+            .to_owned(),
+    })
+}
+
+/// The change of the set-up with which the nominal robot explains the measurements, where there is one.
+pub fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUpError> {
+    let subset = spread_over(observations, SUBSET);
+    let nominal = robot.nominal();
+    let stated_mm = misfit(robot, &subset, &nominal, false).map_or(f64::INFINITY, |m| m.rms_mm);
+    let mut found: Vec<Change> = Vec::new();
+    let mut add = |what: String, observations: Vec<Observation>, robot: &dyn Robot, anywhere: bool| {
+        let Some(misfit) = misfit(robot, &observations, &robot.nominal(), anywhere) else { return };
+        let allowed = || allowed_mm(robot, &observations, &robot.nominal());
+        if misfit.rms_mm < EXPLAINS * stated_mm && allowed().is_none_or(|allowed_mm| misfit.rms_mm <= allowed_mm) {
+            found.push(Change { what, left_mm: misfit.rms_mm });
+        }
+    };
+    for (what, changed) in changes_of_joints(robot, &subset) {
+        add(what, changed, robot, false);
+    }
+    for (what, changed) in changes_of_points(robot, &subset) {
+        add(what, changed, robot, false);
+    }
+    // the frame may be in the right unit, and then lies elsewhere
+    for (factor, how) in LENGTHS {
+        let mut changed = subset.clone();
+        changed.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| *p = p.map(|v| v * factor));
+        add(format!("the measured points {how} (`unit` of the export)"), changed, robot, true);
+    }
+    for (shift, which) in [(-1, "previous"), (1, "next")] {
+        let what = format!("the joints of each pose taken from the {which} one");
+        add(what, spread_over(&shifted(observations, shift), SUBSET), robot, false);
+    }
+    for (what, other) in robot.other_conventions() {
+        add(what, subset.clone(), other.as_ref(), false);
+    }
+    let best = found.iter().map(|f| f.left_mm).fold(f64::INFINITY, f64::min);
+    if robot.free_base().is_none() {
+        found.extend(
+            elsewhere(robot, &subset, &nominal).filter(|f| f.left_mm < EXPLAINS_FITTED * stated_mm.min(2.0 * best)),
+        );
+    }
+    if best > CLEARLY * stated_mm {
+        // a value found from the data must explain clearly more than a change that has none
+        let mut fitted = wrong_nominal(robot, &subset, &nominal, stated_mm);
+        let allowed_mm = allowed_mm(robot, &subset, &nominal).unwrap_or(f64::INFINITY);
+        fitted.retain(|f| f.left_mm <= allowed_mm);
+        fitted.retain(|f| f.left_mm < EXPLAINS_FITTED * stated_mm.min(2.0 * best));
+        if !fitted.is_empty() {
+            found = fitted;
+        }
+    }
+    found.sort_by(|a, b| a.left_mm.total_cmp(&b.left_mm));
+    let changed_mm = found.first()?.left_mm;
+    let near = found.into_iter().take_while(|f| f.left_mm <= AS_GOOD * changed_mm).take(NAMED);
+    Some(SetUpError { changes: near.map(|f| f.what).collect(), stated_mm, changed_mm })
+}
+
+/// The base of a planar robot wherever the measurements have it.
+fn elsewhere(robot: &dyn Robot, observations: &[Observation], nominal: &[f64]) -> Option<Change> {
+    let (fit, left_mm) = planar_fit(robot, observations, nominal, &ANYWHERE)?;
+    let what = format!(
+        "the world frame turned by {:.1} deg and shifted by ({:.1}, {:.1}) mm",
+        fit.angle.to_degrees(),
+        fit.shift[0],
+        fit.shift[1]
+    );
+    Some(Change { what, left_mm })
+}
+
+/// A change, and the root mean square distance that it leaves, mm.
+struct Change {
+    what: String,
+    left_mm: f64,
+}
+
+/// What the nominal robot leaves of the measurements.
+struct Misfit {
+    rms_mm: f64,
+    values: Vec<f64>,
+}
+
+/// Base and targets placed by the measurements, and what is left; `None` where the robot cannot be where the joints put it.
+/// With `anywhere` the base of a planar robot may be beyond its tolerances.
+fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anywhere: bool) -> Option<Misfit> {
+    if let Some(arm) = robot.free_base() {
+        let places: Vec<usize> = (0..nominal.len()).filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
+        let placed = place(robot, arm, observations, nominal, &places).ok()??;
+        return Some(Misfit { rms_mm: placed.rms_mm, values: placed.values }).filter(|m| m.rms_mm.is_finite());
+    }
+    planar_misfit(robot, observations, nominal, anywhere)
+}
+
+/// The same in the plane: predicted positions are brought to the measured ones by a shift, and by a turn where the base has an
+/// angle, both within the tolerances of the base; of two assembly modes the nearer is taken.
+fn planar_misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anywhere: bool) -> Option<Misfit> {
+    let tolerance = |quantity: Quantity| {
+        let base = robot.parameters().iter().filter(|p| p.role == Role::Base && p.quantity == quantity);
+        base.map(|p| p.tolerance).fold(0.0, f64::max)
+    };
+    let within = Similarity { angle: tolerance(Quantity::Angle), shift: [tolerance(Quantity::Length); 2] };
+    let most = if anywhere { ANYWHERE } else { within };
+    let (_, rms_mm) = planar_fit(robot, observations, nominal, &most)?;
+    Some(Misfit { rms_mm, values: nominal.to_vec() })
+}
+
+/// Shift and turn that bring predicted positions to the measured ones, no further than `most`, and what they leave (root mean square,
+/// mm).
+fn planar_fit(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    nominal: &[f64],
+    most: &Similarity,
+) -> Option<(Similarity, f64)> {
+    let modes: &[Option<f64>] = if robot.has_assembly_modes() { &[Some(1.0), Some(-1.0)] } else { &[None] };
+    let mut fit = Similarity::default();
+    let mut rms_mm = f64::INFINITY;
+    for _ in 0..if modes.len() > 1 { 4 } else { 1 } {
+        let mut pairs: Vec<[[f64; 2]; 2]> = Vec::new();
+        for o in observations {
+            let mut joints = o.joints.clone();
+            let of = |mode: &Option<f64>| {
+                if let (Some(mode), Some(last)) = (mode, joints.last_mut()) {
+                    *last = *mode;
+                }
+                let mut pairs = Vec::new();
+                for (k, measured) in o.targets.iter().enumerate() {
+                    let (Some(m), p) = (measured, robot.position(nominal, &joints, k)) else { continue };
+                    pairs.push([[p[0], p[1]], [m[0], m[1]]]);
+                }
+                pairs
+            };
+            let all = modes.iter().map(of).filter(|pairs| pairs.iter().flatten().flatten().all(|v| v.is_finite()));
+            pairs.extend(all.min_by(|a, b| fit.cost(a).total_cmp(&fit.cost(b)))?);
+        }
+        fit = Similarity::between(&pairs, most)?;
+        rms_mm = (fit.cost(&pairs) / pairs.len() as f64).sqrt();
+    }
+    Some((fit, rms_mm))
+}
+
+const ANYWHERE: Similarity = Similarity { angle: f64::INFINITY, shift: [f64::INFINITY; 2] };
+
+/// A shift, and perhaps a turn, of the plane.
+#[derive(Default)]
+struct Similarity {
+    angle: f64,
+    shift: [f64; 2],
+}
+
+impl Similarity {
+    /// From the first to the second point of each pair, by least squares, no further than `most`.
+    fn between(pairs: &[[[f64; 2]; 2]], most: &Self) -> Option<Self> {
+        let n = Some(pairs.len() as f64).filter(|n| *n > 0.0)?;
+        let mean = |side: usize| [0, 1].map(|i| pairs.iter().map(|p| p[side][i]).sum::<f64>() / n);
+        let (from, to) = (mean(0), mean(1));
+        let (mut along, mut across) = (0.0, 0.0);
+        for [p, m] in pairs {
+            let (p, m) = ([p[0] - from[0], p[1] - from[1]], [m[0] - to[0], m[1] - to[1]]);
+            along += p[0] * m[0] + p[1] * m[1];
+            across += p[0] * m[1] - p[1] * m[0];
+        }
+        let angle = Some(across.atan2(along)).filter(|angle| angle.abs() <= most.angle).unwrap_or(0.0);
+        let turned = Self { angle, shift: [0.0; 2] };
+        // what the base is off by: the turn is about its origin
+        let moved = turned.apply(from);
+        let within = |i: usize| (to[i] - moved[i]).clamp(-most.shift[i], most.shift[i]);
+        Some(Self { shift: [within(0), within(1)], ..turned })
+    }
+
+    fn apply(&self, p: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.angle.sin_cos();
+        [cos * p[0] - sin * p[1] + self.shift[0], sin * p[0] + cos * p[1] + self.shift[1]]
+    }
+
+    /// Sum of squared distances.
+    fn cost(&self, pairs: &[[[f64; 2]; 2]]) -> f64 {
+        let distance = |[p, m]: &[[f64; 2]; 2]| {
+            let q = self.apply(*p);
+            (q[0] - m[0]).powi(2) + (q[1] - m[1]).powi(2)
+        };
+        pairs.iter().map(distance).sum()
+    }
+}
+
+/// Where, in the order of the observations, measured positions begin to lie elsewhere than the robot at `values`: base or measuring
+/// system has moved. A warning where one shift explains most of what is left, and chance would not.
+pub fn moved_between(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<Message> {
+    let left = |o: &Observation| {
+        let seen =
+            o.targets.iter().enumerate().filter_map(|(k, m)| Some(minus((*m)?, robot.position(values, &o.joints, k))));
+        centroid(&seen.collect::<Vec<_>>())
+    };
+    let all: Vec<(i64, Vector)> = observations.iter().filter_map(|o| Some((o.pose, left(o)?))).collect();
+    let n = all.len();
+    let sum = all.iter().fold([0.0; 3], |s, (_, r)| [0, 1, 2].map(|i| s[i] + r[i]));
+    let middle = sum.map(|s| s / n as f64);
+    let total: f64 = all.iter().map(|(_, r)| norm(minus(*r, middle)).powi(2)).sum();
+    let (mut first, mut best) = ([0.0; 3], (0.0, 0, [0.0; 3]));
+    for k in 1..n {
+        first = [0, 1, 2].map(|i| first[i] + all[k - 1].1[i]);
+        if k < FEWEST_ASIDE || n - k < FEWEST_ASIDE || all[k - 1].0 == all[k].0 {
+            continue;
+        }
+        let (before, after) = (first.map(|s| s / k as f64), [0, 1, 2].map(|i| (sum[i] - first[i]) / (n - k) as f64));
+        let shift = minus(after, before);
+        let explained = (k * (n - k)) as f64 / n as f64 * norm(shift).powi(2) / total;
+        if explained > best.0 {
+            best = (explained, k, shift);
+        }
+    }
+    let (explained, k, shift) = best;
+    (explained > MOVED_SHARE).then(|| {
+        let what = format!(
+            "from pose {} on, the measured positions lie {:.3} mm off from those until pose {} ({:.3}, {:.3}, {:.3} mm): this one shift \
+             explains {:.0} % of what is left",
+            all[k].0,
+            norm(shift),
+            all[k - 1].0,
+            shift[0],
+            shift[1],
+            shift[2],
+            100.0 * explained
+        );
+        Message::warning(what).hint("base or measuring system has moved in between: identify the parts by themselves, or measure again")
+    })
+}
+
+/// Observations on either side of a move, at least.
+const FEWEST_ASIDE: usize = 5;
+/// Share of the squares that are left which one move must explain: of errors that follow no order it is a few percent.
+const MOVED_SHARE: f64 = 0.4;
+
+/// The observations as they would be with one thing of the joints changed, and what that is.
+fn changes_of_joints(robot: &dyn Robot, observations: &[Observation]) -> Vec<(String, Vec<Observation>)> {
+    let mut all: Vec<(String, Vec<Observation>)> = Vec::new();
+    let mut change = |what: String, how: &dyn Fn(&mut Observation)| {
+        let mut changed = observations.to_vec();
+        changed.iter_mut().for_each(how);
+        all.push((what, changed));
+    };
+    let joints = robot.joints();
+    let n = joints.len();
+    let of = |quantity: Quantity| (0..n).filter(|&i| joints[i].quantity == quantity).collect::<Vec<usize>>();
+    let name = |i: usize| format!("`{}`", joints[i].name);
+    for i in 0..n {
+        change(format!("{} reversed", name(i)), &|o| o.joints[i] = -o.joints[i]);
+        for j in i + 1..n {
+            if joints[i].quantity == joints[j].quantity {
+                change(format!("{} and {} exchanged", name(i), name(j)), &|o| o.joints.swap(i, j));
+            }
+        }
+    }
+    if n > 2 && joints.iter().all(|j| j.quantity == joints[0].quantity) {
+        change("the joints in reverse order".into(), &|o| o.joints[..n].reverse());
+        change("the joints shifted by one column".into(), &|o| o.joints[..n].rotate_left(1));
+        change("the joints shifted by one column to the other side".into(), &|o| o.joints[..n].rotate_right(1));
+    }
+    let turning = of(Quantity::Angle);
+    for &i in &turning {
+        for (offset, deg) in [(FRAC_PI_2, "90"), (-FRAC_PI_2, "-90"), (2.0 * FRAC_PI_2, "180")] {
+            change(format!("{deg} deg added to {}", name(i)), &|o| o.joints[i] += offset);
+        }
+    }
+    let mut scale = |which: &[usize], factor: f64, how: &str| {
+        let what = match which {
+            [] => return,
+            [one] => format!("{} {how}", name(*one)),
+            _ if which.len() == n => format!("all joints {how}"),
+            _ => format!("all joints of this kind {how}"),
+        };
+        change(what, &|o| which.iter().for_each(|&i| o.joints[i] *= factor));
+    };
+    let rad = 1f64.to_degrees();
+    let (radians, degrees) = ("in radians instead of degrees", "in degrees instead of radians");
+    let sliding = of(Quantity::Length);
+    let single = |which: &[usize]| if which.len() > 1 { which.to_vec() } else { Vec::new() };
+    for which in std::iter::once(turning.clone()).chain(single(&turning).into_iter().map(|i| vec![i])) {
+        scale(&which, rad, radians);
+        scale(&which, 1.0 / rad, degrees);
+    }
+    for which in std::iter::once(sliding.clone()).chain(single(&sliding).into_iter().map(|i| vec![i])) {
+        LENGTHS.iter().for_each(|&(factor, how)| scale(&which, factor, how));
+    }
+    all
+}
+
+/// The same with one thing of the measured points changed.
+fn changes_of_points(robot: &dyn Robot, observations: &[Observation]) -> Vec<(String, Vec<Observation>)> {
+    let mut all: Vec<(String, Vec<Observation>)> = Vec::new();
+    let mut change = |what: String, how: &dyn Fn(&mut Observation)| {
+        let mut changed = observations.to_vec();
+        changed.iter_mut().for_each(how);
+        all.push((what, changed));
+    };
+    let mut points = |what: String, how: &dyn Fn(&mut Vector)| {
+        change(what, &|o| o.targets.iter_mut().flatten().for_each(how));
+    };
+    if robot.dimension() == 3 {
+        let what = "the measured points mirrored (a left-handed frame, or two coordinates exchanged)";
+        points(what.into(), &|p| p[0] = -p[0]);
+    } else {
+        points("x and y of the measured points exchanged".into(), &|p| p.swap(0, 1));
+        points("x of the measured points reversed".into(), &|p| p[0] = -p[0]);
+        points("y of the measured points reversed".into(), &|p| p[1] = -p[1]);
+    }
+    let targets = robot.targets();
+    if robot.free_base().is_none() {
+        for i in 0..targets.len() {
+            for j in i + 1..targets.len() {
+                let what = format!("the targets {} and {} exchanged", targets[i], targets[j]);
+                change(what, &|o| o.targets.swap(i, j));
+            }
+        }
+    }
+    all
+}
+
+/// The observations with the joints of the one before or after.
+fn shifted(observations: &[Observation], shift: isize) -> Vec<Observation> {
+    let other = |k: usize| observations.get(k.checked_add_signed(shift)?);
+    let both = |(k, o): (usize, &Observation)| Some(Observation { joints: other(k)?.joints.clone(), ..o.clone() });
+    observations.iter().enumerate().filter_map(both).collect()
+}
+
+/// For each length and angle of the robot the value with which the nominal robot explains the data best, where that is beyond its
+/// tolerance.
+fn wrong_nominal(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], stated_mm: f64) -> Vec<Change> {
+    let Some(placed) = misfit(robot, observations, nominal, false) else { return Vec::new() };
+    let parameters = robot.parameters();
+    let places =
+        || (0..nominal.len()).filter(|&i| parameters[i].role == Role::Base || parameters[i].tolerance.is_infinite());
+    let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count().max(1) as f64;
+    let with = |i: usize| {
+        let p = &parameters[i];
+        let mut free: Vec<usize> = places().chain([i]).collect();
+        free.sort_unstable();
+        let problem = Residuals::new(robot, observations, &PLAIN, &free, &placed.values).ok()?;
+        let x: Vec<f64> = free.iter().map(|&i| placed.values[i]).collect();
+        let solution = solve::solve(&problem, &x, Options { iterations: 30, step: 1e-6, ..Options::default() });
+        let value = problem.all(&solution.x)[i];
+        let rms_mm = (solution.cost / points).sqrt();
+        let beyond = (value - p.nominal).abs() > p.tolerance;
+        (rms_mm < EXPLAINS_FITTED * stated_mm && beyond).then(|| {
+            let (unit, outward) = (p.quantity.unit(), |v| p.quantity.outward(v));
+            let what =
+                format!("`{}` = {:.2} {unit} instead of {:.2} {unit}", p.name, outward(value), outward(p.nominal));
+            Change { what, left_mm: rms_mm }
+        })
+    };
+    let lengths_and_angles =
+        (0..nominal.len()).filter(|&i| parameters[i].role == Role::Robot && parameters[i].quantity != Quantity::Ratio);
+    lengths_and_angles.filter_map(with).collect()
+}
