@@ -153,12 +153,13 @@ impl Message {
 }
 
 /// Units of names, by what is measured: mm, rad.
-const UNITS: [(&str, f64, bool); 7] = [
+const UNITS: [(&str, f64, bool); 8] = [
     ("deg", std::f64::consts::PI / 180.0, true),
     ("rad", 1.0, true),
     ("mrad", 1e-3, true),
     ("mm", 1.0, false),
     ("m", 1e3, false),
+    ("cm", 10.0, false),
     ("um", 1e-3, false),
     ("inch", 25.4, false),
 ];

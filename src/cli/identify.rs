@@ -14,6 +14,9 @@ use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
 use std::path::PathBuf;
 
+/// Standard uncertainties of a coordinate; beyond them the unit is another.
+const PLAUSIBLE_UM: std::ops::RangeInclusive<f64> = 0.02..=1e5;
+
 /// Identify the parameters of a robot from a table of observations, without a campaign
 #[derive(Debug, clap::Args)]
 pub struct Identify {
@@ -47,9 +50,9 @@ impl Identify {
             ("--standard-uncertainty-um", self.standard_uncertainty_um),
             ("--common-uncertainty-um", self.common_uncertainty_um),
         ] {
-            if stated.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
-                let message = Message::error(format!("{name} must be positive"));
-                let hint = "expanded uncertainty over coverage factor, per coordinate";
+            if stated.is_some_and(|u| !PLAUSIBLE_UM.contains(&u)) {
+                let message = Message::error(format!("{name} is not an uncertainty of a coordinate in micrometres"));
+                let hint = "expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um";
                 return Err(Problems::from(message.hint(hint)).into());
             }
         }

@@ -17,6 +17,11 @@ pub(super) fn degrees((parameters, accuracy): Identified) -> f64 {
     match parameters.residuals.uncertainties_from {
         UncertaintyFrom::Instrument | UncertaintyFrom::Nothing => f64::INFINITY,
         UncertaintyFrom::Residuals => residuals,
+        // three regions a parameter
+        UncertaintyFrom::ResidualsByRegion => {
+            let identified = parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
+            (2 * identified.max(1)) as f64
+        }
         UncertaintyFrom::ResidualsByPose => {
             // a sum over poses has as many terms as poses
             let poses = accuracy.sets.iter().find(|s| s.name == "calibration").map_or(0, |s| s.poses) as f64;
@@ -70,10 +75,10 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
 /// Whether residuals exceed what the instrument explains: parameters then take up what the model leaves out, at the poses that were
 /// measured.
 fn misfits((parameters, _): &Identified) -> bool {
-    use UncertaintyFrom::{Residuals, ResidualsByPose};
+    use UncertaintyFrom::{Residuals, ResidualsByPose, ResidualsByRegion};
     let residuals = &parameters.residuals;
     residuals.stated_standard_uncertainty_mm.is_some()
-        && matches!(residuals.uncertainties_from, Residuals | ResidualsByPose)
+        && matches!(residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion)
 }
 
 /// Takes the probabilities of changes from or to a campaign in which the model misfits: by chance is then not by noise. `names` are

@@ -12,7 +12,7 @@ use std::path::{Component, Path, PathBuf};
 use toml::Spanned;
 
 /// Expanded uncertainties of a coordinate, from an interferometer's to a camera's; beyond them the unit is another.
-const PLAUSIBLE_UM: std::ops::RangeInclusive<f64> = 1e-3..=1e5;
+const PLAUSIBLE_UM: std::ops::RangeInclusive<f64> = 0.05..=1e5;
 
 /// All statements but those on features and frames.
 pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
@@ -49,7 +49,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             };
             problems.0.push(message.hint(hint));
         } else if key.ends_with("_um") && !PLAUSIBLE_UM.contains(&value) {
-            let what = format!("`{key}` = {value} is not an uncertainty of a measured coordinate in micrometres");
+            let what = format!("`{key}` = {value:?} is not an uncertainty of a measured coordinate in micrometres");
             let message = Message::error(what).at(campaign.place_of(&[table, key]));
             problems.0.push(message.hint("check its unit: 0.0027 mm is 2.7 um"));
         }

@@ -1,6 +1,6 @@
 //! World frames from features and targets (thesis 3.4.1), and targets brought into them.
 
-use crate::base::message::{Message, Problems, Result};
+use crate::base::message::{Message, Problems, Result, Severity};
 use crate::base::pattern::matches_pattern;
 use crate::base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
 use crate::campaign::{Campaign, WorldDefinition};
@@ -19,7 +19,11 @@ type Key = (i64, i64);
 /// Fits the features of a campaign to the points with their labels.
 pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     let mut document = elements(campaign, points)?;
-    document.messages.splice(0..0, repeats::fixed_points(campaign, points, &used_labels(campaign)));
+    let repeated = repeats::fixed_points(campaign, points, &used_labels(campaign));
+    let (errors, warnings): (Vec<Message>, Vec<Message>) =
+        repeated.into_iter().partition(|message| message.severity == Severity::Error);
+    Problems(errors).check()?;
+    document.messages.splice(0..0, warnings);
     Ok(document)
 }
 
@@ -189,7 +193,14 @@ fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, no
     let mut points: Vec<Point> = points.iter().filter(used).cloned().collect();
     let instrument_mm = campaign.file.instrument.standard_uncertainty_mm();
     let mut sum = [[0.0; 6]; 6];
+    // of the many points of a feature every k-th stands for k
+    let stride = points.len().div_ceil(FEW);
     for i in 0..points.len() {
+        let alone = world.names().any(|name| matches_pattern(name.get_ref(), &points[i].label));
+        let stands_for = if alone { 1 } else { stride };
+        if i % stands_for != 0 {
+            continue;
+        }
         for axis in 0..3 {
             let (at, u_mm) =
                 (points[i].xyz_mm[axis], points[i].standard_uncertainty_mm.map_or(instrument_mm, |u| u[axis]));
@@ -201,11 +212,15 @@ fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, no
             };
             let (up, down) = (moved(u_mm)?, moved(-u_mm)?);
             points[i].xyz_mm[axis] = at;
-            add_outer(&mut sum, &std::array::from_fn(|k| 0.5 * (up[k] - down[k])));
+            let weight = 0.5 * (stands_for as f64).sqrt();
+            add_outer(&mut sum, &std::array::from_fn(|k| weight * (up[k] - down[k])));
         }
     }
     Ok(sum)
 }
+
+/// Points of features whose uncertainty is carried one by one.
+const FEW: usize = 300;
 
 /// Shift and small rotation of a pose near identity.
 fn twist(pose: &Pose) -> [f64; 6] {

@@ -97,7 +97,9 @@ pub fn preview(campaign: &Campaign, robot: &dyn Robot, joined: &Joined) -> Resul
     let mut observations = Observation::from_table(robot, table, &mut Vec::new())?;
     exclude(campaign, stated, robot, &mut observations)?;
     let mut messages = stale(robot, &observations);
-    messages.extend(identify::set_up_problem(robot, &observations));
+    let settings = campaign.settings(stated);
+    let u_mm = settings.standard_uncertainty_mm.unwrap_or(0.0).hypot(settings.common_uncertainty_mm.unwrap_or(0.0));
+    messages.extend(identify::set_up_problem(robot, &observations, u_mm));
     Ok(messages)
 }
 
@@ -120,6 +122,11 @@ fn exclude(
             }
         };
         let mut left_out = 0;
+        if let Some(target) = target.as_ref().filter(|target| !robot.targets().contains(target)) {
+            let message = Message::error(format!("`{target}` is not a target of this robot")).at(campaign.place(rule));
+            problems.0.push(message.hint_names(target, robot.targets().iter().map(String::as_str)));
+            continue;
+        }
         for o in observations.iter_mut().filter(|o| selection.contains(o.pose, 0, false)) {
             if cycle.is_some_and(|cycle| cycle != o.cycle) {
                 continue;
@@ -138,11 +145,15 @@ fn exclude(
         } else {
             let of = target.as_ref().map_or(String::new(), |target| format!(" of `{target}`"));
             let cycle = cycle.map_or(String::new(), |cycle| format!(", cycle {cycle}"));
-            let what = format!("excluded: {}{of}, poses {poses}{cycle}: {reason}", count(left_out, "reading"));
+            let of_poses = if poses.trim().parse::<i64>().is_ok() { "pose" } else { "poses" };
+            let what = format!("excluded: {}{of}, {of_poses} {poses}{cycle}: {reason}", count(left_out, "reading"));
             messages.push(Message::warning(what));
         }
     }
     observations.retain(|o| o.targets.iter().any(Option::is_some));
+    if let (true, Some(first)) = (observations.is_empty(), stated.exclude.first()) {
+        problems.0.push(Message::error("the exclusions leave no reading").at(campaign.place(first)));
+    }
     problems.check()?;
     Ok(messages)
 }

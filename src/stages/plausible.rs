@@ -12,6 +12,8 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// Parameters beyond their tolerance that a message names.
 const NAMED: usize = 5;
+/// Validation errors beyond this many times their median are named: of normal errors in the plane one of 60,000 is (Rayleigh).
+const FAR: f64 = 4.0;
 /// A residual this many times the root mean square is looked at as an outlier where no uncertainty is stated.
 const SPIKE: f64 = 5.0;
 /// Parameters that must be off by one factor, at least.
@@ -38,7 +40,7 @@ pub fn plausibility(
     errors: &[PointError],
 ) -> Vec<Message> {
     let mut messages = implausible(robot, &found.values, errors);
-    let far = far_before(robot, observations, before, errors);
+    let far = far_before(robot, observations, settings, before, errors);
     let misfit = match found.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.degrees_of_freedom),
         None => !messages.is_empty() || found.max > SPIKE * found.rms,
@@ -49,6 +51,7 @@ pub fn plausibility(
         None => {}
     }
     messages.extend(common_factor(robot, found));
+    messages.extend(validation_outliers(errors));
     if misfit {
         messages.extend(moved_between(robot, observations, &found.values));
     }
@@ -61,6 +64,30 @@ pub fn plausibility(
         messages.insert(place, robust.message(robot));
     }
     messages
+}
+
+/// A warning about validation readings that lie far from the others: their errors are in the accuracy.
+fn validation_outliers(errors: &[PointError]) -> Option<Message> {
+    let of: Vec<&PointError> = errors.iter().filter(|e| e.set == "validation").collect();
+    let mut sizes: Vec<f64> = of.iter().map(|e| norm(e.after_mm)).collect();
+    sizes.sort_by(f64::total_cmp);
+    let median_mm = *sizes.get(sizes.len() / 2)?;
+    let far: Vec<&&PointError> = of.iter().filter(|e| norm(e.after_mm) > FAR * median_mm).collect();
+    if far.is_empty() || 10 * far.len() > of.len() {
+        return None;
+    }
+    let text =
+        |e: &&&PointError| format!("{:.4} mm ({}, pose {}, cycle {})", norm(e.after_mm), e.target, e.pose, e.cycle);
+    let named: Vec<String> = far.iter().take(NAMED).map(text).collect();
+    let more = if far.len() > NAMED { ", ..." } else { "" };
+    let what = format!(
+        "{} of {} validation errors exceed {FAR:.0} times their median, {median_mm:.4} mm: {}{more}",
+        far.len(),
+        of.len(),
+        named.join(", ")
+    );
+    let hint = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
+    Some(Message::warning(what).hint(hint))
 }
 
 /// A warning where lengths, or gains of sliding joints, are all off by one factor: the scale of the measuring system, or a unit.
@@ -104,17 +131,20 @@ fn explain(messages: &mut [Message], robot: &dyn Robot, observations: &[Observat
     }
 }
 
-/// An error where the nominal robot, at `before`, is further from the measurements than its tolerances allow.
+/// An error where the nominal robot, at `before`, is further from most measurements than its tolerances allow.
 fn far_before(
     robot: &dyn Robot,
     observations: &[Observation],
+    settings: &Settings,
     before: &[f64],
     errors: &[PointError],
 ) -> Option<Message> {
-    let of = || errors.iter().filter(|e| e.set == "calibration");
-    let before_mm = (of().map(|e| norm(e.before_mm).powi(2)).sum::<f64>() / of().count().max(1) as f64).sqrt();
-    let allowed_mm = allowed_mm(robot, observations, before)?;
-    (before_mm > allowed_mm).then(|| far_from_nominal(robot, observations, before_mm, allowed_mm))
+    let mut left: Vec<f64> = errors.iter().filter(|e| e.set == "calibration").map(|e| norm(e.before_mm)).collect();
+    left.sort_by(f64::total_cmp);
+    let rms_mm = (left.iter().map(|v| v * v).sum::<f64>() / left.len().max(1) as f64).sqrt();
+    let u_mm = settings.standard_uncertainty_mm.unwrap_or(0.0).hypot(settings.common_uncertainty_mm.unwrap_or(0.0));
+    let allowed_mm = allowed_mm(robot, observations, before, u_mm)?;
+    (*left.get(left.len() / 2)? > allowed_mm).then(|| far_from_nominal(robot, observations, rms_mm, allowed_mm))
 }
 
 /// Errors about the parameters `values` and the errors that they leave; empty where the result is plausible.

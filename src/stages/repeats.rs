@@ -14,6 +14,11 @@ const MOVED_MM: f64 = 1.0;
 /// Repeats of a point that are further apart than this many standard uncertainties of a coordinate are not of one point: in three
 /// coordinates the instrument does that fewer than once in ten thousand times.
 const APART: f64 = 5.0;
+/// A repeat further from the others than this many standard uncertainties spoils the frame: what follows would be wrong by many of its
+/// own.
+const SPOILS: f64 = 20.0;
+/// Where most points of a label lie apart by more than this, they are several points by design, mm.
+const SEVERAL_MM: f64 = 1.0;
 /// Pairs, or repeats, that are named.
 const NAMED: usize = 5;
 
@@ -80,8 +85,8 @@ pub fn stale(robot: &dyn Robot, observations: &[Observation]) -> Vec<Message> {
     messages
 }
 
-/// Warnings about points of the same label whose repeats are further apart than the instrument explains, for the labels of features
-/// and frames; `names` are those labels.
+/// Messages about points of the same label whose repeats are further apart than the instrument explains, for the labels of features
+/// and frames; `names` are those labels. An error where one repeat spoils what is made from them.
 pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Vec<Message> {
     let instrument = &campaign.file.instrument;
     let u_mm = instrument.expanded_uncertainty_um / instrument.coverage_factor / 1000.0;
@@ -97,18 +102,30 @@ pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Ve
         let off = |p: &&&Point| norm(minus(p.xyz_mm, middle)) > APART * u_mm;
         let away: Vec<&&Point> = all.iter().filter(off).collect();
         let Some(worst) = away.iter().map(|p| norm(minus(p.xyz_mm, middle))).reduce(f64::max) else { continue };
-        let what = format!(
-            "`{label}` is measured {}, and {} up to {worst:.4} mm from the others' median: the instrument's standard uncertainty is \
-             {u_mm:.4} mm",
-            count(all.len(), "time"),
-            if away.len() == 1 { "one of them lies".to_owned() } else { format!("{} of them lie", away.len()) },
-        );
-        let message = Message::warning(what).at(Place::line(&away[0].export, away[0].line, &away[0].text));
-        messages.push(
-            message.hint(
+        let instrument = format!("the instrument's standard uncertainty is {u_mm:.4} mm");
+        let most = 2 * away.len() > all.len();
+        if most && worst > SEVERAL_MM {
+            continue;
+        }
+        let (what, hint) = if most {
+            (
+                format!("repeats of `{label}` lie up to {worst:.4} mm from their median: {instrument}"),
+                "check `unit` of the export and the instrument's uncertainty, and that the point did not move",
+            )
+        } else {
+            let which = if away.len() == 1 { "one lies".to_owned() } else { format!("{} lie up to", away.len()) };
+            (
+                format!(
+                    "of {} of `{label}` {which} {worst:.4} mm from their median: {instrument}",
+                    count(all.len(), "repeat")
+                ),
                 "remove the wrong reading from the export, or measure the point again: every result depends on it",
-            ),
-        );
+            )
+        };
+        let spoilt = !most && all.len() > 2 && worst > SPOILS * u_mm;
+        let message = if spoilt { Message::error(what) } else { Message::warning(what) };
+        let message = message.at(Place::line(&away[0].export, away[0].line, &away[0].text));
+        messages.push(message.hint(hint));
     }
     messages
 }

@@ -133,7 +133,8 @@ fn a_blunder_of_one_ball_is_found_with_its_size() {
         }
         None => line.to_owned(),
     });
-    let said = run(&scratch, 1, &["times what the instrument's uncertainty explains", "1 of 80 readings are outliers"]);
+    let said =
+        run(&scratch, 1, &["times what the instrument's uncertainty explains", "1 of 80 readings is an outlier"]);
     let most = said.split("robust fit: ").nth(1).unwrap();
     assert!(most.starts_with("1.00") && most.contains(" mm (K, pose 5, cycle 3)"), "{most}");
 }

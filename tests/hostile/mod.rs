@@ -9,6 +9,7 @@ mod logs;
 mod qif;
 mod readers;
 mod recovery;
+mod set_up;
 mod together;
 mod traps;
 

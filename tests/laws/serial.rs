@@ -3,7 +3,7 @@
 use etalon::base::noise::Noise;
 use etalon::campaign::read_robot;
 use etalon::math::identify::{Observation, ResidualKind, Settings, UncertaintyFrom, identify};
-use etalon::math::robots::{Robot, Role};
+use etalon::math::robots::{Robot, Role, Serial, SerialJoint};
 
 fn robot(targets: usize) -> Box<dyn Robot> {
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
@@ -161,3 +161,74 @@ fn errors_common_to_a_pose_are_in_the_uncertainty() {
     assert!((pooled - 1.0).abs() < 0.1, "{pooled}");
     assert!(spread.iter().all(|s| (s - 1.0).abs() < 0.5), "{spread:.2?}");
 }
+
+#[test]
+fn errors_that_neighbouring_poses_share_are_in_the_uncertainty() {
+    const CAMPAIGNS: u64 = 40;
+    const REGIONS: usize = 60;
+    const POSES: usize = 8;
+    // joints 2 and 3 bend, which the model that is identified leaves out
+    let joints = SIX_AXES.map(|[alpha, a_mm, theta, d_mm]: [f64; 4]| SerialJoint {
+        alpha_rad: alpha.to_radians(),
+        a_mm,
+        theta_rad: theta.to_radians(),
+        d_mm,
+        prismatic: false,
+        parallel: a_mm == 270.0,
+    });
+    let targets = ["T".to_owned()];
+    let bending = Serial::new(&joints, &targets, [0.0, 0.0, -1.0], &[2, 3], &[]);
+    let model = Serial::new(&joints, &targets, [0.0, 0.0, -1.0], &[], &[]);
+    let mut truth = bending.nominal();
+    for (p, value) in bending.parameters().iter().zip(&mut truth) {
+        match p.name.as_str() {
+            "base_x" => *value = 900.0,
+            "base_rz" => *value = 0.4,
+            "T_x" | "T_y" | "T_z" => *value = 70.0,
+            name if name.starts_with("compliance") => *value = 1e-3,
+            _ => {}
+        }
+    }
+    let settings = Settings {
+        kind: ResidualKind::Targets,
+        standard_uncertainty_mm: Some(0.01),
+        common_uncertainty_mm: None,
+        hold: vec!["gain_*".to_owned()],
+    };
+    let measure = |noise: &mut Noise, regions: usize, poses: usize| -> Vec<Observation> {
+        let mut all = Vec::new();
+        for _ in 0..regions {
+            let middle: [f64; 6] = std::array::from_fn(|_| noise.uniform(1.2));
+            for _ in 0..poses {
+                let joints: Vec<f64> = middle.iter().map(|q| q + noise.uniform(0.05)).collect();
+                let at = bending.position(&truth, &joints, 0).map(|v| v + noise.gaussian(0.01));
+                all.push(Observation { pose: all.len() as i64, cycle: 1, joints, targets: vec![Some(at)] });
+            }
+        }
+        all
+    };
+    // what the parameters of the model tend to with more and more regions
+    let limit = identify(&model, &measure(&mut Noise::new(15, 0), 6000, 1), &settings).unwrap();
+    let (mut held, mut all) = (0, 0);
+    for seed in 1..=CAMPAIGNS {
+        let found = identify(&model, &measure(&mut Noise::new(15, seed), REGIONS, POSES), &settings).unwrap();
+        assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByRegion);
+        for &i in &found.free {
+            let u = found.standard_uncertainty(i).unwrap().hypot(limit.standard_uncertainty(i).unwrap_or(0.0));
+            held += usize::from((found.values[i] - limit.values[i]).abs() < 1.96 * u);
+            all += 1;
+        }
+    }
+    let share = held as f64 / f64::from(all);
+    println!("{CAMPAIGNS} synthetic campaigns of {REGIONS} regions: 95 % intervals hold {:.1} %", 100.0 * share);
+    assert!(share > 0.90, "{share}");
+}
+
+const SIX_AXES: [[f64; 4]; 6] = [
+    [0.0, 0.0, 0.0, 290.0],
+    [-90.0, 0.0, -90.0, 0.0],
+    [0.0, 270.0, 0.0, 0.0],
+    [-90.0, 70.0, 0.0, 302.0],
+    [90.0, 0.0, 0.0, 0.0],
+    [-90.0, 0.0, 180.0, 72.0],
+];

@@ -231,10 +231,11 @@ impl RobustFit {
         }
         let more = if outliers.len() > NAMED_OUTLIERS { ", ..." } else { "" };
         let what = format!(
-            "{} of {} readings are outliers, more than {OUTLIER:.0} times {:.4} mm, the standard deviation of the others in a robust \
+            "{} of {} readings {}, more than {OUTLIER:.0} times {:.4} mm, the standard deviation of the others in a robust \
              fit: {}{more}",
             outliers.len(),
             self.readings.len(),
+            if outliers.len() == 1 { "is an outlier" } else { "are outliers" },
             self.scale_mm,
             named(&outliers[..outliers.len().min(NAMED_OUTLIERS)]),
         );

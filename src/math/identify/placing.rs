@@ -13,6 +13,8 @@ use crate::math::solve::{self, Factor, Options, Termination};
 use std::f64::consts::FRAC_PI_2;
 
 const REFINED: usize = 4;
+/// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by millimetres.
+pub(super) const UNEXPLAINED: f64 = 0.1;
 /// Coordinates of targets, unweighted.
 pub(super) const PLAIN: Settings = Settings {
     kind: ResidualKind::Targets,

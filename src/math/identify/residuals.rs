@@ -7,7 +7,7 @@ use crate::math::robots::{Platform, Robot};
 use crate::math::solve::{Problem, Solution};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -102,9 +102,51 @@ impl<'a> Residuals<'a> {
         self.observations.iter().zip(&self.rows).flat_map(|(o, &rows)| std::iter::repeat_n(o.pose, rows)).collect()
     }
 
-    /// What the errors of each residual belong to: its reading where that is common to several, or else its pose.
-    pub fn clusters(&self) -> Vec<i64> {
-        self.common.as_ref().map_or_else(|| self.poses(), |common| common.numbers(self.residual_count()))
+    /// What the errors of each residual belong to: its reading where that is common to several, or else its pose, or, of poses at
+    /// least twice as many as `count`, one of `count` regions of the joints.
+    pub fn clusters(&self, count: usize) -> Vec<i64> {
+        if let Some(common) = &self.common {
+            return common.numbers(self.residual_count());
+        }
+        let regions = self.regions(count);
+        let of = |o: &Observation| regions.get(&o.pose).map_or(o.pose, |&region| region as i64);
+        self.observations.iter().zip(&self.rows).flat_map(|(o, &rows)| std::iter::repeat_n(of(o), rows)).collect()
+    }
+
+    /// Poses, whatever their repeats.
+    pub fn pose_count(&self) -> usize {
+        self.observations.iter().map(|o| o.pose).collect::<BTreeSet<i64>>().len()
+    }
+
+    /// The region of each pose: the joints' ranges, cut in halves of equally many poses along the widest joint until there are
+    /// `count` parts; empty where poses are fewer than twice as many.
+    fn regions(&self, count: usize) -> BTreeMap<i64, usize> {
+        let poses: BTreeMap<i64, &[f64]> = self.observations.iter().map(|o| (o.pose, &o.joints[..])).collect();
+        let n = self.robot.joints().len();
+        if poses.len() < 2 * count || count < 2 {
+            return BTreeMap::new();
+        }
+        let range = |part: &[(i64, &[f64])], j: usize| {
+            let of = |pick: fn(f64, f64) -> f64| part.iter().map(|p| p.1[j]).reduce(pick).unwrap_or(0.0);
+            of(f64::max) - of(f64::min)
+        };
+        let whole: Vec<(i64, &[f64])> = poses.into_iter().collect();
+        let all: Vec<f64> = (0..n).map(|j| range(&whole, j)).collect();
+        let widest = |part: &[(i64, &[f64])]| {
+            let width = |j: usize| if all[j] > 0.0 { range(part, j) / all[j] } else { 0.0 };
+            (0..n).map(|j| (width(j), j)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0))
+        };
+        let mut parts = vec![whole];
+        while parts.len() < count {
+            let largest = (0..parts.len()).filter(|&k| parts[k].len() > 1);
+            let Some(k) = largest.max_by_key(|&k| parts[k].len()) else { break };
+            let mut part = parts.swap_remove(k);
+            let joint = widest(&part).1;
+            part.sort_by(|a, b| a.1[joint].total_cmp(&b.1[joint]));
+            let rest = part.split_off(part.len() / 2);
+            parts.extend([part, rest]);
+        }
+        parts.iter().enumerate().flat_map(|(k, part)| part.iter().map(move |p| (p.0, k))).collect()
     }
 
     /// Whether residuals and Jacobian are whitened, and their elements no longer belong to one observation.

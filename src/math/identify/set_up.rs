@@ -2,13 +2,13 @@
 //! targets placed anew; the one with which it explains the measurements is the one to look for.
 
 use super::Observation;
-use super::placing::{PLAIN, place, spread_over};
+use super::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
 use super::residuals::Residuals;
 use crate::base::message::{Message, Problems};
 use crate::base::pose::{Vector, centroid, minus, norm};
 use crate::math::robots::{Quantity, Robot, Role};
 use crate::math::solve::{self, Factor, Options, Problem, column_norms};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Poses on which changes are tried.
 const SUBSET: usize = 32;
@@ -20,6 +20,8 @@ const EXPLAINS_FITTED: f64 = 0.25;
 const CLEARLY: f64 = 0.05;
 /// Changes that come this near to the best one are named beside it.
 const AS_GOOD: f64 = 1.2;
+/// Standard uncertainties of a coordinate that noise may leave, where poses are few.
+const NOISE: f64 = 3.0;
 /// Changes that are named.
 const NAMED: usize = 3;
 const MM_PER_INCH: f64 = 25.4;
@@ -71,7 +73,10 @@ pub(super) fn explained(mut problems: Problems, robot: &dyn Robot, observations:
 
 /// Root mean square, in mm, of the errors of a nominal robot whose parameters are as far from nominal as their tolerances, taken
 /// as half-widths of rectangular distributions (GUM 4.3.7), allow; base and targets, at `values`, take up what they can.
-pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
+///
+/// `noise_mm` is the standard uncertainty of a coordinate. What is allowed is never more than a tenth of the spread of the
+/// measurements: with nominal values that are wrong themselves the Jacobian allows anything.
+pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64], noise_mm: f64) -> Option<f64> {
     let of = |role: fn(Role) -> bool| (0..values.len()).filter(move |&i| role(robot.parameters()[i].role));
     let places: Vec<usize> = of(|role| role != Role::Robot).collect();
     let free: Vec<usize> = places.iter().copied().chain(of(|role| role == Role::Robot)).collect();
@@ -87,17 +92,22 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
     let variance = |j: usize| left(j) * robot.parameters()[free[j]].tolerance.powi(2) / 3.0;
     let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count();
     let sum: f64 = (places.len()..n).map(variance).sum();
-    Some((sum / points.max(1) as f64).sqrt()).filter(|v| v.is_finite())
+    let noise = robot.dimension() as f64 * (NOISE * noise_mm).powi(2);
+    let most = (UNEXPLAINED * spread_mm(observations)).max(noise.sqrt());
+    Some((sum / points.max(1) as f64 + noise).sqrt().min(most)).filter(|v| v.is_finite())
 }
 
 /// An error where no place of base and targets brings the nominal robot as near to the measurements as its tolerances allow, with the
 /// change of the set-up that would.
-pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation]) -> Option<Message> {
+///
+/// A few wrong readings are no wrong set-up: half of all readings must be as far.
+pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<Message> {
     let subset = spread_over(observations, SUBSET);
     let nominal = robot.nominal();
-    let stated_mm = misfit(robot, &subset, &nominal, false).map_or(f64::INFINITY, |m| m.rms_mm);
-    let allowed_mm = allowed_mm(robot, &subset, &nominal)?;
-    (stated_mm > allowed_mm).then(|| far_from_nominal(robot, observations, stated_mm, allowed_mm))
+    let stated = misfit(robot, &subset, &nominal, false);
+    let [stated_mm, median_mm] = stated.map_or([f64::INFINITY; 2], |m| [m.rms_mm, m.median_mm]);
+    let allowed_mm = allowed_mm(robot, &subset, &nominal, noise_mm)?;
+    (median_mm > allowed_mm).then(|| far_from_nominal(robot, observations, stated_mm, allowed_mm))
 }
 
 /// That the nominal robot misses the measurements by more than its tolerances allow.
@@ -121,7 +131,7 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<S
     let mut found: Vec<Change> = Vec::new();
     let mut add = |what: String, observations: Vec<Observation>, robot: &dyn Robot, anywhere: bool| {
         let Some(misfit) = misfit(robot, &observations, &robot.nominal(), anywhere) else { return };
-        let allowed = || allowed_mm(robot, &observations, &robot.nominal());
+        let allowed = || allowed_mm(robot, &observations, &robot.nominal(), CLEARLY * stated_mm.min(1e9));
         if misfit.rms_mm < EXPLAINS * stated_mm && allowed().is_none_or(|allowed_mm| misfit.rms_mm <= allowed_mm) {
             found.push(Change { what, left_mm: misfit.rms_mm });
         }
@@ -140,7 +150,19 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<S
     }
     for (shift, which) in [(-1, "previous"), (1, "next")] {
         let what = format!("the joints of each pose taken from the {which} one");
-        add(what, spread_over(&shifted(observations, shift), SUBSET), robot, false);
+        // the first or last pose has no neighbour: it must not be what was wrong
+        let shifted = spread_over(&shifted(observations, shift), SUBSET);
+        let same: Vec<Observation> = shifted
+            .iter()
+            .filter_map(|s| {
+                observations.iter().find(|o| o.pose == s.pose && o.cycle == s.cycle && o.targets == s.targets)
+            })
+            .cloned()
+            .collect();
+        let as_stated = misfit(robot, &same, &nominal, false).map_or(f64::INFINITY, |m| m.rms_mm);
+        if as_stated > 0.5 * stated_mm {
+            add(what, shifted, robot, false);
+        }
     }
     for (what, other) in robot.other_conventions() {
         add(what, subset.clone(), other.as_ref(), false);
@@ -154,7 +176,7 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<S
     if best > CLEARLY * stated_mm {
         // a value found from the data must explain clearly more than a change that has none
         let mut fitted = wrong_nominal(robot, &subset, &nominal, stated_mm);
-        let allowed_mm = allowed_mm(robot, &subset, &nominal).unwrap_or(f64::INFINITY);
+        let allowed_mm = allowed_mm(robot, &subset, &nominal, 0.0).unwrap_or(f64::INFINITY);
         fitted.retain(|f| f.left_mm <= allowed_mm);
         fitted.retain(|f| f.left_mm < EXPLAINS_FITTED * stated_mm.min(2.0 * best));
         if !fitted.is_empty() {
@@ -169,14 +191,14 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<S
 
 /// The base of a planar robot wherever the measurements have it.
 fn elsewhere(robot: &dyn Robot, observations: &[Observation], nominal: &[f64]) -> Option<Change> {
-    let (fit, left_mm) = planar_fit(robot, observations, nominal, &ANYWHERE)?;
+    let (fit, left) = planar_fit(robot, observations, nominal, &ANYWHERE)?;
     let what = format!(
-        "the world frame turned by {:.1} deg and shifted by ({:.1}, {:.1}) mm",
+        "the world frame turned by {:.1} deg and shifted by ({:.1}, {:.1}) mm (`unit` and labels of the points that make it)",
         fit.angle.to_degrees(),
         fit.shift[0],
         fit.shift[1]
     );
-    Some(Change { what, left_mm })
+    Some(Change { what, left_mm: rms(&left) })
 }
 
 /// A change, and the root mean square distance that it leaves, mm.
@@ -187,7 +209,10 @@ struct Change {
 
 /// What the nominal robot leaves of the measurements.
 struct Misfit {
+    /// Root mean square of the distances.
     rms_mm: f64,
+    /// Their median.
+    median_mm: f64,
     values: Vec<f64>,
 }
 
@@ -197,7 +222,13 @@ fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anyw
     if let Some(arm) = robot.free_base() {
         let places: Vec<usize> = (0..nominal.len()).filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
         let placed = place(robot, arm, observations, nominal, &places).ok()??;
-        return Some(Misfit { rms_mm: placed.rms_mm, values: placed.values }).filter(|m| m.rms_mm.is_finite());
+        let mut left: Vec<f64> = Vec::new();
+        for o in observations {
+            let seen = o.targets.iter().enumerate().filter_map(|(k, m)| Some((k, (*m)?)));
+            left.extend(seen.map(|(k, m)| norm(minus(m, robot.position(&placed.values, &o.joints, k)))));
+        }
+        let found = Misfit { rms_mm: placed.rms_mm, median_mm: median(left), values: placed.values };
+        return Some(found).filter(|m| m.rms_mm.is_finite());
     }
     planar_misfit(robot, observations, nominal, anywhere)
 }
@@ -211,21 +242,29 @@ fn planar_misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64
     };
     let within = Similarity { angle: tolerance(Quantity::Angle), shift: [tolerance(Quantity::Length); 2] };
     let most = if anywhere { ANYWHERE } else { within };
-    let (_, rms_mm) = planar_fit(robot, observations, nominal, &most)?;
-    Some(Misfit { rms_mm, values: nominal.to_vec() })
+    let (_, left) = planar_fit(robot, observations, nominal, &most)?;
+    Some(Misfit { rms_mm: rms(&left), median_mm: median(left), values: nominal.to_vec() })
 }
 
-/// Shift and turn that bring predicted positions to the measured ones, no further than `most`, and what they leave (root mean square,
-/// mm).
+fn rms(left: &[f64]) -> f64 {
+    (left.iter().map(|v| v * v).sum::<f64>() / left.len().max(1) as f64).sqrt()
+}
+
+fn median(mut left: Vec<f64>) -> f64 {
+    left.sort_by(f64::total_cmp);
+    left.get(left.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// Shift and turn that bring predicted positions to the measured ones, no further than `most`, and the distances that they leave, mm.
 fn planar_fit(
     robot: &dyn Robot,
     observations: &[Observation],
     nominal: &[f64],
     most: &Similarity,
-) -> Option<(Similarity, f64)> {
+) -> Option<(Similarity, Vec<f64>)> {
     let modes: &[Option<f64>] = if robot.has_assembly_modes() { &[Some(1.0), Some(-1.0)] } else { &[None] };
     let mut fit = Similarity::default();
-    let mut rms_mm = f64::INFINITY;
+    let mut left = Vec::new();
     for _ in 0..if modes.len() > 1 { 4 } else { 1 } {
         let mut pairs: Vec<[[f64; 2]; 2]> = Vec::new();
         for o in observations {
@@ -245,9 +284,9 @@ fn planar_fit(
             pairs.extend(all.min_by(|a, b| fit.cost(a).total_cmp(&fit.cost(b)))?);
         }
         fit = Similarity::between(&pairs, most)?;
-        rms_mm = (fit.cost(&pairs) / pairs.len() as f64).sqrt();
+        left = pairs.iter().map(|pair| fit.cost(std::slice::from_ref(pair)).sqrt()).collect();
     }
-    Some((fit, rms_mm))
+    Some((fit, left))
 }
 
 const ANYWHERE: Similarity = Similarity { angle: f64::INFINITY, shift: [f64::INFINITY; 2] };
@@ -427,11 +466,24 @@ fn changes_of_points(robot: &dyn Robot, observations: &[Observation]) -> Vec<(St
     all
 }
 
-/// The observations with the joints of the one before or after.
+/// The observations with the joints of the pose before or after, in the order in which poses come.
 fn shifted(observations: &[Observation], shift: isize) -> Vec<Observation> {
-    let other = |k: usize| observations.get(k.checked_add_signed(shift)?);
-    let both = |(k, o): (usize, &Observation)| Some(Observation { joints: other(k)?.joints.clone(), ..o.clone() });
-    observations.iter().enumerate().filter_map(both).collect()
+    let mut poses: Vec<(i64, &Observation)> = Vec::new();
+    for o in observations {
+        if poses.last().is_none_or(|(pose, _)| *pose != o.pose) {
+            poses.push((o.pose, o));
+        }
+    }
+    let mut at = 0;
+    let mut all = Vec::new();
+    for o in observations {
+        while poses[at].0 != o.pose {
+            at += 1;
+        }
+        let other = at.checked_add_signed(shift).and_then(|k| poses.get(k));
+        all.extend(other.map(|(_, other)| Observation { joints: other.joints.clone(), ..o.clone() }));
+    }
+    all
 }
 
 /// For each length and angle of the robot the value with which the nominal robot explains the data best, where that is beyond its
@@ -449,7 +501,10 @@ fn wrong_nominal(robot: &dyn Robot, observations: &[Observation], nominal: &[f64
         let problem = Residuals::new(robot, observations, &PLAIN, &free, &placed.values).ok()?;
         let x: Vec<f64> = free.iter().map(|&i| placed.values[i]).collect();
         let solution = solve::solve(&problem, &x, Options { iterations: 30, step: 1e-6, ..Options::default() });
-        let value = problem.all(&solution.x)[i];
+        let mut value = problem.all(&solution.x)[i];
+        if p.quantity == Quantity::Angle {
+            value -= ((value - p.nominal) / TAU).round() * TAU;
+        }
         let rms_mm = (solution.cost / points).sqrt();
         let beyond = (value - p.nominal).abs() > p.tolerance;
         (rms_mm < EXPLAINS_FITTED * stated_mm && beyond).then(|| {

@@ -1,7 +1,7 @@
 //! Starting values: a tracker may be anywhere, so base and targets of an arm are found, not assumed.
 
 use super::Observation;
-use super::placing::{Placed, place, spread_mm, spread_over};
+use super::placing::{Placed, UNEXPLAINED, place, spread_mm, spread_over};
 use super::set_up::explained;
 use crate::base::message::{Message, Result};
 use crate::base::pose::Pose;
@@ -9,8 +9,6 @@ use crate::math::robots::{Robot, Role};
 use std::f64::consts::FRAC_PI_2;
 
 const SUBSET: usize = 24;
-/// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by millimetres.
-const UNEXPLAINED: f64 = 0.1;
 
 /// Starting values of all parameters: nominal, for robots with a free base with those of base and targets that are `wanted` found
 /// from the observations.

@@ -24,6 +24,9 @@ pub enum UncertaintyFrom {
     /// The residuals, those of one pose taken together: errors of the robot are common to all targets and repeats of a
     /// pose (cluster-robust covariance, Liang & Zeger 1986).
     ResidualsByPose,
+    /// The residuals, those of one region of the joints taken together: what the model leaves out is common to neighbouring poses
+    /// (Conley 1999 for errors that are correlated in space; clusters as above).
+    ResidualsByRegion,
     /// Nothing: there are as many equations as parameters, and no uncertainty is stated.
     Nothing,
 }
@@ -70,8 +73,8 @@ pub(super) fn with_uncertainty(
             );
             (None, UncertaintyFrom::Nothing)
         }
-        _ => match by_pose(problem, solution, &jacobian) {
-            Some(covariance) => (Some(covariance), UncertaintyFrom::ResidualsByPose),
+        _ => match by_cluster(problem, solution, &jacobian) {
+            Some((covariance, from)) => (Some(covariance), from),
             None => {
                 let variance = match chi_square {
                     Some(chi) => chi / dof as f64,
@@ -150,6 +153,9 @@ fn shortfall(chi_square: f64, dof: usize) -> Message {
 fn rejection(chi_square: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Message {
     let rest = match from {
         UncertaintyFrom::ResidualsByPose => "standard uncertainties are taken from the scatter of the poses",
+        UncertaintyFrom::ResidualsByRegion => {
+            "standard uncertainties are taken from the scatter of regions of the workspace"
+        }
         _ => "standard uncertainties are enlarged, as if residuals of one pose were independent",
     };
     Message::warning(format!(
@@ -194,17 +200,19 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(1.0)
 }
 
-/// A⁻¹ (Σ gₚ gₚᵀ) A⁻¹ · G/(G − n) with A = JᵀJ, gₚ = Jₚᵀrₚ the gradient of one pose and G poses; `None` where poses are
-/// too few. The factor makes up for residuals being smaller than errors, as n of them are used up.
-fn by_pose(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Vec<f64>> {
+/// A⁻¹ (Σ gₚ gₚᵀ) A⁻¹ · G/(G − n) with A = JᵀJ, gₚ = Jₚᵀrₚ the gradient of one of G clusters, poses or, where these are many,
+/// regions of the joints; `None` where there are too few. The factor makes up for residuals being smaller than errors, as n of them
+/// are used up.
+fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Vec<f64>, UncertaintyFrom)> {
     let n = solution.x.len();
+    let fewest = POSES_PER_PARAMETER * n;
     let mut gradients: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
-    for ((row, r), pose) in jacobian.chunks_exact(n).zip(&solution.residuals).zip(problem.clusters()) {
-        let gradient = gradients.entry(pose).or_insert_with(|| vec![0.0; n]);
+    for ((row, r), cluster) in jacobian.chunks_exact(n).zip(&solution.residuals).zip(problem.clusters(fewest)) {
+        let gradient = gradients.entry(cluster).or_insert_with(|| vec![0.0; n]);
         gradient.iter_mut().zip(row).for_each(|(g, j)| *g += j * r);
     }
     let poses = gradients.len();
-    if poses < POSES_PER_PARAMETER * n {
+    if poses < fewest {
         return None;
     }
     let inverse = solution.covariance()?;
@@ -217,7 +225,8 @@ fn by_pose(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option
             row.iter_mut().zip(&step).for_each(|(c, b)| *c += factor * a * b);
         }
     }
-    Some(covariance)
+    let regions = !problem.is_whitened() && problem.pose_count() >= 2 * fewest;
+    Some((covariance, if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose }))
 }
 
 /// Covariance of unweighted pose residuals whose noise comes from the balls: A⁻¹ (Σ Jᵀ S Sᵀ J u²) A⁻¹ with A = JᵀJ; and

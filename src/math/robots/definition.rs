@@ -67,10 +67,10 @@ impl Parameter {
         Self { name: name.into(), quantity, role, nominal, tolerance: usual_tolerance(quantity, role) }
     }
 
-    /// How well it is known before anything is identified (mm, rad, 1): within its tolerance, or, where it has no nominal value, as a
-    /// look at base and targets shows it.
+    /// How well it is known before anything is identified (mm, rad, 1): as drawings have it, whatever tolerance is stated, or, where it
+    /// has no nominal value, as a look at base and targets shows it.
     pub fn known_within(&self) -> f64 {
-        if self.tolerance.is_finite() { self.tolerance } else { usual_tolerance(self.quantity, Role::Base) }
+        usual_tolerance(self.quantity, if self.tolerance.is_finite() { self.role } else { Role::Base })
     }
 }
 

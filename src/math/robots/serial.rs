@@ -48,8 +48,7 @@ fn down() -> Vector {
     [0.0, 0.0, -1.0]
 }
 
-/// A joint of a serial arm by its nominal modified Denavit-Hartenberg parameters (Craig), from the base: four, each in one of its
-/// units.
+/// What the table of a joint holds.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct JointTable {
@@ -76,7 +75,8 @@ struct JointTable {
     parallel: Option<bool>,
 }
 
-/// A joint as its table states it, in mm and rad.
+/// A joint of a serial arm by its nominal modified Denavit-Hartenberg parameters (Craig), from the base. Its alpha, a, theta and d
+/// must be stated, each in one of its two units.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(try_from = "JointTable")]
 struct JointKeys {

@@ -83,6 +83,9 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         UncertaintyFrom::Instrument => words.say("from the instrument"),
         UncertaintyFrom::Residuals => words.say("from the residuals, each taken as independent"),
         UncertaintyFrom::ResidualsByPose => words.say("from the residuals, those of one pose taken together"),
+        UncertaintyFrom::ResidualsByRegion => {
+            words.say("from the residuals, those of one region of the workspace taken together")
+        }
         UncertaintyFrom::Nothing => words.say("unknown: as many equations as parameters"),
     };
     let enlarged = match r.uncertainties_enlarged_by {

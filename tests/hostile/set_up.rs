@@ -1,0 +1,133 @@
+//! Set-ups of campaigns that are wrong: units, fixed points, excluded readings, tolerances.
+
+use super::{ends, etalon};
+use crate::support::scratch::{Scratch, copy_sample};
+use etalon::document::ParametersDocument;
+
+fn parameters(scratch: &Scratch) -> ParametersDocument {
+    serde_json::from_slice(&std::fs::read(scratch.path().join("out/parameters.json")).unwrap()).unwrap()
+}
+
+/// Adds text to a file of the campaign.
+fn add(scratch: &Scratch, file: &str, text: &str) {
+    let path = scratch.path().join(file);
+    let whole = std::fs::read_to_string(&path).unwrap() + text;
+    std::fs::write(path, whole).unwrap();
+}
+
+#[test]
+fn the_world_export_in_another_unit_is_refused_and_named() {
+    let scratch = copy_sample("prexyt-cmm");
+    let world = "file = \"exports/world.txt\"\nformat = \"polyworks\"\nunit = ";
+    scratch.replace("campaign.toml", &format!("{world}\"mm\""), &format!("{world}\"in\""));
+    let parts = ["the nominal robot misses the measurements", "with the world frame turned by", "`unit`"];
+    ends(&scratch, "check", 2, &parts);
+    ends(&scratch, "run", 1, &["`x_o` = -7829", "no controller file is written"]);
+    assert!(!scratch.path().join("out/controller.json").exists());
+}
+
+#[test]
+fn a_repeat_of_a_fixed_point_that_lies_elsewhere_is_named_with_its_line() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("exports/world.txt", "R_home 312.63723 ", "R_home 313.63723 ");
+    for command in ["check", "run"] {
+        let said = ends(&scratch, command, 2, &["of 5 repeats of `R_home` one lies 0.99", "exports/world.txt:16"]);
+        assert!(said.starts_with("error: ") && said.contains("every result depends on it"), "{said}");
+    }
+    // ten micrometres: the instrument does not explain them, and the result is not spoilt
+    scratch.replace("exports/world.txt", "R_home 313.63723 ", "R_home 312.64723 ");
+    ends(&scratch, "check", 0, &["warning: of 5 repeats of `R_home` one lies 0.0"]);
+}
+
+#[test]
+fn an_uncertainty_in_millimetres_is_not_one_in_micrometres() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "expanded_uncertainty_um = 2.7", "expanded_uncertainty_um = 0.0027");
+    ends(
+        &scratch,
+        "check",
+        2,
+        &["is not an uncertainty of a measured coordinate in micrometres", "0.0027 mm is 2.7 um"],
+    );
+}
+
+#[test]
+fn excluded_readings_have_a_reason_that_the_report_repeats() {
+    let scratch = copy_sample("prexyt-cmm");
+    let rule = "\n[[identify.exclude]]\nposes = \"3\"\ncycle = 2\ntarget = \"K\"\nreason = \"stylus slipped\"\n";
+    assert_eq!(etalon(&scratch, "run").0, Some(0));
+    let all = parameters(&scratch).residuals.count;
+    add(&scratch, "campaign.toml", rule);
+    ends(&scratch, "run", 0, &["excluded: 1 reading of `K`, pose 3, cycle 2: stylus slipped"]);
+    assert_eq!(parameters(&scratch).residuals.count, all - 2);
+    assert!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("stylus slipped"));
+    for (from, to, said) in [
+        ("poses = \"3\"", "poses = \"333\"", "this exclusion leaves no reading out"),
+        ("poses = \"333\"", "poses = \"all\"", "`all` names no poses to exclude"),
+        ("poses = \"all\"\ncycle = 2\ntarget = \"K\"", "poses = \"1-59\"", "the exclusions leave no reading"),
+        ("reason = \"stylus slipped\"", "reason = \" \"", "an exclusion needs its reason"),
+    ] {
+        scratch.replace("campaign.toml", from, to);
+        ends(&scratch, "check", 2, &[said]);
+    }
+}
+
+#[test]
+fn outliers_are_left_out_where_the_campaign_says_so() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"1-40\"\noutliers = \"exclude\"");
+    scratch.replace("campaign.toml", "validation = \"9-59\"", "validation = \"41-59\"");
+    assert_eq!(etalon(&scratch, "run").0, Some(0));
+    let clean = parameters(&scratch);
+    let path = scratch.path().join("exports/poses.txt");
+    let text = std::fs::read_to_string(&path).unwrap();
+    // three rows of four hundred are 2 mm off
+    let spoil = |line: &str| match ["K_5_3 ", "L_17_1 ", "K_33_4 "].iter().any(|label| line.starts_with(label)) {
+        true => {
+            let mut cells: Vec<String> = line.split(' ').map(str::to_owned).collect();
+            cells[1] = (cells[1].parse::<f64>().unwrap() + 2.0).to_string();
+            cells.join(" ") + "\n"
+        }
+        false => line.to_owned() + "\n",
+    };
+    std::fs::write(&path, text.lines().map(spoil).collect::<String>()).unwrap();
+    let parts = [
+        "excluded by `outliers",
+        "3 of 400 readings",
+        "(K, pose 5, cycle 3)",
+        "(L, pose 17, cycle 1)",
+        "(K, pose 33, cycle 4)",
+    ];
+    ends(&scratch, "run", 0, &parts);
+    let found = parameters(&scratch);
+    assert_eq!(found.residuals.count, clean.residuals.count - 6);
+    for (p, q) in found.parameters.iter().zip(&clean.parameters) {
+        let Some(u) = q.standard_uncertainty else { continue };
+        assert!((p.value - q.value).abs() < u, "{}: {} {}", p.name, p.value, q.value);
+    }
+}
+
+#[test]
+fn a_tolerance_is_checked_and_kept() {
+    for (text, said) in [
+        ("tolerance = { length_mm = -1 }", "the tolerance `length_mm` must be positive"),
+        ("tolerance = { a_99 = 1 }", "`tolerance` names `a_99`, which is not a parameter of this robot"),
+    ] {
+        let scratch = copy_sample("prexyt-cmm");
+        scratch.replace("robot.toml", "model = \"prexyt\"", &format!("model = \"prexyt\"\n{text}"));
+        ends(&scratch, "check", 2, &[said]);
+    }
+    // the table's d3 is 0.85 mm from its drawing
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("robot.toml", "model = \"prexyt\"", "model = \"prexyt\"\ntolerance = { d3 = 0.5 }");
+    let said = ends(&scratch, "run", 1, &["beyond the tolerance of the robot: `d3` = 0.85", "tolerance 0.500 mm"]);
+    assert!(said.contains("no controller file is written"), "{said}");
+}
+
+#[test]
+fn nominal_values_ten_times_too_large_are_refused() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("robot.toml", "\ns = 394.0", "\ns = 3940.0");
+    ends(&scratch, "check", 2, &["the nominal robot misses the measurements", "with `s` = 39"]);
+    assert_ne!(etalon(&scratch, "run").0, Some(0));
+}
