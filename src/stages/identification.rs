@@ -97,8 +97,7 @@ pub fn preview(campaign: &Campaign, robot: &dyn Robot, joined: &Joined) -> Resul
     let mut observations = Observation::from_table(robot, table, &mut Vec::new())?;
     exclude(campaign, stated, robot, &mut observations)?;
     let mut messages = stale(robot, &observations);
-    let settings = campaign.settings(stated);
-    let u_mm = settings.standard_uncertainty_mm.unwrap_or(0.0).hypot(settings.common_uncertainty_mm.unwrap_or(0.0));
+    let u_mm = campaign.settings(stated).coordinate_uncertainty_mm();
     messages.extend(identify::set_up_problem(robot, &observations, u_mm));
     Ok(messages)
 }

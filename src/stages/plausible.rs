@@ -4,8 +4,8 @@ use crate::base::message::Message;
 use crate::base::pose::{centroid, minus, norm};
 use crate::document::PointError;
 use crate::math::identify::{
-    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
-    moved_between, set_up_error,
+    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, explain,
+    far_from_nominal, moved_between,
 };
 use crate::math::robots::{Parameter, Quantity, Robot, Role};
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -122,15 +122,6 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     })
 }
 
-/// Adds to the first of `messages` the change of the set-up that explains it, where there is one.
-fn explain(messages: &mut [Message], robot: &dyn Robot, observations: &[Observation]) {
-    if let Some(first) = messages.first_mut()
-        && let Some(cause) = set_up_error(robot, observations)
-    {
-        *first = first.clone().hint(cause.hint());
-    }
-}
-
 /// An error where the nominal robot, at `before`, is further from most measurements than its tolerances allow.
 fn far_before(
     robot: &dyn Robot,
@@ -142,8 +133,7 @@ fn far_before(
     let mut left: Vec<f64> = errors.iter().filter(|e| e.set == "calibration").map(|e| norm(e.before_mm)).collect();
     left.sort_by(f64::total_cmp);
     let rms_mm = (left.iter().map(|v| v * v).sum::<f64>() / left.len().max(1) as f64).sqrt();
-    let u_mm = settings.standard_uncertainty_mm.unwrap_or(0.0).hypot(settings.common_uncertainty_mm.unwrap_or(0.0));
-    let allowed_mm = allowed_mm(robot, observations, before, u_mm)?;
+    let allowed_mm = allowed_mm(robot, observations, before, settings.coordinate_uncertainty_mm())?;
     (*left.get(left.len() / 2)? > allowed_mm).then(|| far_from_nominal(robot, observations, rms_mm, allowed_mm))
 }
 

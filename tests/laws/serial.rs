@@ -1,9 +1,10 @@
 //! Serial arms: whatever the place of the tracker, a noise-free identification gives the truth.
 
+use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::noise::Noise;
 use etalon::campaign::read_robot;
 use etalon::math::identify::{Observation, ResidualKind, Settings, UncertaintyFrom, identify};
-use etalon::math::robots::{Robot, Role, Serial, SerialJoint};
+use etalon::math::robots::{Robot, Role};
 
 fn robot(targets: usize) -> Box<dyn Robot> {
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
@@ -168,17 +169,7 @@ fn errors_that_neighbouring_poses_share_are_in_the_uncertainty() {
     const REGIONS: usize = 60;
     const POSES: usize = 8;
     // joints 2 and 3 bend, which the model that is identified leaves out
-    let joints = SIX_AXES.map(|[alpha, a_mm, theta, d_mm]: [f64; 4]| SerialJoint {
-        alpha_rad: alpha.to_radians(),
-        a_mm,
-        theta_rad: theta.to_radians(),
-        d_mm,
-        prismatic: false,
-        parallel: a_mm == 270.0,
-    });
-    let targets = ["T".to_owned()];
-    let bending = Serial::new(&joints, &targets, [0.0, 0.0, -1.0], &[2, 3], &[]);
-    let model = Serial::new(&joints, &targets, [0.0, 0.0, -1.0], &[], &[]);
+    let [bending, model] = [&[2, 3][..], &[]].map(|bending| serial(&SIX_AXES, &["T"], bending));
     let mut truth = bending.nominal();
     for (p, value) in bending.parameters().iter().zip(&mut truth) {
         match p.name.as_str() {
@@ -223,12 +214,3 @@ fn errors_that_neighbouring_poses_share_are_in_the_uncertainty() {
     println!("{CAMPAIGNS} synthetic campaigns of {REGIONS} regions: 95 % intervals hold {:.1} %", 100.0 * share);
     assert!(share > 0.90, "{share}");
 }
-
-const SIX_AXES: [[f64; 4]; 6] = [
-    [0.0, 0.0, 0.0, 290.0],
-    [-90.0, 0.0, -90.0, 0.0],
-    [0.0, 270.0, 0.0, 0.0],
-    [-90.0, 70.0, 0.0, 302.0],
-    [90.0, 0.0, 0.0, 0.0],
-    [-90.0, 0.0, 180.0, 72.0],
-];

@@ -3,13 +3,14 @@
 //!
 //! What no data show is not here: one factor for all lengths of an arm whose joints turn, an offset common to all readings.
 
+use crate::support::arms::{SIX_AXES, serial};
 use crate::support::five_bar::{self, measure};
 use etalon::base::message::{Message, Severity};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
 use etalon::math::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
-use etalon::math::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role, Serial, SerialJoint};
+use etalon::math::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
 use etalon::run::check;
 use etalon::stages::evaluate::{self, Sets};
 use etalon::stages::plausible::plausibility;
@@ -45,20 +46,6 @@ fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<M
     found().unwrap_or_else(|problems: etalon::base::message::Problems| problems.0)
 }
 
-fn serial(rows: &[[f64; 4]], targets: &[&str]) -> Serial {
-    let joint = |(i, &[alpha, a_mm, theta, d_mm]): (usize, &[f64; 4])| SerialJoint {
-        alpha_rad: alpha.to_radians(),
-        a_mm,
-        theta_rad: theta.to_radians(),
-        d_mm,
-        prismatic: false,
-        parallel: i > 0 && alpha == 0.0,
-    };
-    let joints: Vec<SerialJoint> = rows.iter().enumerate().map(joint).collect();
-    let targets: Vec<String> = targets.iter().map(|t| (*t).to_owned()).collect();
-    Serial::new(&joints, &targets, [0.0, 0.0, -1.0], &[], &[])
-}
-
 /// A robot off by half a millimetre and two milliradians, its base and targets anywhere.
 fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
     let value = |p: &etalon::math::robots::Parameter, noise: &mut Noise| match (p.role, p.quantity) {
@@ -82,18 +69,9 @@ const SEVEN_AXES: [[f64; 4]; 7] = [
     [90.0, 88.0, 0.0, 0.0],
 ];
 const TARGETS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];
-const SIX_AXES: [[f64; 4]; 6] = [
-    [0.0, 0.0, 0.0, 290.0],
-    [-90.0, 0.0, -90.0, 0.0],
-    [0.0, 270.0, 0.0, 0.0],
-    [-90.0, 70.0, 0.0, 302.0],
-    [90.0, 0.0, 0.0, 0.0],
-    [-90.0, 0.0, 180.0, 72.0],
-];
-
 /// An arm measured in `poses` poses in which its first target lies in a cube of `cube_mm` around `middle` (in the base).
 fn arm(name: &'static str, rows: &[[f64; 4]], targets: &[&str], poses: usize, cube: Option<(Vector, f64)>) -> Bench {
-    let robot = serial(rows, targets);
+    let robot = serial(rows, targets, &[]);
     let mut noise = Noise::new(16, 1);
     let truth = truth(&robot, &mut noise);
     let u_mm = 0.02;
@@ -260,7 +238,7 @@ fn wrong_tables(rows: &[[f64; 4]], targets: &[&str]) -> Vec<(String, Box<dyn Rob
         ("d_3 is 58.8 mm too long", offset, "`d_3` = "),
         ("standard parameters taken as modified ones", standard, "standard Denavit-Hartenberg"),
     ]
-    .map(|(what, rows, named)| (what.to_owned(), Box::new(serial(&rows, targets)) as _, named.to_owned()))
+    .map(|(what, rows, named)| (what.to_owned(), Box::new(serial(&rows, targets, &[])) as _, named.to_owned()))
     .into()
 }
 

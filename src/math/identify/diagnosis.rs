@@ -3,7 +3,7 @@
 use super::identifiability::{Analysis, Group};
 use super::observation::misplaced;
 use super::residuals::{OF_MEDIAN, Residuals};
-use super::set_up::explained;
+use super::set_up::explain;
 use super::{Identification, Observation, ResidualKind, Settings, unseen_by};
 use crate::base::message::{Message, Problems};
 use crate::base::pose::{Vector, minus, norm};
@@ -31,19 +31,24 @@ pub(super) fn diagnose_failure(
         return too_little(robot, observations, &all, start);
     }
     let ended = "the identification ended without a result";
-    let message = match cause(robot, observations, start) {
+    let mut message = match cause(robot, observations, start) {
         Some((what, hint)) => Message::error(format!("{ended}: {what}")).hint(hint),
         None => Message::error(format!("{ended}: {termination}"))
             .hint("check units, order and signs of the joints and the nominal parameters; `hold` in [identify] holds parameters"),
     };
-    explained(message.into(), robot, observations)
+    explain(std::slice::from_mut(&mut message), robot, observations);
+    message.into()
 }
 
 /// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
 pub(super) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Problems {
     let what = "no parameter is left to identify";
     match cause(robot, observations, start) {
-        Some((why, hint)) => explained(Message::error(format!("{what}: {why}")).hint(hint).into(), robot, observations),
+        Some((why, hint)) => {
+            let mut message = Message::error(format!("{what}: {why}")).hint(hint);
+            explain(std::slice::from_mut(&mut message), robot, observations);
+            message.into()
+        }
         None => Message::error(what).hint("hold fewer parameters, and measure more poses").into(),
     }
 }
@@ -190,24 +195,19 @@ impl RobustFit {
         let mut free = found.free.clone();
         free.extend(unseen_by(robot, settings.kind).filter(|i| !found.free.contains(i)));
         let values = robust(robot, observations, &free, &found.values)?;
-        let [own_mm, common_mm] =
-            [settings.standard_uncertainty_mm, settings.common_uncertainty_mm].map(|u| u.unwrap_or(0.0));
         let scale_mm = OF_MEDIAN * median_mm(robot, observations, &values)?;
         let mut readings = Vec::new();
         for (observation, o) in observations.iter().enumerate() {
-            for (target, measured) in o.targets.iter().enumerate() {
-                let Some(measured) = measured else { continue };
-                readings.push(Reading {
-                    observation,
-                    target,
-                    pose: o.pose,
-                    cycle: o.cycle,
-                    left_mm: norm(minus(*measured, robot.position(&values, &o.joints, target))),
-                });
-            }
+            readings.extend(o.misses(robot, &values).map(|(target, miss)| Reading {
+                observation,
+                target,
+                pose: o.pose,
+                cycle: o.cycle,
+                left_mm: norm(miss),
+            }));
         }
         readings.sort_by(|a, b| b.left_mm.total_cmp(&a.left_mm));
-        Some(Self { readings, scale_mm: scale_mm.max(own_mm.hypot(common_mm)).max(LEAST_MM) })
+        Some(Self { readings, scale_mm: scale_mm.max(settings.coordinate_uncertainty_mm()).max(LEAST_MM) })
     }
 
     /// Readings beyond the rest, the largest first.

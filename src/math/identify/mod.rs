@@ -22,7 +22,7 @@ pub use observability::{Observability, SingularValue, WeakGroup};
 pub use observation::{Observation, joint_column, stated_modes};
 pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use residuals::ResidualKind;
-pub use set_up::{SetUpError, allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem};
+pub use set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
 pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
 
 use crate::base::message::{Message, Result};
@@ -44,6 +44,13 @@ pub struct Settings {
     pub common_uncertainty_mm: Option<f64>,
     /// Names of parameters held at their nominal value; `*` stands for any text.
     pub hold: Vec<String>,
+}
+
+impl Settings {
+    /// Standard uncertainty of one measured coordinate with what it has in common with others, mm; 0 where none is stated.
+    pub fn coordinate_uncertainty_mm(&self) -> f64 {
+        self.standard_uncertainty_mm.unwrap_or(0.0).hypot(self.common_uncertainty_mm.unwrap_or(0.0))
+    }
 }
 
 /// Why a parameter has the value that it has.

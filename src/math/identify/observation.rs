@@ -90,6 +90,18 @@ impl Observation {
     }
 }
 
+impl Observation {
+    /// For each measured target its index, and its measured position minus where `values` put it, mm.
+    pub(super) fn misses<'o>(
+        &'o self,
+        robot: &'o dyn Robot,
+        values: &'o [f64],
+    ) -> impl Iterator<Item = (usize, Vector)> + 'o {
+        let measured = self.targets.iter().enumerate().filter_map(|(k, target)| Some((k, (*target)?)));
+        measured.map(move |(k, target)| (k, minus(target, robot.position(values, &self.joints, k))))
+    }
+}
+
 /// The column of a joint, in one of its units, and what takes its values to mm or rad; without one the column that is missing.
 pub fn joint_column(joint: &Joint, table: &DataFrame) -> Result<(String, f64)> {
     let names = table.get_column_names().into_iter().map(|name| name.to_string());

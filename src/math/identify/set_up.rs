@@ -4,7 +4,7 @@
 use super::Observation;
 use super::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
 use super::residuals::Residuals;
-use crate::base::message::{Message, Problems};
+use crate::base::message::Message;
 use crate::base::pose::{Vector, centroid, minus, norm};
 use crate::math::robots::{Quantity, Robot, Role};
 use crate::math::solve::{self, Factor, Options, Problem, column_norms};
@@ -34,20 +34,19 @@ const LENGTHS: [(f64, &str); 4] = [
 ];
 
 /// The change of a set-up with which the nominal robot explains the measurements.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SetUpError {
+struct SetUpError {
     /// The change, and others that explain the data as well: "`q7` reversed".
-    pub changes: Vec<String>,
+    changes: Vec<String>,
     /// Root mean square of the distances that the nominal robot misses the measurements by as the set-up is stated, mm; infinite
     /// where it cannot be where the joints put it.
-    pub stated_mm: f64,
+    stated_mm: f64,
     /// The same with the change, mm.
-    pub changed_mm: f64,
+    changed_mm: f64,
 }
 
 impl SetUpError {
     /// What to look for.
-    pub fn hint(&self) -> String {
+    fn hint(&self) -> String {
         let [first, others @ ..] = &self.changes[..] else { return String::new() };
         let others = match others {
             [] => String::new(),
@@ -63,12 +62,13 @@ impl SetUpError {
     }
 }
 
-/// `problems` with the set-up error that explains them, where one does.
-pub(super) fn explained(mut problems: Problems, robot: &dyn Robot, observations: &[Observation]) -> Problems {
-    if let (Some(first), Some(found)) = (problems.0.first_mut(), set_up_error(robot, observations)) {
-        *first = first.clone().hint(found.hint());
+/// Gives the first of `messages` the change of the set-up that explains it as its hint, where there is one.
+pub fn explain(messages: &mut [Message], robot: &dyn Robot, observations: &[Observation]) {
+    if let Some(first) = messages.first_mut()
+        && let Some(found) = set_up_error(robot, observations)
+    {
+        first.hint = Some(found.hint());
     }
-    problems
 }
 
 /// Root mean square, in mm, of the errors of a nominal robot whose parameters are as far from nominal as their tolerances, taken
@@ -112,19 +112,17 @@ pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm:
 
 /// That the nominal robot misses the measurements by more than its tolerances allow.
 pub fn far_from_nominal(robot: &dyn Robot, observations: &[Observation], left_mm: f64, allowed_mm: f64) -> Message {
-    let message = Message::error(format!(
+    let mut message = Message::error(format!(
         "the nominal robot misses the measurements by {left_mm:.3} mm (root mean square), with base and targets where they explain \
          them best; parameters within their tolerances explain {allowed_mm:.3} mm"
-    ));
-    message.hint(match set_up_error(robot, observations) {
-        Some(cause) => cause.hint(),
-        None => "check signs, units and order of the joints, the nominal values, and how log and points are joined"
-            .to_owned(),
-    })
+    ))
+    .hint("check signs, units and order of the joints, the nominal values, and how log and points are joined");
+    explain(std::slice::from_mut(&mut message), robot, observations);
+    message
 }
 
 /// The change of the set-up with which the nominal robot explains the measurements, where there is one.
-pub fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUpError> {
+fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUpError> {
     let subset = spread_over(observations, SUBSET);
     let nominal = robot.nominal();
     let stated_mm = misfit(robot, &subset, &nominal, false).map_or(f64::INFINITY, |m| m.rms_mm);
@@ -222,11 +220,8 @@ fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anyw
     if let Some(arm) = robot.free_base() {
         let places: Vec<usize> = (0..nominal.len()).filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
         let placed = place(robot, arm, observations, nominal, &places).ok()??;
-        let mut left: Vec<f64> = Vec::new();
-        for o in observations {
-            let seen = o.targets.iter().enumerate().filter_map(|(k, m)| Some((k, (*m)?)));
-            left.extend(seen.map(|(k, m)| norm(minus(m, robot.position(&placed.values, &o.joints, k)))));
-        }
+        let misses = observations.iter().flat_map(|o| o.misses(robot, &placed.values));
+        let left: Vec<f64> = misses.map(|(_, miss)| norm(miss)).collect();
         let found = Misfit { rms_mm: placed.rms_mm, median_mm: median(left), values: placed.values };
         return Some(found).filter(|m| m.rms_mm.is_finite());
     }
@@ -336,11 +331,7 @@ impl Similarity {
 /// Where, in the order of the observations, measured positions begin to lie elsewhere than the robot at `values`: base or measuring
 /// system has moved. A warning where one shift explains most of what is left, and chance would not.
 pub fn moved_between(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<Message> {
-    let left = |o: &Observation| {
-        let seen =
-            o.targets.iter().enumerate().filter_map(|(k, m)| Some(minus((*m)?, robot.position(values, &o.joints, k))));
-        centroid(&seen.collect::<Vec<_>>())
-    };
+    let left = |o: &Observation| centroid(&o.misses(robot, values).map(|(_, miss)| miss).collect::<Vec<_>>());
     let all: Vec<(i64, Vector)> = observations.iter().filter_map(|o| Some((o.pose, left(o)?))).collect();
     let n = all.len();
     let sum = all.iter().fold([0.0; 3], |s, (_, r)| [0, 1, 2].map(|i| s[i] + r[i]));

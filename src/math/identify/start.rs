@@ -2,7 +2,7 @@
 
 use super::Observation;
 use super::placing::{Placed, UNEXPLAINED, place, spread_mm, spread_over};
-use super::set_up::explained;
+use super::set_up::explain;
 use crate::base::message::{Message, Result};
 use crate::base::pose::Pose;
 use crate::math::robots::{Robot, Role};
@@ -27,9 +27,10 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[u
         let what = format!(
             "no place of base and targets explains the measurements: {rms_mm:.1} mm are left of {spread:.1} mm"
         );
-        let message = Message::error(what)
+        let mut message = Message::error(what)
             .hint("check units, order, signs and offsets of the joints, and the nominal parameters of the robot");
-        return Err(explained(message.into(), robot, observations));
+        explain(std::slice::from_mut(&mut message), robot, observations);
+        return Err(message.into());
     }
     // the same rotation by angles of which the middle one is at most a right angle
     if (3..6).all(|i| places.contains(&i)) {

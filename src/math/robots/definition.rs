@@ -57,7 +57,7 @@ pub struct Parameter {
     /// Nominal value, in mm, rad or 1.
     pub nominal: f64,
     /// How far from nominal the part may be as it is drawn and mounted, in mm, rad or 1: a result beyond it is that of a wrong
-    /// set-up. Infinite where there is no nominal value: base and targets that are wherever they were put.
+    /// set-up. Infinite for base and targets without a nominal value: those of an arm.
     pub tolerance: f64,
 }
 
