@@ -131,3 +131,22 @@ fn nominal_values_ten_times_too_large_are_refused() {
     ends(&scratch, "check", 2, &["the nominal robot misses the measurements", "with `s` = 39"]);
     assert_ne!(etalon(&scratch, "run").0, Some(0));
 }
+
+#[test]
+fn a_reversed_joint_that_reaches_no_pose_is_named_before_the_run() {
+    let scratch = copy_sample("dextar");
+    let path = scratch.path().join("encoders.csv");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let column = text.lines().next().unwrap().split(',').position(|name| name == "T2").unwrap();
+    let reversed = |(i, line): (usize, &str)| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if i > 0 {
+            cells[column] = (-cells[column].parse::<f64>().unwrap()).to_string();
+        }
+        cells.join(",") + "\n"
+    };
+    std::fs::write(&path, text.lines().enumerate().map(reversed).collect::<String>()).unwrap();
+    let parts = ["the nominal robot cannot be where the joints put it", "with `theta2` reversed", "out of reach"];
+    let said = ends(&scratch, "check", 2, &parts);
+    assert!(!said.contains("inf mm"), "{said}");
+}

@@ -56,7 +56,7 @@ impl SetUpError {
         };
         let stated = match self.stated_mm.is_finite() {
             true => format!("falls from {:.3} to {:.3} mm", self.stated_mm, self.changed_mm),
-            false => format!("is {:.3} mm, as it stands it is out of reach", self.changed_mm),
+            false => format!("is {:.3} mm; without that its poses are out of reach", self.changed_mm),
         };
         format!("with {first}{others}, the root mean square error of the nominal robot {stated}: check that first")
     }
@@ -112,11 +112,16 @@ pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm:
 
 /// That the nominal robot misses the measurements by more than its tolerances allow.
 pub fn far_from_nominal(robot: &dyn Robot, observations: &[Observation], left_mm: f64, allowed_mm: f64) -> Message {
-    let mut message = Message::error(format!(
-        "the nominal robot misses the measurements by {left_mm:.3} mm (root mean square), with base and targets where they explain \
-         them best; parameters within their tolerances explain {allowed_mm:.3} mm"
-    ))
-    .hint("check signs, units and order of the joints, the nominal values, and how log and points are joined");
+    let what = if left_mm.is_finite() {
+        format!(
+            "the nominal robot misses the measurements by {left_mm:.3} mm (root mean square), with base and targets where they explain \
+             them best; parameters within their tolerances explain {allowed_mm:.3} mm"
+        )
+    } else {
+        "the nominal robot cannot be where the joints put it".to_owned()
+    };
+    let mut message = Message::error(what)
+        .hint("check signs, units and order of the joints, the nominal values, and how log and points are joined");
     explain(std::slice::from_mut(&mut message), robot, observations);
     message
 }
