@@ -209,7 +209,14 @@ impl RobotFile {
                 problems.0.push(Message::error(what).at(self.place(&["nominal", name])).hint_names(name, names));
                 continue;
             };
-            values[i] = robot.parameters()[i].quantity.inward(*value);
+            let p = &robot.parameters()[i];
+            // the mirrored arm explains the measurements as well
+            let is_length = p.quantity == Quantity::Length && p.role == Role::Robot && p.nominal > 0.0;
+            if is_length && !geometry_is_stated && *value <= 0.0 {
+                let message = Message::error(format!("the length `{name}` must be positive"));
+                problems.0.push(message.at(self.place(&["nominal", name])));
+            }
+            values[i] = p.quantity.inward(*value);
         }
         if !geometry_is_stated && !self.unread.contains(&["nominal".to_owned()]) {
             problems.0.extend(self.unstated(robot));

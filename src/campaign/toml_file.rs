@@ -45,9 +45,10 @@ impl UnreadKeys {
         self.0.iter().any(|keys| meet(keys, path) && keys.last().is_none_or(|last| last != key))
     }
 
-    /// Whether the entry itself, or an element of it, did not read.
+    /// Whether the entry itself, or an element of it, did not read, or one of this name in any table.
     pub fn affects_entry(&self, key: &str) -> bool {
-        self.0.iter().any(|keys| keys.len() <= 2 && keys.first().is_some_and(|first| first == key))
+        let is = |name: Option<&String>| name.is_some_and(|name| name == key);
+        self.0.iter().any(|keys| (keys.len() <= 2 && is(keys.first())) || is(keys.last()))
     }
 
     /// Whether everything read.

@@ -32,7 +32,7 @@ pub struct Iso9283 {
     /// Commanded poses: the same columns without cycle
     #[arg(long, required_unless_present_any = ["stream", "compliance", "plan"])]
     commanded: Option<PathBuf>,
-    /// Expanded uncertainty of a measured position in micrometres, for the 25 % rule; exit code 1 if it is not met
+    /// Expanded uncertainty of a measured position in micrometres, for the intervals and the 25 % rule
     #[arg(long, value_name = "UM")]
     expanded_uncertainty_um: Option<f64>,
     /// Limit of AP, decided by its interval: conforming, not conforming or undecided; exit code 1 unless conforming

@@ -26,7 +26,7 @@ pub struct Export {
     pub label: Option<Spanned<String>>,
     /// Target of all rows, where the file does not name it.
     pub target: Option<String>,
-    /// `row`: the number of the data row is the number of the pose.
+    /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for a second file of the same targets.
     pub pose: Option<FromRow>,
 }
 

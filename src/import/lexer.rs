@@ -120,6 +120,12 @@ pub(crate) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, 
     marked(field, decimal, None)
 }
 
+/// The number in the name of a pose, which is a number or ends in one: `12` of `12`, `P12` and `pose 012`.
+pub(crate) fn pose_number(name: &str) -> &str {
+    let digits = name.trim_start_matches(|c: char| c.is_alphabetic() || matches!(c, '_' | ' ' | '#'));
+    if digits.bytes().all(|b| b.is_ascii_digit()) && !digits.is_empty() { digits } else { name }
+}
+
 /// A number in the stated decimal and thousands marks, correctly rounded. Exponents may be `e+003`, `E001` or Fortran's
 /// `D+01`, the minus may be U+2212.
 pub(super) fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> std::result::Result<f64, Message> {
@@ -575,6 +581,16 @@ mod tests {
             }
         }
         assert_eq!(eight(b"1234567890"), (12_345_678, 8));
+    }
+
+    #[test]
+    fn poses_are_numbered_by_the_end_of_their_names() {
+        for (name, number) in [("12", "12"), ("P1", "1"), ("pose 012", "012"), ("Prüf_7", "7"), ("#3", "3")] {
+            assert_eq!(pose_number(name), number);
+        }
+        for name in ["home", "P1a", "1.5", "-1", "P-1", "1e5", ""] {
+            assert_eq!(pose_number(name), name);
+        }
     }
 
     #[test]

@@ -2,17 +2,18 @@
 
 use crate::base::message::{Message, Problems, Result};
 use crate::campaign::Campaign;
-use crate::document::Characteristics;
+use crate::document::{CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument};
 use crate::export;
 use crate::report::{self, Faces};
 use crate::run::check::{Prepared, check};
 use crate::run::output::Output;
 use crate::run::summary::summary;
 use crate::stages::frames;
+use crate::stages::gather::Gathered;
 use crate::stages::geometric;
 use crate::stages::identification::{Identified, identify};
 use crate::stages::iso9283;
-use crate::stages::join;
+use crate::stages::join::{self, Joined};
 
 /// What a run found, for the one who called it.
 #[derive(Debug)]
@@ -29,9 +30,31 @@ pub struct Outcome {
     pub written: Vec<String>,
 }
 
+/// Everything that a campaign gives, before any of it is written.
+pub struct Evaluated {
+    gathered: Gathered,
+    features: FeaturesDocument,
+    frames: FramesDocument,
+    joined: Option<Joined>,
+    geometric: Option<GeometricDocument>,
+    summary: CampaignSummary,
+    /// Parameters and errors, where the campaign identifies any.
+    pub identified: Option<Identified>,
+    /// Characteristics of ISO 9283, where the campaign tests any.
+    pub tested: Characteristics,
+    /// The report, which decides whether everything is met.
+    pub faces: Faces,
+}
+
 /// Runs a campaign from its exports to the report. Nothing is written before all of it is computed.
 /// Where a stage fails, the warnings of those before it come first: they may say why.
 pub fn run(campaign: &Campaign) -> Result<Outcome> {
+    let out = Output::new(campaign.output()?);
+    write(campaign, evaluate(campaign)?, out)
+}
+
+/// The same, and nothing is written.
+pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     let mut warnings = Vec::new();
     stages(campaign, &mut warnings).map_err(|problems| {
         let repeated = |message: &Message| problems.0.contains(message);
@@ -39,9 +62,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
     })
 }
 
-fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
-    let mut out = Output::new(campaign.output()?);
-
+fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Evaluated> {
     // gather: exports and logs become points and joint values
     let Prepared { mut gathered, robot, tests, geometric: measured, presentation } = check(campaign)?;
     warnings.clone_from(&gathered.document.messages);
@@ -73,7 +94,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         geometric = geometric::calibrate(campaign, robot.as_ref(), measured, found)?;
     }
 
-    // report and export, from the documents alone
+    // report, from the documents alone
     let summary = summary(campaign, presentation);
     let report = report::Report {
         campaign: &summary,
@@ -89,6 +110,23 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         tested: &tested,
     };
     let faces = Faces::campaign(&report)?;
+    Ok(Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested, faces })
+}
+
+impl Evaluated {
+    /// Everything that the report warns of.
+    pub fn messages(&self) -> impl Iterator<Item = &Message> {
+        let messages = self.gathered.document.messages.iter();
+        let messages = messages.chain(self.identified.iter().flat_map(|found| &found.parameters.messages));
+        let messages = messages.chain(self.geometric.iter().flat_map(|g| &g.messages));
+        messages.chain(self.tested.messages())
+    }
+}
+
+/// Writes every document, the report and the files for controllers.
+fn write(campaign: &Campaign, found: Evaluated, mut out: Output) -> Result<Outcome> {
+    let messages = found.messages().cloned().collect();
+    let Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested, faces } = found;
     out.gathered(campaign, &gathered)?;
     out.json("campaign.json", &summary)?;
     out.json("import.json", &gathered.document)?;
@@ -107,10 +145,6 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Outcome> {
         }
     }
     out.reports(faces.files()?);
-    let messages = gathered.document.messages.into_iter();
-    let messages = messages.chain(identified.iter().flat_map(|found| &found.parameters.messages).cloned());
-    let messages = messages.chain(geometric.into_iter().flat_map(|g| g.messages));
-    let messages = messages.chain(tested.messages().cloned()).collect();
     Ok(Outcome { written: out.write()?, identified, tested, faces, messages })
 }
 

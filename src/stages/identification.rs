@@ -102,7 +102,8 @@ pub fn preview(campaign: &Campaign, robot: &dyn Robot, joined: &Joined) -> Resul
     Ok(messages)
 }
 
-/// Leaves out the readings that the campaign excludes, and names them with their reasons.
+/// Leaves out the readings that the campaign excludes, and names them with their reasons. What a rule names must have been measured,
+/// whatever other rules exclude.
 fn exclude(
     campaign: &Campaign,
     stated: &Identify,
@@ -110,44 +111,24 @@ fn exclude(
     observations: &mut Vec<Observation>,
 ) -> Result<Vec<Message>> {
     let (mut messages, mut problems) = (Vec::new(), Problems::default());
+    let mut excluded: BTreeSet<(usize, usize)> = BTreeSet::new();
     for rule in &stated.exclude {
-        let Exclude { poses, cycle, target, reason } = rule.get_ref();
-        let selection = match Selection::parse(poses) {
-            Ok(selection @ Selection::Ranges(_)) => selection,
-            _ => {
-                let message = Message::error(format!("`{poses}` names no poses to exclude")).at(campaign.place(rule));
-                problems.0.push(message.expected("numbers and ranges like \"13, 20-22\""));
-                continue;
+        match readings_of(rule.get_ref(), robot, observations) {
+            Ok(readings) => {
+                let Exclude { poses, cycle, target, reason } = rule.get_ref();
+                let of = target.as_ref().map_or(String::new(), |target| format!(" of `{target}`"));
+                let cycle = cycle.map_or(String::new(), |cycle| format!(", cycle {cycle}"));
+                let of_poses = if poses.trim().parse::<i64>().is_ok() { "pose" } else { "poses" };
+                let readings_left_out = count(readings.len(), "reading");
+                let what = format!("excluded: {readings_left_out}{of}, {of_poses} {poses}{cycle}: {reason}");
+                messages.push(Message::warning(what));
+                excluded.extend(readings);
             }
-        };
-        let mut left_out = 0;
-        if let Some(target) = target.as_ref().filter(|target| !robot.targets().contains(target)) {
-            let message = Message::error(format!("`{target}` is not a target of this robot")).at(campaign.place(rule));
-            problems.0.push(message.hint_names(target, robot.targets().iter().map(String::as_str)));
-            continue;
+            Err(message) => problems.0.push(message.at(campaign.place(rule))),
         }
-        for o in observations.iter_mut().filter(|o| selection.contains(o.pose, 0, false)) {
-            if cycle.is_some_and(|cycle| cycle != o.cycle) {
-                continue;
-            }
-            for (name, measured) in robot.targets().iter().zip(&mut o.targets) {
-                if target.as_ref().is_none_or(|target| target == name) {
-                    left_out += usize::from(measured.take().is_some());
-                }
-            }
-        }
-        if reason.trim().is_empty() {
-            problems.0.push(Message::error("an exclusion needs its reason").at(campaign.place(rule)));
-        } else if left_out == 0 {
-            let what = "this exclusion leaves no reading out: there is none of this pose, cycle and target";
-            problems.0.push(Message::error(what).at(campaign.place(rule)));
-        } else {
-            let of = target.as_ref().map_or(String::new(), |target| format!(" of `{target}`"));
-            let cycle = cycle.map_or(String::new(), |cycle| format!(", cycle {cycle}"));
-            let of_poses = if poses.trim().parse::<i64>().is_ok() { "pose" } else { "poses" };
-            let what = format!("excluded: {}{of}, {of_poses} {poses}{cycle}: {reason}", count(left_out, "reading"));
-            messages.push(Message::warning(what));
-        }
+    }
+    for &(o, target) in &excluded {
+        observations[o].targets[target] = None;
     }
     observations.retain(|o| o.targets.iter().any(Option::is_some));
     if let (true, Some(first)) = (observations.is_empty(), stated.exclude.first()) {
@@ -155,6 +136,47 @@ fn exclude(
     }
     problems.check()?;
     Ok(messages)
+}
+
+/// The readings that a rule excludes: indices of observations and of their targets.
+fn readings_of(
+    rule: &Exclude,
+    robot: &dyn Robot,
+    observations: &[Observation],
+) -> std::result::Result<Vec<(usize, usize)>, Message> {
+    let Exclude { poses, cycle, target, reason } = rule;
+    let Ok(Selection::Ranges(ranges)) = Selection::parse(poses) else {
+        let message = Message::error(format!("`{poses}` names no poses to exclude"));
+        return Err(message.expected("numbers and ranges like \"13, 20-22\""));
+    };
+    if let Some(target) = target.as_ref().filter(|target| !robot.targets().contains(target)) {
+        let message = Message::error(format!("`{target}` is not a target of this robot"));
+        return Err(message.hint_names(target, robot.targets().iter().map(String::as_str)));
+    }
+    if reason.trim().is_empty() {
+        return Err(Message::error("an exclusion needs its reason"));
+    }
+    let mut all = BTreeSet::new();
+    for (range, text) in ranges.into_iter().zip(poses.split(',')) {
+        let here =
+            |o: &Observation| (range.0..=range.1).contains(&o.pose) && cycle.is_none_or(|cycle| cycle == o.cycle);
+        let observed = observations.iter().enumerate().filter(|(_, o)| here(o));
+        let named = |k: &usize| target.as_ref().is_none_or(|target| *target == robot.targets()[*k]);
+        let mut measured = observed
+            .flat_map(|(i, o)| {
+                (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).filter(named).map(move |k| (i, k))
+            })
+            .peekable();
+        if measured.peek().is_none() {
+            let what = format!(
+                "this exclusion leaves no reading out at pose {}: there is none of this pose, cycle and target",
+                text.trim()
+            );
+            return Err(Message::error(what));
+        }
+        all.extend(measured);
+    }
+    Ok(all.into_iter().collect())
 }
 
 /// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.

@@ -1,6 +1,6 @@
 //! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
 
-use crate::base::message::Message;
+use crate::base::message::{Message, count};
 use crate::base::pose::{centroid, minus, norm};
 use crate::document::PointError;
 use crate::math::identify::{
@@ -9,6 +9,7 @@ use crate::math::identify::{
 };
 use crate::math::robots::{Parameter, Quantity, Robot, Role};
 use statrs::distribution::{ContinuousCDF, StudentsT};
+use std::collections::BTreeSet;
 
 /// Parameters beyond their tolerance that a message names.
 const NAMED: usize = 5;
@@ -40,6 +41,7 @@ pub fn plausibility(
     errors: &[PointError],
 ) -> Vec<Message> {
     let mut messages = implausible(robot, &found.values, errors);
+    messages.extend(undetermined(robot, observations, found));
     let far = far_before(robot, observations, settings, before, errors);
     let misfit = match found.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.degrees_of_freedom),
@@ -64,6 +66,22 @@ pub fn plausibility(
         messages.insert(place, robust.message(robot));
     }
     messages
+}
+
+/// An error where the poses give no more coordinates than parameters are identified: nothing is left that could contradict them.
+fn undetermined(robot: &dyn Robot, observations: &[Observation], found: &Identification) -> Option<Message> {
+    let targets =
+        |o: &Observation| (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).map(|k| (o.pose, k)).collect();
+    let distinct: BTreeSet<(i64, usize)> = observations.iter().flat_map(|o| -> Vec<_> { targets(o) }).collect();
+    let coordinates = robot.dimension() * distinct.len();
+    (coordinates <= found.free.len()).then(|| {
+        let what = format!(
+            "{} of the calibration poses determine {}, and none is left to check them",
+            count(coordinates, "coordinate"),
+            count(found.free.len(), "parameter")
+        );
+        Message::error(what).hint("measure more poses, spread over the workspace")
+    })
 }
 
 /// A warning about validation readings that lie far from the others: their errors are in the accuracy.
@@ -145,6 +163,7 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
         return vec![Message::error(what).hint("exchange the names of the two targets in the labels of the export")];
     }
     messages.extend(beyond_tolerance(robot, values));
+    let mut described = false;
     for set in ["calibration", "validation"] {
         let of = || errors.iter().filter(|e| e.set == set);
         let rms = |size: &dyn Fn(&PointError) -> f64| {
@@ -154,13 +173,23 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
         let all: Vec<_> = of().map(|e| e.at_mm).collect();
         let middle = centroid(&all).unwrap_or_default();
         let spread = rms(&|e| norm(minus(e.at_mm, middle)));
-        if after > LEFT * spread && of().count() > 1 {
+        let fails = after > LEFT * spread && of().count() > 1;
+        if fails {
+            let hint = match described {
+                true => {
+                    "the calibration poses fit: log and exports of the validation poses are not of the same poses (a log of another \
+                         campaign, or poses that are numbered otherwise)"
+                }
+                false => {
+                    "check units, order and signs of the joints, the nominal parameters, and how log and points are joined"
+                }
+            };
             messages.push(
                 Message::error(format!(
                     "the model does not describe this robot: on the {set} poses {after:.3} mm are left (root mean square) of \
                      positions that spread over {spread:.1} mm"
                 ))
-                .hint("check units, order and signs of the joints, the nominal parameters, and how log and points are joined"),
+                .hint(hint),
             );
         } else if after > WORSE * before {
             messages.push(
@@ -171,6 +200,7 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
                 .hint("measure more poses, spread over the workspace, or hold parameters that they do not determine"),
             );
         }
+        described = !fails && of().count() > 1;
     }
     messages
 }
@@ -207,4 +237,53 @@ fn exchanged<'r>(robot: &'r dyn Robot, values: &[f64]) -> Option<(&'r Parameter,
     let i = robot.platform()?.target_distance();
     let p = &robot.parameters()[i];
     (values[i] * p.nominal < 0.0).then_some((p, values[i]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::noise::Noise;
+    use crate::math::identify::{ResidualKind, identify};
+    use crate::math::robots::Prexyt;
+
+    /// What is said of a common factor where all measured points are `factor` times what they are, and the robot's parameters are off
+    /// nominal by up to `off_mm`.
+    fn said(factor: f64, off_mm: f64) -> Option<String> {
+        let (robot, mut noise) = (Prexyt::default(), Noise::new(16, 5));
+        let own = |p: &Parameter| p.role == Role::Robot && p.quantity == Quantity::Length && p.nominal != 0.0;
+        let truth: Vec<f64> =
+            robot.parameters().iter().map(|p| p.nominal + if own(p) { noise.uniform(off_mm) } else { 0.0 }).collect();
+        let pose = |i: i64| {
+            let joints = vec![85.0 + noise.uniform(80.0), 150.0 + noise.uniform(100.0), 150.0 + noise.uniform(100.0)];
+            let mut seen = |at: [f64; 2]| at.map(|v| factor * v + noise.gaussian(0.003));
+            let targets = robot
+                .balls(&truth, &joints)
+                .map(|at| {
+                    let [x, y] = seen(at);
+                    Some([x, y, 0.0])
+                })
+                .to_vec();
+            Observation { pose: i, cycle: 1, joints, targets }
+        };
+        let observations: Vec<Observation> = (1..=40).map(pose).collect();
+        let settings = Settings {
+            kind: ResidualKind::Targets,
+            standard_uncertainty_mm: Some(0.003),
+            common_uncertainty_mm: None,
+            hold: Vec::new(),
+        };
+        let found = identify(&robot, &observations, &settings).expect("identified");
+        common_factor(&robot, &found).map(|message| message.what)
+    }
+
+    #[test]
+    fn a_factor_common_to_all_lengths_and_gains_is_a_scale_error() {
+        for (factor, text) in [(1.001, "1.0010"), (0.9995, "0.9995")] {
+            let what = said(factor, 0.0).expect("a factor");
+            assert!(what.contains(text) && what.contains("scale error"), "{what}");
+        }
+        assert_eq!(said(1.0, 0.0), None);
+        // parts that are off by themselves share none
+        assert_eq!(said(1.0, 0.5), None);
+    }
 }

@@ -188,3 +188,38 @@ fn every_key_that_the_log_has_twice_is_said_with_its_lines() {
         "{said}"
     );
 }
+
+#[test]
+fn two_files_of_one_target_number_their_rows_apart() {
+    let scratch = copy_sample("prexyt-cmm");
+    let text = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
+    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    let first_cycle: Vec<&str> = log.lines().filter(|line| line.starts_with("run") || line.starts_with("1,")).collect();
+    std::fs::write(scratch.path().join("encoders.csv"), first_cycle.join("\n")).unwrap();
+    let mut exports = String::new();
+    for target in ["K", "L"] {
+        let row = |pose: i64| text.lines().find(|line| line.starts_with(&format!("{target}_{pose}_1 "))).unwrap();
+        for (part, poses, number) in [("a", 1..=30, "row"), ("b", 31..=59, "row + 30")] {
+            let file = format!("exports/{target}_{part}.txt");
+            let rows = poses.map(|pose| row(pose).to_owned() + "\n").collect::<String>();
+            std::fs::write(scratch.path().join(&file), rows).unwrap();
+            exports += &format!(
+                "[[export]]\nfile = \"{file}\"\nformat = \"polyworks\"\nunit = \"mm\"\ntarget = \"{target}\"\npose = \"{number}\"\n"
+            );
+        }
+    }
+    let stated = "[[export]]\nfile = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = \"mm\"\nlabel = \"{target}_{pose}_{cycle}\"\n";
+    scratch.replace("campaign.toml", stated, &exports);
+    scratch.replace("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"pose\"");
+    let outcome = pipeline::evaluate(&Campaign::read(&scratch.path()).unwrap()).unwrap();
+    let found = outcome.identified.as_ref().unwrap();
+    assert_eq!((found.parameters.residuals.count, found.accuracy.sets[1].poses), (8 * 4, 51));
+    assert!(outcome.faces.is_met());
+    // without the offset they collide, and the message states the remedy
+    scratch.replace("campaign.toml", "row + 30", "row");
+    let problems = pipeline::evaluate(&Campaign::read(&scratch.path()).unwrap()).err().unwrap().to_string();
+    assert!(problems.contains("is there twice at pose 1") && problems.contains("`pose = \"row + 100\"`"), "{problems}");
+    scratch.replace("campaign.toml", "pose = \"row\"", "pose = \"row - 1\"");
+    let problems = Campaign::read(&scratch.path()).unwrap_err().to_string();
+    assert!(problems.contains("`row - 1` is not the number of a row"), "{problems}");
+}

@@ -2,6 +2,7 @@
 
 use super::{ends, etalon};
 use crate::support::scratch::{Scratch, copy_sample};
+use etalon::campaign::Campaign;
 use etalon::document::ParametersDocument;
 
 fn parameters(scratch: &Scratch) -> ParametersDocument {
@@ -62,14 +63,26 @@ fn excluded_readings_have_a_reason_that_the_report_repeats() {
     assert_eq!(parameters(&scratch).residuals.count, all - 2);
     assert!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("stylus slipped"));
     for (from, to, said) in [
-        ("poses = \"3\"", "poses = \"333\"", "this exclusion leaves no reading out"),
-        ("poses = \"333\"", "poses = \"all\"", "`all` names no poses to exclude"),
+        ("poses = \"3\"", "poses = \"333\"", "this exclusion leaves no reading out at pose 333"),
+        ("poses = \"333\"", "poses = \"3, 777\"", "this exclusion leaves no reading out at pose 777"),
+        ("poses = \"3, 777\"", "poses = \"all\"", "`all` names no poses to exclude"),
         ("poses = \"all\"\ncycle = 2\ntarget = \"K\"", "poses = \"1-59\"", "the exclusions leave no reading"),
         ("reason = \"stylus slipped\"", "reason = \" \"", "an exclusion needs its reason"),
     ] {
         scratch.replace("campaign.toml", from, to);
         ends(&scratch, "check", 2, &[said]);
     }
+}
+
+#[test]
+fn exclusions_that_overlap_are_each_counted_by_what_was_measured() {
+    let scratch = copy_sample("prexyt-cmm");
+    for poses in ["3", "2-4"] {
+        let rule = format!("\n[[identify.exclude]]\nposes = \"{poses}\"\ncycle = 2\nreason = \"stylus slipped\"\n");
+        add(&scratch, "campaign.toml", &rule);
+    }
+    ends(&scratch, "run", 0, &["excluded: 2 readings, pose 3, cycle 2", "excluded: 6 readings, poses 2-4, cycle 2"]);
+    assert_eq!(parameters(&scratch).residuals.count, 160 - 12);
 }
 
 #[test]
@@ -129,6 +142,9 @@ fn nominal_values_ten_times_too_large_are_refused() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("robot.toml", "\ns = 394.0", "\ns = 3940.0");
     ends(&scratch, "check", 2, &["the nominal robot misses the measurements", "with `s` = 39"]);
+    let mirrored = copy_sample("dextar");
+    mirrored.replace("robot.toml", "l12 = 230.0", "l12 = -230.0");
+    ends(&mirrored, "check", 2, &["the length `l12` must be positive", "robot.toml:7:7"]);
     assert_ne!(etalon(&scratch, "run").0, Some(0));
 }
 
@@ -149,4 +165,72 @@ fn a_reversed_joint_that_reaches_no_pose_is_named_before_the_run() {
     let parts = ["the nominal robot cannot be where the joints put it", "with `theta2` reversed", "out of reach"];
     let said = ends(&scratch, "check", 2, &parts);
     assert!(!said.contains("inf mm"), "{said}");
+}
+
+#[test]
+fn a_ball_that_bears_the_coordinates_of_another_is_named() {
+    let plate = copy_sample("dextar");
+    let text = std::fs::read_to_string(plate.path().join("exports/plate.txt")).unwrap();
+    let balls: Vec<&str> = text.lines().filter(|line| line.starts_with("DexTAR,")).collect();
+    let cells = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
+    for (i, ball) in balls.iter().enumerate() {
+        let (ball, other) = (cells(ball), cells(balls[(i + 5) % balls.len()]));
+        let scratch = copy_sample("dextar");
+        scratch.replace("exports/plate.txt", &ball.join(","), &[&ball[..3], &other[3..]].concat().join(","));
+        let found = etalon::run::check::check(&Campaign::read(&scratch.path()).unwrap()).unwrap();
+        let said: String = found.gathered.document.messages.iter().map(|m| m.what.clone() + "\n").collect();
+        let named = |a: &str, b: &str| said.contains(&format!("`{a}` lies where `{b}` is"));
+        assert!(named(&ball[2], &other[2]) || named(&other[2], &ball[2]), "{}: {said}", ball[2]);
+    }
+}
+
+#[test]
+fn as_many_parameters_as_coordinates_are_no_result() {
+    let scratch = copy_sample("pose-test");
+    let rows = ["SMR_1,374,0,630", "SMR_2,374,0,500"].map(|row| format!("1,1,{row},0,0,0,0,0,0\n")).concat();
+    let header = "pose,cycle,target,x_mm,y_mm,z_mm,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n";
+    std::fs::write(scratch.path().join("o.csv"), header.to_owned() + &rows).unwrap();
+    let done = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        .args(["identify", "--robot", "robot.toml", "--observations", "o.csv"])
+        .current_dir(scratch.path())
+        .output()
+        .unwrap();
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert_eq!(done.status.code(), Some(1), "{said}");
+    assert!(said.contains("6 coordinates of the calibration poses determine 6 parameters, and none is left"), "{said}");
+}
+
+#[test]
+fn targets_of_a_table_that_leave_its_plane_are_named() {
+    let scratch = copy_sample("prexyt-cmm");
+    let path = scratch.path().join("exports/poses.txt");
+    let text = std::fs::read_to_string(&path).unwrap();
+    // the heights are in inches
+    let inches = |line: &str| {
+        let (rest, z) = line.rsplit_once(' ').unwrap();
+        format!("{rest} {:.5}\n", z.parse::<f64>().unwrap() / 25.4)
+    };
+    std::fs::write(&path, text.lines().map(inches).collect::<String>()).unwrap();
+    ends(&scratch, "check", 0, &["warning: the targets move in a plane", "heights from", "92.03"]);
+}
+
+#[test]
+fn reference_targets_that_make_poses_scatter_more_are_named() {
+    let scratch = copy_sample("pose-test");
+    let path = scratch.path().join("reference.csv");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let raised = |line: &str| match line.strip_prefix("21,").and_then(|_| line.rsplit_once(',')) {
+        Some((rest, z)) => format!("{rest},{:.4}\n", z.parse::<f64>().unwrap() + 0.1),
+        None => format!("{line}\n"),
+    };
+    std::fs::write(&path, text.lines().map(raised).collect::<String>()).unwrap();
+    ends(&scratch, "run", 0, &["compensated by the reference targets, attained positions scatter by 0.0"]);
+}
+
+#[test]
+fn the_log_of_another_campaign_is_named() {
+    let scratch = copy_sample("prexyt-cmm");
+    let other = copy_sample("prexyt-geometric");
+    std::fs::copy(other.path().join("encoders.csv"), scratch.path().join("encoders.csv")).unwrap();
+    ends(&scratch, "run", 1, &["a log of another campaign", "no controller file is written"]);
 }

@@ -19,6 +19,7 @@ mod iso9283_path_intervals;
 mod iso9283_paths;
 mod iso9283_stream;
 mod iso9283_weaves_and_loads;
+mod mutants;
 mod plans;
 mod probes;
 mod robots;

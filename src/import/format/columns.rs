@@ -321,10 +321,44 @@ impl<'de> Deserialize<'de> for Column {
     }
 }
 
-/// A number that is the number of its row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum FromRow {
-    /// Counted from 1 over the data rows of the file, refused ones included.
-    Row,
+/// A number that is that of its row, counted from 1 over the data rows of the file, refused ones included: `row`; or so many more:
+/// `row + 100`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FromRow {
+    added: i64,
+}
+
+impl FromRow {
+    /// The number of this row.
+    pub fn number(self, row: i64) -> i64 {
+        row.saturating_add(self.added)
+    }
+}
+
+impl JsonSchema for FromRow {
+    fn schema_name() -> Cow<'static, str> {
+        "FromRow".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let description = "The number of the data row, counted from 1, refused rows included, or so many more.";
+        json_schema!({ "description": description, "type": "string", "pattern": "^row( *\\+ *[0-9]{1,9})?$" })
+    }
+}
+
+impl<'de> Deserialize<'de> for FromRow {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let added = match text.strip_prefix("row").map(str::trim) {
+            Some("") => Some(0),
+            Some(more) => more.strip_prefix('+').and_then(|more| more.trim().parse::<u32>().ok()),
+            None => None,
+        };
+        let added = added.ok_or_else(|| {
+            de::Error::custom(format!(
+                "`{text}` is not the number of a row, expected `row`, or `row + 100` for a second file"
+            ))
+        })?;
+        Ok(Self { added: added.into() })
+    }
 }

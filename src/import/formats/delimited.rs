@@ -277,6 +277,7 @@ impl Reader<'_> {
             }
         }
         for (i, role, field) in wholes {
+            let field = if role == Role::Pose { lexer::pose_number(field) } else { field };
             let whole = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
             if whole.is_none() {
                 wrong(Message::error(format!("`{field}` is not a whole number")), i);

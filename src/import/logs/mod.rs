@@ -57,7 +57,7 @@ pub struct Log {
     /// with their units.
     #[schemars(with = "BTreeMap<String, Column>")]
     pub columns: BTreeMap<Spanned<String>, Column>,
-    /// `row`: the number of the data row is the number of the pose.
+    /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for a second file of the same targets.
     pub pose: Option<FromRow>,
     /// Time from one row to the next, of a log without a clock; its first row is at 0.
     pub period_s: Option<f64>,
@@ -312,7 +312,7 @@ pub fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Resul
         .map(|(&row, line)| LogRow {
             row,
             line: line as usize,
-            pose: log.pose.map(|_| row),
+            pose: log.pose.map(|from| from.number(row)),
             time_s: log.period_s.map(|period_s| (row - 1) as f64 * period_s),
             ..LogRow::default()
         })

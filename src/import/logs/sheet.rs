@@ -6,7 +6,7 @@ use crate::base::table::{ASSEMBLY, LABEL};
 use crate::document::Source;
 use crate::import::format::{ColumnAt, Decimal, Delimiter, Dialect, two_commas};
 use crate::import::guess::guesses;
-use crate::import::lexer::{Row, WHOLE, number, rows};
+use crate::import::lexer::{Row, WHOLE, number, pose_number, rows};
 use std::borrow::Cow;
 
 /// Delimited text of which nothing is known but what the campaign states.
@@ -186,7 +186,7 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     let before = problems.0.len();
     let mut read = Vec::with_capacity(sheet.rows.len());
     for row in &sheet.rows {
-        let cell = row.field(at);
+        let cell = if wanted.name == "pose" { pose_number(row.field(at)) } else { row.field(at) };
         match if nanoseconds { seconds(cell) } else { number(cell, log.decimal) } {
             Ok(value) => read.push(value),
             Err(message) => {

@@ -128,7 +128,7 @@ pub(super) fn reduce(
         let [from_s, to_s] = [times_s[first], times_s[last]];
         rows.push(LogRow {
             row: number,
-            pose: log.pose.map(|_| number).or(within[0].pose),
+            pose: log.pose.map(|from| from.number(number)).or(within[0].pose),
             time_s: Some(0.5 * (from_s + to_s)),
             standing_s: Some([from_s, to_s]),
             joints: joints.iter().map(|joint| joint.mean).collect(),

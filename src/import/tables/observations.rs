@@ -3,13 +3,13 @@
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
-use crate::import::lexer::{WHOLE, number, rows};
+use crate::import::lexer::{WHOLE, number, pose_number, rows};
 use crate::import::logs::meaning;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 
 /// Reads a table of observations (commas, decimal point, a header): its columns, and `line` with the line of each row.
 ///
-/// `pose` and `cycle` hold whole numbers, columns whose name ends in a unit hold numbers (empty cells are missing values),
+/// `pose` and `cycle` hold whole numbers (a pose also a name that ends in one, like `P12`), columns whose name ends in a unit hold numbers (empty cells are missing values),
 /// others text. Every row of another width and every cell that does not read is an error with its place.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     let mut all = rows(file, text, Delimiter::Comma)?;
@@ -39,6 +39,7 @@ pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
         let mut values: Vec<Option<f64>> = Vec::with_capacity(all.len());
         for (row, field) in all.iter().zip(texts) {
             let odd = |v: &f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
+            let field = if name == "pose" { pose_number(field) } else { field };
             let value = match number(field, Decimal::Point) {
                 _ if field.is_empty() => Ok(None),
                 Ok(value) if odd(&value) => Err(Message::error(format!("`{field}` is not a whole number"))),

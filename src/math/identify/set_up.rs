@@ -514,3 +514,38 @@ fn wrong_nominal(robot: &dyn Robot, observations: &[Observation], nominal: &[f64
         (0..nominal.len()).filter(|&i| parameters[i].role == Role::Robot && parameters[i].quantity != Quantity::Ratio);
     lengths_and_angles.filter_map(with).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::noise::Noise;
+    use crate::math::robots::Prexyt;
+
+    /// Forty poses, measured with 3 um, from pose 22 on with a shift.
+    fn measured(robot: &Prexyt, shift_mm: f64) -> Vec<Observation> {
+        let (nominal, mut noise) = (robot.nominal(), Noise::new(16, 4));
+        let pose = |i: i64| {
+            let joints = vec![85.0 + noise.uniform(80.0), 150.0 + noise.uniform(100.0), 150.0 + noise.uniform(100.0)];
+            let by = if i < 22 { 0.0 } else { shift_mm };
+            let mut seen = |[x, y]: [f64; 2]| Some([x + by + noise.gaussian(0.003), y + noise.gaussian(0.003), 0.0]);
+            let targets = robot.balls(&nominal, &joints).map(&mut seen).to_vec();
+            Observation { pose: i, cycle: 1, joints, targets }
+        };
+        (1..=40).map(pose).collect()
+    }
+
+    #[test]
+    fn a_move_is_found_where_it_happens_and_nowhere_else() {
+        let robot = Prexyt::default();
+        let moved = moved_between(&robot, &measured(&robot, 0.05), &robot.nominal()).expect("moved");
+        assert!(moved.what.starts_with("from pose 22 on") && moved.what.contains("until pose 21"), "{}", moved.what);
+        assert!(moved.what.contains("lie 0.05") && moved.what.contains("(0.05"), "{}", moved.what);
+        assert_eq!(moved_between(&robot, &measured(&robot, 0.0), &robot.nominal()), None);
+        // one wrong reading, at an end or amid the others, is no move
+        for wrong in [0, 20, 39] {
+            let mut observations = measured(&robot, 0.0);
+            observations[wrong].targets[0].as_mut().unwrap()[0] += 0.5;
+            assert_eq!(moved_between(&robot, &observations, &robot.nominal()), None, "{wrong}");
+        }
+    }
+}

@@ -17,7 +17,7 @@ use serde::Deserialize;
 pub(super) const MODEL: Model = Model::new::<Keys>(
     "serial",
     &[&["joint"], &["gravity"], &["bending"], &["coupling"], &["base_turn_y_deg"]],
-    &["joint", "alpha_deg", "a_mm", "theta_deg", "d_mm"],
+    &["joint", "alpha_deg", "alpha_rad", "a_mm", "a_m", "theta_deg", "theta_rad", "d_mm", "d_m"],
 );
 
 /// Axes whose twist is below this are near-parallel: d is replaced by Hayati's beta (3 degrees).
@@ -48,10 +48,11 @@ fn down() -> Vector {
     [0.0, 0.0, -1.0]
 }
 
-/// What the table of a joint holds.
+/// A joint of a serial arm by its nominal modified Denavit-Hartenberg parameters (Craig), from the base. Its alpha, a, theta and d
+/// must be stated, each in one of its two units.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct JointTable {
+struct JointKeys {
     /// Twist of the previous link.
     alpha_deg: Option<f64>,
     /// The same in radians.
@@ -75,38 +76,30 @@ struct JointTable {
     parallel: Option<bool>,
 }
 
-/// A joint of a serial arm by its nominal modified Denavit-Hartenberg parameters (Craig), from the base. Its alpha, a, theta and d
-/// must be stated, each in one of its two units.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(try_from = "JointTable")]
-struct JointKeys {
-    alpha_rad: f64,
-    a_mm: f64,
-    theta_rad: f64,
-    d_mm: f64,
-    prismatic: bool,
-    parallel: Option<bool>,
-}
-
-impl TryFrom<JointTable> for JointKeys {
-    type Error = String;
-
-    fn try_from(t: JointTable) -> std::result::Result<Self, String> {
-        let either = |key: &str, stated: Option<f64>, other: &str, converted: Option<f64>| match (stated, converted) {
-            (Some(value), None) | (None, Some(value)) => Ok(value),
-            (Some(_), Some(_)) => Err(format!("`{key}` and `{other}` state the same: leave one of them out")),
-            (None, None) => Err(format!("missing field `{key}`")),
+impl JointKeys {
+    /// The joint, the first of the arm or a later one; `place` is that of its table.
+    fn joint(&self, first: bool, place: &Place) -> Result<SerialJoint> {
+        let mut problems = Problems::default();
+        let mut either = |keys: [&str; 2], stated: [Option<f64>; 2]| match stated {
+            [Some(value), None] | [None, Some(value)] => value,
+            [one, _] => {
+                let [key, other] = keys;
+                let what = match one {
+                    Some(_) => format!("`{key}` and `{other}` state the same: leave one of them out"),
+                    None => format!("the key `{key}` is missing in `joint`"),
+                };
+                problems.0.push(Message::error(what).at(place.clone()));
+                0.0
+            }
         };
-        let angle = |key, deg: Option<f64>, other, rad| either(key, deg.map(f64::to_radians), other, rad);
-        let length = |key, mm, other, m: Option<f64>| either(key, mm, other, m.map(|m| 1000.0 * m));
-        Ok(Self {
-            alpha_rad: angle("alpha_deg", t.alpha_deg, "alpha_rad", t.alpha_rad)?,
-            a_mm: length("a_mm", t.a_mm, "a_m", t.a_m)?,
-            theta_rad: angle("theta_deg", t.theta_deg, "theta_rad", t.theta_rad)?,
-            d_mm: length("d_mm", t.d_mm, "d_m", t.d_m)?,
-            prismatic: t.prismatic,
-            parallel: t.parallel,
-        })
+        let alpha_rad = either(["alpha_deg", "alpha_rad"], [self.alpha_deg.map(f64::to_radians), self.alpha_rad]);
+        let a_mm = either(["a_mm", "a_m"], [self.a_mm, self.a_m.map(|m| 1000.0 * m)]);
+        let theta_rad = either(["theta_deg", "theta_rad"], [self.theta_deg.map(f64::to_radians), self.theta_rad]);
+        let d_mm = either(["d_mm", "d_m"], [self.d_mm, self.d_m.map(|m| 1000.0 * m)]);
+        let near = !first && alpha_rad.sin().abs() < NEAR_PARALLEL_RAD && !self.prismatic;
+        let parallel = self.parallel.unwrap_or(near);
+        problems.check()?;
+        Ok(SerialJoint { alpha_rad, a_mm, theta_rad, d_mm, prismatic: self.prismatic, parallel })
     }
 }
 
@@ -158,19 +151,11 @@ impl Description for Keys {
                 .hint("add one [[joint]] with alpha_deg, a_mm, theta_deg, d_mm per joint, from the base")
                 .into());
         }
-        self.check(targets, place).check()?;
-        let joint = |(i, j): (usize, &JointKeys)| {
-            let near = i > 0 && j.alpha_rad.sin().abs() < NEAR_PARALLEL_RAD && !j.prismatic;
-            SerialJoint {
-                alpha_rad: j.alpha_rad,
-                a_mm: j.a_mm,
-                theta_rad: j.theta_rad,
-                d_mm: j.d_mm,
-                prismatic: j.prismatic,
-                parallel: j.parallel.unwrap_or(near),
-            }
-        };
-        let joints: Vec<SerialJoint> = self.joints.iter().enumerate().map(joint).collect();
+        let (mut joints, mut problems) = (Vec::new(), self.check(targets, place));
+        for (i, keys) in self.joints.iter().enumerate() {
+            joints.extend(problems.keep(keys.joint(i == 0, &place(&["joint", &i.to_string()]))));
+        }
+        problems.check()?;
         let gravity = unit(self.gravity).ok_or_else(|| {
             Message::error("`gravity` has no direction")
                 .at(place(&["gravity"]))

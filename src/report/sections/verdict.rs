@@ -4,7 +4,7 @@ use super::limits::limits;
 use super::repeatability::quarter_sentence;
 use crate::document::{
     AccuracyDocument, AccuracySet, Characteristics, ErrorStatistics, Iso9283Conformity, Iso9283Document, Iso9283Pose,
-    LimitVerdict, ParametersDocument, Statistics,
+    ParametersDocument, Statistics,
 };
 use crate::report::Identified;
 use crate::report::model::{Headline, Verdict};
@@ -25,10 +25,9 @@ pub(in crate::report) fn title(tested: &Characteristics, words: &Words) -> Strin
 pub(in crate::report) fn verdict(identified: Option<&Identified>, tested: &Characteristics, words: &Words) -> Verdict {
     let (limits, alarm) = (limits(identified, tested), identified.and_then(|i| alarm(i.parameters, words)));
     let (within, missed) = (limits.iter().all(|l| l.met), limits.iter().filter(|l| !l.met).count());
-    let class = match (limits.is_empty(), within) {
-        _ if alarm.is_some() => "bad",
-        (false, false) => "bad",
-        (false, true) if !judged(tested).any(|c| c == Iso9283Conformity::Neither) => "good",
+    let class = match limits.is_empty() {
+        _ if alarm.is_some() || limits.iter().any(|l| l.value > l.limit) => "bad",
+        false if within && proven(tested) => "good",
         _ => "open",
     };
     let counted = match (limits.len(), missed) {
@@ -48,19 +47,22 @@ pub(in crate::report) fn verdict(identified: Option<&Identified>, tested: &Chara
     let about = set.map(|s| words.fill("Errors before → after calibration, {0} poses:", &[&words.say(&s.name)]));
     Verdict {
         class,
-        met: within && identified.is_none_or(|i| i.parameters.is_plausible()),
+        met: within && proven(tested) && identified.is_none_or(|i| i.parameters.is_plausible()),
         sentences,
         about: about.unwrap_or_default(),
         headlines: set.map_or_else(Vec::new, |set| headlines(set, words)),
     }
 }
 
-/// Of a test without a campaign, whose limits must be proved by the intervals.
+/// Of a test without a campaign.
 pub(in crate::report) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
-    let mut poses = tested.poses.iter().flat_map(|d| &d.poses);
-    let met =
-        judged(tested).all(|c| c == Iso9283Conformity::Conforming) && poses.all(|p| p.quarter_rule_met != Some(false));
-    Verdict { met, sentences: characteristics(tested, words), ..Verdict::default() }
+    Verdict { met: proven(tested), sentences: characteristics(tested, words), ..Verdict::default() }
+}
+
+/// Whether the intervals of every pose prove every limit. They contain the instrument's uncertainty: that it exceeds a quarter of what
+/// it verifies is a warning.
+fn proven(tested: &Characteristics) -> bool {
+    judged(tested).all(|c| c == Iso9283Conformity::Conforming)
 }
 
 /// Of an identification without a campaign.
@@ -122,7 +124,7 @@ fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
         let apart_um = limit.map(|l| 1e3 * (l.limit - mm).abs());
         let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
         let um = |mm: f64| number::fixed(1e3 * mm, digits);
-        let within = limit.map(|l| within(l, &um(l.limit), words));
+        let within = limit.map(|l| within(mm <= l.limit, &um(l.limit), words));
         let said = [Some(words.fill(sentence, &[&um(mm), &pose])), within, conformity(document, proved, words)];
         Some(said.into_iter().flatten().collect::<Vec<_>>().join(" "))
     };
@@ -134,8 +136,8 @@ fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
     [accuracy, repeatability, instrument].into_iter().flatten().collect()
 }
 
-fn within(limit: &LimitVerdict, allowed: &str, words: &Words) -> String {
-    match limit.met {
+fn within(within: bool, allowed: &str, words: &Words) -> String {
+    match within {
         true => words.fill("This is within the limit of {0} µm.", &[&allowed]),
         false => words.fill("This is not within the limit of {0} µm.", &[&allowed]),
     }
@@ -190,7 +192,8 @@ mod tests {
         let mut documents = Documents::demo();
         let good = of(&documents);
         assert_eq!((good.class, good.sentences[0].as_str()), ("good", "Both limits of the campaign are met."));
-        documents.accuracy.limits[0].met = false;
+        let limit = &mut documents.accuracy.limits[0];
+        (limit.met, limit.limit) = (false, 0.9 * limit.value);
         let bad = of(&documents);
         assert_eq!((bad.class, bad.sentences[0].as_str()), ("bad", "1 of 2 limits of the campaign is not met."));
         documents.accuracy.limits.clear();
@@ -201,6 +204,8 @@ mod tests {
     fn every_verdict_counts_beside_an_identification() {
         let mut documents = Documents::demo();
         documents.tested = whole();
+        // within the limit, and not proven to be
+        documents.tested.poses.as_mut().unwrap().limits[0].met = false;
         let open = of(&documents);
         let expected = [
             "The accuracy is 51.20 µm, at pose 2. This is within the limit of 52.00 µm. By ISO 14253-1 and the intervals of \
@@ -208,11 +213,12 @@ mod tests {
             "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By ISO 14253-1 and the intervals \
              of 95 %: all 2 poses conform.",
             "The instrument is good enough for every pose.",
-            "All 4 limits of the campaign are met.",
+            "1 of 4 limits of the campaign is not met.",
         ];
-        assert_eq!((open.class, open.met, &open.sentences[..]), ("open", true, &expected.map(str::to_owned)[..]));
+        assert_eq!((open.class, open.met, &open.sentences[..]), ("open", false, &expected.map(str::to_owned)[..]));
         let poses = documents.tested.poses.as_mut().unwrap();
-        (poses.limits[1].met, poses.poses[0].ap_conformity) = (false, Some(Iso9283Conformity::Conforming));
+        (poses.limits[0].met, poses.poses[0].ap_conformity) = (true, Some(Iso9283Conformity::Conforming));
+        (poses.limits[1].met, poses.limits[1].limit) = (false, 0.02);
         poses.poses[1].rp_conformity = Some(Iso9283Conformity::NotConforming);
         let bad = of(&documents);
         assert_eq!((bad.class, bad.met), ("bad", false));

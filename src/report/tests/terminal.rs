@@ -3,7 +3,7 @@
 use super::demo::Documents;
 use super::page::with_text;
 use super::{demo_iso9283, demo_streams};
-use crate::document::Language;
+use crate::document::{Iso9283Pose, Language};
 use crate::report::*;
 
 fn shown(documents: &Documents) -> String {
@@ -43,6 +43,8 @@ fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
 #[test]
 fn the_exit_code_follows_the_verdict_that_is_shown() {
     let mut documents = everything();
+    let conform = |p: &mut Iso9283Pose| p.ap_conformity = p.rp_conformity;
+    documents.tested.poses.as_mut().unwrap().poses.iter_mut().for_each(conform);
     assert!(Faces::campaign(&documents.report()).unwrap().is_met());
     documents.tested.poses.as_mut().unwrap().limits[0].met = false;
     let faces = Faces::campaign(&documents.report()).unwrap();
@@ -50,10 +52,8 @@ fn the_exit_code_follows_the_verdict_that_is_shown() {
     // of a test without a campaign every pose must conform
     let mut alone = demo_iso9283::whole();
     assert!(!Faces::test(&alone).is_met() && Faces::test(&alone).terminal().contains("poses 1, 2 are undecided."));
-    alone.poses.as_mut().unwrap().poses.iter_mut().for_each(|p| p.ap_conformity = p.rp_conformity);
+    alone.poses.as_mut().unwrap().poses.iter_mut().for_each(conform);
     assert!(Faces::test(&alone).is_met() && Faces::test(&alone).terminal().contains("all 2 poses conform."));
-    alone.poses.as_mut().unwrap().poses[1].quarter_rule_met = Some(false);
-    assert!(!Faces::test(&alone).is_met());
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::base::message::{Message, Place, Problems, count};
 use crate::base::pose::{Vector, minus, norm};
-use crate::campaign::{Campaign, Fixed};
+use crate::campaign::{Campaign, Fixed, JoinBy};
 use crate::import::Point;
 use std::collections::BTreeMap;
 
@@ -46,7 +46,8 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
             }
             (None, None) if a.target.is_none() && b.target.is_none() => match stray(a) {
                 true => a,
-                false if stray(b) => b,
+                // each ball of a plate has a place of its own
+                false if stray(b) || campaign.file.join_by() == Some(JoinBy::Label) => b,
                 false => continue,
             },
             _ => continue,

@@ -78,7 +78,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         }
     }
     let (logs, said) = logs(campaign, &mut sources, &mut problems);
-    problems.0.extend(columns.measured_twice());
+    problems.0.extend(columns.measured_twice(campaign));
     problems.0.extend(blunders::check(campaign).0);
     problems.0.extend(mislabelling::check(campaign).0);
     let mut messages = if campaign.unread.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };

@@ -58,7 +58,7 @@ impl PointColumns {
                 problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
                 continue;
             }
-            let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|_| i as i64 + 1));
+            let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|from| from.number(i as i64 + 1)));
             let unreadable = row.xyz_mm.iter().any(|v| v.is_nan());
             let in_frame = |t: &String| frame_targets.iter().any(|f| f.get_ref() == t);
             let placed = pose.is_some() || row.time_s.is_some() || unreadable;
@@ -81,7 +81,7 @@ impl PointColumns {
     }
 
     /// Errors about points that have the same target, pose and cycle as one before them.
-    pub fn measured_twice(&self) -> Vec<Message> {
+    pub fn measured_twice(&self, campaign: &Campaign) -> Vec<Message> {
         let mut first = std::collections::BTreeMap::new();
         let mut errors = Vec::new();
         for point in &self.points {
@@ -90,8 +90,12 @@ impl PointColumns {
             if !std::ptr::eq(before, point) {
                 let cycle = point.cycle.map(|c| format!(", cycle {c}")).unwrap_or_default();
                 let what = format!("target `{target}` is there twice at pose {pose}{cycle}");
-                let hint =
-                    format!("the first is {}:{}; number repeats as cycles, or remove one", before.export, before.line);
+                let repair =
+                    match campaign.file.exports.iter().any(|e| e.pose.is_some() && *e.file.get_ref() == point.export) {
+                        true if point.export != before.export => "state `pose = \"row + 100\"` for one of the files",
+                        _ => "number repeats as cycles, or remove one",
+                    };
+                let hint = format!("the first is {}:{}; {repair}", before.export, before.line);
                 errors.push(Message::error(what).at(Place::line(&point.export, point.line, &point.text)).hint(hint));
             }
         }

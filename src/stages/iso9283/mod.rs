@@ -166,7 +166,7 @@ fn settings(campaign: &Campaign) -> Settings {
     }
 }
 
-/// Limits of the largest values; each pose has its own conformity.
+/// Limits of the largest values: met where they are within them, and the interval of every pose proves it (ISO 14253-1).
 fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
     let limits = &campaign.file.limits;
     // or the pose that has none
@@ -174,18 +174,22 @@ fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
         let mut all = poses.iter().map(|p| value(p).ok_or(p.pose));
         all.try_fold(0.0, |largest, value| value.map(|value| f64::max(largest, value)))
     };
+    let proven = |conformity: fn(&Iso9283Pose) -> Option<Iso9283Conformity>| {
+        poses.iter().filter_map(conformity).all(|c| c == Iso9283Conformity::Conforming)
+    };
     let stated = [
-        ("accuracy_max_mm", limits.accuracy_max_mm, largest(|p| p.ap_mm)),
-        ("repeatability_max_mm", limits.repeatability_max_mm, largest(|p| p.rp_mm)),
+        ("accuracy_max_mm", limits.accuracy_max_mm, largest(|p| p.ap_mm), proven(|p| p.ap_conformity)),
+        ("repeatability_max_mm", limits.repeatability_max_mm, largest(|p| p.rp_mm), proven(|p| p.rp_conformity)),
     ];
     let mut judged = Vec::new();
-    for (name, limit, value) in stated {
+    for (name, limit, value, proven) in stated {
         let Some(limit) = limit else { continue };
         let value = value.map_err(|pose| {
             let message = Message::error(format!("the limit `{name}` cannot be judged: pose {pose} has no such value"));
             message.at(campaign.place_of(&["limits", name])).hint("visit every pose twice or more, and command it")
         })?;
-        judged.push(LimitVerdict { name: name.to_owned(), unit: "mm".to_owned(), limit, value, met: value <= limit });
+        let met = value <= limit && proven;
+        judged.push(LimitVerdict { name: name.to_owned(), unit: "mm".to_owned(), limit, value, met });
     }
     Ok(judged)
 }

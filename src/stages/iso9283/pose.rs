@@ -1,6 +1,7 @@
 //! Tables of a test of poses: read, compensated for the drift of the set-up, evaluated.
 
-use crate::base::message::{Problems, Result};
+use crate::base::message::{Message, Problems, Result};
+use crate::base::pose::{Vector, centroid, minus, norm};
 use crate::campaign::PosesDefinition;
 use crate::document::{Iso9283Document, Iso9283Visit};
 use crate::import::tables::pose_test::pose_test;
@@ -57,11 +58,42 @@ impl PoseTables {
         let drift = match &self.reference {
             None => SetupDrift::default(),
             Some(targets) => {
-                compensate_setup_drift(&mut test, targets.named(), rotation_order).map_err(|p| targets.place(p))?
+                let before_mm = scatter_mm(&test);
+                let drift =
+                    compensate_setup_drift(&mut test, targets.named(), rotation_order).map_err(|p| targets.place(p))?;
+                test.warnings.extend(worse(before_mm, scatter_mm(&test)));
+                drift
             }
         };
         Ok(PreparedTest { test, drift })
     }
+}
+
+/// Root mean square distance of attained positions from the mean of their pose, mm.
+fn scatter_mm(test: &PoseTest) -> f64 {
+    let (mut squares, mut count) = (0.0, 0.0);
+    for pose in &test.poses {
+        let attained: Vec<Vector> = pose.attained.iter().map(|v| v.position_mm).collect();
+        let Some(middle) = centroid(&attained) else { continue };
+        squares += attained.iter().map(|p| norm(minus(*p, middle)).powi(2)).sum::<f64>();
+        count += attained.len() as f64;
+    }
+    (squares / f64::max(count, 1.0)).sqrt()
+}
+
+/// Compensation that makes poses scatter more than this many times as much does not follow the set-up.
+const WORSE: f64 = 1.1;
+
+/// A warning where the compensation of the set-up's drift makes poses scatter more.
+fn worse(before_mm: f64, after_mm: f64) -> Option<Message> {
+    (after_mm > WORSE * before_mm).then(|| {
+        let what = format!(
+            "compensated by the reference targets, attained positions scatter by {after_mm:.4} mm about the mean of their pose, and by \
+             {before_mm:.4} mm as they were measured"
+        );
+        let hint = "the reference targets have not moved with the measuring system: look for a wrong reading among them, or leave them out";
+        Message::warning(what).hint(hint)
+    })
 }
 
 impl PreparedTest {

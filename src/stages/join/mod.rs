@@ -84,9 +84,11 @@ pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, r
             JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot, &mut remarks),
             _ => with_log(campaign, definition, imported, &targets, log, &mut remarks),
         };
+        let moved_out = joined.as_ref().ok().and_then(|rows| out_of_plane(rows, robot));
         match joined.and_then(|rows| tidy(rows, log, robot)) {
             Ok(table) => {
                 if observations.is_empty() {
+                    remarks.messages.extend(moved_out);
                     remarks.messages.extend(incomplete(&table, robot)?);
                 }
                 observations.push((log.name.clone(), table));
@@ -300,6 +302,22 @@ fn tidy(mut rows: Vec<Row>, log: &JointLog, robot: &dyn Robot) -> Result<DataFra
         columns.push(real(table::ASSEMBLY, &|row| row.assembly));
     }
     Ok(DataFrame::new(rows.len(), columns)?)
+}
+
+/// Targets of a planar robot differ in height by less: more is a tilt against the world's plane that spoils what is projected, mm.
+const OUT_OF_PLANE_MM: f64 = 0.5;
+
+/// A warning where the targets of a planar robot do not move parallel to the plane of the world frame.
+fn out_of_plane(rows: &[Row], robot: &dyn Robot) -> Option<Message> {
+    let heights = rows.iter().filter(|_| robot.dimension() == 2).map(|row| row.world_mm[2]);
+    let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)]);
+    (high - low > OUT_OF_PLANE_MM).then(|| {
+        let what = format!(
+            "the targets move in a plane that is not that of the world frame: they have heights from {low:.3} to {high:.3} mm"
+        );
+        let hint = "check z of the exports (unit, sign, column) and the points that make the plane of the world frame";
+        Message::warning(what).hint(hint)
+    })
 }
 
 /// A warning where some poses lack a target that others have.
