@@ -13,7 +13,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, mpsc};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Mutants of each kind where the environment states no other number.
 const COUNT: usize = 250;
@@ -174,6 +174,15 @@ impl Sample {
         SAMPLES.into_iter().filter_map(one).collect()
     }
 
+    /// Whether a run hangs: beyond the limit, and not because the machine is busy and the sample itself takes a tenth of it.
+    fn is_slow(&self, elapsed: Duration) -> bool {
+        elapsed > LIMIT && {
+            let before = Instant::now();
+            drop(run(&self.files));
+            elapsed > 10 * before.elapsed()
+        }
+    }
+
     /// The worst of what is wrong in a result of the mutation `what` that passes in silence.
     fn wrong(&self, what: &str, found: &Outcome) -> Option<String> {
         if !found.met || !found.warnings.is_subset(&self.right.warnings) {
@@ -257,16 +266,12 @@ fn of_data(samples: &[Sample], k: usize) -> Mutant {
     }
 }
 
-/// Runs a campaign in a thread of its own, which is given up after the limit.
-fn run_within_limit(files: &Files) -> Result<Result<Outcome, Problems>, mpsc::RecvTimeoutError> {
+/// Runs a campaign in a thread of its own, which is given up in the end; how long it takes.
+fn run_within_limit(files: &Files) -> (Result<Result<Outcome, Problems>, mpsc::RecvTimeoutError>, Duration) {
     let (send, receive) = mpsc::channel();
-    let files = files.clone();
+    let (files, before) = (files.clone(), Instant::now());
     std::thread::spawn(move || drop(send.send(run(&files))));
-    receive.recv_timeout(LIMIT)
-}
-
-fn panicked<T>(found: &Result<T, mpsc::RecvTimeoutError>) -> bool {
-    matches!(found, Err(mpsc::RecvTimeoutError::Disconnected))
+    (receive.recv_timeout(20 * LIMIT), before.elapsed())
 }
 
 /// Tries mutants on all cores, and prints a line for each that fails.
@@ -285,9 +290,9 @@ fn try_all(letter: char, make: fn(&[Sample], usize) -> Mutant) {
             }
             let Mutant { what, files } = make(&samples, k);
             let sample = &samples[k % samples.len()];
-            // a busy machine may make one run slow, not several
-            let found = (0..3).map(|_| run_within_limit(&files)).find(|found| found.is_ok() || panicked(found));
-            let (kind, failure) = match found.unwrap_or(Err(mpsc::RecvTimeoutError::Timeout)) {
+            let (found, elapsed) = run_within_limit(&files);
+            let (kind, failure) = match found {
+                _ if sample.is_slow(elapsed) => ("hangs", Some(format!("hangs, {elapsed:?}"))),
                 Ok(Err(_)) => ("refused", None),
                 Ok(Ok(found)) if !found.met => ("exit code 1", None),
                 Ok(Ok(found)) if !found.warnings.is_subset(&sample.right.warnings) => ("warned", None),
@@ -295,8 +300,7 @@ fn try_all(letter: char, make: fn(&[Sample], usize) -> Mutant) {
                     Some(wrong) => ("wrong in silence", Some(wrong)),
                     None => ("no wrong result", None),
                 },
-                Err(mpsc::RecvTimeoutError::Timeout) => ("hangs", Some("hangs".to_owned())),
-                Err(mpsc::RecvTimeoutError::Disconnected) => ("panics", Some("panics".to_owned())),
+                Err(_) => ("panics", Some("panics".to_owned())),
             };
             *counts.lock().unwrap().entry(kind).or_default() += 1;
             if let Some(failure) = failure {

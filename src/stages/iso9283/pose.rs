@@ -3,7 +3,7 @@
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::{Vector, centroid, minus, norm};
 use crate::campaign::PosesDefinition;
-use crate::document::{Iso9283Document, Iso9283Visit};
+use crate::document::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
 use crate::import::tables::pose_test::pose_test;
 use crate::import::tables::reference_targets::{SetupDrift, compensate_setup_drift};
 use crate::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose};
@@ -96,6 +96,21 @@ fn worse(before_mm: f64, after_mm: f64) -> Option<Message> {
     })
 }
 
+/// The reference targets' own shape differs by more than this many expanded uncertainties where one of them was measured wrongly.
+const MISSHAPEN: f64 = 2.0;
+
+/// A warning where reference targets do not lie to each other as they did first.
+fn misshapen(epoch: &Iso9283Epoch, expanded_mm: f64) -> Option<Message> {
+    (epoch.rms_mm > MISSHAPEN * expanded_mm).then(|| {
+        let what = format!(
+            "reference targets of cycle {} lie {:.4} mm (root mean square) from where a rigid motion of the first takes them: the \
+             instrument's expanded uncertainty is {expanded_mm:.4} mm",
+            epoch.cycle, epoch.rms_mm
+        );
+        Message::warning(what).hint("one of them moved, or was measured wrongly: measure them again, or leave it out")
+    })
+}
+
 impl PreparedTest {
     /// All characteristics.
     pub fn evaluate(&self, settings: &Settings) -> Result<Iso9283Document> {
@@ -110,6 +125,8 @@ impl PreparedTest {
             document.conventions.push(convention.to_owned());
         }
         document.reference.clone_from(&drift.epochs);
+        let epochs = drift.epochs.iter();
+        document.messages.extend(epochs.filter_map(|e| misshapen(e, settings.expanded_uncertainty_mm?)));
         Ok(document)
     }
 
