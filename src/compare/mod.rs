@@ -41,10 +41,10 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     let tested: Vec<_> = all.iter().filter_map(|c| c.iso9283.as_ref()).collect();
     if identified.len() == all.len() {
         trends.extend(parameters::trends(&identified, &mut messages));
+        trends.extend(errors::trends(&identified));
         let names: Vec<&str> = all.iter().map(|c| c.folder.as_str()).collect();
         messages.extend(parameters::without_evidence(&identified, &mut trends, &names));
         together = parameters::together(&identified, &trends);
-        trends.extend(errors::trends(&identified));
     }
     if tested.len() == all.len() {
         trends.extend(characteristics::trends(&tested, &mut messages));
@@ -62,7 +62,7 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
             message.expected("parameters.json, iso9283.json or iso9283-streams.json in the folder of every campaign");
         return Err(message.hint("run the campaigns with this version: `etalon run CAMPAIGN`").into());
     }
-    judge(&mut trends);
+    judge(&mut trends, |names, pair| Some(parameters::change(&identified, names, pair)?.correlation()));
     messages.extend(disorder(all));
     messages.extend(paths::doubt(&trends));
     Ok(CompareDocument {
@@ -166,8 +166,9 @@ fn campaign(c: &Compared) -> ComparedCampaign {
 fn conventions(all: &[Compared], trends: &[CompareTrend]) -> Vec<String> {
     let there = |family| trends.iter().any(|t| t.family == family);
     let mut said = vec![
-        "a change is significant where its probability by chance, corrected by Holm (1979) for the number of quantities of its \
-         family in one pair of campaigns, is below 5 %; intervals are of 95 %, not corrected"
+        "a change is significant where its probability by chance, corrected for the number of quantities of its family in one pair of \
+         campaigns, is below 5 %: of parameters by the distribution of the largest change, with their covariances (Westfall & Young \
+         1993), of others by Holm (1979); intervals are of 95 %, not corrected"
             .to_owned(),
         "every campaign is compared with the first and with the one before, in the order named".to_owned(),
     ];

@@ -11,24 +11,18 @@ use std::collections::BTreeSet;
 
 type Identified<'a> = &'a (ParametersDocument, AccuracyDocument);
 
-/// Degrees of freedom of standard uncertainties: infinite where the instrument's stated uncertainty makes them.
-pub(super) fn degrees((parameters, accuracy): Identified) -> f64 {
-    let residuals = parameters.residuals.degrees_of_freedom as f64;
-    match parameters.residuals.uncertainties_from {
+/// Degrees of freedom of one parameter's standard uncertainty: infinite where stated uncertainties make it.
+fn degrees_of(entry: &ParameterEntry, residuals: &ResidualSummary) -> f64 {
+    match residuals.uncertainties_from {
         UncertaintyFrom::Instrument | UncertaintyFrom::Nothing => f64::INFINITY,
-        UncertaintyFrom::Residuals => residuals,
-        // three regions a parameter
-        UncertaintyFrom::ResidualsByRegion => {
-            let identified = parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
-            (2 * identified.max(1)) as f64
-        }
-        UncertaintyFrom::ResidualsByPose => {
-            // a sum over poses has as many terms as poses
-            let poses = accuracy.sets.iter().find(|s| s.name == "calibration").map_or(0, |s| s.poses) as f64;
-            let identified = parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
-            (poses - identified as f64).clamp(1.0, residuals.max(1.0))
-        }
+        _ => entry.degrees_of_freedom.unwrap_or(residuals.degrees_of_freedom as f64),
     }
+}
+
+/// Degrees of freedom of the covariance: those of the parameter that has fewest.
+pub(super) fn degrees((parameters, _): Identified) -> f64 {
+    let identified = parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
+    identified.map(|p| degrees_of(p, &parameters.residuals)).fold(f64::INFINITY, f64::min)
 }
 
 /// Every parameter; those that nobody identified are left out.
@@ -46,7 +40,7 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         let estimate = |(entry, c): (&Option<&ParameterEntry>, &Identified)| {
             let entry = entry.filter(|e| e.status == ParameterStatus::Identified)?;
             let standard_uncertainty = entry.standard_uncertainty.unwrap_or(f64::NAN);
-            Some(Estimate { value: entry.value, standard_uncertainty, degrees: degrees(c) })
+            Some(Estimate { value: entry.value, standard_uncertainty, degrees: degrees_of(entry, &c.0.residuals) })
         };
         let estimates: Vec<Option<Estimate>> = entries.iter().zip(all).map(estimate).collect();
         match estimates.iter().flatten().count() {
@@ -81,8 +75,8 @@ fn misfits((parameters, _): &Identified) -> bool {
         && matches!(residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion)
 }
 
-/// Takes the probabilities of changes from or to a campaign in which the model misfits: by chance is then not by noise. `names` are
-/// those of the campaigns.
+/// Takes the probabilities of changes of parameters and mean errors from or to a campaign in which the model misfits: by chance is then
+/// not by noise, but by where the poses lie. `names` are those of the campaigns.
 pub(super) fn without_evidence(all: &[Identified], trends: &mut [CompareTrend], names: &[&str]) -> Option<Message> {
     let wrong: Vec<usize> = (0..all.len()).filter(|&i| misfits(&all[i])).collect();
     let touches = |change: &&mut CompareChange| wrong.contains(&(change.from - 1)) || wrong.contains(&(change.to - 1));
@@ -92,12 +86,12 @@ pub(super) fn without_evidence(all: &[Identified], trends: &mut [CompareTrend], 
     let named: Vec<String> = wrong.iter().map(|&i| format!("`{}`", names[i])).collect();
     (!wrong.is_empty()).then(|| {
         let what = format!(
-            "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters are no evidence of a \
-             change, and have no p value",
+            "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters and mean errors \
+             are no evidence of a change, and have no p value",
             named.join(", ")
         );
         Message::warning(what)
-            .hint("compare errors on the same poses, or identify with a model that describes the robot, and the same poses each time")
+            .hint("identify with a model that describes the robot, and measure the same poses each time")
     })
 }
 
@@ -110,7 +104,22 @@ pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<Compa
     pairs(all.len()).into_iter().filter(fits).filter_map(|pair| pair_together(all, &names, pair)).collect()
 }
 
-fn pair_together(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<CompareTogether> {
+/// Changes of parameters between two campaigns over their standard uncertainties, and covariances in these units.
+pub(super) struct Change {
+    sizes: DVector<f64>,
+    earlier: DMatrix<f64>,
+    later: DMatrix<f64>,
+}
+
+impl Change {
+    /// Correlation of the changes.
+    pub fn correlation(&self) -> DMatrix<f64> {
+        &self.earlier + &self.later
+    }
+}
+
+/// Of those of `names` that both campaigns identified; `None` where one has no covariance.
+pub(super) fn change(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<Change> {
     let identified = |c: Identified| {
         let entries = c.0.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
         entries.map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>()
@@ -128,18 +137,23 @@ fn pair_together(all: &[Identified], names: &[&str], (from, to): (usize, usize))
         Some(DMatrix::from_row_slice(m, m, &rows?))
     };
     let (first, second) = (block(all[from], &|i| i.0)?, block(all[to], &|i| i.1)?);
-    let sum = &first + &second;
     // mm and degrees apart by powers of ten: in units of their uncertainties
-    let u: Vec<f64> = (0..m).map(|i| sum[(i, i)].sqrt()).collect();
+    let u: Vec<f64> = (0..m).map(|i| (first[(i, i)] + second[(i, i)]).sqrt()).collect();
     if m == 0 || !u.iter().all(|u| *u > 0.0 && u.is_finite()) {
         return None;
     }
     let scaled = |c: &DMatrix<f64>| DMatrix::from_fn(m, m, |i, j| c[(i, j)] / (u[i] * u[j]));
-    let inverse = Cholesky::new(scaled(&sum))?.inverse();
-    let change = DVector::from_fn(m, |k, _| (b[both[k].1].1 - a[both[k].0].1) / u[k]);
-    let f = change.dot(&(&inverse * &change)) / m as f64;
+    let sizes = DVector::from_fn(m, |k, _| (b[both[k].1].1 - a[both[k].0].1) / u[k]);
+    Some(Change { sizes, earlier: scaled(&first), later: scaled(&second) })
+}
+
+fn pair_together(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<CompareTogether> {
+    let change = change(all, names, (from, to))?;
+    let m = change.sizes.len();
+    let inverse = Cholesky::new(change.correlation())?.inverse();
+    let f = change.sizes.dot(&(&inverse * &change.sizes)) / m as f64;
     // which share of the sum is of either campaign decides whose degrees of freedom count (Welch and Satterthwaite)
-    let share = (&inverse * scaled(&first)).trace() / m as f64;
+    let share = (&inverse * &change.earlier).trace() / m as f64;
     let degrees = 1.0 / (share.powi(2) / degrees(all[from]) + (1.0 - share).powi(2) / degrees(all[to]));
     let degrees = Some(degrees).filter(|d| d.is_finite());
     let p = match degrees {

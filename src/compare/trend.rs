@@ -1,7 +1,8 @@
 //! Quantities over campaigns, whatever they are.
 
-use super::significance::{Difference, Estimate, LEVEL, holm};
+use super::significance::{Difference, Estimate, LEVEL, holm, step_down};
 use crate::document::{CompareChange, CompareFamily, CompareTrend, CompareValue};
+use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 
 /// Pairs of campaigns that are compared, counted from 0: each with the first, and with the one before.
@@ -49,23 +50,31 @@ pub(super) fn changed((from, to): (usize, usize), found: &Difference, difference
         low: known(found.low),
         high: known(found.high),
         p: known(found.p),
-        p_holm: None,
+        p_family: None,
         significant: None,
     }
 }
 
-/// Says which changes are significant: each family of each pair of campaigns by itself.
-pub(super) fn judge(trends: &mut [CompareTrend]) {
-    let mut families: BTreeMap<(CompareFamily, usize, usize), Vec<&mut CompareChange>> = BTreeMap::new();
-    for trend in trends {
-        for change in trend.changes.iter_mut().filter(|c| c.p.is_some()) {
-            families.entry((trend.family, change.from, change.to)).or_default().push(change);
+/// Says which changes are significant: each family of each pair of campaigns by itself. `correlation` is that of the changes of
+/// quantities with these names between two campaigns, where it is known.
+pub(super) fn judge(
+    trends: &mut [CompareTrend],
+    correlation: impl Fn(&[&str], (usize, usize)) -> Option<DMatrix<f64>>,
+) {
+    let mut families: BTreeMap<(CompareFamily, usize, usize), Vec<(&str, &mut CompareChange)>> = BTreeMap::new();
+    for CompareTrend { family, name, changes, .. } in trends {
+        for change in changes.iter_mut().filter(|c| c.p.is_some()) {
+            families.entry((*family, change.from, change.to)).or_default().push((name, change));
         }
     }
-    for changes in families.values_mut() {
+    for ((family, from, to), changes) in families {
+        let (names, changes): (Vec<&str>, Vec<&mut CompareChange>) = changes.into_iter().unzip();
         let p: Vec<f64> = changes.iter().filter_map(|c| c.p).collect();
-        for (change, corrected) in changes.iter_mut().zip(holm(&p)) {
-            change.p_holm = Some(corrected);
+        let parameters = matches!(family, CompareFamily::Robot | CompareFamily::SetUp);
+        let known = parameters.then(|| correlation(&names, (from - 1, to - 1))).flatten();
+        let corrected = known.and_then(|known| step_down(&p, known)).unwrap_or_else(|| holm(&p));
+        for (change, corrected) in changes.into_iter().zip(corrected) {
+            change.p_family = Some(corrected);
             change.significant = Some(corrected < LEVEL);
         }
     }

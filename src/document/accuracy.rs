@@ -14,8 +14,26 @@ pub struct AccuracyDocument {
     pub definition: String,
     /// One per set of poses: `calibration`, `validation`.
     pub sets: Vec<AccuracySet>,
+    /// How far the validation poses lie from those of the calibration: the errors hold among poses like these.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub validation_distance: Option<ValidationDistance>,
     /// Limits that the campaign states, and whether they are met.
     pub limits: Vec<LimitVerdict>,
+}
+
+/// Distances from validation poses to the nearest calibration pose, over the calibration poses' spacing: the median of their distances to
+/// the nearest of each other. Distances are those of joint values, each over its range in the calibration (root of the sum of squares).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ValidationDistance {
+    /// Of half of the validation poses at most this: about 1 where both sets are spread alike.
+    pub median: f64,
+    /// Of all validation poses at most this.
+    pub largest: f64,
+    /// Validation poses, each set of joint values counted once.
+    pub poses: usize,
+    /// Those with a joint outside of its range in the calibration.
+    pub outside: usize,
 }
 
 /// Errors over one set of poses.

@@ -123,8 +123,8 @@ pub struct CompareChange {
     pub high: Option<f64>,
     /// Probability of a change at least as large where nothing changed; null without uncertainties.
     pub p: Option<f64>,
-    /// The same, corrected for the number of quantities in the family (Holm).
-    pub p_holm: Option<f64>,
+    /// The same, corrected for the number of quantities in the family (parameters: Westfall & Young; others: Holm).
+    pub p_family: Option<f64>,
     /// Whether the corrected probability is below 5 %.
     pub significant: Option<bool>,
 }

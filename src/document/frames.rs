@@ -63,6 +63,10 @@ pub struct WorldFrame {
     pub planar: bool,
     /// One entry for all poses (without `pose` and `cycle`), or one for each pose and cycle.
     pub poses: Vec<FramePose>,
+    /// What the covariances of all poses have in common, where the frame is measured again at each: that of the mean places of the
+    /// targets, which define it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub common_covariance: Option<[[f64; 6]; 6]>,
     /// Root mean square distance of the targets from their best-fit places; absent for 3-2-1 frames.
     pub rms_mm: Option<f64>,
     /// Largest such distance.

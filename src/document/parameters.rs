@@ -47,6 +47,9 @@ pub struct ParameterEntry {
     pub value: f64,
     /// Standard uncertainty (k = 1); absent where not identified.
     pub standard_uncertainty: Option<f64>,
+    /// Effective degrees of freedom of that (GUM G.4.1), where it is estimated from residuals.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub degrees_of_freedom: Option<f64>,
     /// Identified, fixed or not identifiable.
     pub status: ParameterStatus,
     /// Parameters that are not separately identifiable from this one.

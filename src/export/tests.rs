@@ -17,6 +17,7 @@ fn parameter(name: &str, unit: &str, value: f64) -> ParameterEntry {
         before: value,
         value,
         standard_uncertainty: Some(1e-7),
+        degrees_of_freedom: None,
         status: ParameterStatus::Identified,
         confounded_with: vec![],
     }

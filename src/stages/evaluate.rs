@@ -143,6 +143,7 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
              poses; after: all identified parameters; statistics are of sizes, each repeat counted"
         ),
         sets,
+        validation_distance: None,
         limits: verdicts,
     })
 }

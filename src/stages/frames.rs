@@ -108,13 +108,14 @@ pub fn make_frames(
             definition: "the coordinates of the exports are those of the world".to_owned(),
             planar: false,
             poses: vec![FramePose { pose: None, cycle: None, export_T_world: Pose::identity(), covariance: None }],
+            common_covariance: None,
             rms_mm: None,
             max_mm: None,
             reference_mm: Vec::new(),
         },
     };
     if planar {
-        world.poses.iter_mut().for_each(|frame| at_height(frame, points));
+        at_height(&mut world, points);
     }
     Ok(FramesDocument { schema: "etalon/frames/1".to_owned(), world: WorldFrame { planar, ..world } })
 }
@@ -175,6 +176,7 @@ fn from_plane(
         definition,
         planar: false,
         poses: vec![FramePose { pose: None, cycle: None, export_T_world: from_axes(origin, x, y), covariance: None }],
+        common_covariance: None,
         rms_mm: None,
         max_mm: None,
         reference_mm: Vec::new(),
@@ -228,6 +230,10 @@ fn twist(pose: &Pose) -> [f64; 6] {
     [t[0], t[1], t[2], 0.5 * (r[2][1] - r[1][2]), 0.5 * (r[0][2] - r[2][0]), 0.5 * (r[1][0] - r[0][1])]
 }
 
+fn combined(a: &[[f64; 6]; 6], b: &[[f64; 6]; 6], of: impl Fn(f64, f64) -> f64) -> [[f64; 6]; 6] {
+    std::array::from_fn(|i| std::array::from_fn(|j| of(a[i][j], b[i][j])))
+}
+
 fn add_outer(sum: &mut [[f64; 6]; 6], z: &[f64; 6]) {
     for (row, a) in sum.iter_mut().zip(z) {
         row.iter_mut().zip(z).for_each(|(s, b)| *s += a * b);
@@ -247,9 +253,25 @@ fn rigid_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]; 6]> {
     Some(std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])))
 }
 
+/// Covariance of a frame with its origin at the first of `places`, x towards the second and the third in the xy plane.
+fn three_two_one_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]; 6]> {
+    let ([_, second, third, ..], [_, _, _, ..]) = (places, u_mm) else { return None };
+    let mut sum = [[0.0; 6]; 6];
+    for (k, axis) in (0..3).flat_map(|k| (0..3).map(move |axis| (k, axis))) {
+        let mut moved = [[0.0; 3]; 3];
+        moved[k][axis] = u_mm[k];
+        let off = |k: usize, axis: usize| moved[k][axis] - moved[0][axis];
+        let (about_y, about_z) = (-off(1, 2) / second[0], off(1, 1) / second[0]);
+        let about_x = (off(2, 2) + about_y * third[0]) / third[1];
+        let [x, y, z] = moved[0];
+        add_outer(&mut sum, &[x, y, z, about_x, about_y, about_z]);
+    }
+    Some(sum)
+}
+
 /// Brings the covariance of the frame of a planar robot to the mean height of its targets: what they see of a tilt is a shift.
-fn at_height(frame: &mut FramePose, points: &[Point]) {
-    let Some(covariance) = &mut frame.covariance else { return };
+fn at_height(world: &mut WorldFrame, points: &[Point]) {
+    let Some(frame) = world.poses.first() else { return };
     let world_T_export = frame.export_T_world.inverse();
     let moving = points.iter().filter(|p| p.pose.is_some() && p.target.is_some());
     let heights: Vec<Vector> = moving.map(|p| world_T_export.apply(p.xyz_mm)).collect();
@@ -264,7 +286,10 @@ fn at_height(frame: &mut FramePose, points: &[Point]) {
     let product = |a: &[[f64; 6]; 6], b: &[[f64; 6]; 6]| -> [[f64; 6]; 6] {
         std::array::from_fn(|i| std::array::from_fn(|j| (0..6).map(|k| a[i][k] * b[j][k]).sum()))
     };
-    *covariance = product(&product(&planar, covariance), &planar);
+    let covariances = world.poses.iter_mut().map(|frame| &mut frame.covariance).chain([&mut world.common_covariance]);
+    for covariance in covariances.flatten() {
+        *covariance = product(&product(&planar, covariance), &planar);
+    }
 }
 
 /// Frame with unit axes x and y, and z = x × y.
@@ -314,6 +339,14 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     }
     let mean = |k: usize| centroid(&locals.iter().map(|l| l[k]).collect::<Vec<_>>());
     let reference: Vec<Vector> = (0..names.len()).filter_map(mean).collect();
+    // Each pose is a best fit to the mean places, which define the world by its origin and axes: an error of theirs is common to all
+    // poses, independent of the errors of the fits, and what the covariance of that definition exceeds that of a fit by.
+    let fitted = rigid_covariance(&reference, &u_of);
+    let excess = three_two_one_covariance(&reference, &u_of).zip(fitted).map(|(defined, fitted)| {
+        let share = 1.0 / locals.len() as f64;
+        combined(&defined, &fitted, |defined, fitted| share * (defined - fitted))
+    });
+    let covariance = fitted.zip(excess).map(|(fitted, excess)| combined(&fitted, &excess, |a, b| a + b));
     let (mut poses, mut squares, mut largest) = (Vec::new(), 0.0, 0.0f64);
     for (&(pose, cycle), places) in &whole {
         let fitted = fit::rigid(&reference, places)?;
@@ -322,7 +355,6 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
             largest = largest.max(r);
         }
         let (pose, cycle) = if each { (Some(pose), Some(cycle)) } else { (None, None) };
-        let covariance = rigid_covariance(&reference, &u_of);
         poses.push(FramePose { pose, cycle, export_T_world: fitted.to_T_from, covariance });
     }
     let definition = format!(
@@ -335,6 +367,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
         definition,
         planar: false,
         poses,
+        common_covariance: excess.filter(|_| each),
         rms_mm: Some(rms),
         max_mm: Some(largest),
         reference_mm: reference,

@@ -2,9 +2,10 @@
 
 use crate::base::message::{Message, Problems, Result, count};
 use crate::campaign::{Campaign, Exclude, Identify, OutlierRule, Selection};
-use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError};
+use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings};
 use crate::math::robots::Robot;
+use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::join::Joined;
 use crate::stages::parameters::parameters_document;
@@ -47,18 +48,17 @@ pub fn identify(
     let mut sets = evaluate::split(&observations, &poses, &selections);
     let settings = campaign.settings(stated);
     let mut before = identify::fit_frames(robot, &sets.calibration, &settings)?;
-    let mut found = identify::identify_from(robot, &sets.calibration, &settings, &before)?;
+    let frames = frame_errors(&frames.world);
+    let mut found = identify::identify_in_frames(robot, &sets.calibration, &settings, &before, &frames)?;
     if stated.outliers == OutlierRule::Exclude {
         let readings: usize = sets.calibration.iter().map(|o| o.targets.iter().flatten().count()).sum();
         let fewest = (readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
         while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, &settings, &found)? {
             messages.push(left_out);
             before = identify::fit_frames(robot, &sets.calibration, &settings)?;
-            found = identify::identify_from(robot, &sets.calibration, &settings, &before)?;
+            found = identify::identify_in_frames(robot, &sets.calibration, &settings, &before, &frames)?;
         }
     }
-    let frames: Vec<FrameError> = frames.world.poses.iter().filter_map(frame_error).collect();
-    found.carry_frames(robot, &sets.calibration, &settings, &frames)?;
     for (name, table) in joined.observations.iter().skip(1) {
         let mut observations = Observation::from_table(robot, table, &mut messages)?;
         exclude(campaign, stated, robot, &mut observations)?;
@@ -74,18 +74,29 @@ pub fn identify(
     let errors = evaluate::errors(robot, &sets, &before, &found.values);
     let messages = plausibility(robot, &sets.calibration, &settings, &before, &found, &errors);
     found.warnings.splice(0..0, messages);
+    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits)?;
+    accuracy.validation_distance = validation_distance(robot, &sets);
+    found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
     Ok(Identified {
         parameters: parameters_document(robot, &settings, &before, &found, inputs),
-        accuracy: evaluate::evaluate(robot, &errors, &campaign.file.limits)?,
+        accuracy,
         errors,
         sets,
         found,
     })
 }
 
-/// The uncertainty of a frame, as the observations that it places have it in common.
-fn frame_error(frame: &FramePose) -> Option<FrameError> {
-    Some(FrameError { pose: frame.pose.zip(frame.cycle), covariance: frame.covariance? })
+/// The uncertainties of the world frame: what each pose has by itself, and what all have in common.
+fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
+    let of_pose = |frame: &FramePose| {
+        let mut covariance = frame.covariance?;
+        for (all, common) in covariance.iter_mut().flatten().zip(world.common_covariance.iter().flatten().flatten()) {
+            *all -= common;
+        }
+        Some(FrameError { pose: frame.pose.zip(frame.cycle), covariance })
+    };
+    let common = world.common_covariance.map(|covariance| FrameError { pose: None, covariance });
+    world.poses.iter().filter_map(of_pose).chain(common).collect()
 }
 
 /// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is

@@ -1,5 +1,6 @@
 //! The stages of a run, each from documents to the next document.
 
+pub mod distance;
 pub mod evaluate;
 pub mod frames;
 pub mod gather;

@@ -1,54 +1,191 @@
-//! Whole simulated campaigns: 95 % intervals of every parameter hold the truth in 95 of 100, and whatever the frames add is in them.
+//! Whole simulated campaigns, from truth to files to parameters: 95 % intervals of every parameter and of the world frame hold the
+//! truth in 95 of 100, and of pairs of campaigns of an unchanged robot 5 in 100 are called changed.
+//!
+//! `ETALON_CAMPAIGNS` states how many of each; by default so many that the suite stays short.
 
-use crate::support::scratch::copy_sample;
+use crate::support::scratch::{Scratch, copy_sample};
+use crate::support::tracker::{self, Reflectors};
+use etalon::base::noise::Noise;
+use etalon::base::pose::Pose;
 use etalon::campaign::Campaign;
+use etalon::compare::{Compared, compare};
+use etalon::document::{CompareFamily, FramesDocument};
 use etalon::run::check;
 use etalon::simulate::{Truth, simulate, true_values};
 use etalon::stages::{frames, identification, join};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
-const CAMPAIGNS: usize = 600;
-
-/// For each parameter its name and the share of campaigns whose interval holds the truth.
-fn coverage(sample: &str) -> Vec<(String, f64)> {
-    let held: Vec<Vec<(String, bool)>> = (0..CAMPAIGNS).into_par_iter().map(|seed| one(sample, seed)).collect();
-    let share = |i: usize| held.iter().filter(|all| all[i].1).count() as f64 / held.len() as f64;
-    (0..held[0].len()).map(|i| (held[0][i].0.clone(), share(i))).collect()
+/// How many campaigns of each are simulated: `usual`, or what the environment states.
+fn campaigns(usual: usize) -> usize {
+    std::env::var("ETALON_CAMPAIGNS").ok().map_or(usual, |text| text.parse().expect("ETALON_CAMPAIGNS: a number"))
 }
 
-/// Simulates a sample with a seed of its own and identifies it; whether each interval holds the truth.
-fn one(sample: &str, seed: usize) -> Vec<(String, bool)> {
-    let scratch = copy_sample(sample);
-    let campaign = Campaign::read(&scratch.path()).expect("campaign");
-    let mut truth = Truth::read(&scratch.path().join("truth.toml")).expect("truth");
+/// What one simulated campaign found.
+struct Found {
+    /// Of each parameter and component of the frame, whether its interval holds the truth.
+    held: Vec<(String, bool)>,
+    compared: Compared,
+}
+
+/// What differs from a campaign of a sample.
+#[derive(Clone, Copy)]
+struct Changes<'a> {
+    /// Changes the truth of one seed.
+    truth: &'a (dyn Fn(&mut Truth) + Sync),
+    /// Adds to the files, or changes them, after the simulation.
+    files: &'a (dyn Fn(&Scratch, &Truth) + Sync),
+}
+
+const NONE: Changes = Changes { truth: &|_| (), files: &|_, _| () };
+
+/// Simulates the campaign in `scratch` with a seed of its own and identifies it.
+fn one(scratch: &Scratch, seed: usize, changes: Changes) -> Found {
+    let folder = scratch.path();
+    let mut truth = Truth::read(&folder.join("truth.toml")).expect("truth");
     truth.seed = 1000 + seed as u64;
-    simulate(&campaign, &truth).expect("simulated");
+    (changes.truth)(&mut truth);
+    simulate(&Campaign::read(&folder).expect("campaign"), &truth).expect("simulated");
+    (changes.files)(scratch, &truth);
+    let campaign = Campaign::read(&folder).expect("campaign");
     let prepared = check::check(&campaign).expect("prepared");
     let robot = prepared.robot.as_ref();
+    let planar = robot.dimension() == 2;
     let features = frames::fit_features(&campaign, &prepared.gathered.points).expect("features");
-    let placed = frames::make_frames(&campaign, &prepared.gathered.points, &features, true).expect("frames");
+    let placed = frames::make_frames(&campaign, &prepared.gathered.points, &features, planar).expect("frames");
     let joined = join::join(&campaign, &prepared.gathered, &placed, robot).expect("joined");
     let stated = campaign.file.identify.as_ref().expect("[identify]");
-    let found =
-        identification::identify(&campaign, stated, robot, &joined, &placed, &Default::default()).expect("found").found;
+    let identified =
+        identification::identify(&campaign, stated, robot, &joined, &placed, &Default::default()).expect("found");
+    let found = &identified.found;
+    truth.parameters.retain(|name, _| robot.index(name).is_some());
     let values = true_values(robot, &truth.parameters).expect("truth");
-    let factor = 1.96; // some hundred degrees of freedom
     let holds = |&i: &usize| {
         let u = found.standard_uncertainty(i).expect("identified");
-        (robot.parameters()[i].name.clone(), (found.values[i] - values[i]).abs() <= factor * u)
+        (robot.parameters()[i].name.clone(), (found.values[i] - values[i]).abs() <= NORMAL * u)
     };
-    found.free.iter().map(holds).collect()
+    let held = found.free.iter().map(holds).chain(frame_held(&placed, &truth, planar)).collect();
+    let compared = Compared {
+        identified: Some((identified.parameters, identified.accuracy)),
+        ..super::compare::identified(&seed.to_string(), &[], &[], &mut |_| {})
+    };
+    Found { held, compared }
+}
+
+/// Of 95 %, where uncertainties rest on the instrument's.
+const NORMAL: f64 = 1.959_964;
+
+/// Whether shift and turn of the (first) world frame hold the truth, each; of a planar one at the height of the targets.
+fn frame_held(placed: &FramesDocument, truth: &Truth, planar: bool) -> Vec<(String, bool)> {
+    let frame = &placed.world.poses[0];
+    let at = &truth.export_T_world;
+    let true_frame = Pose::from_xyz_rpy(at.xyz_mm, at.rpy_deg.map(f64::to_radians));
+    let off = frame.export_T_world.inverse().then(&true_frame);
+    let ([x, y, z], r) = (off.translation_mm, off.rotation);
+    let (wx, wy, wz) = (0.5 * (r[2][1] - r[1][2]), 0.5 * (r[0][2] - r[2][0]), 0.5 * (r[1][0] - r[0][1]));
+    let height = truth.target_height_mm;
+    // turned about the origin, the targets shift with their height
+    let components = match planar {
+        true => vec![("x", 0, x + wy * height), ("y", 1, y - wx * height), ("turn z", 5, wz)],
+        false => vec![("x", 0, x), ("y", 1, y), ("z", 2, z), ("turn x", 3, wx), ("turn y", 4, wy), ("turn z", 5, wz)],
+    };
+    let covariance = frame.covariance.expect("covariance");
+    let holds =
+        |(name, k, off): (&str, usize, f64)| (format!("frame {name}"), off.abs() <= NORMAL * covariance[k][k].sqrt());
+    components.into_iter().map(holds).collect()
+}
+
+/// Simulates `count` campaigns, each in a folder of its own.
+fn simulated(count: usize, folder: impl Fn() -> Scratch + Sync, changes: Changes) -> Vec<Found> {
+    (0..count).into_par_iter().map(|seed| one(&folder(), seed, changes)).collect()
+}
+
+/// The share of campaigns whose interval holds the truth, by name.
+fn coverage(found: &[Found]) -> Vec<(String, f64)> {
+    let share = |i: usize| found.iter().filter(|f| f.held[i].1).count() as f64 / found.len() as f64;
+    (0..found[0].held.len()).map(|i| (found[0].held[i].0.clone(), share(i))).collect()
+}
+
+/// The share of pairs of unchanged campaigns in which something of a family is called changed, and all parameters together.
+fn called_changed(found: &[Found]) -> BTreeMap<String, f64> {
+    let mut counts: BTreeMap<String, f64> = BTreeMap::new();
+    let pairs = found.chunks_exact(2);
+    let each = 1.0 / pairs.len() as f64;
+    for pair in pairs {
+        let document = compare(&[pair[0].compared.clone(), pair[1].compared.clone()]).expect("compared");
+        let mut families: BTreeMap<CompareFamily, bool> = BTreeMap::new();
+        for t in &document.trends {
+            *families.entry(t.family).or_default() |= t.changes[0].significant == Some(true);
+        }
+        for (family, changed) in families {
+            *counts.entry(format!("{family:?}")).or_default() += each * f64::from(u8::from(changed));
+        }
+        let together = document.together.first().is_some_and(|t| t.significant);
+        *counts.entry("together".to_owned()).or_default() += each * f64::from(u8::from(together));
+    }
+    counts
+}
+
+/// 95 ± 1.5 % of campaigns, 5 ± 1 % of families of unchanged pairs, and three standard deviations of a share of so many.
+fn assert_coverage(name: &str, found: &[Found]) {
+    let shares = coverage(found);
+    println!("{name}, {} synthetic campaigns: {shares:.3?}", found.len());
+    let allowed = 0.015 + 3.0 * (0.95f64 * 0.05 / found.len() as f64).sqrt();
+    for (parameter, share) in shares {
+        assert!((share - 0.95).abs() < allowed, "{name}: {parameter} {share}");
+    }
+    let called = called_changed(found);
+    println!("{name}, pairs called changed: {called:.3?}");
+    let allowed = 0.01 + 3.0 * (0.05f64 * 0.95 / (found.len() / 2) as f64).sqrt();
+    for (family, share) in called {
+        // mean errors of the same poses are alike
+        let fits = if family == "MeanError" { share < 0.05 + allowed } else { (share - 0.05).abs() < allowed };
+        assert!(fits, "{name}: {family} is called changed in {share}");
+    }
 }
 
 #[test]
 fn intervals_of_whole_campaigns_hold_the_truth() {
     for sample in ["prexyt-cmm", "dextar"] {
-        let shares = coverage(sample);
-        println!("{sample}, {CAMPAIGNS} synthetic campaigns: {shares:?}");
-        // 95 ± 1.5 %, and three standard deviations of a share of so many
-        let allowed = 0.015 + 3.0 * (0.95f64 * 0.05 / CAMPAIGNS as f64).sqrt();
-        for (name, share) in shares {
-            assert!((share - 0.95).abs() < allowed, "{sample}: {name} {share}");
+        let found = simulated(campaigns(600), || copy_sample(sample), NONE);
+        assert_coverage(sample, &found);
+    }
+}
+
+#[test]
+fn intervals_of_an_arm_with_a_tracker_hold_the_truth() {
+    for reflectors in [Reflectors::Before, Reflectors::EachPose] {
+        let files = |scratch: &Scratch, truth: &Truth| tracker::complete(scratch, reflectors, truth);
+        let changes = Changes { files: &files, ..NONE };
+        let found = simulated(campaigns(150), || tracker::campaign(reflectors, 60, false), changes);
+        assert_coverage(&format!("arm with a tracker, fixed reflectors {reflectors:?}"), &found);
+    }
+}
+
+/// Joints 2 and 3 bend, which the model leaves out, and each campaign has other poses, four in each of sixty regions.
+#[test]
+fn campaigns_in_which_the_model_misfits_are_not_called_changed() {
+    let poses = |truth: &mut Truth| {
+        let mut noise = Noise::new(62, truth.seed);
+        truth.poses[0].joints = (0..60)
+            .flat_map(|_| {
+                let middle = tracker::drawn(&mut noise);
+                let near: Vec<Vec<f64>> =
+                    (0..4).map(|_| middle.iter().map(|q| q + noise.uniform(3.0)).collect()).collect();
+                near
+            })
+            .collect();
+    };
+    let files = |scratch: &Scratch, _: &Truth| scratch.replace("robot.toml", "bending = [2, 3]\n", "");
+    let changes = Changes { truth: &poses, files: &files };
+    let found = simulated(campaigns(20), || tracker::campaign(Reflectors::Before, 1, true), changes);
+    for pair in found.chunks_exact(2) {
+        let document = compare(&[pair[0].compared.clone(), pair[1].compared.clone()]).expect("compared");
+        for change in document.trends.iter().flat_map(|t| &t.changes) {
+            // by chance, these call four of five families of mean errors changed
+            assert!(change.p.is_none() && change.significant.is_none(), "a p value where the model misfits");
         }
+        assert!(document.together.is_empty());
+        assert!(document.messages.iter().any(|m| m.what.contains("no evidence of a change")));
     }
 }

@@ -1,10 +1,13 @@
 //! Serial arms: whatever the place of the tracker, a noise-free identification gives the truth.
 
 use crate::support::arms::{SIX_AXES, serial};
+use crate::support::tracker;
 use etalon::base::noise::Noise;
 use etalon::campaign::read_robot;
 use etalon::math::identify::{Observation, ResidualKind, Settings, UncertaintyFrom, identify};
 use etalon::math::robots::{Robot, Role};
+use rayon::prelude::*;
+use statrs::distribution::{ContinuousCDF, StudentsT};
 
 fn robot(targets: usize) -> Box<dyn Robot> {
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
@@ -37,6 +40,11 @@ fn observe(robot: &dyn Robot, truth: &[f64], poses: usize, noise: &mut Noise) ->
         Observation { pose: i as i64, cycle: 1, joints, targets }
     };
     (0..poses).map(observe).collect()
+}
+
+/// Half width of a 95 % interval in standard uncertainties, which have these degrees of freedom or are stated.
+fn quantile(degrees: Option<f64>) -> f64 {
+    degrees.map_or(1.959_964, |degrees| StudentsT::new(0.0, 1.0, degrees).unwrap().inverse_cdf(0.975))
 }
 
 #[test]
@@ -206,11 +214,69 @@ fn errors_that_neighbouring_poses_share_are_in_the_uncertainty() {
         assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByRegion);
         for &i in &found.free {
             let u = found.standard_uncertainty(i).unwrap().hypot(limit.standard_uncertainty(i).unwrap_or(0.0));
-            held += usize::from((found.values[i] - limit.values[i]).abs() < 1.96 * u);
+            held += usize::from((found.values[i] - limit.values[i]).abs() < quantile(found.degrees_of_freedom(i)) * u);
             all += 1;
         }
     }
     let share = held as f64 / f64::from(all);
     println!("{CAMPAIGNS} synthetic campaigns of {REGIONS} regions: 95 % intervals hold {:.1} %", 100.0 * share);
     assert!(share > 0.90, "{share}");
+}
+
+/// 36 poses of three targets, the robot stopping beside where its log says: leaving poses out shows what the targets of a pose share.
+#[test]
+fn small_campaigns_whose_targets_share_errors_hold_the_truth() {
+    const POSES: usize = 36;
+    let campaigns = std::env::var("ETALON_CAMPAIGNS").ok().map_or(150, |text| text.parse().expect("a number"));
+    let arm = tracker::robot(false);
+    let mut noise = Noise::new(17, 0);
+    let truth: Vec<f64> = arm.parameters().iter().map(|p| tracker::true_value(p, &mut noise)).collect();
+    let settings = Settings {
+        kind: ResidualKind::Targets,
+        standard_uncertainty_mm: Some(tracker::U_MM),
+        common_uncertainty_mm: None,
+        hold: Vec::new(),
+    };
+    for stop_rad in [0.0, 1e-5, 2e-5, 5e-5, 2e-4] {
+        let one = |seed: usize| {
+            let mut noise = Noise::new(18, seed as u64);
+            let measured = |i: usize| {
+                let joints: Vec<f64> = tracker::drawn(&mut noise).iter().map(|q| q.to_radians()).collect();
+                let stops: Vec<f64> = joints.iter().map(|q| q + noise.gaussian(stop_rad)).collect();
+                let seen = |k| Some(arm.position(&truth, &stops, k).map(|v| v + noise.gaussian(tracker::U_MM)));
+                Observation { pose: i as i64, cycle: 1, joints, targets: (0..3).map(seen).collect() }
+            };
+            let observations: Vec<Observation> = (0..POSES).map(measured).collect();
+            let found = identify(&arm, &observations, &settings).unwrap();
+            let holds = |&i: &usize| {
+                let half_width = quantile(found.degrees_of_freedom(i)) * found.standard_uncertainty(i).unwrap();
+                (found.values[i] - truth[i]).abs() <= half_width
+            };
+            let degrees = found.effective_degrees.iter().copied().fold(f64::INFINITY, f64::min);
+            let held = found.free.iter().filter(|i| holds(i)).count() as f64 / found.free.len() as f64;
+            (found.uncertainty_from, held, degrees)
+        };
+        let all: Vec<_> = (0..campaigns).into_par_iter().map(one).collect();
+        let share = all.iter().map(|a| a.1).sum::<f64>() / all.len() as f64;
+        let from = |from| all.iter().filter(|a| a.0 == from).count() as f64 / all.len() as f64;
+        println!(
+            "{POSES} poses, joints stop {stop_rad} rad beside: intervals hold {:.1} %, from the instrument {:.3}, by pose {:.3}, fewest \
+             degrees of freedom {:.1}",
+            100.0 * share,
+            from(UncertaintyFrom::Instrument),
+            from(UncertaintyFrom::ResidualsByPose),
+            all.iter().map(|a| a.2).fold(f64::INFINITY, f64::min)
+        );
+        let chance = 3.0 * (0.05f64 * 0.95 / all.len() as f64).sqrt(); // as if all parameters of a campaign were one
+        match stop_rad {
+            // nothing is widened where the model is right
+            0.0 => assert!(from(UncertaintyFrom::Instrument) > 0.99 - chance && (share - 0.95).abs() < 0.015),
+            // half of the instrument's uncertainty, which cannot always be seen
+            1e-5 => assert!(share > 0.90, "{share}"),
+            _ => {
+                assert!(from(UncertaintyFrom::ResidualsByPose) > 0.99, "{}", from(UncertaintyFrom::ResidualsByPose));
+                assert!((share - 0.95).abs() < 0.015 + 0.01, "{share}");
+            }
+        }
+    }
 }

@@ -5,3 +5,4 @@ pub mod arms;
 pub mod five_bar;
 pub mod linearised;
 pub mod scratch;
+pub mod tracker;

@@ -6,6 +6,16 @@ use std::path::{Path, PathBuf};
 pub struct Scratch(tempfile::TempDir);
 
 impl Scratch {
+    /// A campaign of these files.
+    pub fn with(files: &[(&str, &str)]) -> Self {
+        let scratch = Self(tempfile::tempdir().unwrap());
+        std::fs::create_dir_all(scratch.path().join("exports")).unwrap();
+        for (name, text) in files {
+            std::fs::write(scratch.path().join(name), text).unwrap();
+        }
+        scratch
+    }
+
     /// The folder that holds the campaign's.
     pub fn root(&self) -> &Path {
         self.0.path()

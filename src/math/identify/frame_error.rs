@@ -1,10 +1,7 @@
-//! The uncertainty of frames: what is wrong with a frame is common to all observations that it places, and shows in no residual.
+//! The uncertainty of frames: what is wrong with a frame is common to all observations that it places.
 
 use super::residuals::Residuals;
-use super::{Identification, Observation, Settings, UncertaintyFrom};
-use crate::base::message::Result;
-use crate::math::robots::Robot;
-use crate::math::solve::{Factor, Problem, column_norms, covariance};
+use crate::math::solve::Solution;
 
 /// The uncertainty of the frame in which observations are stated.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,48 +12,33 @@ pub struct FrameError {
     pub covariance: [[f64; 6]; 6],
 }
 
-impl Identification {
-    /// Adds what the uncertainty of `frames` contributes to the covariance: S C Sᵀ for each, where S is the derivative of the
-    /// parameters by shift and rotation of the frame (law of propagation of uncertainty, GUM 5.2.2).
-    pub fn carry_frames(
-        &mut self,
-        robot: &dyn Robot,
-        observations: &[Observation],
-        settings: &Settings,
-        frames: &[FrameError],
-    ) -> Result<()> {
-        // what is wrong with the frame of one pose shows in its residuals, where the covariance is taken from them
-        let shown = self.uncertainty_from != UncertaintyFrom::Instrument;
-        let frames: Vec<&FrameError> = frames.iter().filter(|frame| frame.pose.is_none() || !shown).collect();
-        let Some(total) = self.covariance.as_mut().filter(|_| !frames.is_empty()) else { return Ok(()) };
-        let problem = Residuals::new(robot, observations, settings, &self.free, &self.values)?;
-        let x: Vec<f64> = self.free.iter().map(|&i| self.values[i]).collect();
-        let (m, n) = (problem.residual_count(), x.len());
-        let mut jacobian = vec![0.0; m * n];
-        problem.jacobian(&x, &mut jacobian);
-        let norms = column_norms(&jacobian, n);
-        let factor = Factor::new(&jacobian, &vec![0.0; m], &norms);
-        let Some(inverse) = covariance(&factor, &norms) else { return Ok(()) };
-        for frame in frames {
-            let by_frame = problem.frame_jacobian(&x, frame.pose);
-            // Jᵀ D, then S = -(JᵀJ)⁻¹ Jᵀ D: its sign drops out
-            let mut moved = vec![0.0; n * 6];
-            for (row, d) in jacobian.chunks_exact(n).zip(by_frame.chunks_exact(6)) {
-                for (j, moved) in row.iter().zip(moved.chunks_exact_mut(6)) {
-                    moved.iter_mut().zip(d).for_each(|(m, d)| *m += j * d);
-                }
-            }
-            let sensitivity: Vec<[f64; 6]> = inverse
-                .chunks_exact(n)
-                .map(|row| std::array::from_fn(|c| row.iter().zip(moved.chunks_exact(6)).map(|(a, m)| a * m[c]).sum()))
-                .collect();
-            for (i, a) in sensitivity.iter().enumerate() {
-                let by_c: [f64; 6] = std::array::from_fn(|c| (0..6).map(|k| a[k] * frame.covariance[k][c]).sum());
-                for (k, b) in sensitivity.iter().enumerate() {
-                    total[i * n + k] += by_c.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-                }
+/// Adds what the uncertainty of `frames` contributes to a covariance: S C Sᵀ for each, where S is the derivative of the parameters
+/// by shift and rotation of the frame (law of propagation of uncertainty, GUM 5.2.2).
+pub(super) fn carry<'a>(
+    frames: impl Iterator<Item = &'a FrameError>,
+    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+    total: &mut [f64],
+) {
+    let n = solution.x.len();
+    let Some(inverse) = solution.covariance() else { return };
+    for frame in frames {
+        let by_frame = problem.frame_jacobian(&solution.x, frame.pose);
+        // Jᵀ D, then S = -(JᵀJ)⁻¹ Jᵀ D: its sign drops out
+        let mut moved = vec![0.0; n * 6];
+        for (row, d) in jacobian.chunks_exact(n).zip(by_frame.chunks_exact(6)) {
+            for (j, moved) in row.iter().zip(moved.chunks_exact_mut(6)) {
+                moved.iter_mut().zip(d).for_each(|(m, d)| *m += j * d);
             }
         }
-        Ok(())
+        let sensitivity: Vec<[f64; 6]> = inverse
+            .chunks_exact(n)
+            .map(|row| std::array::from_fn(|c| row.iter().zip(moved.chunks_exact(6)).map(|(a, m)| a * m[c]).sum()))
+            .collect();
+        for (i, a) in sensitivity.iter().enumerate() {
+            let by_c: [f64; 6] = std::array::from_fn(|c| (0..6).map(|k| a[k] * frame.covariance[k][c]).sum());
+            for (k, b) in sensitivity.iter().enumerate() {
+                total[i * n + k] += by_c.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            }
+        }
     }
 }

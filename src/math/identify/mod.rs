@@ -1,5 +1,6 @@
 //! Identification: parameters from observations, which of them the data determine, and how well.
 
+mod clusters;
 mod diagnosis;
 mod frame_error;
 mod identifiability;
@@ -77,6 +78,8 @@ pub struct Identification {
     pub covariance: Option<Vec<f64>>,
     /// What the covariance rests on.
     pub uncertainty_from: UncertaintyFrom,
+    /// Effective degrees of freedom of each identified parameter's standard uncertainty; empty where these rest on stated ones.
+    pub effective_degrees: Vec<f64>,
     /// By how much standard uncertainties are larger than the instrument's uncertainty alone makes them (median).
     pub inflation_factor: f64,
     /// Sets of parameters that are not separately identifiable.
@@ -107,6 +110,11 @@ impl Identification {
         let k = self.free.iter().position(|&i| i == index)?;
         Some(self.covariance.as_ref()?[k * self.free.len() + k].sqrt())
     }
+
+    /// Effective degrees of freedom of it; `None` where it rests on stated uncertainties.
+    pub fn degrees_of_freedom(&self, index: usize) -> Option<f64> {
+        self.effective_degrees.get(self.free.iter().position(|&i| i == index)?).copied()
+    }
 }
 
 /// Identifies the parameters of `robot` from `observations`.
@@ -127,9 +135,20 @@ pub fn identify_from(
     settings: &Settings,
     start: &[f64],
 ) -> Result<Identification> {
+    identify_in_frames(robot, observations, settings, start, &[])
+}
+
+/// [`identify_from`] of observations that frames with these uncertainties place.
+pub fn identify_in_frames(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    start: &[f64],
+    frames: &[FrameError],
+) -> Result<Identification> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
-    uncertainty::with_uncertainty(robot, observations, settings, &wanted, found)
+    uncertainty::with_uncertainty(robot, (observations, frames), settings, &wanted, found)
 }
 
 /// Parameters of the nominal robot with only base and targets fitted, wherever they are: what accuracy is before a

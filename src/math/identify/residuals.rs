@@ -154,6 +154,11 @@ impl<'a> Residuals<'a> {
         self.common.is_some()
     }
 
+    /// Pose and cycle of each observation, with the number of its residuals.
+    pub fn blocks(&self) -> impl Iterator<Item = ((i64, i64), usize)> {
+        self.observations.iter().zip(&self.rows).map(|(o, &rows)| ((o.pose, o.cycle), rows)).filter(|block| block.1 > 0)
+    }
+
     /// Observations that bring at least one residual: poses, each as often as it was repeated.
     pub fn observation_count(&self) -> usize {
         self.rows.iter().filter(|&&rows| rows > 0).count()

@@ -1,5 +1,7 @@
 //! Uncertainty of the parameters: covariance and chi-square.
 
+use super::clusters::ByCluster;
+use super::frame_error::{FrameError, carry};
 use super::observability::{held_singular_values, observe, weak_message};
 use super::residuals::Residuals;
 use super::solution::Identifiable;
@@ -7,7 +9,7 @@ use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
 use crate::math::robots::{Quantity, Robot};
 use crate::math::solve::{Factor, Problem, Solution, column_norms};
-use nalgebra::{DMatrix, Matrix3x4};
+use nalgebra::{DMatrix, DVector, Matrix3x4};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
@@ -33,13 +35,13 @@ pub enum UncertaintyFrom {
 
 /// Probability with which a chi-square test rejects a right model.
 const REJECT: f64 = 1e-3;
-/// Poses per parameter from which their scatter gives a covariance.
-const POSES_PER_PARAMETER: usize = 3;
+/// Regions of the joints per parameter whose scatter gives a covariance, where there are poses for twice as many.
+const REGIONS_PER_PARAMETER: usize = 3;
 
 /// The identification that a solution is, with its uncertainty.
 pub(super) fn with_uncertainty(
     robot: &dyn Robot,
-    observations: &[Observation],
+    (observations, frames): (&[Observation], &[FrameError]),
     settings: &Settings,
     wanted: &[usize],
     found: Identifiable,
@@ -53,10 +55,16 @@ pub(super) fn with_uncertainty(
     problem.jacobian(&solution.x, &mut jacobian);
 
     // from the instrument
+    let placed: BTreeMap<(i64, i64), &FrameError> = frames.iter().filter_map(|f| Some((f.pose?, f))).collect();
     let stated = match (settings.kind, settings.standard_uncertainty_mm) {
         (_, None) => None,
-        (ResidualKind::Targets, Some(_)) => solution.covariance().map(|c| (c, solution.cost)),
-        (ResidualKind::Pose, Some(u)) => pose_covariance(problem, solution, &jacobian, u),
+        (ResidualKind::Targets, Some(_)) if placed.is_empty() || problem.is_whitened() => {
+            solution.covariance().map(|c| (c, solution.cost))
+        }
+        (_, Some(u)) => {
+            let noise = noise(problem, solution, u, &placed);
+            noise.and_then(|noise| noise_covariance(solution, &jacobian, &noise))
+        }
     };
     let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
     let instrument = stated.map(|s| s.0);
@@ -64,27 +72,48 @@ pub(super) fn with_uncertainty(
     // from the residuals, where they do not agree with it
     let mut warnings = Vec::new();
     let rejected = chi_square.filter(|&chi| exceeds(chi, dof));
-    let (covariance, uncertainty_from) = match (&instrument, rejected) {
-        (Some(instrument), None) => (Some(instrument.clone()), UncertaintyFrom::Instrument),
-        (None, _) if dof == 0 => {
+    let shares = settings.kind == ResidualKind::Targets && placed.is_empty() && chi_square.is_some();
+    let found = match &instrument {
+        Some(instrument) if rejected.is_none() => {
+            // errors that the readings of a pose share may be too small for chi-square, and yet in every one of them
+            let clusters = shares.then(|| by_cluster(problem, solution, &jacobian)).flatten();
+            match clusters.filter(|found| found.1.exceeds()) {
+                Some((found, clusters)) => {
+                    warnings.push(shared(clusters.ratio));
+                    found
+                }
+                None => Found {
+                    from: UncertaintyFrom::Instrument,
+                    covariance: Some(instrument.clone()),
+                    degrees: Vec::new(),
+                },
+            }
+        }
+        None if dof == 0 => {
             warnings.push(
                 Message::warning("there are as many equations as parameters: their uncertainty cannot be determined")
                     .hint("measure more poses, or state the uncertainty of the instrument"),
             );
-            (None, UncertaintyFrom::Nothing)
+            Found { from: UncertaintyFrom::Nothing, covariance: None, degrees: Vec::new() }
         }
-        _ => match by_cluster(problem, solution, &jacobian) {
-            Some((covariance, from)) => (Some(covariance), from),
-            None => {
-                let variance = match chi_square {
-                    Some(chi) => chi / dof as f64,
-                    None => solution.cost / dof as f64,
-                };
+        _ => by_cluster(problem, solution, &jacobian).map_or_else(
+            || {
+                let variance = chi_square.unwrap_or(solution.cost) / dof as f64;
                 let scaled = |c: Vec<f64>| c.into_iter().map(|v| v * variance).collect();
-                (instrument.clone().or_else(|| solution.covariance()).map(scaled), UncertaintyFrom::Residuals)
-            }
-        },
+                let covariance = instrument.clone().or_else(|| solution.covariance()).map(scaled);
+                Found { from: UncertaintyFrom::Residuals, covariance, degrees: vec![dof as f64; n] }
+            },
+            |found| found.0,
+        ),
     };
+    let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees } = found;
+    if let Some(total) = &mut covariance {
+        // what is wrong with the frame of one pose shows in its residuals, and is in the noise above
+        let unseen = |f: &&FrameError| {
+            f.pose.is_none() || problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument
+        };
+        carry(frames.iter().filter(unseen), (problem, solution, &jacobian), total);
+    }
     let inflation_factor = match (&instrument, &covariance) {
         (Some(before), Some(after)) => median((0..n).map(|k| (after[k * n + k] / before[k * n + k]).sqrt()).collect()),
         _ => 1.0,
@@ -117,6 +146,7 @@ pub(super) fn with_uncertainty(
         free: problem.free.clone(),
         covariance,
         uncertainty_from,
+        effective_degrees,
         inflation_factor,
         groups,
         weak,
@@ -129,6 +159,23 @@ pub(super) fn with_uncertainty(
         termination: solution.termination,
         warnings,
     })
+}
+
+/// A covariance, and what it rests on.
+struct Found {
+    from: UncertaintyFrom,
+    covariance: Option<Vec<f64>>,
+    degrees: Vec<f64>,
+}
+
+/// What the scatter of poses shows, or, where these are many, of regions of the joints; `None` where there are too few.
+fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Found, ByCluster)> {
+    let count = REGIONS_PER_PARAMETER * solution.x.len();
+    let regions = !problem.is_whitened() && problem.pose_count() >= 2 * count;
+    let from = if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose };
+    let clusters = ByCluster::new(&problem.clusters(count), solution, jacobian).filter(ByCluster::is_usable)?;
+    let covariance = Some(clusters.covariance.clone());
+    Some((Found { from, covariance, degrees: clusters.degrees_of_freedom.clone() }, clusters))
 }
 
 /// Whether chi-square is too large for the degrees of freedom: a right model has it once in a thousand times.
@@ -148,6 +195,15 @@ fn shortfall(chi_square: f64, dof: usize) -> Message {
         (chi_square / dof as f64).sqrt()
     ))
     .hint("check the instrument's uncertainty, its unit and its coverage factor; errors common to all poses do not show in residuals")
+}
+
+fn shared(ratio: f64) -> Message {
+    Message::warning(format!(
+        "residuals of one pose have errors in common: leaving out one pose after the other gives standard uncertainties {:.1} times \
+         the instrument's, which are used",
+        ratio.sqrt()
+    ))
+    .hint("the robot has errors that the model does not describe, or the instrument errors that readings of one pose share")
 }
 
 fn rejection(chi_square: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Message {
@@ -200,53 +256,54 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(1.0)
 }
 
-/// A⁻¹ (Σ gₚ gₚᵀ) A⁻¹ · G/(G − n) with A = JᵀJ, gₚ = Jₚᵀrₚ the gradient of one of G clusters, poses or, where these are many,
-/// regions of the joints; `None` where there are too few. The factor makes up for residuals being smaller than errors, as n of them
-/// are used up.
-fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Vec<f64>, UncertaintyFrom)> {
-    let n = solution.x.len();
-    let fewest = POSES_PER_PARAMETER * n;
-    let mut gradients: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
-    for ((row, r), cluster) in jacobian.chunks_exact(n).zip(&solution.residuals).zip(problem.clusters(fewest)) {
-        let gradient = gradients.entry(cluster).or_insert_with(|| vec![0.0; n]);
-        gradient.iter_mut().zip(row).for_each(|(g, j)| *g += j * r);
-    }
-    let poses = gradients.len();
-    if poses < fewest {
-        return None;
-    }
-    let inverse = solution.covariance()?;
-    let factor = poses as f64 / (poses - n) as f64;
-    let mut covariance = vec![0.0; n * n];
-    for gradient in gradients.values() {
-        let moved = |row: &[f64]| row.iter().zip(gradient).map(|(a, g)| a * g).sum::<f64>();
-        let step: Vec<f64> = inverse.chunks_exact(n).map(moved).collect(); // A⁻¹ gₚ
-        for (row, a) in covariance.chunks_exact_mut(n).zip(&step) {
-            row.iter_mut().zip(&step).for_each(|(c, b)| *c += factor * a * b);
+/// Covariance of the residuals of each observation, by its square root from below: the instrument's noise, of pose residuals that of
+/// the balls, and the uncertainty of the frame that places it. `None` where one is not positive definite.
+fn noise(
+    problem: &Residuals,
+    solution: &Solution,
+    u: f64,
+    frames: &BTreeMap<(i64, i64), &FrameError>,
+) -> Option<Vec<DMatrix<f64>>> {
+    let sensitivities = problem.target_sensitivities(&solution.x);
+    let by_frame = problem.frame_jacobian(&solution.x, None);
+    let mut rows = by_frame.chunks_exact(6);
+    let root = |(i, (key, count)): (usize, ((i64, i64), usize))| {
+        let mut noise = match &sensitivities {
+            Some(all) => {
+                let s = u * Matrix3x4::from_fn(|k, j| all[i][k][j]);
+                DMatrix::from_fn(3, 3, |k, j| (s * s.transpose())[(k, j)])
+            }
+            None => DMatrix::identity(count, count),
+        };
+        let moved: Vec<f64> = rows.by_ref().take(count).flatten().copied().collect();
+        if let Some(frame) = frames.get(&key) {
+            let moved = DMatrix::from_row_slice(count, 6, &moved);
+            let covariance = DMatrix::from_fn(6, 6, |k, j| frame.covariance[k][j]);
+            noise += &moved * covariance * moved.transpose();
         }
-    }
-    let regions = !problem.is_whitened() && problem.pose_count() >= 2 * fewest;
-    Some((covariance, if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose }))
+        Some(noise.cholesky()?.unpack())
+    };
+    problem.blocks().enumerate().map(root).collect()
 }
 
-/// Covariance of unweighted pose residuals whose noise comes from the balls: A⁻¹ (Σ Jᵀ S Sᵀ J u²) A⁻¹ with A = JᵀJ; and
-/// the least chi-square that the linear model reaches with the residuals weighted by (S Sᵀ u²)⁻¹.
-fn pose_covariance(problem: &Residuals, solution: &Solution, jacobian: &[f64], u: f64) -> Option<(Vec<f64>, f64)> {
-    let sensitivities = problem.target_sensitivities(&solution.x)?;
+/// Covariance of unweighted residuals with noise V = L Lᵀ, given by L: A⁻¹ (Σ Jᵀ V J) A⁻¹ with A = JᵀJ; and the least chi-square that
+/// the linear model reaches with the residuals weighted by V⁻¹.
+fn noise_covariance(solution: &Solution, jacobian: &[f64], noise: &[DMatrix<f64>]) -> Option<(Vec<f64>, f64)> {
     let n = solution.x.len();
     let inverse = DMatrix::from_row_slice(n, n, &solution.covariance()?);
     let mut middle = DMatrix::zeros(n, n);
     let (mut white_rows, mut white_residuals) = (Vec::new(), Vec::new());
-    for ((rows, r), s) in jacobian.chunks_exact(3 * n).zip(solution.residuals.chunks_exact(3)).zip(&sensitivities) {
-        let noise = u * Matrix3x4::from_fn(|i, j| s[i][j]); // S u
-        let rows = DMatrix::from_row_slice(3, n, rows);
-        let by_ball = noise.transpose() * &rows; // u Sᵀ J
-        middle += by_ball.tr_mul(&by_ball);
-        let lower = (noise * noise.transpose()).cholesky()?.l();
-        let white = lower.solve_lower_triangular(&rows)?;
+    let (mut rows, mut residuals) = (jacobian, &solution.residuals[..]);
+    for lower in noise {
+        let (here, rest) = rows.split_at_checked(lower.nrows() * n)?;
+        let (r, after) = residuals.split_at_checked(lower.nrows())?;
+        (rows, residuals) = (rest, after);
+        let here = DMatrix::from_row_slice(lower.nrows(), n, here);
+        let noisy = lower.tr_mul(&here); // Lᵀ J
+        middle += noisy.tr_mul(&noisy);
+        let white = lower.solve_lower_triangular(&here)?;
         white_rows.extend(white.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()));
-        white_residuals
-            .extend_from_slice(lower.solve_lower_triangular(&nalgebra::Vector3::from_column_slice(r))?.as_slice());
+        white_residuals.extend_from_slice(lower.solve_lower_triangular(&DVector::from_column_slice(r))?.as_slice());
     }
     let covariance = &inverse * middle * &inverse;
     let chi_square = Factor::new(&white_rows, &white_residuals, &column_norms(&white_rows, n)).rest;

@@ -138,8 +138,8 @@ fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
         .sheet("interval of", "", |(_, c, _)| if c.ratio.is_some() { "ratio" } else { "change" })
         .page("p", "", |(.., w)| numbers(w.p.clone()))
         .sheet("p", "", |(_, c, _)| c.p)
-        .page("p by Holm", "", |(.., w)| numbers(w.p_holm.clone()))
-        .sheet("p by Holm", "", |(_, c, _)| c.p_holm)
+        .page("p of the family", "", |(.., w)| numbers(w.p_family.clone()))
+        .sheet("p of the family", "", |(_, c, _)| c.p_family)
         .sheet("changed", "", |(_, c, _)| c.significant.map(|yes| if yes { "yes" } else { "no" }))
         .page("verdict", "", move |(_, c, _)| judged(c));
     Table::of(words, &rows, columns).on("Changes")

@@ -22,6 +22,10 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::heading(title));
         section.push(Block::Table(statistics(accuracy, set, words)));
     }
+    if let Some(d) = &accuracy.validation_distance {
+        let number = |v: f64| number::fixed(v, 2);
+        section.push(Block::text(words.fill("The errors hold among poses like these: from a validation pose to the nearest calibration pose it is {0} times the spacing of the calibration poses (median; at most {1} times), and {2} of {3} have a joint outside of its range in the calibration.", &[&number(d.median), &number(d.largest), &d.outside, &d.poses])));
+    }
     let table = poses(errors, words);
     if !table.is_empty() {
         section.push(Block::Aside { title: words.say("Errors of each pose"), blocks: vec![Block::Table(table)] });
@@ -183,6 +187,7 @@ mod tests {
             schema: String::new(),
             definition: String::new(),
             sets: vec![set.clone()],
+            validation_distance: None,
             limits: vec![],
         };
         page_of(&statistics(&document, &set, &Words::default()))

@@ -97,6 +97,7 @@ impl Documents {
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
                     .to_owned(),
                 sets: vec![set("calibration", 8), set("validation", 51)],
+                validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
                 limits: vec![
                     limit("position_max_mm", "mm", 0.050, 0.0442),
                     limit("orientation_max_deg", "deg", 0.010, 0.0056),
@@ -190,6 +191,7 @@ fn frames() -> FramesDocument {
             definition: "plane rails, origin R_home, y axis from R_home to R_end".to_owned(),
             planar: true,
             poses: vec![FramePose { pose: None, cycle: None, export_T_world, covariance: None }],
+            common_covariance: None,
             rms_mm: None,
             max_mm: None,
             reference_mm: vec![],
@@ -218,6 +220,7 @@ fn parameters() -> ParametersDocument {
             before: nominal,
             value,
             standard_uncertainty: (status == ParameterStatus::Identified).then_some(0.000_37 * (1 + i * i) as f64),
+            degrees_of_freedom: None,
             status,
             confounded_with: if i == 10 { vec!["delta2".to_owned(), "d".to_owned()] } else { vec![] },
         }

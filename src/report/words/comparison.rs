@@ -68,7 +68,7 @@ pub(in crate::report) struct Change {
     /// Probability by chance.
     pub p: String,
     /// The same, corrected for the number of quantities.
-    pub p_holm: String,
+    pub p_family: String,
 }
 
 /// A unit as it follows a number.
@@ -111,6 +111,6 @@ pub(in crate::report) fn change(t: &CompareTrend, c: &CompareChange, words: &Wor
         change: change.trim_end().to_owned(),
         interval: interval.unwrap_or_default(),
         p: probability(c.p),
-        p_holm: probability(c.p_holm),
+        p_family: probability(c.p_family),
     }
 }

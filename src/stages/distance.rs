@@ -1,0 +1,112 @@
+//! How far the validation poses lie from those of the calibration: errors hold among poses like these.
+
+use crate::base::message::Message;
+use crate::document::ValidationDistance;
+use crate::math::identify::Observation;
+use crate::math::robots::Robot;
+use crate::stages::evaluate::Sets;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// Nearer than a tenth of the spacing of the calibration poses a validation pose repeats its neighbour, whose errors the fit made small.
+const REPEATED: f64 = 0.1;
+/// Further than three spacings no calibration pose shows what the robot does there.
+const BEYOND: f64 = 3.0;
+
+/// Distances in the space of the joints, each joint in its range over the calibration poses; `None` without validation poses, or where
+/// the calibration has fewer than two poses or none that differ.
+pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationDistance> {
+    let count = robot.joints().len();
+    // the same joint values under several numbers are one pose
+    let distinct = |observations: &[Observation]| -> Vec<Vec<f64>> {
+        let of = |o: &Observation| o.joints.get(..count).map(<[f64]>::to_vec);
+        let bits = |joints: Vec<f64>| (joints.iter().map(|q| q.to_bits()).collect::<Vec<_>>(), joints);
+        observations.iter().filter_map(of).map(bits).collect::<BTreeMap<_, _>>().into_values().collect()
+    };
+    let (calibration, validation) = (distinct(&sets.calibration), distinct(&sets.validation));
+    let ranges: Vec<(f64, f64)> = (0..count)
+        .map(|j| calibration.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, q| (r.0.min(q[j]), r.1.max(q[j]))))
+        .collect();
+    let apart = |a: &[f64], b: &[f64]| {
+        let of = |((low, high), (a, b)): (&(f64, f64), (&f64, &f64))| {
+            if high > low { ((a - b) / (high - low)).powi(2) } else { 0.0 }
+        };
+        ranges.iter().zip(a.iter().zip(b)).map(of).sum::<f64>().sqrt()
+    };
+    let nearest = |from: &[Vec<f64>], within: bool| -> Vec<f64> {
+        let of = |(i, a): (usize, &Vec<f64>)| {
+            let others = calibration.iter().enumerate().filter(|(k, _)| !within || *k != i);
+            others.map(|(_, b)| apart(a, b)).fold(f64::INFINITY, f64::min)
+        };
+        let mut all: Vec<f64> = from.par_iter().enumerate().map(of).collect();
+        all.sort_by(f64::total_cmp);
+        all
+    };
+    let middle = |sorted: &[f64]| sorted.get(sorted.len() / 2).copied();
+    let spacing = middle(&nearest(&calibration, true)).filter(|s| *s > 0.0 && s.is_finite())?;
+    let distances = nearest(&validation, false);
+    let outside = |q: &&Vec<f64>| q.iter().zip(&ranges).any(|(q, (low, high))| q < low || q > high);
+    Some(ValidationDistance {
+        median: middle(&distances)? / spacing,
+        largest: distances.last()? / spacing,
+        poses: validation.len(),
+        outside: validation.iter().filter(outside).count(),
+    })
+}
+
+/// A warning where validation poses repeat those of the calibration, or lie far from them.
+pub fn far_or_near(distance: &ValidationDistance) -> Option<Message> {
+    let median = distance.median;
+    let (what, hint) = match median {
+        _ if median < REPEATED => (
+            "validation repeats the calibration",
+            "the robot's error elsewhere may be larger: validate on poses between those of the calibration",
+        ),
+        _ if median > BEYOND => (
+            "validation is far from the calibration",
+            "calibrate on poses spread over the workspace that the robot is used in",
+        ),
+        _ => return None,
+    };
+    let what = format!(
+        "{what}: half of the validation poses lie {} than {median:.2} times the calibration poses' spacing from the nearest of these",
+        if median < REPEATED { "nearer" } else { "further" }
+    );
+    Some(Message::warning(what).hint(hint))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::robots::Prexyt;
+
+    /// Poses of a grid of four by four by four, 10 mm apart, from `first_mm` in each joint.
+    fn grid(first_mm: f64) -> Vec<Observation> {
+        let joints = |i: usize| [i % 4, i / 4 % 4, i / 16].map(|k| first_mm + 10.0 * k as f64).to_vec();
+        (0..64)
+            .map(|i| Observation { pose: i as i64, cycle: 1, joints: joints(i), targets: vec![None, None] })
+            .collect()
+    }
+
+    fn distance(validation: Vec<Observation>) -> ValidationDistance {
+        let calibration = [grid(0.0), grid(0.0)].concat(); // each pose twice
+        validation_distance(&Prexyt::default(), &Sets { calibration, validation }).expect("a distance")
+    }
+
+    /// By hand: the centre of a cell is √3/2 of its side from the nearest corner, and 3 of 4 of these are inside along each joint.
+    #[test]
+    fn distances_are_multiples_of_the_spacing_of_the_calibration() {
+        let between = distance(grid(5.0));
+        assert!((between.median - 0.75f64.sqrt()).abs() < 1e-12 && (between.largest - between.median).abs() < 1e-12);
+        assert_eq!((between.poses, between.outside), (64, 64 - 27));
+        assert!(far_or_near(&between).is_none());
+        let near = distance(grid(0.5));
+        assert!((near.median - 0.05 * 3f64.sqrt()).abs() < 1e-12);
+        assert!(far_or_near(&near).unwrap().what.contains("repeats the calibration"));
+        let far = distance(grid(100.0));
+        assert!(far.median > 7.0 * 3f64.sqrt() && far.outside == 64);
+        assert!(far_or_near(&far).unwrap().what.contains("far from the calibration"));
+        let none = |validation| Sets { calibration: grid(0.0)[..1].to_vec(), validation };
+        assert!(validation_distance(&Prexyt::default(), &none(grid(0.0))).is_none());
+    }
+}
