@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 
 /// A cluster without which this little of a direction of the parameters is left determines it alone.
 const REST: f64 = 0.01;
-/// Fewest effective degrees of freedom: with 2, Student's t has no standard deviation.
-const FEWEST: f64 = 3.0;
+/// Effective degrees of freedom that are too few: Student's t has no standard deviation.
+const TOO_FEW: f64 = 2.0;
 /// Probability with which independent residuals are taken for such that have errors in common.
 const REJECT: f64 = 0.01;
 
@@ -73,7 +73,7 @@ impl ByCluster {
 
     /// Whether there are clusters enough for a variance of every parameter.
     pub fn is_usable(&self) -> bool {
-        self.degrees_of_freedom.iter().all(|d| *d >= FEWEST)
+        self.degrees_of_freedom.iter().all(|d| *d > TOO_FEW)
     }
 
     /// Whether the ratio is larger than that of independent residuals is once in a hundred times.

@@ -54,59 +54,21 @@ pub(super) fn with_uncertainty(
     let mut jacobian = vec![0.0; m * n];
     problem.jacobian(&solution.x, &mut jacobian);
 
-    // from the instrument
     let placed: BTreeMap<(i64, i64), &FrameError> = frames.iter().filter_map(|f| Some((f.pose?, f))).collect();
-    let stated = match (settings.kind, settings.standard_uncertainty_mm) {
-        (_, None) => None,
-        (ResidualKind::Targets, Some(_)) if placed.is_empty() || problem.is_whitened() => {
-            solution.covariance().map(|c| (c, solution.cost))
-        }
-        (_, Some(u)) => {
-            let noise = noise(problem, solution, u, &placed);
-            noise.and_then(|noise| noise_covariance(solution, &jacobian, &noise))
-        }
-    };
+    let stated = from_instrument((problem, solution, &jacobian), settings, &placed);
     let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
     let instrument = stated.map(|s| s.0);
-
-    // from the residuals, where they do not agree with it
-    let mut warnings = Vec::new();
     let rejected = chi_square.filter(|&chi| exceeds(chi, dof));
     let shares = settings.kind == ResidualKind::Targets && placed.is_empty() && chi_square.is_some();
     let found = match &instrument {
         Some(instrument) if rejected.is_none() => {
-            // errors that the readings of a pose share may be too small for chi-square, and yet in every one of them
-            let clusters = shares.then(|| by_cluster(problem, solution, &jacobian)).flatten();
-            match clusters.filter(|found| found.1.exceeds()) {
-                Some((found, clusters)) => {
-                    warnings.push(shared(clusters.ratio));
-                    found
-                }
-                None => Found {
-                    from: UncertaintyFrom::Instrument,
-                    covariance: Some(instrument.clone()),
-                    degrees: Vec::new(),
-                },
-            }
+            let clusters = shares.then(|| shared(problem, solution, &jacobian)).flatten();
+            clusters.unwrap_or_else(|| Found::new(UncertaintyFrom::Instrument, Some(instrument.clone())))
         }
-        None if dof == 0 => {
-            warnings.push(
-                Message::warning("there are as many equations as parameters: their uncertainty cannot be determined")
-                    .hint("measure more poses, or state the uncertainty of the instrument"),
-            );
-            Found { from: UncertaintyFrom::Nothing, covariance: None, degrees: Vec::new() }
-        }
-        _ => by_cluster(problem, solution, &jacobian).map_or_else(
-            || {
-                let variance = chi_square.unwrap_or(solution.cost) / dof as f64;
-                let scaled = |c: Vec<f64>| c.into_iter().map(|v| v * variance).collect();
-                let covariance = instrument.clone().or_else(|| solution.covariance()).map(scaled);
-                Found { from: UncertaintyFrom::Residuals, covariance, degrees: vec![dof as f64; n] }
-            },
-            |found| found.0,
-        ),
+        _ => from_residuals((problem, solution, &jacobian), instrument.as_deref(), chi_square),
     };
-    let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees } = found;
+    let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning } = found;
+    let mut warnings: Vec<Message> = warning.into_iter().collect();
     if let Some(total) = &mut covariance {
         // what is wrong with the frame of one pose shows in its residuals, and is in the noise above
         let unseen = |f: &&FrameError| {
@@ -166,6 +128,60 @@ struct Found {
     from: UncertaintyFrom,
     covariance: Option<Vec<f64>>,
     degrees: Vec<f64>,
+    warning: Option<Message>,
+}
+
+impl Found {
+    fn new(from: UncertaintyFrom, covariance: Option<Vec<f64>>) -> Self {
+        Self { from, covariance, degrees: Vec::new(), warning: None }
+    }
+}
+
+/// Covariance and chi-square by the stated uncertainty of the instrument, and of the frames that place single poses.
+fn from_instrument(
+    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+    settings: &Settings,
+    placed: &BTreeMap<(i64, i64), &FrameError>,
+) -> Option<(Vec<f64>, f64)> {
+    let u = settings.standard_uncertainty_mm?;
+    if settings.kind == ResidualKind::Targets && (placed.is_empty() || problem.is_whitened()) {
+        return Some((solution.covariance()?, solution.cost));
+    }
+    noise_covariance(solution, jacobian, &noise(problem, solution, u, placed)?)
+}
+
+/// What residuals show where the instrument's uncertainty does not explain them, or none is stated.
+fn from_residuals(
+    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+    instrument: Option<&[f64]>,
+    chi_square: Option<f64>,
+) -> Found {
+    let n = solution.x.len();
+    let dof = problem.residual_count() - n;
+    if dof == 0 {
+        let what = "there are as many equations as parameters: their uncertainty cannot be determined";
+        let warning = Message::warning(what).hint("measure more poses, or state the uncertainty of the instrument");
+        return Found { warning: Some(warning), ..Found::new(UncertaintyFrom::Nothing, None) };
+    }
+    if let Some((found, _)) = by_cluster(problem, solution, jacobian) {
+        return found;
+    }
+    let variance = chi_square.unwrap_or(solution.cost) / dof as f64;
+    let covariance = instrument.map(<[f64]>::to_vec).or_else(|| solution.covariance());
+    let scaled = covariance.map(|c| c.into_iter().map(|v| v * variance).collect());
+    Found { degrees: vec![dof as f64; n], ..Found::new(UncertaintyFrom::Residuals, scaled) }
+}
+
+/// What the scatter of poses shows where their readings share errors: these may be too small for chi-square, and yet in every reading.
+fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
+    let (found, clusters) = by_cluster(problem, solution, jacobian).filter(|found| found.1.exceeds())?;
+    let what = format!(
+        "residuals of one pose have errors in common: leaving out one pose after the other gives standard uncertainties {:.1} times the \
+         instrument's, which are used",
+        clusters.ratio.sqrt()
+    );
+    let hint = "the robot has errors that the model does not describe, or the instrument errors that readings of one pose share";
+    Some(Found { warning: Some(Message::warning(what).hint(hint)), ..found })
 }
 
 /// What the scatter of poses shows, or, where these are many, of regions of the joints; `None` where there are too few.
@@ -175,7 +191,8 @@ fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Opt
     let from = if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose };
     let clusters = ByCluster::new(&problem.clusters(count), solution, jacobian).filter(ByCluster::is_usable)?;
     let covariance = Some(clusters.covariance.clone());
-    Some((Found { from, covariance, degrees: clusters.degrees_of_freedom.clone() }, clusters))
+    let degrees = clusters.degrees_of_freedom.clone();
+    Some((Found { degrees, ..Found::new(from, covariance) }, clusters))
 }
 
 /// Whether chi-square is too large for the degrees of freedom: a right model has it once in a thousand times.
@@ -195,15 +212,6 @@ fn shortfall(chi_square: f64, dof: usize) -> Message {
         (chi_square / dof as f64).sqrt()
     ))
     .hint("check the instrument's uncertainty, its unit and its coverage factor; errors common to all poses do not show in residuals")
-}
-
-fn shared(ratio: f64) -> Message {
-    Message::warning(format!(
-        "residuals of one pose have errors in common: leaving out one pose after the other gives standard uncertainties {:.1} times \
-         the instrument's, which are used",
-        ratio.sqrt()
-    ))
-    .hint("the robot has errors that the model does not describe, or the instrument errors that readings of one pose share")
 }
 
 fn rejection(chi_square: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Message {
