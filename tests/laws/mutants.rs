@@ -39,7 +39,12 @@ const FACTORS: [f64; 10] = [
 ];
 
 /// What no data can show: a part of the mutation, the results that it changes by their start, and why.
-const UNSEEN: [(&str, &[&str], &str); 2] = [
+const UNSEEN: [(&str, &[&str], &str); 3] = [
+    (
+        "robot.toml: `d_mm",
+        &["d_2"],
+        "of the offsets along parallel axes only the sum is determined: the other is as stated",
+    ),
     (
         "times 1.001000",
         &[""],

@@ -275,6 +275,12 @@ fn spoilt(bench: &Bench) -> Vec<(String, Vec<Observation>, Vec<String>)> {
             o.targets.iter_mut().flatten().for_each(|p| *p = [p[0] + 1.0, p[1], p[2]]);
         }
     });
+    // a base that is mounted, not free, and drawn lengths show what is beyond their own deviations
+    if bench.robot.dimension() == 2 {
+        add("a scale of 1.01", vec!["this is a scale error".to_owned()], &|all| {
+            all.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| *p = p.map(|v| 1.01 * v));
+        });
+    }
     add("the log is shifted by one row", vec!["taken from the".to_owned()], &|all| {
         for k in (1..n).rev() {
             all[k].joints = all[k - 1].joints.clone();
