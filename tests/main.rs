@@ -5,6 +5,7 @@ mod architecture;
 mod browser;
 mod campaigns;
 mod cli;
+mod dependencies;
 mod golden;
 mod hostile;
 mod reference;

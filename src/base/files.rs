@@ -3,15 +3,25 @@
 use crate::base::message::{Message, Result};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::fs::File;
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
-/// Opens a file for reading.
+/// The largest input that is read whole, in bytes.
+const LARGEST: u64 = 2 << 30;
+/// The largest text that states a campaign, a robot or a page, in bytes.
+const LARGEST_STATEMENT: u64 = 16 << 20;
+
+/// Opens a regular file for reading: a pipe may never answer, and a device never end.
 pub fn open(path: &Path) -> std::io::Result<File> {
     #[cfg(test)]
     OPENED.with_borrow_mut(|opened| opened.push(path.to_owned()));
-    File::open(path)
+    match std::fs::metadata(path)? {
+        kind if kind.is_dir() => Err(std::io::Error::other("it is a folder")),
+        kind if !kind.is_file() => Err(std::io::Error::other("it is not a regular file")),
+        _ => File::open(path),
+    }
 }
 
 #[cfg(test)]
@@ -20,17 +30,31 @@ thread_local! {
     pub(crate) static OPENED: std::cell::RefCell<Vec<PathBuf>> = const { std::cell::RefCell::new(Vec::new()) };
 }
 
-/// The bytes of a file.
-pub fn read(path: &Path) -> Result<Vec<u8>> {
+fn read_at_most(path: &Path, largest: u64) -> Result<Vec<u8>> {
+    let fail = |e: std::io::Error| Message::error(format!("cannot read `{}`: {e}", path.display()));
     let mut bytes = Vec::new();
-    let read = open(path).and_then(|mut file| file.read_to_end(&mut bytes));
-    read.map_err(|e| Message::error(format!("cannot read `{}`: {e}", path.display())))?;
+    open(path).and_then(|file| file.take(largest + 1).read_to_end(&mut bytes)).map_err(fail)?;
+    if bytes.len() as u64 > largest {
+        return Err(fail(std::io::Error::other(format!("it is larger than {} MiB", largest >> 20))).into());
+    }
     Ok(bytes)
 }
 
-/// The text of a file, which must be UTF-8; a byte-order mark is dropped.
+/// The bytes of a file of at most 2 GiB.
+pub fn read(path: &Path) -> Result<Vec<u8>> {
+    read_at_most(path, LARGEST)
+}
+
+/// The text of a file of at most 16 MiB that a person writes, which must be UTF-8; a byte-order mark is dropped.
 pub fn read_text(path: &Path) -> Result<String> {
-    text(path, read(path)?)
+    Ok(read_statement(path)?.0)
+}
+
+/// The same with what identifies the file.
+pub fn read_statement(path: &Path) -> Result<(String, Stamp)> {
+    let bytes = read_at_most(path, LARGEST_STATEMENT)?;
+    let stamp = Stamp::of(&bytes);
+    Ok((text(path, bytes)?, stamp))
 }
 
 /// The text that the bytes of a file are: [`read_text`] without reading.
@@ -41,30 +65,135 @@ pub fn text(path: &Path, bytes: Vec<u8>) -> Result<String> {
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
-/// Writes a file: into a temporary file beside it, then renamed, so that a stop at any moment loses nothing.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let fail = |e: std::io::Error| Message::error(format!("cannot write `{}`: {e}", path.display()));
-    std::fs::create_dir_all(folder).map_err(fail)?;
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(fail)?;
-    file.write_all(bytes).map_err(fail)?;
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644)).map_err(fail)?;
-    }
-    file.persist(path).map_err(|e| fail(e.error))?;
-    Ok(())
+/// What identifies the bytes of a file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stamp {
+    /// SHA-256 as `sha256sum` prints it.
+    pub sha256: String,
+    /// How many bytes.
+    pub size: usize,
 }
 
-/// Removes a file, if it is there.
-pub fn remove(path: &Path) -> Result<()> {
-    match std::fs::remove_file(path) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
-            Err(Message::error(format!("cannot remove `{}`: {e}", path.display())).into())
-        }
-        _ => Ok(()),
+impl Stamp {
+    /// Of these bytes.
+    pub fn of(bytes: &[u8]) -> Self {
+        Self { sha256: sha256(bytes), size: bytes.len() }
     }
+}
+
+/// Writes a file: beside it, synced, then renamed, so that a stop at any moment loses nothing.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    let fail = |e: std::io::Error| Message::error(format!("cannot write `{}`: {e}", path.display()));
+    std::fs::create_dir_all(parent(path)).map_err(fail)?;
+    let _lock = Lock::take(path)?;
+    let new = beside(path, "new");
+    let written = write_synced(&new, bytes).and_then(|()| std::fs::rename(&new, path));
+    written.map_err(|e| {
+        let _ = std::fs::remove_file(&new);
+        fail(e).into()
+    })
+}
+
+/// Writes files into a folder; gives their paths.
+pub fn write_all<N: AsRef<Path>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Result<Vec<String>> {
+    let write = |(name, bytes): &(N, Vec<u8>)| {
+        let path = folder.join(name);
+        write(&path, bytes)?;
+        Ok(path.display().to_string())
+    };
+    files.iter().map(write).collect()
+}
+
+/// The same where none of them is there yet.
+pub fn write_new<N: AsRef<Path>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Result<Vec<String>> {
+    if let Some(path) = files.iter().map(|(name, _)| folder.join(name)).find(|path| path.exists()) {
+        let message = Message::error(format!("`{}` is there already", path.display()));
+        return Err(message.hint("name a new folder").into());
+    }
+    write_all(folder, files)
+}
+
+/// Writes a new file and waits until it is on the disk.
+pub(super) fn write_synced(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let mut file = File::create(path)?;
+    file.write_all(bytes)?;
+    file.sync_all()
+}
+
+/// The folder that a path is in.
+pub(super) fn parent(path: &Path) -> &Path {
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// `.NAME.ending` beside a path: what is there only while NAME is being written.
+pub(super) fn beside(path: &Path, ending: &str) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    parent(path).join(format!(".{name}.{ending}"))
+}
+
+/// While it lives, no other process writes the path. What a killed process leaves of it is taken over by the next.
+pub(super) struct Lock {
+    path: PathBuf,
+    _file: File,
+}
+
+impl Lock {
+    /// Waits ten seconds for another process.
+    pub fn take(of: &Path) -> Result<Self> {
+        let path = beside(of, "lock");
+        let fail = |e: std::io::Error| Message::error(format!("cannot write `{}`: {e}", of.display()));
+        for _ in 0..200 {
+            let mut file =
+                OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(fail)?;
+            match file.try_lock() {
+                // the one who held it has removed it since
+                Ok(()) if !same_file(&file, &path) => {}
+                Ok(()) => {
+                    file.set_len(0).and_then(|()| write!(file, "{}", std::process::id())).map_err(fail)?;
+                    return Ok(Self { path, _file: file });
+                }
+                Err(TryLockError::Error(e)) => return Err(fail(e).into()),
+                Err(TryLockError::WouldBlock) => std::thread::sleep(Duration::from_millis(50)),
+            }
+        }
+        let holder = std::fs::read_to_string(&path).unwrap_or_default();
+        let message = Message::error(format!("process {holder} is writing `{}`", of.display()));
+        Err(message.hint("wait until it has ended").into())
+    }
+}
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_file(&self.path);
+    }
+}
+
+#[cfg(unix)]
+fn same_file(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let of = |meta: std::fs::Metadata| (meta.dev(), meta.ino());
+    file.metadata().map(of).ok().is_some_and(|open| std::fs::metadata(path).map(of).ok() == Some(open))
+}
+
+#[cfg(not(unix))]
+fn same_file(_: &File, path: &Path) -> bool {
+    path.exists()
+}
+
+/// An error if one of the files to be written is one of those that are read, under whatever name.
+pub fn refuse_overwriting<'a>(
+    written: impl IntoIterator<Item = &'a PathBuf>,
+    read: impl IntoIterator<Item = &'a PathBuf> + Clone,
+) -> Result<()> {
+    for path in written {
+        let Ok(place) = path.canonicalize() else { continue };
+        if let Some(input) = read.clone().into_iter().find(|input| input.canonicalize().is_ok_and(|p| p == place)) {
+            let message =
+                Message::error(format!("`{}` would be written over the input `{}`", path.display(), input.display()));
+            return Err(message.hint("name another file").into());
+        }
+    }
+    Ok(())
 }
 
 /// SHA-256 as `sha256sum` prints it.

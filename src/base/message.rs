@@ -181,8 +181,14 @@ pub fn count(n: usize, noun: &str) -> String {
     format!("{n} {noun}{}", if n == 1 { "" } else { plural })
 }
 
+/// Longer ones are not compared with others, bytes.
+const LONGEST_NAME: usize = 200;
+
 /// The name that `wrong` may be meant as, if one is like it.
 pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    if wrong.len() > LONGEST_NAME {
+        return None;
+    }
     let likeness = names.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name));
     likeness.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(likeness, _)| *likeness > 0.8).map(|(_, name)| name)
 }
@@ -193,9 +199,9 @@ impl fmt::Display for Message {
             Severity::Error => "error",
             Severity::Warning => "warning",
         };
-        write!(f, "{kind}: {}", self.what)?;
+        write!(f, "{kind}: {}", printable(&self.what))?;
         if let Some(place) = &self.place {
-            write!(f, "\n  --> {}", place.file)?;
+            write!(f, "\n  --> {}", printable(&place.file))?;
             if let Some(line) = place.line {
                 write!(f, ":{line}")?;
             }
@@ -211,24 +217,35 @@ impl fmt::Display for Message {
             }
         }
         if let Some(expected) = &self.expected {
-            write!(f, "\n  expected: {expected}")?;
+            write!(f, "\n  expected: {}", printable(expected))?;
         }
         if let Some(hint) = &self.hint {
-            write!(f, "\n\nhint: {hint}")?;
+            write!(f, "\n\nhint: {}", printable(hint))?;
         }
         Ok(())
     }
 }
 
-/// A line fit to be shown: control characters replaced, cut at 200 characters.
-pub fn one_line(text: &str) -> String {
-    let printable = |c: char| match c {
+/// A character as it may reach a terminal or a page within a line: controls are replaced, and marks that turn the way a
+/// text reads (UAX #9), with which a name leaves its place.
+pub fn printable_character(c: char) -> char {
+    match c {
         '\t' => ' ',
+        '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{2028}' | '\u{2029}' => '\u{fffd}',
         c if c.is_control() => '\u{fffd}',
         c => c,
-    };
+    }
+}
+
+/// A text within a line.
+pub fn printable(text: &str) -> String {
+    text.chars().map(printable_character).collect()
+}
+
+/// A line fit to be shown, cut at 200 characters.
+pub fn one_line(text: &str) -> String {
     let cut = if text.chars().nth(200).is_some() { " ..." } else { "" };
-    text.chars().take(200).map(printable).collect::<String>() + cut
+    text.chars().take(200).map(printable_character).collect::<String>() + cut
 }
 
 /// Everything that is wrong, found in one pass: what a stage returns instead of its document.

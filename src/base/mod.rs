@@ -1,6 +1,7 @@
 //! What every room may use: messages, files, tables, patterns of names, poses, numbers that carry derivatives, random numbers.
 
 pub mod files;
+pub mod folder;
 pub mod message;
 pub mod noise;
 pub mod pattern;

@@ -5,7 +5,6 @@ use crate::base::pose::Vector;
 use polars::prelude::*;
 use serde::Serialize;
 use std::io::Cursor;
-use std::path::Path;
 
 /// Columns of the coordinates, in millimetres.
 pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
@@ -125,10 +124,9 @@ pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Reads a Parquet table that a stage wrote.
-pub fn read_parquet(path: &Path) -> Result<DataFrame> {
-    let bytes = crate::base::files::read(path)?;
-    let unreadable = |e| Message::error(format!("`{}` is not a table: {e}", path.display())).into();
+/// The table of a Parquet file that a stage wrote.
+pub fn from_parquet(bytes: Vec<u8>) -> Result<DataFrame> {
+    let unreadable = |e| Message::error(format!("it is not a table: {e}")).into();
     ParquetReader::new(Cursor::new(bytes)).finish().map_err(unreadable)
 }
 

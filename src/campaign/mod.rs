@@ -17,8 +17,9 @@ pub use selection::{Selection, Selections};
 pub use toml_file::UnreadKeys;
 pub use types::*;
 
-use crate::base::files;
+use crate::base::files::{self, Stamp};
 use crate::base::message::{Message, Place, Problems, Result, Stated};
+use crate::document::Source;
 use crate::document::schema::schema;
 use crate::math::identify::Settings;
 use crate::math::robots::Robot;
@@ -43,6 +44,8 @@ pub struct Campaign {
     pub text: String,
     /// Text of the robot file.
     pub robot_text: String,
+    /// What identifies both files.
+    pub stamps: [Stamp; 2],
     /// What of `campaign.toml` did not read.
     pub unread: UnreadKeys,
 }
@@ -63,7 +66,7 @@ impl Campaign {
             let what = format!("there is no campaign `{}`", path.display());
             return Err(Message::error(what).hint("`etalon init FOLDER` writes one to start from").into());
         }
-        let text = files::read_text(&path)?;
+        let (text, stamp) = files::read_statement(&path)?;
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
         let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
@@ -76,24 +79,33 @@ impl Campaign {
         let here = Place::span(name.as_str(), &text, file.robot.span());
         let read = paths::resolve(&folder, file.robot.get_ref())
             .map_err(Problems::from)
-            .and_then(|path| Ok((path.display().to_string(), files::read_text(&path)?)));
-        let (robot, more, robot_text) = match read {
+            .and_then(|path| Ok((path.display().to_string(), files::read_statement(&path)?)));
+        let (robot, more, (robot_text, robot_stamp)) = match read {
             // reported with the campaign
-            _ if unread.affects(&["robot"]) => (None, Problems::default(), String::new()),
+            _ if unread.affects(&["robot"]) => (None, Problems::default(), Default::default()),
             Ok((robot_name, robot_text)) => {
-                let (robot, more) = RobotFile::recover(&robot_name, &robot_text);
+                let (robot, more) = RobotFile::recover(&robot_name, &robot_text.0);
                 (robot, more, robot_text)
             }
-            Err(more) => (None, more.at(&here), String::new()),
+            Err(more) => (None, more.at(&here), Default::default()),
         };
         problems.0.extend(more.0);
         let robot = robot.unwrap_or_else(RobotFile::unreadable);
-        Ok((Some(Self { file, robot, folder, path: name, text, robot_text, unread }), problems))
+        let stamps = [stamp, robot_stamp];
+        Ok((Some(Self { file, robot, folder, path: name, text, robot_text, stamps, unread }), problems))
     }
 
     /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.
     pub fn resolve(&self, file: &Spanned<String>) -> Result<PathBuf> {
         paths::resolve(&self.folder, file.get_ref()).map_err(|m| m.at(self.place(file)).into())
+    }
+
+    /// The path of a file that was read.
+    pub fn source(&self, source: &Source) -> Result<PathBuf> {
+        match source.kind.as_str() {
+            "campaign" => Ok(PathBuf::from(&self.path)),
+            _ => Ok(paths::resolve(&self.folder, &source.file)?),
+        }
     }
 
     /// Folder for the documents.

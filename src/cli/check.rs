@@ -1,7 +1,7 @@
 //! `etalon check`
 
-use super::{Verdict, print, remark};
-use crate::base::message::{Message, Problems};
+use super::{Verdict, print, print_with, remark};
+use crate::base::message::{Message, Problems, printable};
 use crate::campaign::Campaign;
 use crate::document::{CheckDocument, ImportDocument};
 use crate::run::check::everything;
@@ -24,14 +24,15 @@ impl Check {
             let (messages, sources) = imported.map(|i| (i.messages, i.sources)).unwrap_or_default();
             let messages: Vec<Message> = problems.0.into_iter().chain(messages).collect();
             let document = CheckDocument::new(self.campaign.display().to_string(), &messages, sources);
-            print(crate::run::output::to_json(&document)?)?;
-            return Ok(if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun });
+            let verdict = if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun };
+            return print_with(crate::run::output::to_json(&document)?, verdict);
         }
         let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
         remark(&document.messages);
         for source in document.sources.iter().filter(|s| s.rows_read > 0) {
             let refused = source.refused.len();
-            print(format!("{}: {} rows, {refused} refused ({})\n", source.file, source.rows_read, source.dialect))?;
+            let (file, dialect) = (printable(&source.file), printable(&source.dialect));
+            print(format!("{file}: {} rows, {refused} refused ({dialect})\n", source.rows_read))?;
         }
         let path = if self.campaign.is_dir() { self.campaign.join("campaign.toml") } else { self.campaign };
         let verdict = match document.messages.len() {

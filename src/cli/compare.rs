@@ -7,8 +7,8 @@ use crate::base::message::{Message, Problems, Result};
 use crate::campaign::Campaign;
 use crate::compare::{Compared, compare};
 use crate::report::{self, Faces};
+use crate::run::documents::Documents;
 use crate::run::output;
-use serde::de::DeserializeOwned;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -64,6 +64,10 @@ impl Compare {
     }
 }
 
+/// What is compared, of those that a run writes.
+const COMPARED: [&str; 5] =
+    ["campaign.json", "parameters.json", "accuracy.json", "iso9283.json", "iso9283-streams.json"];
+
 /// The kind of report that the ending of its file names.
 fn kind(path: &Path) -> Result<String> {
     let ending = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).unwrap_or_default();
@@ -85,52 +89,24 @@ fn read(named: &Path) -> Result<(PathBuf, Compared)> {
         false => named.to_owned(),
     };
     let place = folder.canonicalize().unwrap_or_else(|_| folder.clone());
-    let mut folder = Folder { named: named.display().to_string(), folder, inputs: BTreeMap::new() };
-    let campaign = folder.document("campaign.json", None)?.ok_or_else(|| folder.missing("campaign.json"))?;
-    let parameters = folder.document("parameters.json", Some("etalon/parameters/1"))?;
-    let accuracy = folder.document("accuracy.json", Some("etalon/accuracy/1"))?;
-    let identified = match (parameters, accuracy) {
-        (Some(parameters), Some(accuracy)) => Some((parameters, accuracy)),
-        (None, None) => None,
-        (Some(_), None) => return Err(folder.missing("accuracy.json")),
-        (None, Some(_)) => return Err(folder.missing("parameters.json")),
+    let documents = Documents::open(&folder)?;
+    let mut inputs = BTreeMap::new();
+    let mut listed = |name: &str| {
+        let sha256 = documents.manifest.files.get(name).cloned();
+        inputs.extend(sha256.map(|sha256| (documents.path(name).display().to_string(), sha256)));
     };
-    let iso9283 = folder.document("iso9283.json", Some("etalon/iso9283/1"))?;
-    let streams = folder.document("iso9283-streams.json", Some("etalon/iso9283-streams/1"))?;
-    Ok((place, Compared { folder: folder.named, campaign, identified, iso9283, streams, inputs: folder.inputs }))
-}
-
-struct Folder {
-    named: String,
-    folder: PathBuf,
-    inputs: BTreeMap<String, String>,
-}
-
-impl Folder {
-    fn missing(&self, name: &str) -> Problems {
-        let message = Message::error(format!("there is no file `{}`", self.folder.join(name).display()));
-        message.hint("name a folder that `etalon run` wrote, or a campaign that was run").into()
-    }
-
-    /// A document, if it is there, of the version that this program writes.
-    fn document<T: DeserializeOwned>(&mut self, name: &str, schema: Option<&str>) -> Result<Option<T>> {
-        let path = self.folder.join(name);
-        if !path.is_file() {
-            return Ok(None);
-        }
-        let bytes = files::read(&path)?;
-        let wrong = |what: String| {
-            let message =
-                Message::error(format!("`{}` is not the document that this version writes: {what}", path.display()));
-            message.hint("run the campaign again with this version: `etalon run CAMPAIGN`")
-        };
-        let value: serde_json::Value = serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string()))?;
-        let found = value.get("schema").and_then(|s| s.as_str()).unwrap_or("none");
-        if let Some(schema) = schema.filter(|s| *s != found) {
-            return Err(wrong(format!("its schema is {found:?}")).expected(format!("{schema:?}")).into());
-        }
-        let document = serde_json::from_value(value).map_err(|e| wrong(e.to_string()))?;
-        self.inputs.insert(path.display().to_string(), files::sha256(&bytes));
-        Ok(Some(document))
-    }
+    COMPARED.into_iter().for_each(&mut listed);
+    let identified = match documents.parameters()? {
+        Some(parameters) => Some((parameters, documents.json("accuracy.json")?)),
+        None => None,
+    };
+    let compared = Compared {
+        folder: named.display().to_string(),
+        campaign: documents.json("campaign.json")?,
+        identified,
+        iso9283: documents.optional("iso9283.json")?,
+        streams: documents.optional("iso9283-streams.json")?,
+        inputs,
+    };
+    Ok((place, compared))
 }

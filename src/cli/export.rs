@@ -1,11 +1,10 @@
 //! `etalon export`
 
-use super::report::document;
 use super::{Verdict, print_written};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
-use crate::document::ParametersDocument;
-use crate::export;
+use crate::export::{self, Exporter};
+use crate::run::documents::{Documents, read_parameters};
 use std::path::{Path, PathBuf};
 
 /// Write identified parameters as a file that a controller or another program loads
@@ -27,8 +26,7 @@ pub struct Export {
 impl Export {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let folder = self.parameters.parent().unwrap_or(Path::new("")).to_owned();
-        let name = self.parameters.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let parameters: ParametersDocument = document(&folder, &name)?;
+        let parameters = read_parameters(&self.parameters)?;
         let wanted =
             if self.format.is_empty() { export::names().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
         let to = self.to.unwrap_or(folder);
@@ -37,12 +35,12 @@ impl Export {
             export::by_name(name).ok_or_else(|| Problems::from(wrong().hint_names(name, export::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
-        let mut written = Vec::new();
-        for exporter in exporters {
-            let path = to.join(exporter.file_name());
-            files::write(&path, &exporter.write(&parameters)?)?;
-            written.push(path.display().to_string());
-        }
+        let file = |e: &dyn Exporter| Ok((e.file_name().to_owned(), e.write(&parameters)?));
+        let files = exporters.into_iter().map(file).collect::<Result<Vec<_>, Problems>>()?;
+        let written = match Documents::open(&to) {
+            Ok(run) => run.add(files)?,
+            Err(_) => files::write_all(&to, &files)?,
+        };
         print_written(written, self.json)?;
         Ok(Verdict::Met)
     }

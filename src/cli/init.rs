@@ -2,7 +2,6 @@
 
 use super::{Verdict, print_written};
 use crate::base::files;
-use crate::base::message::{Message, Problems};
 use std::path::PathBuf;
 
 /// Write a commented campaign to start from
@@ -28,20 +27,12 @@ const MADE: &str = "synthetic = \"made by `etalon simulate` from truth.toml; nob
 
 impl Init {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let mut texts = vec![("campaign.toml", CAMPAIGN.to_owned()), ("robot.toml", ROBOT.to_owned())];
+        let mut texts = vec![("campaign.toml", CAMPAIGN.into()), ("robot.toml", ROBOT.into())];
         if self.synthetic {
-            texts[0].1 = CAMPAIGN.replace(SYNTHETIC, MADE);
-            texts.push(("truth.toml", TRUTH.to_owned()));
+            texts[0].1 = CAMPAIGN.replace(SYNTHETIC, MADE).into_bytes();
+            texts.push(("truth.toml", TRUTH.into()));
         }
-        let paths: Vec<PathBuf> = texts.iter().map(|(name, _)| self.folder.join(name)).collect();
-        if let Some(path) = paths.iter().find(|path| path.exists()) {
-            let message = Message::error(format!("`{}` is there already", path.display()));
-            return Err(Problems::from(message.hint("name a new folder")).into());
-        }
-        for (path, (_, text)) in paths.iter().zip(&texts) {
-            files::write(path, text.as_bytes())?;
-        }
-        print_written(paths.iter().map(|path| path.display().to_string()).collect(), self.json)?;
+        print_written(files::write_new(&self.folder, &texts)?, self.json)?;
         Ok(Verdict::Met)
     }
 }

@@ -25,7 +25,7 @@ use crate::report::Faces;
 use crate::stages::table_file;
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
 /// Robot calibration from coordinate measurements: a campaign folder in, calibrated parameters and a report out.
@@ -96,7 +96,6 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Ok(Verdict::Met) => ExitCode::SUCCESS,
         Ok(Verdict::LimitNotMet) => ExitCode::from(1),
         Ok(Verdict::NotRun) => ExitCode::from(2),
-        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             match error.downcast_ref::<crate::base::message::Problems>() {
                 Some(problems) => say(problems),
@@ -107,23 +106,30 @@ pub fn run(arguments: Arguments) -> ExitCode {
     }
 }
 
-/// The reader of stdout has closed it: not an error.
-fn is_broken_pipe(error: &anyhow::Error) -> bool {
-    error.downcast_ref::<std::io::Error>().is_some_and(|e| e.kind() == std::io::ErrorKind::BrokenPipe)
-}
-
-/// Data for stdout.
+/// Data for stdout; a reader who has closed it wants no more, which is not an error.
 fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
     let mut out = std::io::stdout().lock();
-    out.write_all(data.as_ref())?;
-    out.flush()?;
-    Ok(())
+    match out.write_all(data.as_ref()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(anyhow::Error::new(e).context("stdout cannot be written")),
+        _ => Ok(()),
+    }
+}
+
+/// Data for stdout, and the verdict whatever becomes of them.
+fn print_with(data: impl AsRef<[u8]>, verdict: Verdict) -> anyhow::Result<Verdict> {
+    match (print(data), verdict) {
+        (Err(error), Verdict::Met) => Err(error),
+        (Err(error), verdict) => {
+            say(format_args!("error: {error:#}"));
+            Ok(verdict)
+        }
+        (Ok(()), verdict) => Ok(verdict),
+    }
 }
 
 /// What a report shows on a terminal, or JSON where that is asked for.
 fn answer(faces: &Faces, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
-    print(json.unwrap_or_else(|| faces.terminal().into_bytes()))?;
-    Ok(Verdict::of(faces.is_met()))
+    print_with(json.unwrap_or_else(|| faces.terminal().into_bytes()), Verdict::of(faces.is_met()))
 }
 
 /// Remarks for stderr.

@@ -96,6 +96,8 @@ impl Plan {
         if self.standard_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
             return Err(Problems::from(Message::error("--standard-uncertainty-um must be positive")).into());
         }
+        let written = [&self.poses, &self.targets, &self.report].into_iter().flatten();
+        files::refuse_overwriting(written, self.inputs())?;
         let robot_file = read_robot(&self.robot)?;
         let (robot, Candidates { observations, beyond }) = read(&robot_file, &self.candidates)?;
         let settings = Settings {
@@ -133,6 +135,11 @@ impl Plan {
         }
         remark(&document.messages);
         answer(&faces, None)
+    }
+
+    /// Every file that is read.
+    fn inputs(&self) -> impl Iterator<Item = &PathBuf> + Clone {
+        [&self.robot, &self.candidates].into_iter().chain(&self.truth).chain(&self.workspace)
     }
 
     /// A simulated calibration, where a truth is stated.
@@ -179,8 +186,7 @@ impl Plan {
             pose: pose(c),
             configurations: planned.members[c].iter().map(configuration).collect(),
         });
-        let paths = [&self.robot, &self.candidates].into_iter().chain(&self.truth).chain(&self.workspace);
-        let inputs = files::sha256_of(paths)?;
+        let inputs = files::sha256_of(self.inputs())?;
         let compared = (!self.compare.is_empty()).then(|| {
             let value = index_of(planned, observations, self.index, &self.compare);
             let better_by_percent = 100.0 * (planned.index / value - 1.0);

@@ -2,13 +2,13 @@
 
 use super::{Verdict, print_written};
 use crate::base::files;
-use crate::base::message::{Message, Problems, Result};
+use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::table;
-use crate::document::{AccuracyDocument, CampaignSummary, Characteristics, Language, ParametersDocument, Presentation};
+use crate::document::{AccuracyDocument, CampaignSummary, Characteristics, Language, Presentation};
 use crate::report;
 use crate::report::branding;
+use crate::run::documents::Documents;
 use crate::stages::evaluate;
-use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 
 /// Write the report again from the documents of an output folder
@@ -59,7 +59,10 @@ impl Dressed {
 impl Report {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let written = match (&self.folder, &self.write_templates) {
-            (_, Some(folder)) => write_templates(folder)?,
+            (_, Some(folder)) => {
+                let templates = report::templates().map(|(name, text)| (name, text.as_bytes().to_vec()));
+                files::write_new(folder, &templates.collect::<Vec<_>>())?
+            }
             (Some(folder), None) => write_report(folder, &self.dressed)?,
             (None, None) => return Err(Problems::from(Message::error("no folder is stated")).into()),
         };
@@ -69,29 +72,28 @@ impl Report {
 }
 
 fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
-    let optional = |name: &str| folder.join(name).is_file();
+    let documents = Documents::open(folder)?;
     let tested = Characteristics {
-        poses: optional("iso9283.json").then(|| document(folder, "iso9283.json")).transpose()?,
-        streams: optional("iso9283-streams.json").then(|| document(folder, "iso9283-streams.json")).transpose()?,
-        compliance: optional("iso9283-compliance.json")
-            .then(|| document(folder, "iso9283-compliance.json"))
-            .transpose()?,
+        poses: documents.optional("iso9283.json")?,
+        streams: documents.optional("iso9283-streams.json")?,
+        compliance: documents.optional("iso9283-compliance.json")?,
     };
-    let mut campaign: CampaignSummary = document(folder, "campaign.json")?;
+    let mut campaign: CampaignSummary = documents.json("campaign.json")?;
     campaign.report = dressed.over(campaign.report)?;
-    let import = document(folder, "import.json")?;
-    let (features, frames) = (document(folder, "features.json")?, document(folder, "frames.json")?);
+    let import = documents.json("import.json")?;
+    let (features, frames) = (documents.json("features.json")?, documents.json("frames.json")?);
     // a campaign that only tests has no parameters
-    let documents = match optional("parameters.json") || tested.is_empty() {
-        false => None,
-        true => Some((
-            document::<ParametersDocument>(folder, "parameters.json")?,
-            document::<AccuracyDocument>(folder, "accuracy.json")?,
-            evaluate::from_table(&table::read_parquet(&folder.join("residuals.parquet"))?)?,
-            optional("geometric.json").then(|| document(folder, "geometric.json")).transpose()?,
-        )),
+    let identified = match documents.parameters()? {
+        None => None,
+        Some(parameters) => {
+            let residuals = table::from_parquet(documents.bytes("residuals.parquet")?);
+            let residuals = residuals
+                .map_err(|more| more.at(&Place::file(documents.path("residuals.parquet").display().to_string())))?;
+            let accuracy: AccuracyDocument = documents.json("accuracy.json")?;
+            Some((parameters, accuracy, evaluate::from_table(&residuals)?, documents.optional("geometric.json")?))
+        }
     };
-    let identified = documents.as_ref().map(|(parameters, accuracy, errors, geometric)| report::Identified {
+    let identified = identified.as_ref().map(|(parameters, accuracy, errors, geometric)| report::Identified {
         parameters,
         accuracy,
         errors,
@@ -105,33 +107,5 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
         identified,
         tested: &tested,
     })?;
-    let write = |(name, bytes): (&str, Vec<u8>)| {
-        let path = folder.join(name);
-        files::write(&path, &bytes)?;
-        Ok(path.display().to_string())
-    };
-    faces.files()?.into_iter().map(write).collect()
-}
-
-/// Writes the built-in templates, over none that is there.
-fn write_templates(folder: &Path) -> Result<Vec<String>> {
-    let named: Vec<(PathBuf, &str)> = report::templates().map(|(name, text)| (folder.join(name), text)).collect();
-    if let Some((path, _)) = named.iter().find(|(path, _)| path.exists()) {
-        let message = Message::error(format!("`{}` is there already", path.display()));
-        return Err(message.hint("name a new folder").into());
-    }
-    for (path, text) in &named {
-        files::write(path, text.as_bytes())?;
-    }
-    Ok(named.iter().map(|(path, _)| path.display().to_string()).collect())
-}
-
-/// A document that an earlier stage wrote.
-pub(super) fn document<T: DeserializeOwned>(folder: &Path, name: &str) -> Result<T> {
-    let path = folder.join(name);
-    let bytes = files::read(&path)?;
-    serde_json::from_slice(&bytes).map_err(|e| {
-        let what = format!("`{}` is not the document that this version writes: {e}", path.display());
-        Message::error(what).hint("run the campaign again").into()
-    })
+    documents.add(faces.files()?.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
 }

@@ -1,6 +1,6 @@
 //! `etalon run`
 
-use super::{Verdict, print, remark, say};
+use super::{Verdict, print_with, remark, say};
 use crate::base::message::Message;
 use crate::campaign::Campaign;
 use crate::run::output::to_json;
@@ -24,27 +24,32 @@ impl Run {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let (campaign, problems) = Campaign::recover(&self.campaign)?;
         let Some(campaign) = campaign else { return Err(problems.into()) };
-        let result = problems.check().map_err(Into::into).and_then(|_| self.campaign(&campaign));
-        let earlier = campaign.output().map(|folder| folder.join("report.html")).ok().filter(|report| report.is_file());
-        if let (Err(_), Some(report)) = (&result, earlier) {
-            let what =
-                format!("nothing is written: `{}` and the files beside it are of an earlier run", report.display());
-            say(format_args!(
-                "{}\n",
-                Message::warning(what).hint("do not load its controller files as if they were of this one")
-            ));
-        }
-        result
-    }
-
-    fn campaign(&self, campaign: &Campaign) -> anyhow::Result<Verdict> {
-        if let Some(name) = campaign.missing_variable().filter(|_| self.skip_missing) {
+        if let Some(name) = campaign.missing_variable().filter(|_| self.skip_missing && problems.0.is_empty()) {
             say(format_args!("skipped: {} needs data below ${name}, which is not set", campaign.path));
             return Ok(Verdict::Met);
         }
-        let Outcome { identified, tested, faces, messages, .. } = pipeline::run(campaign)?;
+        match problems.check().and_then(|_| pipeline::run(&campaign)) {
+            Ok(outcome) => self.answer(&campaign, outcome),
+            Err(problems) => {
+                let report = campaign.output().map(|folder| folder.join("report.html"));
+                if let Some(report) = report.ok().filter(|report| report.is_file()) {
+                    let place = report.display();
+                    let what = format!("nothing is written: `{place}` and the files beside it are of an earlier run");
+                    let hint = "do not load its controller files as if they were of this one";
+                    remark(&[Message::warning(what).hint(hint)]);
+                }
+                Err(problems.into())
+            }
+        }
+    }
+
+    fn answer(&self, campaign: &Campaign, outcome: Outcome) -> anyhow::Result<Verdict> {
+        let Outcome { identified, tested, faces, messages, .. } = outcome;
         remark(&messages);
-        print(match (self.json, &identified, &tested.poses, &tested.streams) {
+        if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
+            say("no controller file is written: this result cannot be the robot");
+        }
+        let data = match (self.json, &identified, &tested.poses, &tested.streams) {
             (false, ..) => {
                 let report = campaign.output()?.join("report.html");
                 format!("{}\nreport: {}\n", faces.terminal(), report.display()).into_bytes()
@@ -53,10 +58,7 @@ impl Run {
             (true, None, Some(poses), _) => to_json(poses)?,
             (true, None, None, Some(streams)) => to_json(streams)?,
             (true, None, None, None) => to_json(&tested.compliance)?,
-        })?;
-        if identified.is_some_and(|found| !found.parameters.is_plausible()) {
-            say("no controller file is written: this result cannot be the robot");
-        }
-        Ok(Verdict::of(faces.is_met()))
+        };
+        print_with(data, Verdict::of(faces.is_met()))
     }
 }

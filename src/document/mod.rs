@@ -11,6 +11,7 @@ mod frames;
 mod geometric;
 mod import;
 mod iso9283;
+mod manifest;
 mod parameters;
 mod plan;
 pub mod schema;
@@ -24,6 +25,7 @@ pub use frames::*;
 pub use geometric::*;
 pub use import::*;
 pub use iso9283::*;
+pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;
 

@@ -31,6 +31,30 @@ pub struct ParametersDocument {
     pub provenance: Provenance,
 }
 
+impl ParametersDocument {
+    /// Whether names, uncertainties and covariance belong together, as every run writes them.
+    ///
+    /// # Errors
+    /// What does not.
+    pub fn check(&self) -> Result<(), String> {
+        let identified = self.parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
+        let rows = self.covariance.len();
+        if rows != 0 && (rows != identified || self.covariance.iter().any(|row| row.len() != rows)) {
+            return Err(format!("its covariance is not square with {identified} rows, one an identified parameter"));
+        }
+        let variances = self.covariance.iter().enumerate().map(|(i, row)| row[i]);
+        if !variances.chain(self.parameters.iter().filter_map(|p| p.standard_uncertainty)).all(|u| u >= 0.0) {
+            return Err("a standard uncertainty or variance is negative or not a number".to_owned());
+        }
+        let mut names: Vec<&str> = self.parameters.iter().map(|p| p.name.as_str()).collect();
+        names.sort_unstable();
+        match names.windows(2).find(|pair| pair[0] == pair[1]) {
+            Some(pair) => Err(format!("it holds the parameter `{}` twice", pair[0])),
+            None => Ok(()),
+        }
+    }
+}
+
 /// One parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -21,6 +21,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("iso9283-plan", schema::<Iso9283PlanDocument>()),
         ("iso9283-stream", schema::<Iso9283StreamDocument>()),
         ("iso9283-streams", schema::<Iso9283StreamsDocument>()),
+        ("manifest", schema::<ManifestDocument>()),
         ("parameters", schema::<ParametersDocument>()),
         ("plan", schema::<PlanDocument>()),
         ("written", schema::<WrittenDocument>()),

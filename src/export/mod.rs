@@ -33,6 +33,11 @@ pub fn by_name(name: &str) -> Option<&'static dyn Exporter> {
     EXPORTERS.iter().find(|(known, _)| *known == name).map(|(_, exporter)| *exporter)
 }
 
+/// Names of the files of all formats.
+pub fn file_names() -> impl Iterator<Item = &'static str> {
+    EXPORTERS.iter().map(|(_, exporter)| exporter.file_name())
+}
+
 /// Names of all formats.
 pub fn names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|(name, _)| *name)

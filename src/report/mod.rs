@@ -12,6 +12,7 @@ pub(crate) mod number;
 mod pdf;
 mod plots;
 mod sections;
+mod supervised;
 mod terminal;
 #[cfg(test)]
 mod tests;

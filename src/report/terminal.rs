@@ -3,6 +3,7 @@
 
 use super::model::{Block, Cell, Contents, Table, Tone};
 use super::words::Words;
+use crate::base::message::printable_character;
 
 /// What a terminal shows.
 pub(super) fn terminal(contents: &Contents, words: &Words) -> String {
@@ -30,8 +31,7 @@ impl<'a> Page<'a> {
     /// Adds a line; controls of a terminal, and marks of the way names read, are not for it.
     fn line(&mut self, text: &str) {
         let marks = ['\u{2068}', '\u{2069}'];
-        let clean = |c: char| if c.is_control() { '\u{fffd}' } else { c };
-        self.text.extend(text.trim_end().chars().filter(|c| !marks.contains(c)).map(clean));
+        self.text.extend(text.trim_end().chars().filter(|c| !marks.contains(c)).map(printable_character));
         self.text.push('\n');
     }
 

@@ -4,14 +4,19 @@
 
 pub(super) mod comparison;
 
-use crate::base::message::{Message, Result};
+use crate::base::message::{Message, Result, printable};
 use crate::document::Language;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
 /// A name in a sentence, whatever way it reads.
 pub(crate) fn isolated(name: &str) -> String {
-    format!("\u{2068}{name}\u{2069}")
+    let marks = |mark: char| name.matches(mark).count();
+    match marks('\u{2068}') == marks('\u{2069}') {
+        true => format!("\u{2068}{name}\u{2069}"),
+        // it would leave its isolation
+        false => format!("\u{2068}{}\u{2069}", printable(name)),
+    }
 }
 
 /// Words that come from documents, not from the text of this program's reports.

@@ -1,6 +1,7 @@
 //! A campaign from its files to its output folder.
 
 pub mod check;
+pub mod documents;
 mod names;
 pub mod output;
 pub mod pipeline;

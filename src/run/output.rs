@@ -4,22 +4,25 @@ use crate::base::files;
 use crate::base::message::{Message, Result};
 use crate::base::table;
 use crate::campaign::Campaign;
+use crate::document::Source;
+use crate::export;
 use crate::import;
 use crate::report;
+use crate::run::documents::{self, Documents};
 use crate::stages::evaluate;
 use crate::stages::gather::Gathered;
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
 use polars::prelude::DataFrame;
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// Documents on their way to the output folder.
 #[derive(Debug)]
 pub struct Output {
     folder: PathBuf,
-    /// name and bytes; without bytes the file is removed
-    files: Vec<(String, Option<Vec<u8>>)>,
+    files: Vec<(String, Vec<u8>)>,
 }
 
 /// A document as JSON text with a line end.
@@ -38,12 +41,7 @@ impl Output {
 
     /// Adds a file.
     pub fn bytes(&mut self, name: &str, bytes: Vec<u8>) {
-        self.files.push((name.to_owned(), Some(bytes)));
-    }
-
-    /// Removes a file of an earlier run.
-    pub fn remove(&mut self, name: &str) {
-        self.files.push((name.to_owned(), None));
+        self.files.push((name.to_owned(), bytes));
     }
 
     /// Adds a document.
@@ -53,13 +51,9 @@ impl Output {
         Ok(())
     }
 
-    /// Adds a document, or removes that of an earlier run.
+    /// Adds a document, if there is one.
     pub fn optional<T: Serialize>(&mut self, name: &str, document: Option<&T>) -> Result<()> {
-        match document {
-            Some(document) => self.json(name, document)?,
-            None => self.remove(name),
-        }
-        Ok(())
+        document.map_or(Ok(()), |document| self.json(name, document))
     }
 
     /// Adds a table as Parquet.
@@ -89,21 +83,16 @@ impl Output {
         Ok(())
     }
 
-    /// Adds parameters and errors, or removes those of an earlier run.
+    /// Adds parameters and errors, if there are any.
     pub fn identified(&mut self, found: Option<&Identified>) -> Result<()> {
-        self.optional("parameters.json", found.map(|found| &found.parameters))?;
-        match found {
-            Some(found) => self.table("residuals", &mut evaluate::to_table(&found.errors)?)?,
-            None => self.remove("residuals.parquet"),
-        }
-        self.optional("accuracy.json", found.map(|found| &found.accuracy))
+        let Some(found) = found else { return Ok(()) };
+        self.json("parameters.json", &found.parameters)?;
+        self.table("residuals", &mut evaluate::to_table(&found.errors)?)?;
+        self.json("accuracy.json", &found.accuracy)
     }
 
-    /// Adds the files of a report; a program without PDF leaves none of an earlier run.
+    /// Adds the files of a report.
     pub fn reports(&mut self, files: Vec<report::File>) {
-        if !cfg!(feature = "pdf") {
-            self.remove("report.pdf");
-        }
         files.into_iter().for_each(|(name, bytes)| self.bytes(name, bytes));
     }
 
@@ -113,19 +102,31 @@ impl Output {
         if first { stem.to_owned() } else { format!("{stem}-{name}") }
     }
 
-    /// Writes all files, each whole or not at all, and removes what is to go; gives the names of those written.
-    pub fn write(self) -> Result<Vec<String>> {
-        let mut written = Vec::new();
-        for (name, bytes) in self.files {
-            let path = self.folder.join(&name);
-            match bytes {
-                Some(bytes) => {
-                    files::write(&path, &bytes)?;
-                    written.push(name);
-                }
-                None => files::remove(&path)?,
-            }
-        }
-        Ok(written)
+    /// Replaces the folder by one with these files and what others than etalon put there; gives the names of the files
+    /// written. An input that no longer holds what was read is an error.
+    pub fn write(self, campaign: &Campaign, sources: &[Source]) -> Result<Vec<String>> {
+        let names = self.files.iter().map(|(name, _)| name.clone()).collect();
+        let earlier = Documents::open(&self.folder).map(|earlier| earlier.manifest.files).unwrap_or_default();
+        let ours = |name: &str| earlier.contains_key(name) || export::file_names().any(|file| file == name);
+        documents::replace(
+            &self.folder,
+            BTreeMap::new(),
+            self.files,
+            |name| !ours(name),
+            || unchanged(campaign, sources),
+        )?;
+        Ok(names)
     }
+}
+
+/// An error if an input holds other bytes by now.
+fn unchanged(campaign: &Campaign, sources: &[Source]) -> Result<()> {
+    for source in sources {
+        let now = campaign.source(source).and_then(|path| files::read(&path)).map(|bytes| files::sha256(&bytes));
+        if now.ok().as_ref() != Some(&source.sha256) {
+            let message = Message::error(format!("`{}` has changed while the campaign was run", source.file));
+            return Err(message.hint("run the campaign again when the file is complete").into());
+        }
+    }
+    Ok(())
 }

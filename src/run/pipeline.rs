@@ -139,13 +139,13 @@ fn write(campaign: &Campaign, found: Evaluated, mut out: Output) -> Result<Outco
     out.optional("iso9283-streams.json", tested.streams.as_ref())?;
     out.optional("iso9283-compliance.json", tested.compliance.as_ref())?;
     for exporter in exporters(campaign) {
-        match identified.as_ref().filter(|found| found.parameters.is_plausible()) {
-            Some(found) => out.bytes(exporter.file_name(), exporter.write(&found.parameters)?),
-            None => out.remove(exporter.file_name()),
+        if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
+            out.bytes(exporter.file_name(), exporter.write(&found.parameters)?);
         }
     }
     out.reports(faces.files()?);
-    Ok(Outcome { written: out.write()?, identified, tested, faces, messages })
+    let written = out.write(campaign, &gathered.document.sources)?;
+    Ok(Outcome { written, identified, tested, faces, messages })
 }
 
 /// The controller formats that the campaign names, or all of them.

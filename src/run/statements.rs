@@ -7,8 +7,7 @@ use crate::export;
 use crate::import::Export;
 use crate::import::format::Role;
 use crate::math::identify::ResidualKind;
-use std::ffi::OsString;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use toml::Spanned;
 
 /// Expanded uncertainties of a coordinate, from an interferometer's to a camera's; beyond them the unit is another.
@@ -162,17 +161,27 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
         Err(more) => return problems.0.extend(more.0),
     };
     let stated = |file: &&Spanned<String>| !file.get_ref().is_empty();
-    let inputs = file.inputs().chain([&file.robot]).filter(stated).filter_map(|f| campaign.resolve(f).ok());
-    let parts = |path: &Path| -> Vec<OsString> {
-        path.components().filter(|c| *c != Component::CurDir).map(|c| c.as_os_str().to_owned()).collect()
+    let named =
+        file.inputs().chain([&file.robot]).chain(&file.report.logo).chain(&file.report.templates).filter(stated);
+    let inputs = named.filter_map(|f| campaign.resolve(f).ok()).chain([PathBuf::from(&campaign.path)]);
+    // the folders that links lead to; one that is not there yet is below one that is
+    let place = |path: &Path| {
+        let there = path.ancestors().find_map(|above| Some((above, canonical(above)?)));
+        there.map(|(above, place)| place.join(path.strip_prefix(above).unwrap_or(path)))
     };
-    let folder = parts(&output);
-    let hit = |input: &PathBuf| parts(input) == folder || input.parent().is_some_and(|p| parts(p) == folder);
-    if let Some(input) = inputs.chain([PathBuf::from(&campaign.path)]).find(hit) {
-        let what = format!("the output folder is that of an input, `{}`", input.display());
+    let folder = place(&output);
+    let within =
+        |input: &PathBuf| matches!((place(input), &folder), (Some(input), Some(folder)) if input.starts_with(folder));
+    if let Some(input) = inputs.into_iter().find(within) {
+        let what = format!("the output folder holds the input `{}`, and is replaced whole", input.display());
         let message = Message::error(what).at(campaign.place_of(&["output"]));
         problems.0.push(message.hint("name another folder, or none: it is `out` by default"));
     }
+}
+
+/// Where a path leads, if it is there; an empty one is the present folder.
+fn canonical(path: &Path) -> Option<PathBuf> {
+    if path.as_os_str().is_empty() { Path::new(".").canonicalize().ok() } else { path.canonicalize().ok() }
 }
 
 /// Features and the world frame: whether each is stated in one way.

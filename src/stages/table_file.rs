@@ -1,6 +1,6 @@
 //! A table that a command is given, or a campaign names: every one is read here.
 
-use crate::base::files;
+use crate::base::files::{self, Stamp};
 use crate::base::message::{Problems, Result};
 use crate::base::table;
 use crate::campaign::Campaign;
@@ -82,13 +82,13 @@ impl CampaignTables<'_> {
         let here = self.campaign.place(file);
         let path = self.campaign.resolve(file)?;
         let bytes = files::read(&path).map_err(|more| more.at(&here))?;
-        let (sha256, size) = (files::sha256(&bytes), bytes.len());
+        let stamp = Stamp::of(&bytes);
         let text = files::text(&path, bytes).map_err(|more| more.at(&here))?;
         let table = TableFile::of(&path, text, table).map_err(|more| more.at(&here))?;
         self.sources.push(Source {
             file: file.get_ref().clone(),
-            sha256,
-            bytes: size,
+            sha256: stamp.sha256,
+            bytes: stamp.size,
             kind: kind.to_owned(),
             dialect: holds.to_owned(),
             rows_read: table.table.height(),

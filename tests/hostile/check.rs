@@ -82,7 +82,7 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
     campaign(
         "robot = \"robot.toml\"",
         "robot = \"robot.toml\"\noutput = \"exports\"",
-        &["the output folder is that of an input"],
+        &["the output folder holds the input"],
     );
     campaign("rho3_mm = \"RP3\"", "rho3_mm = \"RP3\", rho3_m = \"RP1\"", &["`rho3_mm` states `rho3_mm` once more"]);
     let arm = |from: &str, to: &str, parts: &[&str]| {

@@ -1,5 +1,5 @@
-//! Laws of the mathematics that hold without outside data. Many are shown by thousands of simulated measurements: `make test`
-//! runs this suite optimised.
+//! Laws of the mathematics that hold without outside data, and of output folders. Many are shown by thousands of simulated
+//! measurements or runs: `make test` runs this suite optimised.
 #![allow(clippy::print_stdout)] // a test says what it measured
 
 mod arms;
@@ -10,6 +10,7 @@ mod fits;
 mod fits_covariances;
 mod fits_hostile;
 mod five_bar;
+mod folders;
 mod geometric;
 mod iso9283;
 mod iso9283_beyond;

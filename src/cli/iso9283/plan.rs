@@ -88,10 +88,7 @@ fn write(folder: &Path, document: &Iso9283PlanDocument) -> anyhow::Result<Vec<St
             all.push((name.clone(), export::places(places, &name)?));
         }
     }
-    for (name, bytes) in &all {
-        files::write(&folder.join(name), bytes)?;
-    }
-    Ok(all.into_iter().map(|(name, _)| folder.join(name).display().to_string()).collect())
+    Ok(files::write_new(folder, &all)?)
 }
 
 /// A list of places as a table: commanded poses, or a commanded path.

@@ -75,6 +75,8 @@ impl StreamOptions {
     pub fn run(&self, file: &Path, commanded: Option<&Path>, seed: u64, json: bool) -> anyhow::Result<Verdict> {
         let stated = self.stated();
         stated.check(|key| format!("--{}", key.replace('_', "-")))?;
+        let inputs = [Some(file), commanded, self.path.as_deref()].into_iter().flatten().map(Path::to_owned);
+        files::refuse_overwriting(&self.write_poses, &inputs.collect::<Vec<_>>())?;
         let recording = self.recording(file)?;
         let poses = commanded.map(poses).transpose()?;
         let path = self.path.as_deref().map(|path| read_path(path, file, &recording)).transpose()?;

@@ -9,6 +9,7 @@ mod world;
 
 use super::branding::logo_file;
 use super::model::Contents;
+use super::supervised::supervised;
 use super::words::Words;
 use super::{Attachment, TYPESET};
 use crate::base::message::{Message, Result};
@@ -49,7 +50,9 @@ pub(super) fn pdf(
     }
     let files = files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect();
     let date = contents.date.as_deref().and_then(day).unwrap_or(UNDATED);
-    Desk::new(files, date)?.pdf(&contents.title)
+    let desk = Desk::new(files, date)?;
+    let title = contents.title.clone();
+    supervised(TYPESET.0, presentation.templates.contains_key(TYPESET.0), move || desk.pdf(&title))
 }
 
 /// The contents as a typesetter gets them: what only some readers want is in annexes, behind the signatures.

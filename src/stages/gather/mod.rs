@@ -10,7 +10,7 @@ mod rounding;
 
 pub(crate) use points::used_labels;
 
-use crate::base::files;
+use crate::base::files::Stamp;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Source};
@@ -41,8 +41,8 @@ pub fn gather(campaign: &Campaign) -> Result<Gathered> {
 pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     let mut problems = Problems::default();
     let mut sources = vec![
-        statement("campaign", campaign.file_name(), campaign.text.as_bytes()),
-        statement("robot", campaign.file.robot.get_ref(), campaign.robot_text.as_bytes()),
+        statement("campaign", campaign.file_name(), &campaign.stamps[0]),
+        statement("robot", campaign.file.robot.get_ref(), &campaign.stamps[1]),
     ];
     let mut columns = PointColumns::default();
     let mut frames = Vec::new();
@@ -62,7 +62,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             // what it states of itself is reported already
             Ok(_) if !campaign.export_reads(i) => {}
             Ok((text, bytes)) => {
-                let mut source = statement("export", file, &bytes);
+                let mut source = statement("export", file, &Stamp::of(&bytes));
                 source.dialect = format!("{}, unit {}", export.format, export.unit.name());
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
                 if let Some(frame) = export.format.frame(&text) {
@@ -115,7 +115,7 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
             if campaign.unread.affects(&["log"]) {
                 return Ok(None);
             }
-            let mut source = statement("log", stated.file.get_ref(), &bytes);
+            let mut source = statement("log", stated.file.get_ref(), &Stamp::of(&bytes));
             let table = import::log(campaign.stated(), stated, &text, &mut source)?;
             Ok(Some((source, table)))
         }) {
@@ -134,21 +134,21 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
 /// The points that an export brings if this is its text, before rules about blunders.
 pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
     let mut columns = PointColumns::default();
-    columns.read(campaign, export, text, &mut statement("export", export.file.get_ref(), b"")).check()?;
+    columns.read(campaign, export, text, &mut statement("export", export.file.get_ref(), &Stamp::default())).check()?;
     Ok(columns.points)
 }
 
 /// The table of a log if this is its text.
 pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<JointLog> {
-    import::log(campaign.stated(), stated, text, &mut statement("log", stated.file.get_ref(), b""))
+    import::log(campaign.stated(), stated, text, &mut statement("log", stated.file.get_ref(), &Stamp::default()))
         .map(|(table, _)| table)
 }
 
-fn statement(kind: &str, file: &str, bytes: &[u8]) -> Source {
+fn statement(kind: &str, file: &str, stamp: &Stamp) -> Source {
     Source {
         file: file.to_owned(),
-        sha256: files::sha256(bytes),
-        bytes: bytes.len(),
+        sha256: stamp.sha256.clone(),
+        bytes: stamp.size,
         kind: kind.to_owned(),
         dialect: if kind == "export" || kind == "log" { String::new() } else { "TOML".to_owned() },
         rows_read: 0,

@@ -1,0 +1,123 @@
+//! The output folder of a run as others read it: every document is what that run wrote, or the folder is refused.
+
+use crate::base::message::{Message, Problems, Result};
+use crate::base::{files, folder};
+use crate::document::{ManifestDocument, ParametersDocument};
+use crate::run::output::to_json;
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+const PARAMETERS: &str = "parameters.json";
+
+/// An output folder and its manifest.
+#[derive(Debug)]
+pub struct Documents {
+    folder: PathBuf,
+    /// The files of the run.
+    pub manifest: ManifestDocument,
+}
+
+impl Documents {
+    /// The output folder of a run.
+    ///
+    /// # Errors
+    /// If it has no manifest.
+    pub fn open(folder: &Path) -> Result<Self> {
+        let path = folder.join(ManifestDocument::NAME);
+        if !path.is_file() {
+            let message = Message::error(format!("there is no file `{}`", path.display()));
+            return Err(message.hint("name a folder that `etalon run` wrote, or a campaign that was run").into());
+        }
+        let manifest = parse(&path, &files::read(&path)?, "manifest")?;
+        Ok(Self { folder: folder.to_owned(), manifest })
+    }
+
+    /// The path of a file.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
+    /// A file as the run wrote it.
+    ///
+    /// # Errors
+    /// If the run wrote none of this name, or the file holds something else by now.
+    pub fn bytes(&self, name: &str) -> Result<Vec<u8>> {
+        let path = self.path(name);
+        let Some(sha256) = self.manifest.files.get(name) else {
+            let message = Message::error(format!("there is no file `{}` of this run", path.display()));
+            return Err(message.hint("run the campaign again: `etalon run CAMPAIGN`").into());
+        };
+        let bytes = files::read(&path)?;
+        if files::sha256(&bytes) != *sha256 {
+            let what =
+                format!("`{}` is not the file that the run wrote beside `{}`", path.display(), ManifestDocument::NAME);
+            let message = Message::error(what).expected(format!("the SHA-256 {sha256}"));
+            return Err(message.hint("run the campaign again: `etalon run CAMPAIGN`").into());
+        }
+        Ok(bytes)
+    }
+
+    /// A document of the run.
+    pub fn json<T: DeserializeOwned>(&self, name: &str) -> Result<T> {
+        parse(&self.path(name), &self.bytes(name)?, name.trim_end_matches(".json"))
+    }
+
+    /// A document that not every run writes.
+    pub fn optional<T: DeserializeOwned>(&self, name: &str) -> Result<Option<T>> {
+        self.manifest.files.contains_key(name).then(|| self.json(name)).transpose()
+    }
+
+    /// The identified parameters, of a run that identifies any.
+    pub fn parameters(&self) -> Result<Option<ParametersDocument>> {
+        let named = self.manifest.files.contains_key(PARAMETERS);
+        named.then(|| read_parameters(&self.path(PARAMETERS))).transpose()
+    }
+
+    /// Writes files beside the others of the run, or in their place; gives their paths.
+    pub fn add(self, added: Vec<(String, Vec<u8>)>) -> Result<Vec<String>> {
+        let paths = added.iter().map(|(name, _)| self.path(name).display().to_string()).collect();
+        replace(&self.folder, self.manifest.files, added, |_| true, || Ok(()))?;
+        Ok(paths)
+    }
+}
+
+/// Replaces a folder by one with these files, those `others` that it keeps, and their manifest.
+pub(super) fn replace(
+    place: &Path,
+    mut listed: BTreeMap<String, String>,
+    mut files: Vec<(String, Vec<u8>)>,
+    keeps: impl Fn(&str) -> bool,
+    ready: impl FnOnce() -> Result<()>,
+) -> Result<()> {
+    listed.extend(files.iter().map(|(name, bytes)| (name.clone(), files::sha256(bytes))));
+    files.push((ManifestDocument::NAME.to_owned(), to_json(&ManifestDocument::new(listed))?));
+    let new = |name: &str| files.iter().any(|(file, _)| file == name);
+    folder::replace(place, &files, |name| keeps(name) && !new(name), ready)
+}
+
+/// Reads `parameters.json`, wherever it is: in the output folder of a run, as that run wrote it.
+pub fn read_parameters(path: &Path) -> Result<ParametersDocument> {
+    let bytes = match Documents::open(path.parent().unwrap_or(Path::new(""))) {
+        Ok(documents) if path.ends_with(PARAMETERS) => documents.bytes(PARAMETERS)?,
+        _ => files::read(path)?,
+    };
+    let document: ParametersDocument = parse(path, &bytes, "parameters")?;
+    document.check().map_err(|what| wrong(path, &what))?;
+    Ok(document)
+}
+
+/// A document of this name and of the version that this program writes; `campaign` states none.
+fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T> {
+    let value: serde_json::Value = serde_json::from_slice(bytes).map_err(|e| wrong(path, &e.to_string()))?;
+    let found = value.get("schema").and_then(|schema| schema.as_str()).unwrap_or("none");
+    if name != "campaign" && found != format!("etalon/{name}/1") {
+        return Err(wrong(path, &format!("its schema is {found:?}, not \"etalon/{name}/1\"")));
+    }
+    serde_json::from_value(value).map_err(|e| wrong(path, &e.to_string()))
+}
+
+fn wrong(path: &Path, what: &str) -> Problems {
+    let what = format!("`{}` is not the document that this version writes: {what}", path.display());
+    Message::error(what).hint("run the campaign again with this version: `etalon run CAMPAIGN`").into()
+}

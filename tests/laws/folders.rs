@@ -1,0 +1,375 @@
+//! Output folders: of one run or refused, whatever stops a run, and over no input. Here and not among the hostile files
+//! because a run is short in the release profile.
+
+use crate::support::scratch::{Scratch, copy_sample};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+/// `etalon ARGS` in the folder above the campaign's: exit code and stderr.
+fn said(scratch: &Scratch, arguments: &[&str]) -> (Option<i32>, String) {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).current_dir(scratch.root()).output().unwrap();
+    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// Exit code and stderr of `etalon COMMAND campaign`.
+fn etalon(scratch: &Scratch, command: &str) -> (Option<i32>, String) {
+    said(scratch, &[command, "campaign"])
+}
+
+/// What `etalon COMMAND campaign` says on stderr; it must end with `code`, and all `parts` must be said.
+fn ends(scratch: &Scratch, command: &str, code: i32, parts: &[&str]) -> String {
+    let (ended, said) = etalon(scratch, command);
+    assert_eq!(ended, Some(code), "{said}");
+    for part in parts {
+        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+    }
+    said
+}
+
+fn run(scratch: &Scratch) {
+    let (code, said) = etalon(scratch, "run");
+    assert!(matches!(code, Some(0 | 1)), "{said}");
+}
+
+/// Names and bytes of the files of a folder.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().map(|entry| entry.unwrap());
+    let file = |path: PathBuf| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(path).unwrap());
+    entries.filter(|entry| entry.path().is_file()).map(|entry| file(entry.path())).collect()
+}
+
+/// Hidden files and folders beside the output folder: what a stopped run may leave.
+fn litter(scratch: &Scratch) -> Vec<String> {
+    let entries = std::fs::read_dir(scratch.path()).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    names.filter(|name| name.starts_with('.')).collect()
+}
+
+#[test]
+fn an_output_folder_is_of_one_run_and_keeps_what_others_put_there() {
+    let scratch = copy_sample("prexyt-cmm");
+    run(&scratch);
+    let out = scratch.path().join("out");
+    std::fs::write(out.join("notes.txt"), "mine").unwrap();
+    std::fs::create_dir(out.join("photos")).unwrap();
+    std::fs::write(out.join("photos/a.png"), "picture").unwrap();
+    let first = files(&out);
+    assert!(first.contains_key("etalon_parameters.h") && first.contains_key("manifest.json"), "{:?}", first.keys());
+    // parameters that cannot be the robot: no controller file of the earlier run stays
+    scratch.replace("encoders.csv", "RP3", "RP0");
+    scratch.replace("encoders.csv", "RP2", "RP3");
+    scratch.replace("encoders.csv", "RP0", "RP2");
+    assert_eq!(etalon(&scratch, "run").0, Some(1));
+    let second = files(&out);
+    assert!(
+        !second.contains_key("etalon_parameters.h") && !second.contains_key("controller.csv"),
+        "{:?}",
+        second.keys()
+    );
+    assert_eq!(second["notes.txt"], b"mine");
+    assert_eq!(std::fs::read(out.join("photos/a.png")).unwrap(), b"picture");
+    assert_eq!(litter(&scratch), Vec::<String>::new());
+}
+
+#[test]
+fn a_mixed_or_damaged_folder_is_refused_by_name() {
+    let scratch = copy_sample("prexyt-cmm");
+    run(&scratch);
+    let out = scratch.path().join("out");
+    let first = files(&out);
+    std::fs::rename(&out, scratch.root().join("first")).unwrap();
+    scratch.replace("campaign.toml", "coverage_factor = 2", "coverage_factor = 2.5");
+    run(&scratch);
+    let second = files(&out);
+    let refused = |name: &str, bytes: &[u8]| {
+        std::fs::write(out.join(name), bytes).unwrap();
+        let all = [
+            &["report", "campaign/out"][..],
+            &["compare", "first", "campaign/out"],
+            &["export", "campaign/out/parameters.json"],
+        ];
+        for arguments in all {
+            if arguments[0] == "export" && name != "parameters.json" || arguments[0] == "compare" && name.ends_with("t")
+            {
+                continue;
+            }
+            let (code, said) = said(&scratch, arguments);
+            assert_eq!(code, Some(2), "{arguments:?} with another {name}: {said}");
+            assert!(said.contains(name) && said.contains("run the campaign again"), "{said}");
+        }
+        std::fs::write(out.join(name), &second[name]).unwrap();
+    };
+    for name in ["parameters.json", "accuracy.json", "residuals.parquet"] {
+        assert_ne!(first[name], second[name], "{name}");
+        refused(name, &first[name]);
+    }
+    let parquet = &second["residuals.parquet"];
+    refused("residuals.parquet", &[&parquet[..parquet.len() / 2], b"\0\0", &parquet[parquet.len() / 2..]].concat());
+    refused("campaign.json", b"{}");
+    assert_eq!(said(&scratch, &["report", "campaign/out"]).0, Some(0));
+    // the report is made again and belongs to the run
+    assert_eq!(said(&scratch, &["report", "campaign/out", "--language", "de"]).0, Some(0));
+    assert_eq!(said(&scratch, &["compare", "first", "campaign/out"]).0, Some(0));
+    std::fs::remove_file(out.join("manifest.json")).unwrap();
+    let (code, said) = said(&scratch, &["report", "campaign/out"]);
+    assert!(code == Some(2) && said.contains("manifest.json"), "{said}");
+}
+
+#[test]
+fn parameters_alone_are_refused_where_their_parts_do_not_belong_together() {
+    let scratch = copy_sample("prexyt-cmm");
+    run(&scratch);
+    let text = std::fs::read_to_string(scratch.path().join("out/parameters.json")).unwrap();
+    let alone = scratch.root().join("p.json");
+    let exported = |text: &str| {
+        std::fs::write(&alone, text).unwrap();
+        said(&scratch, &["export", "p.json", "--to", "controller"])
+    };
+    assert_eq!(exported(&text).0, Some(0));
+    let refused = |change: &dyn Fn(&mut serde_json::Value), part: &str| {
+        let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        change(&mut value);
+        let (code, said) = exported(&value.to_string());
+        assert!(code == Some(2) && said.contains(part), "{part}: {code:?} {said}");
+    };
+    refused(&|v| v["schema"] = "etalon/parameters/9".into(), "etalon/parameters/9");
+    refused(&|v| drop(v["covariance"].as_array_mut().unwrap().pop()), "covariance is not square");
+    refused(&|v| drop(v["covariance"][2].as_array_mut().unwrap().pop()), "covariance is not square");
+    refused(&|v| v["parameters"][0]["standard_uncertainty"] = (-0.1).into(), "is negative");
+    refused(&|v| v["covariance"][0][0] = (-1e-9).into(), "is negative");
+    refused(&|v| v["parameters"][1]["name"] = v["parameters"][0]["name"].clone(), "twice");
+}
+
+#[test]
+fn an_input_that_changes_while_it_is_read_stops_the_run() {
+    let scratch = copy_sample("prexyt-cmm");
+    run(&scratch);
+    let out = files(&scratch.path().join("out"));
+    // a campaign that is read, and then written to before its run ends
+    let campaign = etalon::campaign::Campaign::read(&scratch.path()).unwrap();
+    let text = std::fs::read_to_string(scratch.path().join("robot.toml")).unwrap();
+    std::fs::write(scratch.path().join("robot.toml"), text + "\n").unwrap();
+    let problems = etalon::run::pipeline::run(&campaign).unwrap_err().to_string();
+    assert!(problems.contains("`robot.toml` has changed while the campaign was run"), "{problems}");
+    assert_eq!(files(&scratch.path().join("out")), out);
+    assert_eq!(litter(&scratch), Vec::<String>::new());
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_loses_nothing() {
+    let scratch = copy_sample("prexyt-cmm");
+    run(&scratch);
+    let out = files(&scratch.path().join("out"));
+    // a file in the way of the new folder
+    std::fs::create_dir(scratch.path().join(".out.lock")).unwrap();
+    let (code, said) = etalon(&scratch, "run");
+    assert!(code == Some(2) && said.contains("cannot write") && said.contains("nothing is written"), "{said}");
+    assert_eq!(files(&scratch.path().join("out")), out);
+}
+
+#[cfg(unix)]
+#[test]
+fn the_verdict_outlives_a_reader_who_has_closed_the_pipe() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = 0.0044");
+    let code = |redirected: &str, arguments: &str| {
+        let line = format!("{} {arguments} {redirected}", env!("CARGO_BIN_EXE_etalon"));
+        let mut shell = Command::new("bash");
+        shell.args(["-c", &line]).current_dir(scratch.root()).stderr(Stdio::null()).status().unwrap().code()
+    };
+    let closed = "| true; exit ${PIPESTATUS[0]}";
+    assert_eq!(code(closed, "run campaign"), Some(1));
+    assert_eq!(code(closed, "run campaign --json"), Some(1));
+    assert_eq!(code(">&-", "run campaign"), Some(1));
+    assert_eq!(code(closed, "check campaign/exports --json"), Some(2));
+    if Path::new("/dev/full").exists() {
+        assert_eq!(code("> /dev/full", "run campaign"), Some(1));
+        scratch.replace("campaign.toml", "position_max_mm = 0.0044", "position_max_mm = 0.044");
+        assert_eq!(code("> /dev/full", "run campaign"), Some(2));
+        let said = said(&scratch, &["report", "campaign/out"]);
+        assert_eq!(said.0, Some(0), "{}", said.1);
+    }
+}
+
+#[test]
+fn no_output_is_written_over_an_input() {
+    let scratch = copy_sample("prexyt-cmm");
+    let kept = |name: &str, arguments: &[&str], part: &str| {
+        let path = scratch.root().join(name);
+        let before = std::fs::read(&path).unwrap();
+        let (code, said) = said(&scratch, arguments);
+        assert!(code == Some(2) && said.contains(part), "{arguments:?}: {code:?} {said}");
+        assert!(std::fs::read(&path).unwrap() == before, "{name} was written over");
+    };
+    let write = |name: &str, text: &str| std::fs::write(scratch.root().join(name), text).unwrap();
+    let moved = |i: i32| if (40..60).contains(&i) { i - 40 } else { 20 * i32::from(i >= 60) };
+    let rows: String = (0..100).map(|i| format!("{},{},0,0\n", f64::from(i) / 20.0, moved(i))).collect();
+    write("s.csv", &format!("time_s,x_mm,y_mm,z_mm\n{rows}"));
+    kept("s.csv", &["iso9283", "--stream", "s.csv", "--write-poses", "s.csv"], "over the input `s.csv`");
+    write("c.csv", "pose,rho1_mm,rho2_mm,rho3_mm\n1,10,20,30\n2,20,10,5\n3,40,40,20\n");
+    let plan = ["plan", "--robot", "campaign/robot.toml", "--candidates", "c.csv", "--positions", "2"];
+    kept("c.csv", &[&plan[..], &["--poses", "./c.csv"]].concat(), "over the input `c.csv`");
+    kept("campaign/robot.toml", &[&plan[..], &["--report", "campaign/robot.toml"]].concat(), "over the input");
+    write("programme.csv", "mine");
+    let places = ["iso9283", "plan", "--cube", "0,0,0,100", "--write", "."];
+    let (code, said) = said(&scratch, &places);
+    assert!(code == Some(2), "{said}");
+    assert_eq!(std::fs::read(scratch.root().join("programme.csv")).unwrap(), b"mine");
+    // an output folder that leads, also through a link, to an input's
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("exports", scratch.path().join("link")).unwrap();
+    for folder in ["exports", "./exports", ".", if cfg!(unix) { "link" } else { "exports" }] {
+        let stated = format!("robot = \"robot.toml\"\noutput = \"{folder}\"");
+        scratch.replace("campaign.toml", "robot = \"robot.toml\"", &stated);
+        ends(&scratch, "run", 2, &["the output folder holds the input"]);
+        scratch.replace("campaign.toml", &stated, "robot = \"robot.toml\"");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_or_a_device_in_the_place_of_any_input_is_refused_at_once() {
+    let scratch = copy_sample("prexyt-cmm");
+    let pipe = |path: PathBuf| assert!(Command::new("mkfifo").arg(path).status().unwrap().success());
+    for name in ["robot.toml", "campaign.toml", "encoders.csv", "exports/world.txt"] {
+        let path = scratch.path().join(name);
+        let kept = std::fs::read(&path).unwrap();
+        for device in [false, true] {
+            std::fs::remove_file(&path).unwrap();
+            match device {
+                true => std::os::unix::fs::symlink("/dev/zero", &path).unwrap(),
+                false => pipe(path.clone()),
+            }
+            let mut child = Command::new(env!("CARGO_BIN_EXE_etalon"))
+                .args(["check", "campaign"])
+                .current_dir(scratch.root())
+                .stderr(Stdio::null())
+                .spawn()
+                .unwrap();
+            let ended = (0..100).find_map(|_| {
+                std::thread::sleep(Duration::from_millis(50));
+                child.try_wait().unwrap()
+            });
+            let _ = child.kill();
+            assert_eq!(ended.and_then(|status| status.code()), Some(2), "{name}, device {device}");
+        }
+        std::fs::remove_file(&path).unwrap();
+        std::fs::write(&path, kept).unwrap();
+    }
+}
+
+#[test]
+fn control_characters_reach_no_terminal() {
+    let scratch = copy_sample("prexyt-cmm");
+    let forged = "\\u001b[31mred\\n  --> forged.toml:1\\u2069\\u202e";
+    scratch.replace("campaign.toml", "towards = \"rail3_a\"", &format!("towards = \"{forged}\""));
+    let said = ends(&scratch, "check", 2, &["no point or feature is called"]);
+    assert!(!said.contains('\u{1b}') && !said.contains("\n  --> forged") && !said.contains('\u{202e}'), "{said}");
+    scratch.replace("campaign.toml", forged, "rail3_a");
+    scratch.replace("campaign.toml", "name = \"", &format!("name = \"{forged} "));
+    let output = Command::new(env!("CARGO_BIN_EXE_etalon"))
+        .args(["run", "campaign"])
+        .current_dir(scratch.root())
+        .output()
+        .unwrap();
+    let shown = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+    assert!(shown.contains("red") && !shown.contains('\u{1b}') && !shown.contains('\u{202e}'), "{shown}");
+    let page = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+    assert!(!page.contains('\u{202e}') && !page.contains('\u{1b}'));
+}
+
+#[test]
+fn a_byte_order_mark_is_part_of_the_recorded_bytes() {
+    let scratch = copy_sample("prexyt-cmm");
+    let text = std::fs::read_to_string(scratch.path().join("robot.toml")).unwrap();
+    let marked = format!("\u{feff}{text}");
+    std::fs::write(scratch.path().join("robot.toml"), &marked).unwrap();
+    run(&scratch);
+    let import: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(scratch.path().join("out/import.json")).unwrap()).unwrap();
+    let robot = import["sources"].as_array().unwrap().iter().find(|s| s["kind"] == "robot").unwrap();
+    assert_eq!(robot["sha256"], etalon::base::files::sha256(marked.as_bytes()));
+    assert_eq!(robot["bytes"], marked.len());
+}
+
+#[test]
+fn a_template_that_does_not_end_is_stopped() {
+    let scratch = copy_sample("prexyt-repeatability");
+    std::fs::create_dir(scratch.path().join("own")).unwrap();
+    scratch.replace("campaign.toml", "[instrument]", "[report]\ntemplates = \"own\"\n\n[instrument]");
+    let template = |name: &str, text: &str| {
+        std::fs::write(scratch.path().join("own").join(name), text).unwrap();
+        ends(&scratch, "run", 2, &[&format!("the template `{name}` takes more than 2 GiB of memory")]);
+        assert!(!scratch.path().join("out").exists());
+        std::fs::remove_file(scratch.path().join("own").join(name)).unwrap();
+    };
+    template(
+        "report.html",
+        "{% set ns = namespace(x=\"x\") %}{% for i in range(60) %}{% set ns.x = ns.x ~ ns.x %}{% endfor %}",
+    );
+    if cfg!(feature = "pdf") {
+        template("report.typ", "#let grow(x) = grow(x + x)\n#{ let x = \"x\"; for i in range(60) { x = x + x } }");
+    }
+}
+
+#[test]
+fn a_killed_run_leaves_the_earlier_folder_or_the_new_one_and_the_next_clears_the_rest() {
+    let scratch = copy_sample("prexyt-cmm");
+    run(&scratch);
+    let out = scratch.path().join("out");
+    let states = [files(&out), {
+        scratch.replace("campaign.toml", "coverage_factor = 2", "coverage_factor = 2.5");
+        run(&scratch);
+        files(&out)
+    }];
+    let begun = std::time::Instant::now();
+    run(&scratch);
+    let whole = begun.elapsed();
+    let mut found = [0, 0];
+    for i in 0..24u32 {
+        let (from, to) = if i % 2 == 0 { ("2.5", "2") } else { ("2", "2.5") };
+        scratch.replace("campaign.toml", &format!("coverage_factor = {from}\n"), &format!("coverage_factor = {to}\n"));
+        let mut child = Command::new(env!("CARGO_BIN_EXE_etalon"))
+            .args(["run", "campaign"])
+            .current_dir(scratch.root())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        // the second half of a run, in which it writes
+        std::thread::sleep(whole.mul_f64(0.5 + 0.6 * f64::from(i) / 24.0));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let left = files(&out);
+        let state = states.iter().position(|state| *state == left);
+        found[state.unwrap_or_else(|| panic!("a mixed folder after stop {i}: {:?}", left.keys()))] += 1;
+        let (code, said) = said(&scratch, &["report", "campaign/out"]);
+        assert_eq!(code, Some(0), "{said}");
+        run(&scratch);
+        assert_eq!(litter(&scratch), Vec::<String>::new(), "after stop {i}");
+        assert_eq!(files(&out), states[usize::from(to == "2.5")], "after stop {i}");
+    }
+    assert_eq!(found.iter().sum::<i32>(), 24);
+}
+
+#[test]
+fn two_runs_at_once_end_with_the_files_of_one() {
+    let scratch = copy_sample("prexyt-cmm");
+    for i in 0..6 {
+        let children: Vec<_> = (0..2)
+            .map(|_| {
+                let mut command = Command::new(env!("CARGO_BIN_EXE_etalon"));
+                command.args(["run", "campaign"]).current_dir(scratch.root()).stdout(Stdio::null()).spawn().unwrap()
+            })
+            .collect();
+        for mut child in children {
+            assert!(matches!(child.wait().unwrap().code(), Some(0 | 1)), "round {i}");
+        }
+        let (code, said) = said(&scratch, &["report", "campaign/out"]);
+        assert_eq!(code, Some(0), "{said}");
+        assert_eq!(litter(&scratch), Vec::<String>::new());
+    }
+}
