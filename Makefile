@@ -1,4 +1,8 @@
-# make         run every sample campaign (each writes samples/NAME/out/report.html)
+# make         run the campaigns in samples/ and campaigns/ that have changed, and list how each ended; with -j several at once
+# make CAMPAIGNS="FOLDER ..." the same of other folders, whose names hold no spaces
+# make report  write their reports again from the documents in out/
+# make compare CAMPAIGNS="FOLDER ..." compare campaigns of one robot, the oldest first
+# make clean-NAME remove the output of campaign NAME; make clean that of all
 # make test    run the tests
 # make bench   compare with a peer, side by side in the same run (needs Python with numpy and scipy)
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
@@ -17,21 +21,50 @@ CARGO_TARGET_DIR ?= target
 PROFILE ?= release
 ETALON := $(CARGO_TARGET_DIR)/$(PROFILE:dev=debug)/etalon
 SOURCES := Cargo.toml Cargo.lock $(shell find src -type f)
-CAMPAIGNS := $(patsubst samples/%/campaign.toml,%,$(sort $(wildcard samples/*/campaign.toml)))
+CAMPAIGNS ?= $(patsubst %/campaign.toml,%,$(sort $(wildcard samples/*/campaign.toml campaigns/*/campaign.toml)))
 SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth.toml)))
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all test bench bench-fit bench-import samples help clean
-all: $(CAMPAIGNS:%=samples/%/out/report.html)
+.PHONY: all report compare test bench bench-fit bench-import samples help clean FORCE
+
+# how the run of a campaign ended: NAME.status, or NAME.failed where it is to be tried again
+ENDED := $(abspath $(CARGO_TARGET_DIR))/campaigns
+ended = $(ENDED)/$(subst /,_,$(abspath $(1)))
+# several campaigns at once: each on one thread
+ALONE = $(if $(findstring jobserver,$(MAKEFLAGS)),RAYON_NUM_THREADS=1 POLARS_MAX_THREADS=1)
+
+# a campaign that fails stops no other
+all: $(foreach c,$(CAMPAIGNS),$(call ended,$(c)).status)
+	@bad=0; for both in $(foreach c,$(CAMPAIGNS),$(c):$(call ended,$(c))); do \
+	    c=$${both%%:*}; at=$${both#*:}; how=failed; \
+	    if [ -f $$at.skipped ]; then how=skipped; \
+	    elif [ -f $$at.status ]; then if [ "$$(<$$at.status)" = 0 ]; then how=done; else how='limits not met'; fi; fi; \
+	    case $$how in failed|limits*) bad=1;; esac; \
+	    printf '%-40s %s\n' "$$c" "$$how"; \
+	done; exit $$bad
 
 $(ETALON): $(SOURCES)
 	cargo build --profile $(PROFILE) --locked
 
-# a campaign is run again when one of its files or the program has changed
+# a campaign is run again when one of its files or the program has changed, or its report is not there
 .SECONDEXPANSION:
-samples/%/out/report.html: $$(shell find samples/$$* -type f -not -path '*/out/*') $(ETALON)
-	$(ETALON) run --skip-missing samples/$*
+define campaign
+$(call ended,$(1)).status: $$$$(shell find $(1)/ -mindepth 1 \( -name '.*' -o -name out \) -prune -o -type f -print) $(ETALON) \
+    $$$$(if $$$$(wildcard $(1)/out/report.html),,FORCE)
+	@mkdir -p $(ENDED); at=$(call ended,$(1)); rm -f $$$$at.status $$$$at.failed $$$$at.skipped; \
+	$$(ALONE) $(ETALON) run --skip-missing $(1) >$$$$at.log 2>&1 && code=0 || code=$$$$?; echo "$(ETALON) run $(1)"; cat $$$$at.log; \
+	if grep -q '^skipped: ' $$$$at.log; then : >$$$$at.skipped; fi; \
+	if [ $$$$code -le 1 ]; then echo $$$$code >$$$$at.status; else : >$$$$at.failed; fi
+endef
+$(foreach c,$(CAMPAIGNS),$(eval $(call campaign,$(c))))
+FORCE:
+
+report: $(ETALON)
+	@for c in $(CAMPAIGNS); do [ ! -f $$c/out/manifest.json ] || $(ETALON) report $$c/out || exit; done
+
+compare: $(ETALON)
+	$(ETALON) compare $(CAMPAIGNS)
 
 # what is slow in tests runs in the profile of the program itself
 test:
@@ -63,8 +96,10 @@ bench-fit:
 samples: $(ETALON)
 	for name in $(SYNTHETIC); do $(ETALON) simulate samples/$$name; done
 
-clean:
-	rm -rf $(CAMPAIGNS:%=samples/%/out)
+clean: $(foreach c,$(CAMPAIGNS),clean-$(notdir $(c)))
+
+clean-%:
+	rm -rf $(foreach c,$(filter %/$* $*,$(CAMPAIGNS)),$(c)/out $(call ended,$(c)).*)
 
 help:
 	@sed -n 's/^# make/make/p' Makefile
