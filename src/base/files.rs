@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The largest input that is read whole, in bytes.
-const LARGEST: u64 = 2 << 30;
+pub const LARGEST: u64 = 2 << 30;
 /// The largest text that states a campaign, a robot or a page, in bytes.
 const LARGEST_STATEMENT: u64 = 16 << 20;
 

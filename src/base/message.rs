@@ -209,7 +209,7 @@ impl fmt::Display for Message {
                 write!(f, ":{column}")?;
             }
             if let (Some(line), Some(text)) = (place.line, &place.text) {
-                write!(f, "\n{line:>5} | {}", one_line(text))?;
+                write!(f, "\n{line:>5} | {}", printable(&one_line(text)))?;
                 if let Some(column) = place.column {
                     let marks = "^".repeat(place.width.clamp(1, 60));
                     write!(f, "\n      | {}{marks}", " ".repeat(column.saturating_sub(1).min(200)))?;
@@ -226,18 +226,24 @@ impl fmt::Display for Message {
     }
 }
 
-/// A character as it may reach a terminal or a page within a line: controls are replaced, and marks that turn the way a
-/// text reads (UAX #9), with which a name leaves its place.
+/// A character as it may reach a terminal within a line: controls are replaced, and marks that turn the way a text reads
+/// (UAX #9), with which a name leaves its place.
 pub fn printable_character(c: char) -> char {
     match c {
-        '\t' => ' ',
         '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{2028}' | '\u{2029}' => '\u{fffd}',
+        c => without_control(c),
+    }
+}
+
+fn without_control(c: char) -> char {
+    match c {
+        '\t' => ' ',
         c if c.is_control() => '\u{fffd}',
         c => c,
     }
 }
 
-/// A text within a line.
+/// A text within a line of a terminal.
 pub fn printable(text: &str) -> String {
     text.chars().map(printable_character).collect()
 }
@@ -245,7 +251,7 @@ pub fn printable(text: &str) -> String {
 /// A line fit to be shown, cut at 200 characters.
 pub fn one_line(text: &str) -> String {
     let cut = if text.chars().nth(200).is_some() { " ..." } else { "" };
-    text.chars().take(200).map(printable_character).collect::<String>() + cut
+    text.chars().take(200).map(without_control).collect::<String>() + cut
 }
 
 /// Everything that is wrong, found in one pass: what a stage returns instead of its document.

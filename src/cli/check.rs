@@ -25,7 +25,7 @@ impl Check {
             let messages: Vec<Message> = problems.0.into_iter().chain(messages).collect();
             let document = CheckDocument::new(self.campaign.display().to_string(), &messages, sources);
             let verdict = if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun };
-            return print_with(crate::run::output::to_json(&document)?, verdict);
+            return print_with(crate::document::to_json(&document)?, verdict);
         }
         let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
         remark(&document.messages);

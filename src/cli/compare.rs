@@ -6,9 +6,9 @@ use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
 use crate::campaign::Campaign;
 use crate::compare::{Compared, compare};
+use crate::document::to_json;
 use crate::report::{self, Faces};
 use crate::run::documents::Documents;
-use crate::run::output;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -60,7 +60,7 @@ impl Compare {
         for (path, kind) in kinds {
             files::write(path, &faces.file(&kind)?)?;
         }
-        answer(&faces, self.json.then(|| output::to_json(&document)).transpose()?)
+        answer(&faces, self.json.then(|| to_json(&document)).transpose()?)
     }
 }
 

@@ -7,11 +7,11 @@ use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
 use crate::base::table;
 use crate::document::FitDocument;
+use crate::document::to_json;
 use crate::import;
 use crate::import::Format;
 use crate::import::format::Unit;
 use crate::math::fit::{self, CircleMethod, Element, Probe, Settings, Side};
-use crate::run::output;
 use crate::stages::qif_fit::{ProbeStated, refit};
 use std::path::PathBuf;
 
@@ -71,8 +71,8 @@ impl Fit {
             say(format_args!("{message}\n"));
         }
         match (&documents[..], self.json) {
-            ([one], true) if !self.by_label && !qif => print(output::to_json(one)?)?,
-            (all, true) => print(output::to_json(&all)?)?,
+            ([one], true) if !self.by_label && !qif => print(to_json(one)?)?,
+            (all, true) => print(to_json(&all)?)?,
             (all, false) => print(all.iter().map(as_text).collect::<String>())?,
         }
         Ok(Verdict::Met)

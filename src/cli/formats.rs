@@ -17,7 +17,7 @@ impl Formats {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let document = crate::import::propose_file(&self.file)?;
         if self.json {
-            print(crate::run::output::to_json(&document)?)?;
+            print(crate::document::to_json(&document)?)?;
         } else {
             print(document.toml)?;
         }

@@ -5,9 +5,9 @@ use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
 use crate::campaign::read_robot;
+use crate::document::to_json;
 use crate::math::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
 use crate::report::Faces;
-use crate::run::output;
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
@@ -80,7 +80,7 @@ impl Identify {
         let document = parameters_document(robot.as_ref(), &settings, &before, &found, &inputs);
         let faces = Faces::identification(&document);
         if self.json {
-            return answer(&faces, Some(output::to_json(&document)?));
+            return answer(&faces, Some(to_json(&document)?));
         }
         remark(&document.messages);
         answer(&faces, None)

@@ -7,9 +7,9 @@ use super::table_file::TableFile;
 use super::{Verdict, answer, remark};
 use crate::base::message::{Message, Problems};
 use crate::document::Characteristics;
+use crate::document::to_json;
 use crate::iso9283::pose::{DRAWS, Settings};
 use crate::report::Faces;
-use crate::run::output;
 use crate::stages::iso9283::load;
 use crate::stages::iso9283::pose::PoseTables;
 use plan::PlanOptions;
@@ -110,8 +110,8 @@ impl Iso9283 {
         remark(&document.messages);
         let all = self.all || self.drift_set.is_some();
         let json = match all {
-            true => output::to_json(&document)?,
-            false => output::to_json(&document.poses)?,
+            true => to_json(&document)?,
+            false => to_json(&document.poses)?,
         };
         let poses = Some(if all { document } else { document.of_poses() });
         answer(&Faces::test(&Characteristics { poses, ..Characteristics::default() }), self.json.then_some(json))
@@ -123,6 +123,6 @@ fn compliance(path: &Path, json: bool) -> anyhow::Result<Verdict> {
     let table = TableFile::read(path)?;
     let document = load::evaluate(table.named()).map_err(|p| table.place(p))?;
     remark(&document.messages);
-    let json = json.then(|| output::to_json(&document)).transpose()?;
+    let json = json.then(|| to_json(&document)).transpose()?;
     answer(&Faces::test(&Characteristics { compliance: Some(document), ..Characteristics::default() }), json)
 }

@@ -3,6 +3,7 @@
 //! stdout is for data, stderr for talk. Exit codes: 0 done; 1 done, but a limit that the campaign states is not met, or the
 //! result cannot be a robot; 2 could not run.
 
+mod batch;
 mod check;
 mod compare;
 mod export;
@@ -51,6 +52,7 @@ enum Command {
     Formats(formats::Formats),
     Fit(fit::Fit),
     Run(run::Run),
+    Batch(batch::Batch),
     Identify(identify::Identify),
     Plan(plan::Plan),
     Iso9283(Box<iso9283::Iso9283>),
@@ -83,6 +85,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Formats(command) => command.run(),
         Command::Fit(command) => command.run(),
         Command::Run(command) => command.run(),
+        Command::Batch(command) => command.run(),
         Command::Identify(command) => command.run(),
         Command::Plan(command) => command.run(),
         Command::Iso9283(command) => command.run(),
@@ -140,7 +143,7 @@ fn remark(messages: &[Message]) {
 /// The files that were written, as lines or as JSON.
 fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     if json {
-        return print(crate::run::output::to_json(&WrittenDocument::new(files))?);
+        return print(crate::document::to_json(&WrittenDocument::new(files))?);
     }
     print(files.iter().map(|file| format!("{file}\n")).collect::<String>())
 }

@@ -7,6 +7,7 @@ use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::table::ASSEMBLY;
 use crate::campaign::{RobotFile, read_robot, read_true_parameters};
+use crate::document::to_json;
 use crate::document::*;
 use crate::export;
 use crate::math::identify::{Observation, ResidualKind, Settings};
@@ -14,7 +15,6 @@ use crate::math::plan::candidates::{self, Candidates};
 use crate::math::plan::{Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, study};
 use crate::math::robots::{Parameter, Robot};
 use crate::report::Faces;
-use crate::run::output;
 use crate::simulate::true_values;
 use crate::stages::parameters::observability_summary;
 use std::collections::BTreeMap;
@@ -131,7 +131,7 @@ impl Plan {
             files::write(path, &faces.file("html")?)?;
         }
         if self.json {
-            return answer(&faces, Some(output::to_json(&document)?));
+            return answer(&faces, Some(to_json(&document)?));
         }
         remark(&document.messages);
         answer(&faces, None)

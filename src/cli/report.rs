@@ -2,13 +2,11 @@
 
 use super::{Verdict, print_written};
 use crate::base::files;
-use crate::base::message::{Message, Place, Problems, Result};
-use crate::base::table;
-use crate::document::{AccuracyDocument, CampaignSummary, Characteristics, Language, Presentation};
+use crate::base::message::{Message, Problems, Result};
+use crate::document::{Language, Presentation};
 use crate::report;
 use crate::report::branding;
-use crate::run::documents::Documents;
-use crate::stages::evaluate;
+use crate::run::documents::{self, Documents};
 use std::path::{Path, PathBuf};
 
 /// Write the report again from the documents of an output folder
@@ -73,39 +71,8 @@ impl Report {
 
 fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
     let documents = Documents::open(folder)?;
-    let tested = Characteristics {
-        poses: documents.optional("iso9283.json")?,
-        streams: documents.optional("iso9283-streams.json")?,
-        compliance: documents.optional("iso9283-compliance.json")?,
-    };
-    let mut campaign: CampaignSummary = documents.json("campaign.json")?;
-    campaign.report = dressed.over(campaign.report)?;
-    let import = documents.json("import.json")?;
-    let (features, frames) = (documents.json("features.json")?, documents.json("frames.json")?);
-    // a campaign that only tests has no parameters
-    let identified = match documents.parameters()? {
-        None => None,
-        Some(parameters) => {
-            let residuals = table::from_parquet(documents.bytes("residuals.parquet")?);
-            let residuals = residuals
-                .map_err(|more| more.at(&Place::file(documents.path("residuals.parquet").display().to_string())))?;
-            let accuracy: AccuracyDocument = documents.json("accuracy.json")?;
-            Some((parameters, accuracy, evaluate::from_table(&residuals)?, documents.optional("geometric.json")?))
-        }
-    };
-    let identified = identified.as_ref().map(|(parameters, accuracy, errors, geometric)| report::Identified {
-        parameters,
-        accuracy,
-        errors,
-        geometric: geometric.as_ref(),
-    });
-    let faces = report::Faces::campaign(&report::Report {
-        campaign: &campaign,
-        import: &import,
-        features: &features,
-        frames: &frames,
-        identified,
-        tested: &tested,
-    })?;
-    documents.add(faces.files()?.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
+    let mut run = documents::Run::read(&documents)?;
+    run.campaign.report = dressed.over(run.campaign.report)?;
+    let files = run.faces()?.files()?;
+    documents.add(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
 }

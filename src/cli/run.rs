@@ -3,7 +3,7 @@
 use super::{Verdict, print_with, remark, say};
 use crate::base::message::Message;
 use crate::campaign::Campaign;
-use crate::run::output::to_json;
+use crate::document::to_json;
 use crate::run::pipeline::{self, Outcome};
 use std::path::PathBuf;
 

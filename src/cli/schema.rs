@@ -10,10 +10,10 @@ use crate::base::message::{Message, Problems};
 
 Documents of the output folder, by the name of the file without `.json`:
   accuracy, campaign (what the campaign states about itself), features, frames, geometric, import,
-  iso9283, iso9283-compliance, iso9283-streams, parameters
+  iso9283, iso9283-compliance, iso9283-streams, manifest, parameters
 
 Answers to `--json` of commands:
-  check, compare, fit, formats, iso9283-plan, iso9283-stream, plan, written (files that a command wrote)")]
+  batch, check, compare, fit, formats, iso9283-plan, iso9283-stream, plan, written (files that a command wrote)")]
 pub struct Schema {
     /// Name of the file or document, e.g. campaign.toml or parameters
     name: String,

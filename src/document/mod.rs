@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod answer;
+mod batch;
 mod campaign;
 mod compare;
 mod fit;
@@ -18,6 +19,7 @@ pub mod schema;
 
 pub use accuracy::*;
 pub use answer::*;
+pub use batch::*;
 pub use campaign::*;
 pub use compare::*;
 pub use fit::*;
@@ -29,6 +31,7 @@ pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;
 
+use crate::base::message::{Message, Result};
 pub use crate::math::identify::{ResidualKind, UncertaintyFrom};
 pub use crate::math::solve::Termination;
 use schemars::JsonSchema;
@@ -44,4 +47,12 @@ pub struct Provenance {
     pub inputs: std::collections::BTreeMap<String, String>,
     /// Seed of random numbers, where any were drawn.
     pub seed: Option<u64>,
+}
+
+/// A document as JSON text with a line end.
+pub fn to_json<T: Serialize>(document: &T) -> Result<Vec<u8>> {
+    let mut bytes = serde_json::to_vec_pretty(document)
+        .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
+    bytes.push(b'\n');
+    Ok(bytes)
 }

@@ -3,6 +3,7 @@
 
 use super::formats::{Format, Plain};
 use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
+use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
 use crate::import::format::Unit;
 use indexmap::IndexSet;
@@ -42,9 +43,9 @@ struct Part {
 /// If the file cannot be read.
 pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> {
     let fail = |e: std::io::Error| Problems::from(Message::error(format!("cannot read `{}`: {e}", path.display())));
-    let size = std::fs::metadata(path).map_err(fail)?.len();
+    let size = files::open(path).and_then(|file| file.metadata()).map_err(fail)?.len();
     let mut start = Vec::new();
-    File::open(path).and_then(|file| file.take(LONGEST_LINE as u64).read_to_end(&mut start)).map_err(fail)?;
+    files::open(path).and_then(|file| file.take(LONGEST_LINE as u64).read_to_end(&mut start)).map_err(fail)?;
     let Some(plain) = format.plain(&start) else { return Ok(None) };
     let parts: std::io::Result<Vec<Option<Part>>> = (0..size.div_ceil(BLOCK))
         .into_par_iter()

@@ -36,14 +36,14 @@ pub(crate) fn bytes_of(path: &Path) -> Read<Vec<u8>> {
         let message = Message::error(format!("`{}` is a folder", path.display()));
         return Err(message.expected("a file").hint(format!("name a file in it; {}", listed(path))).into());
     }
-    if !path.is_file() {
+    if !path.exists() {
         let message = Message::error(format!("there is no file `{}`", path.display()));
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         return Err(message.hint(beside(path.parent().unwrap_or(Path::new("")), &name)).into());
     }
     let file = files::open(path);
     let file = file.map_err(|e| Message::error(format!("cannot read `{}`: {e}", path.display())))?;
-    Ok(bounded(file).map_err(|mut message| {
+    Ok(bounded(file.take(files::LARGEST + 1)).map_err(|mut message| {
         message.what = format!("`{}`: {}", path.display(), message.what);
         message
     })?)
@@ -100,6 +100,9 @@ fn bounded(mut from: impl io::Read) -> Result<Vec<u8>, Message> {
         let piece = from.by_ref().take(PIECE as u64).read_to_end(&mut bytes);
         if piece.map_err(|e| Message::error(format!("cannot read the file: {e}")))? == 0 {
             return Ok(bytes);
+        }
+        if bytes.len() as u64 > files::LARGEST {
+            return Err(Message::error(format!("the file is larger than {} MiB", files::LARGEST >> 20)));
         }
         if before == 0 {
             refuse(&bytes)?;

@@ -27,8 +27,7 @@ pub(super) const BUILT_IN: [(&str, &str); 6] = [
 /// What makes marks answer; the page's policy lets no other script run.
 pub(super) const SCRIPT: &str = include_str!("html/script.js");
 
-/// The page; of control characters, which no name is known to need, line feeds and tabs stay. No name turns the way that what
-/// follows it reads.
+/// The page; of control characters, which no name is known to need, line feeds and tabs stay.
 pub(super) fn html(contents: &Contents, presentation: &Presentation, words: &Words) -> Result<String> {
     let own = presentation.templates.keys().any(|name| name != TYPESET.0);
     let (contents, presentation, words) = (Value::from(Serde(contents)), presentation.clone(), words.clone());
@@ -39,13 +38,7 @@ fn page(contents: &Value, presentation: &Presentation, words: &Words) -> Result<
     let environment = environment(presentation, words)?;
     let fail = |e: minijinja::Error| Problems::from(failure(&e, presentation));
     let page = environment.get_template("report.html").map_err(fail)?.render(contents).map_err(fail)?;
-    let shown = |c: char| match c {
-        '\n' | '\t' => c,
-        '\u{202a}'..='\u{202e}' => '\u{fffd}',
-        c if c.is_control() => '\u{fffd}',
-        c => c,
-    };
-    Ok(page.chars().map(shown).collect())
+    Ok(page.chars().map(|c| if c.is_control() && !matches!(c, '\n' | '\t') { '\u{fffd}' } else { c }).collect())
 }
 
 /// Whether the laboratory's templates read, without a page to fill.

@@ -1,9 +1,14 @@
 //! The output folder of a run as others read it: every document is what that run wrote, or the folder is refused.
 
-use crate::base::message::{Message, Problems, Result};
-use crate::base::{files, folder};
-use crate::document::{ManifestDocument, ParametersDocument};
-use crate::run::output::to_json;
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::{files, folder, table};
+use crate::document::to_json;
+use crate::document::{
+    AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
+    ImportDocument, ManifestDocument, ParametersDocument, PointError,
+};
+use crate::report::{self, Faces};
+use crate::stages::evaluate;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -82,6 +87,77 @@ impl Documents {
     }
 }
 
+/// The documents of a run, read back: all that its report is made from.
+pub struct Run {
+    /// What the campaign states about itself.
+    pub campaign: CampaignSummary,
+    /// What was read and refused.
+    pub import: ImportDocument,
+    /// What was identified, if anything was.
+    pub identified: Option<Identified>,
+    /// Characteristics of ISO 9283.
+    pub tested: Characteristics,
+    features: FeaturesDocument,
+    frames: FramesDocument,
+}
+
+/// The documents of an identification.
+pub struct Identified {
+    /// `parameters.json`
+    pub parameters: ParametersDocument,
+    /// `accuracy.json`
+    pub accuracy: AccuracyDocument,
+    errors: Vec<PointError>,
+    geometric: Option<GeometricDocument>,
+}
+
+impl Run {
+    /// Reads them.
+    pub fn read(documents: &Documents) -> Result<Self> {
+        let identified = |parameters| -> Result<Identified> {
+            let name = "residuals.parquet";
+            let residuals = table::from_parquet(documents.bytes(name)?);
+            let place = Place::file(documents.path(name).display().to_string());
+            Ok(Identified {
+                parameters,
+                accuracy: documents.json("accuracy.json")?,
+                errors: residuals.and_then(|table| evaluate::from_table(&table)).map_err(|more| more.at(&place))?,
+                geometric: documents.optional("geometric.json")?,
+            })
+        };
+        Ok(Self {
+            campaign: documents.json("campaign.json")?,
+            import: documents.json("import.json")?,
+            features: documents.json("features.json")?,
+            frames: documents.json("frames.json")?,
+            // a campaign that only tests has none
+            identified: documents.parameters()?.map(identified).transpose()?,
+            tested: Characteristics {
+                poses: documents.optional("iso9283.json")?,
+                streams: documents.optional("iso9283-streams.json")?,
+                compliance: documents.optional("iso9283-compliance.json")?,
+            },
+        })
+    }
+
+    /// The report of it.
+    pub fn faces(&self) -> Result<Faces> {
+        Faces::campaign(&report::Report {
+            campaign: &self.campaign,
+            import: &self.import,
+            features: &self.features,
+            frames: &self.frames,
+            identified: self.identified.as_ref().map(|i| report::Identified {
+                parameters: &i.parameters,
+                accuracy: &i.accuracy,
+                errors: &i.errors,
+                geometric: i.geometric.as_ref(),
+            }),
+            tested: &self.tested,
+        })
+    }
+}
+
 /// Replaces a folder by one with these files, those `others` that it keeps, and their manifest.
 pub(super) fn replace(
     place: &Path,
@@ -112,12 +188,13 @@ fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T
     let value: serde_json::Value = serde_json::from_slice(bytes).map_err(|e| wrong(path, &e.to_string()))?;
     let found = value.get("schema").and_then(|schema| schema.as_str()).unwrap_or("none");
     if name != "campaign" && found != format!("etalon/{name}/1") {
-        return Err(wrong(path, &format!("its schema is {found:?}, not \"etalon/{name}/1\"")));
+        let message = wrong(path, &format!("its schema is {found:?}"));
+        return Err(message.expected(format!("\"etalon/{name}/1\"")).into());
     }
-    serde_json::from_value(value).map_err(|e| wrong(path, &e.to_string()))
+    Ok(serde_json::from_value(value).map_err(|e| wrong(path, &e.to_string()))?)
 }
 
-fn wrong(path: &Path, what: &str) -> Problems {
+fn wrong(path: &Path, what: &str) -> Message {
     let what = format!("`{}` is not the document that this version writes: {what}", path.display());
-    Message::error(what).hint("run the campaign again with this version: `etalon run CAMPAIGN`").into()
+    Message::error(what).hint("run the campaign again with this version: `etalon run CAMPAIGN`")
 }

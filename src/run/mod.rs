@@ -1,5 +1,6 @@
 //! A campaign from its files to its output folder.
 
+pub mod batch;
 pub mod check;
 pub mod documents;
 mod names;

@@ -4,7 +4,7 @@ use crate::base::files;
 use crate::base::message::{Message, Result};
 use crate::base::table;
 use crate::campaign::Campaign;
-use crate::document::Source;
+use crate::document::{ImportDocument, ManifestDocument, Source, to_json};
 use crate::export;
 use crate::import;
 use crate::report;
@@ -23,14 +23,6 @@ use std::path::PathBuf;
 pub struct Output {
     folder: PathBuf,
     files: Vec<(String, Vec<u8>)>,
-}
-
-/// A document as JSON text with a line end.
-pub fn to_json<T: Serialize>(document: &T) -> Result<Vec<u8>> {
-    let mut bytes = serde_json::to_vec_pretty(document)
-        .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
-    bytes.push(b'\n');
-    Ok(bytes)
 }
 
 impl Output {
@@ -119,11 +111,21 @@ impl Output {
     }
 }
 
+/// Whether the campaign's output folder holds the results of its files as they are, by this version: `file` among them.
+pub fn is_current(campaign: &Campaign, file: &str) -> bool {
+    let Ok(documents) = campaign.output().and_then(|folder| Documents::open(&folder)) else { return false };
+    let ManifestDocument { version, files, .. } = &documents.manifest;
+    let import = || documents.json::<ImportDocument>("import.json").ok();
+    version == env!("CARGO_PKG_VERSION")
+        && files.contains_key(file)
+        && import().is_some_and(|import| unchanged(campaign, &import.sources).is_ok())
+}
+
 /// An error if an input holds other bytes by now.
 fn unchanged(campaign: &Campaign, sources: &[Source]) -> Result<()> {
     for source in sources {
-        let now = campaign.source(source).and_then(|path| files::read(&path)).map(|bytes| files::sha256(&bytes));
-        if now.ok().as_ref() != Some(&source.sha256) {
+        let now = campaign.source(source).ok().and_then(|path| std::fs::read(path).ok());
+        if now.map(|bytes| files::sha256(&bytes)).as_ref() != Some(&source.sha256) {
             let message = Message::error(format!("`{}` has changed while the campaign was run", source.file));
             return Err(message.hint("run the campaign again when the file is complete").into());
         }

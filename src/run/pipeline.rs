@@ -15,6 +15,15 @@ use crate::stages::identification::{Identified, identify};
 use crate::stages::iso9283;
 use crate::stages::join::{self, Joined};
 
+/// What a run writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// Documents, controller files and the reports.
+    Reports,
+    /// No reports: `etalon report` can write them.
+    Documents,
+}
+
 /// What a run found, for the one who called it.
 #[derive(Debug)]
 pub struct Outcome {
@@ -49,8 +58,13 @@ pub struct Evaluated {
 /// Runs a campaign from its exports to the report. Nothing is written before all of it is computed.
 /// Where a stage fails, the warnings of those before it come first: they may say why.
 pub fn run(campaign: &Campaign) -> Result<Outcome> {
+    run_for(campaign, Wanted::Reports)
+}
+
+/// [`run`] for all of its files or some.
+pub fn run_for(campaign: &Campaign, wanted: Wanted) -> Result<Outcome> {
     let out = Output::new(campaign.output()?);
-    write(campaign, evaluate(campaign)?, out)
+    write(campaign, wanted, evaluate(campaign)?, out)
 }
 
 /// The same, and nothing is written.
@@ -124,7 +138,7 @@ impl Evaluated {
 }
 
 /// Writes every document, the report and the files for controllers.
-fn write(campaign: &Campaign, found: Evaluated, mut out: Output) -> Result<Outcome> {
+fn write(campaign: &Campaign, wanted: Wanted, found: Evaluated, mut out: Output) -> Result<Outcome> {
     let messages = found.messages().cloned().collect();
     let Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested, faces } = found;
     out.gathered(campaign, &gathered)?;
@@ -143,7 +157,9 @@ fn write(campaign: &Campaign, found: Evaluated, mut out: Output) -> Result<Outco
             out.bytes(exporter.file_name(), exporter.write(&found.parameters)?);
         }
     }
-    out.reports(faces.files()?);
+    if wanted == Wanted::Reports {
+        out.reports(faces.files()?);
+    }
     let written = out.write(campaign, &gathered.document.sources)?;
     Ok(Outcome { written, identified, tested, faces, messages })
 }

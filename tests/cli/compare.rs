@@ -2,7 +2,7 @@
 
 use super::reports::tool;
 use super::{etalon, text};
-use crate::support::scratch::copy_sample;
+use crate::support::scratch::{copy_sample, stamp};
 use calamine::{Reader, Xlsx};
 use etalon::document::{CompareDocument, CompareFamily};
 use std::path::Path;
@@ -80,14 +80,16 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
 
     refused(&etalon(at, &["compare", "spring", "spring"]), &["`spring` is named twice"]);
     refused(&etalon(at, &["compare", "spring", "./spring/out/"]), &["`./spring/out/` is named twice"]);
-    refused(&etalon(at, &["compare", "spring", "nowhere"]), &["nowhere/campaign.json", "hint: "]);
+    refused(&etalon(at, &["compare", "spring", "nowhere"]), &["nowhere/manifest.json", "hint: "]);
     let edit = |file: &str, from: &str, to: &str| {
         let path = at.join("autumn/out").join(file);
         let whole = std::fs::read_to_string(&path).unwrap();
         assert!(whole.contains(from), "{file} has no {from}");
         std::fs::write(&path, whole.replacen(from, to, 1)).unwrap();
+        stamp(&at.join("autumn/out"));
         let output = etalon(at, &["compare", "spring", "autumn"]);
         std::fs::write(&path, whole).unwrap();
+        stamp(&at.join("autumn/out"));
         output
     };
     refused(
@@ -120,6 +122,7 @@ fn hostile_names_stay_text() {
             value[key] = serde_json::Value::String(format!("{hostile}\u{1b}[2J\n{key}"));
         }
         std::fs::write(&path, value.to_string()).unwrap();
+        stamp(&at.join(name).join("out"));
     }
     let kinds = ["--report", "compare.html", "--report", "compare.pdf", "--report", "compare.xlsx"];
     let output = etalon(at, &[&["compare", "spring", "autumn"][..], &kinds].concat());

@@ -295,8 +295,9 @@ fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
     let here = folder.path();
     let dextar = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/dextar/robot.toml");
     let answer = |robot: &str, workspace: &str| {
-        let arguments =
-            ["iso9283", "--plan", "--json", "--write", "test", "--robot", robot, "--workspace-mm", workspace];
+        // a folder each: nothing is written over what is there
+        let to = if workspace == "350,250,430,330" { "test" } else { workspace };
+        let arguments = ["iso9283", "--plan", "--json", "--write", to, "--robot", robot, "--workspace-mm", workspace];
         super::etalon(here, &arguments)
     };
     let inside = answer(dextar, "350,250,430,330");
@@ -311,6 +312,8 @@ fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
             assert!((x - point["x_mm"]).abs() < 1e-9 && (y - point["y_mm"]).abs() < 1e-9, "{} {point:?}", places.name);
         }
     }
+    let again = answer(dextar, "350,250,430,330");
+    assert!(again.status.code() == Some(2) && text_of(&again).contains("is there already"), "{}", text_of(&again));
     let table = std::fs::read_to_string(here.join("test/poses-joints.csv")).unwrap();
     assert!(table.starts_with("pose,assembly,theta1_deg,theta2_deg\n1,") && table.lines().count() == 6, "{table}");
     let outside = answer(dextar, "300,200,2300,2200");

@@ -5,10 +5,10 @@ use crate::base::files;
 use crate::base::message::{Message, Problems};
 use crate::base::table::{ANGLES, XYZ};
 use crate::campaign::read_robot;
+use crate::document::to_json;
 use crate::document::{Iso9283Places, Iso9283PlanDocument};
 use crate::export;
 use crate::iso9283::plan::{Request, plan, reach};
-use crate::run::output;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -71,7 +71,7 @@ impl PlanOptions {
                 return Ok(verdict);
             }
         }
-        print(if json { output::to_json(&document)? } else { as_text(&document).into_bytes() })?;
+        print(if json { to_json(&document)? } else { as_text(&document).into_bytes() })?;
         Ok(verdict)
     }
 }

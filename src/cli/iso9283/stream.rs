@@ -7,6 +7,7 @@ use crate::base::files;
 use crate::base::message::Result;
 use crate::base::table::ANGLES;
 use crate::base::table::XYZ;
+use crate::document::to_json;
 use crate::document::{Characteristics, Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument};
 use crate::import;
 use crate::import::tables::recording::{commanded_path, commanded_poses, recording};
@@ -15,7 +16,6 @@ use crate::iso9283::motion::{Stated, evaluate};
 use crate::iso9283::path::commanded::CommandedPath;
 use crate::iso9283::pose::test::CommandedPose;
 use crate::report::Faces;
-use crate::run::output;
 use std::path::{Path, PathBuf};
 
 /// A recorded motion.
@@ -86,7 +86,7 @@ impl StreamOptions {
             files::write(path, csv(&document, &recording).as_bytes())?;
         }
         remark(&document.messages);
-        let json = json.then(|| output::to_json(&document)).transpose()?;
+        let json = json.then(|| to_json(&document)).transpose()?;
         let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let stream =
             Iso9283NamedStream { name, file: file.display().to_string(), band_mm: self.band_mm, stream: document };

@@ -1,0 +1,77 @@
+//! `etalon batch`
+
+use super::{Verdict, print_with, say};
+use crate::base::files;
+use crate::base::message::printable;
+use crate::document::to_json;
+use crate::document::{BatchDocument, BatchEnd, BatchEntry};
+use crate::run::batch::{batch, folders};
+use crate::run::pipeline::Wanted;
+use std::fmt::Write;
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Run many campaigns on all cores, and write their results as one table
+///
+/// A campaign of which nothing has changed since its last run is read back: a batch that was stopped goes on where it was.
+/// One that fails stops no other.
+#[derive(Debug, clap::Args)]
+pub struct Batch {
+    /// Folders of campaigns, or texts that list them, one a line, beside the list
+    #[arg(required = true)]
+    campaigns: Vec<PathBuf>,
+    /// Write no reports: `etalon report` can write them later
+    #[arg(long)]
+    documents: bool,
+    /// Folder for batch.parquet
+    #[arg(long, value_name = "FOLDER", default_value = ".")]
+    to: PathBuf,
+    /// Print how each campaign ended as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Batch {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let campaigns = folders(&self.campaigns)?;
+        let wanted = if self.documents { Wanted::Documents } else { Wanted::Reports };
+        let (shown, ended) = (std::io::stderr().is_terminal(), AtomicUsize::new(0));
+        let batch = batch(&campaigns, wanted, |entry: &BatchEntry| {
+            let ended = ended.fetch_add(1, Ordering::Relaxed) + 1;
+            if let Some(message) = &entry.message {
+                let how = if entry.ended == BatchEnd::Skipped { "skipped" } else { "failed" };
+                say(format_args!("{how}: {}\n{message}\n", printable(&entry.campaign)));
+            } else if shown {
+                eprint_progress(ended, campaigns.len());
+            }
+        });
+        files::write(&self.to.join("batch.parquet"), &batch.parquet()?)?;
+        let document = batch.document;
+        let verdict = match (document.failed, document.not_met) {
+            (0, 0) => Verdict::Met,
+            (0, _) => Verdict::LimitNotMet,
+            _ => Verdict::NotRun,
+        };
+        print_with(if self.json { to_json(&document)? } else { as_text(&document).into_bytes() }, verdict)
+    }
+}
+
+/// How far a batch has come, in the last line of a terminal.
+fn eprint_progress(ended: usize, of: usize) {
+    use std::io::Write;
+    let mut stderr = std::io::stderr().lock();
+    let _ = write!(stderr, "\r{ended} of {of}{}", if ended == of { "\n" } else { "" });
+}
+
+fn as_text(document: &BatchDocument) -> String {
+    let mut text = String::new();
+    for c in &document.campaigns {
+        let how = c.ended.name().replace('_', " ");
+        let unchanged = if c.output.is_some() && !c.computed { ", unchanged" } else { "" };
+        let _ = writeln!(text, "{:<40} {how}{unchanged}", printable(&c.campaign));
+    }
+    let BatchDocument { done, not_met, failed, skipped, .. } = document;
+    let _ = writeln!(text, "{done} done, {not_met} with limits not met, {failed} failed, {skipped} skipped");
+    text
+}
