@@ -1,6 +1,6 @@
 //! The output folder of a run as others read it: every document is what that run wrote, or the folder is refused.
 
-use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::message::{Message, Place, Result};
 use crate::base::{files, folder, table};
 use crate::document::to_json;
 use crate::document::{
