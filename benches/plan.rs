@@ -29,6 +29,7 @@ fn main() {
         standard_uncertainty_mm: None,
         common_uncertainty_mm: None,
         hold: Vec::new(),
+        rigid: Vec::new(),
     };
     let known = sensitivity(robot.as_ref(), &observations, &settings).expect("sensitivity");
     let mut members: Vec<Vec<usize>> = Vec::new();

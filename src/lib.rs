@@ -67,7 +67,7 @@
 //!     })
 //!     .collect();
 //! let settings =
-//!     Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.002), common_uncertainty_mm: None, hold: Vec::new() };
+//!     Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.002), common_uncertainty_mm: None, hold: Vec::new(), rigid: Vec::new() };
 //! let found = identify(&robot, &observations, &settings)?;
 //! assert!((found.values[3] - 393.93).abs() < 1e-9);
 //! # Ok::<(), etalon::base::message::Problems>(())

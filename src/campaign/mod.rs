@@ -158,6 +158,7 @@ impl Campaign {
             standard_uncertainty_mm: Some(contact.unwrap_or(instrument)),
             common_uncertainty_mm: contact.map(|_| instrument),
             hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),
+            rigid: self.file.rigid.iter().filter_map(Rigid::shape).collect(),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::{Join, JoinBy};
 use crate::document::{Conditions, Language};
 use crate::import::{Export, Log};
-use crate::math::identify::ResidualKind;
+use crate::math::identify::{ResidualKind, RigidPart, ToolFrame, ToolPoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -62,6 +62,8 @@ pub struct CampaignFile {
     pub features: BTreeMap<String, FeatureDefinition>,
     /// Frames; without them the coordinates of the exports are those of the world.
     pub frame: Option<Frames>,
+    /// The point that programs move: the error to expect there is reported beside those of the targets.
+    pub tool: Option<ToolDefinition>,
     /// What is identified; nothing where the campaign is a test by ISO 9283 alone.
     pub identify: Option<Identify>,
     /// Geometric calibration of a PreXYT (thesis, chapter 2).
@@ -160,8 +162,55 @@ pub struct Rigid {
     /// Names of the targets.
     #[schemars(with = "Vec<String>")]
     pub targets: Vec<Spanned<String>>,
-    /// Largest difference of a distance from its median; a row beyond is refused.
+    /// Largest difference of a distance from its median; a row beyond is refused. A shape that differs as much from `places_mm` is an
+    /// error.
     pub tolerance_mm: f64,
+    /// Places of all its targets in any frame of the part (planar robots: with z across the plane of motion), by certificate or measured
+    /// beforehand: the identification then finds six unknowns of the part and its shape within its uncertainty, instead of three unknowns
+    /// of each target.
+    #[serde(default)]
+    pub places_mm: BTreeMap<String, [f64; 3]>,
+    /// Expanded uncertainty of one coordinate of `places_mm`.
+    pub expanded_uncertainty_um: Option<f64>,
+    /// Its coverage factor.
+    pub coverage_factor: Option<f64>,
+}
+
+impl Rigid {
+    /// The stated shape of the part; `None` where none is stated, or not with its uncertainty.
+    pub fn shape(&self) -> Option<RigidPart> {
+        let targets: Vec<String> = self.targets.iter().map(|t| t.get_ref().clone()).collect();
+        let places = targets.iter().map(|t| self.places_mm.get(t).copied());
+        Some(RigidPart {
+            places_mm: places.collect::<Option<_>>()?,
+            targets,
+            standard_uncertainty_mm: self.expanded_uncertainty_um? / self.coverage_factor? / 1000.0,
+            tolerance_mm: self.tolerance_mm,
+            weight: 1.0,
+        })
+    }
+}
+
+/// The point that programs move.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolDefinition {
+    /// Its place in `frame`.
+    pub point_mm: [f64; 3],
+    /// The part in whose frame that is: `targets` have their origin at the first, the x axis to the second, the third in the xy plane.
+    pub frame: ToolFrame,
+    /// Expanded uncertainty of one coordinate of its place.
+    pub expanded_uncertainty_um: f64,
+    /// Its coverage factor.
+    pub coverage_factor: f64,
+}
+
+impl ToolDefinition {
+    /// The point with its standard uncertainty.
+    pub fn point(&self) -> ToolPoint {
+        let standard_uncertainty_mm = self.expanded_uncertainty_um / self.coverage_factor / 1000.0;
+        ToolPoint { point_mm: self.point_mm, frame: self.frame, standard_uncertainty_mm }
+    }
 }
 
 /// Targets that do not move.

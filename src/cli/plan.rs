@@ -12,7 +12,9 @@ use crate::document::*;
 use crate::export;
 use crate::math::identify::{Observation, ResidualKind, Settings};
 use crate::math::plan::candidates::{self, Candidates};
-use crate::math::plan::{Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, study};
+use crate::math::plan::{
+    Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, point_of, study,
+};
 use crate::math::robots::{Parameter, Robot};
 use crate::report::Faces;
 use crate::simulate::true_values;
@@ -105,6 +107,7 @@ impl Plan {
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             common_uncertainty_mm: None,
             hold: self.hold.clone(),
+            rigid: Vec::new(),
         };
         let request = Request {
             positions: self.positions,
@@ -284,6 +287,7 @@ fn study_document(
         draws: STUDY_DRAWS,
         noise_um,
         configurations,
+        point: point_of(robot).to_owned(),
         parameters: robot.parameters().iter().enumerate().map(parameter).collect(),
         steps: studies.iter().map(step).collect(),
         places: last.places.iter().map(place).collect(),

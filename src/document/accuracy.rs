@@ -1,6 +1,7 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
 use crate::base::pose::Vector;
+use crate::math::identify::ToolFrame;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +13,9 @@ pub struct AccuracyDocument {
     pub schema: String,
     /// What "before" and "error" mean here, in words.
     pub definition: String,
+    /// The point whose errors `sets` holds, in words.
+    #[serde(default)]
+    pub point: String,
     /// One per set of poses: `calibration`, `validation`.
     pub sets: Vec<AccuracySet>,
     /// How far the validation poses lie from those of the calibration: the errors hold among poses like these.
@@ -19,6 +23,39 @@ pub struct AccuracyDocument {
     pub validation_distance: Option<ValidationDistance>,
     /// Limits that the campaign states, and whether they are met.
     pub limits: Vec<LimitVerdict>,
+    /// The error to expect at the tool point; absent where there is none, or no covariance.
+    #[serde(default)]
+    pub tool: Option<ToolAccuracy>,
+}
+
+/// The error that the controller will make at the tool point: its true place in the base frame minus the one that the parameters predict.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolAccuracy {
+    /// What "before" and "after" mean here, in words.
+    pub definition: String,
+    /// Place of the point in `frame`.
+    pub point_mm: Vector,
+    /// The part in whose frame it is stated.
+    pub frame: ToolFrame,
+    /// The poses: `validation`, or `calibration` where there are no others.
+    pub set: String,
+    /// How many.
+    pub poses: usize,
+    /// Predicted with the parameters before minus predicted with the identified ones, mm.
+    pub before: Statistics,
+    /// Expected with the identified parameters (k = 1), mm.
+    pub after: Statistics,
+    /// The largest of these with k = 2, mm.
+    pub expanded_max_mm: f64,
+    /// Share of the parameters' covariance, root mean square, mm.
+    pub parameters_mm: f64,
+    /// Share of parameters that are held because the data do not determine them, with their tolerances, root mean square, mm.
+    pub held_mm: f64,
+    /// Share of what the model leaves out: measured errors beyond what the instrument explains, root mean square, mm.
+    pub model_mm: f64,
+    /// Share of the uncertainty of the point's place on the tool, mm.
+    pub place_mm: f64,
 }
 
 /// Distances from validation poses to the nearest calibration pose, over the calibration poses' spacing: the median of their distances to

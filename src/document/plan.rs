@@ -162,6 +162,9 @@ pub struct StudyDocument {
     pub noise_um: f64,
     /// Configurations at which errors are evaluated.
     pub configurations: usize,
+    /// The point whose errors of position these are, in words.
+    #[serde(default)]
+    pub point: String,
     /// Nominal, true and identified parameters with all positions (table 4.1, figure 4.8).
     pub parameters: Vec<StudiedParameter>,
     /// Errors of position by the number of positions measured; the last is the plan (tables 4.2 and 4.3).

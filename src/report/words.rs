@@ -21,7 +21,7 @@ pub(crate) fn isolated(name: &str) -> String {
 
 /// Words that come from documents, not from the text of this program's reports.
 #[cfg(test)]
-const OF_DOCUMENTS: [&str; 19] = [
+const OF_DOCUMENTS: [&str; 23] = [
     "calibration",
     "validation",
     "position",
@@ -41,6 +41,10 @@ const OF_DOCUMENTS: [&str; 19] = [
     "campaign",
     "table",
     "both",
+    "the platform's centre as the balls measure it",
+    "the platform's centre C in the base frame",
+    "the targets as measured",
+    "the targets in the world",
 ];
 
 /// One language.

@@ -39,11 +39,16 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(message.hint("state `residuals = \"targets\"`, or leave [contact] out"));
         }
     }
+    if let Some(tool) = &file.tool {
+        stated.push(("tool", "expanded_uncertainty_um", tool.expanded_uncertainty_um));
+        stated.push(("tool", "coverage_factor", tool.coverage_factor));
+    }
     for (table, key, value) in stated {
         if value <= 0.0 {
             let message = Message::error(format!("`{key}` must be positive")).at(campaign.place_of(&[table, key]));
             let hint = match table {
                 "instrument" => "take it from the instrument's calibration certificate",
+                "tool" => "state how well the place of the point on the tool is known",
                 _ => "touch one point often and take the scatter of the encoder readings",
             };
             problems.0.push(message.hint(hint));

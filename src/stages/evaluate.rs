@@ -99,6 +99,11 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
     (0..seen.len()).map(error).collect()
 }
 
+/// Whose errors those of a platform are: parameters that shift balls and tool alike do not show in them.
+const MEASURED_CENTRE: &str = "the platform's centre as the balls measure it";
+/// Whose errors those of other robots are.
+const MEASURED_TARGETS: &str = "the targets as measured";
+
 /// Statistics of the errors, and the verdict on the campaign's limits.
 pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Result<AccuracyDocument> {
     let planar = robot.dimension() == 2;
@@ -129,22 +134,30 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
         })?;
         verdicts.push(LimitVerdict { name: name.to_owned(), unit, limit, value, met: value <= limit });
     }
-    let point = if robot.platform().is_some() {
-        "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints; \
-         positions are those of C in the base frame"
+    let (point, error) = if robot.platform().is_some() {
+        (
+            MEASURED_CENTRE,
+            "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints; \
+         positions are those of C in the base frame",
+        )
     } else {
-        "each target's measured position minus the one that the model predicts from the joints; orientation is the \
-         rotation that is left between measured and predicted targets; positions are those of the targets in the world"
+        (
+            MEASURED_TARGETS,
+            "each target's measured position minus the one that the model predicts from the joints; orientation is the \
+         rotation that is left between measured and predicted targets; positions are those of the targets in the world",
+        )
     };
     Ok(AccuracyDocument {
         schema: "etalon/accuracy/1".to_owned(),
         definition: format!(
-            "error: {point}; before: nominal parameters of the robot, with only base and targets fitted to the calibration \
+            "error: {error}; before: nominal parameters of the robot, with only base and targets fitted to the calibration \
              poses; after: all identified parameters; statistics are of sizes, each repeat counted"
         ),
+        point: point.to_owned(),
         sets,
         validation_distance: None,
         limits: verdicts,
+        tool: None,
     })
 }
 
@@ -174,7 +187,7 @@ fn statistics(quantity: &str, unit: &str, errors: &[&PointError], size: Size) ->
 }
 
 /// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum of sizes.
-fn summarise(mut sizes: Vec<f64>) -> Statistics {
+pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
     sizes.sort_by(f64::total_cmp);
     let n = sizes.len() as f64;
     let Some(&max) = sizes.last() else { return Statistics::default() };

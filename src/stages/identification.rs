@@ -3,7 +3,7 @@
 use crate::base::message::{Message, Problems, Result, count};
 use crate::campaign::{Campaign, Exclude, Identify, OutlierRule, Selection};
 use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
-use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings};
+use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings, ToolPoint};
 use crate::math::robots::Robot;
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, Sets};
@@ -11,6 +11,7 @@ use crate::stages::join::Joined;
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
+use crate::stages::tool::tool_accuracy;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a campaign identifies.
@@ -77,6 +78,11 @@ pub fn identify(
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits)?;
     accuracy.validation_distance = validation_distance(robot, &sets);
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
+    let tool = campaign.file.tool.map(|tool| tool.point()).or_else(|| ToolPoint::centre(robot));
+    if let Some(point) = &tool {
+        let found = tool_accuracy(robot, point, &sets, &settings, &before, &found, &accuracy);
+        accuracy.tool = found.map_err(|problems| problems.at(&campaign.place_of(&["tool"])))?;
+    }
     Ok(Identified {
         parameters: parameters_document(robot, &settings, &before, &found, inputs),
         accuracy,

@@ -14,3 +14,4 @@ pub mod plausible;
 pub mod qif_fit;
 pub mod repeats;
 pub(crate) mod table_file;
+pub mod tool;

@@ -271,6 +271,7 @@ mod tests {
             standard_uncertainty_mm: Some(0.003),
             common_uncertainty_mm: None,
             hold: Vec::new(),
+            rigid: Vec::new(),
         };
         let found = identify(&robot, &observations, &settings).expect("identified");
         common_factor(&robot, &found).map(|message| message.what)

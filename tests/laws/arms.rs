@@ -59,6 +59,7 @@ fn settings() -> Settings {
         standard_uncertainty_mm: Some(NOISE_MM),
         common_uncertainty_mm: None,
         hold: Vec::new(),
+        rigid: Vec::new(),
     }
 }
 

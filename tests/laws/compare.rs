@@ -63,9 +63,11 @@ pub(super) fn identified(
     let accuracy = AccuracyDocument {
         schema: "etalon/accuracy/1".to_owned(),
         definition: String::new(),
+        point: String::new(),
         sets: Vec::new(),
         validation_distance: None,
         limits: Vec::new(),
+        tool: None,
     };
     let campaign = CampaignSummary {
         name: folder.to_owned(),

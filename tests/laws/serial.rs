@@ -60,6 +60,7 @@ fn base_and_targets_are_found_from_anywhere() {
                 standard_uncertainty_mm: Some(0.01),
                 common_uncertainty_mm: None,
                 hold: Vec::new(),
+                rigid: Vec::new(),
             };
             let found = identify(robot.as_ref(), &observations, &settings).unwrap();
             for (i, p) in robot.parameters().iter().enumerate() {
@@ -101,6 +102,7 @@ fn what_the_robot_file_states_is_kept_where_held_and_only_a_start_where_not() {
             standard_uncertainty_mm: Some(0.01),
             common_uncertainty_mm: None,
             hold,
+            rigid: Vec::new(),
         };
         let found = identify(arm.as_ref(), &observations, &settings).unwrap();
         for (name, off) in stated.iter().filter(|s| s.1 == 0.0) {
@@ -126,6 +128,7 @@ fn a_base_that_stands_on_its_side_is_named_with_its_remedy() {
         standard_uncertainty_mm: None,
         common_uncertainty_mm: None,
         hold: Vec::new(),
+        rigid: Vec::new(),
     };
     let problems = identify(robot.as_ref(), &observations, &settings).unwrap_err();
     assert!(problems.to_string().contains("base_turn_y_deg = 90"), "{problems}");
@@ -154,6 +157,7 @@ fn errors_common_to_a_pose_are_in_the_uncertainty() {
             standard_uncertainty_mm: Some(0.01),
             common_uncertainty_mm: None,
             hold: Vec::new(),
+            rigid: Vec::new(),
         };
         let found = identify(arm.as_ref(), &observations, &settings).unwrap();
         assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByPose);
@@ -193,6 +197,7 @@ fn errors_that_neighbouring_poses_share_are_in_the_uncertainty() {
         standard_uncertainty_mm: Some(0.01),
         common_uncertainty_mm: None,
         hold: vec!["gain_*".to_owned()],
+        rigid: Vec::new(),
     };
     let measure = |noise: &mut Noise, regions: usize, poses: usize| -> Vec<Observation> {
         let mut all = Vec::new();
@@ -236,6 +241,7 @@ fn small_campaigns_whose_targets_share_errors_hold_the_truth() {
         standard_uncertainty_mm: Some(tracker::U_MM),
         common_uncertainty_mm: None,
         hold: Vec::new(),
+        rigid: Vec::new(),
     };
     for stop_rad in [0.0, 1e-5, 2e-5, 5e-5, 2e-4] {
         let one = |seed: usize| {

@@ -33,6 +33,7 @@ fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<M
         standard_uncertainty_mm: Some(u_mm),
         common_uncertainty_mm: None,
         hold: Vec::new(),
+        rigid: Vec::new(),
     };
     let found = || {
         let before = fit_frames(robot, observations, &settings)?;

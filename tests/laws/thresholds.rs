@@ -31,6 +31,7 @@ fn two_lengths(observations: &[Observation], u_mm: f64) -> Identification {
         standard_uncertainty_mm: Some(u_mm),
         common_uncertainty_mm: None,
         hold,
+        rigid: Vec::new(),
     };
     identify(&robot, observations, &settings).unwrap()
 }

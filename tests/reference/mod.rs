@@ -10,4 +10,5 @@ mod nist_geometry;
 mod nist_strd;
 mod prexyt;
 mod qif;
+mod qkm;
 mod readers;

@@ -69,6 +69,7 @@ pub fn settings(u_mm: f64) -> Settings {
         standard_uncertainty_mm: Some(u_mm),
         common_uncertainty_mm: None,
         hold: Vec::new(),
+        rigid: Vec::new(),
     }
 }
 

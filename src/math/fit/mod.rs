@@ -32,7 +32,7 @@ pub use enclosing::{Enclosing, enclosing_circle, enclosing_sphere};
 pub use line_and_plane::{line, line2d, plane};
 pub use minimum_zone::{MinimumZone, minimum_zone};
 pub use result::{Compensation, Covariance, Fit, QUANTITIES, Residuals, StandardUncertainty};
-pub use rigid::{RigidFit, rigid};
+pub use rigid::{RigidFit, rigid, rotation_onto};
 pub use torus::torus;
 
 use crate::base::message::Result;

@@ -52,16 +52,7 @@ pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
     let b = Cloud::centred("rigid transform", 3, Source::Space(to.into()))?;
     a.spans("rigid transform", 2)?;
     b.spans("rigid transform", 2)?;
-    // S of Horn's section 4.A: sums of products of the coordinates
-    let mut s = [[0.0; 3]; 3];
-    for (p, q) in a.points().zip(b.points()) {
-        for (row, x) in s.iter_mut().zip(p) {
-            for (s, y) in row.iter_mut().zip(q) {
-                *s += x * y;
-            }
-        }
-    }
-    let (values, vectors) = symmetric_eigen(horn(&s));
+    let (values, vectors) = quaternions(a.points().zip(b.points()));
     let largest = values[3].abs().max(f64::MIN_POSITIVE);
     if (values[3] - values[2]) <= 1e-12 * largest {
         return Err(refuse(
@@ -80,6 +71,25 @@ pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
     };
     let residuals_mm: Vec<Vector> = a.points().zip(b.points()).map(residual).collect();
     Ok(with_uncertainty(Pose { rotation, translation_mm }, residuals_mm, &a))
+}
+
+/// The rotation that carries centred points onto others best, pair by pair; one of them where several do.
+pub fn rotation_onto(pairs: impl Iterator<Item = (Vector, Vector)>) -> [[f64; 3]; 3] {
+    rotation_of(quaternions(pairs).1[3])
+}
+
+/// Eigenvalues and eigenvectors of Horn's N for pairs of centred points, ascending.
+fn quaternions(pairs: impl Iterator<Item = (Vector, Vector)>) -> ([f64; 4], [[f64; 4]; 4]) {
+    // S of Horn's section 4.A: sums of products of the coordinates
+    let mut s = [[0.0; 3]; 3];
+    for (p, q) in pairs {
+        for (row, x) in s.iter_mut().zip(p) {
+            for (s, y) in row.iter_mut().zip(q) {
+                *s += x * y;
+            }
+        }
+    }
+    symmetric_eigen(horn(&s))
 }
 
 /// Horn's N: its quadratic form is the sum of products after the rotation by a quaternion.

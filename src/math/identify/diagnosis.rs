@@ -194,7 +194,7 @@ impl RobustFit {
     ) -> Option<Self> {
         let mut free = found.free.clone();
         free.extend(unseen_by(robot, settings.kind).filter(|i| !found.free.contains(i)));
-        let values = robust(robot, observations, &free, &found.values)?;
+        let values = robust(robot, observations, settings, &free, &found.values)?;
         let scale_mm = OF_MEDIAN * median_mm(robot, observations, &values)?;
         let mut readings = Vec::new();
         for (observation, o) in observations.iter().enumerate() {
@@ -246,7 +246,13 @@ impl RobustFit {
 
 /// Parameters at which the bulk of the measurements is met best: fits with the Cauchy loss, the scale of which follows
 /// the median residual down, from the identified and from the nominal parameters.
-fn robust(robot: &dyn Robot, observations: &[Observation], free: &[usize], found: &[f64]) -> Option<Vec<f64>> {
+fn robust(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    free: &[usize],
+    found: &[f64],
+) -> Option<Vec<f64>> {
     let start = |values: Vec<f64>| {
         let mut best = (median_mm(robot, observations, &values)?, values);
         for _ in 0..FITS {
@@ -255,6 +261,7 @@ fn robust(robot: &dyn Robot, observations: &[Observation], free: &[usize], found
                 standard_uncertainty_mm: Some((OF_MEDIAN * best.0).max(LEAST_MM)),
                 common_uncertainty_mm: None,
                 hold: Vec::new(),
+                rigid: settings.rigid.clone(),
             };
             let problem = Residuals::new(robot, observations, &scaled, free, &best.1).ok()?;
             let x: Vec<f64> = free.iter().map(|&i| best.1[i]).collect();

@@ -23,17 +23,8 @@ pub(super) fn carry<'a>(
     let Some(inverse) = solution.covariance() else { return };
     for frame in frames {
         let by_frame = problem.frame_jacobian(&solution.x, frame.pose);
-        // Jᵀ D, then S = -(JᵀJ)⁻¹ Jᵀ D: its sign drops out
-        let mut moved = vec![0.0; n * 6];
-        for (row, d) in jacobian.chunks_exact(n).zip(by_frame.chunks_exact(6)) {
-            for (j, moved) in row.iter().zip(moved.chunks_exact_mut(6)) {
-                moved.iter_mut().zip(d).for_each(|(m, d)| *m += j * d);
-            }
-        }
-        let sensitivity: Vec<[f64; 6]> = inverse
-            .chunks_exact(n)
-            .map(|row| std::array::from_fn(|c| row.iter().zip(moved.chunks_exact(6)).map(|(a, m)| a * m[c]).sum()))
-            .collect();
+        // S = -(JᵀJ)⁻¹ Jᵀ D: its sign drops out
+        let sensitivity = response::<6>(&inverse, jacobian, &by_frame);
         for (i, a) in sensitivity.iter().enumerate() {
             let by_c: [f64; 6] = std::array::from_fn(|c| (0..6).map(|k| a[k] * frame.covariance[k][c]).sum());
             for (k, b) in sensitivity.iter().enumerate() {
@@ -41,4 +32,17 @@ pub(super) fn carry<'a>(
             }
         }
     }
+}
+
+/// (JᵀJ)⁻¹ Jᵀ D: how parameters whose Jacobian is J answer to the columns of D.
+pub(super) fn response<const N: usize>(inverse: &[f64], jacobian: &[f64], by: &[f64]) -> Vec<[f64; N]> {
+    let n = inverse.len().isqrt();
+    let mut moved = vec![[0.0; N]; n];
+    for (row, d) in jacobian.chunks_exact(n.max(1)).zip(by.chunks_exact(N)) {
+        for (j, moved) in row.iter().zip(&mut moved) {
+            moved.iter_mut().zip(d).for_each(|(m, d)| *m += j * d);
+        }
+    }
+    let answer = |row: &[f64]| std::array::from_fn(|c| row.iter().zip(&moved).map(|(a, m)| a * m[c]).sum());
+    inverse.chunks_exact(n.max(1)).map(answer).collect()
 }

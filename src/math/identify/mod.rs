@@ -1,5 +1,6 @@
 //! Identification: parameters from observations, which of them the data determine, and how well.
 
+mod chi_square;
 mod clusters;
 mod diagnosis;
 mod frame_error;
@@ -10,11 +11,14 @@ mod observation;
 mod placing;
 mod predict;
 mod residuals;
+mod rigid_part;
 mod set_up;
 mod solution;
 mod start;
+mod tool;
 mod uncertainty;
 
+pub use chi_square::exceeds as chi_square_exceeds;
 pub use diagnosis::{OUTLIER, Reading, RobustFit};
 pub use frame_error::FrameError;
 pub use identifiability::{Group, RANK_TOLERANCE};
@@ -22,9 +26,11 @@ pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, SingularValue, WeakGroup};
 pub use observation::{Observation, joint_column, stated_modes};
 pub use predict::{Prediction, Sensitivity, predict, sensitivity};
-pub use residuals::ResidualKind;
+pub use residuals::{OF_MEDIAN, ResidualKind};
+pub use rigid_part::{Pair, RigidPart};
 pub use set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
-pub use uncertainty::{UncertaintyFrom, exceeds as chi_square_exceeds};
+pub use tool::{Held, ToolError, ToolFrame, ToolPoint, held};
+pub use uncertainty::UncertaintyFrom;
 
 use crate::base::message::{Message, Result};
 use crate::base::pattern::matches_pattern;
@@ -45,12 +51,21 @@ pub struct Settings {
     pub common_uncertainty_mm: Option<f64>,
     /// Names of parameters held at their nominal value; `*` stands for any text.
     pub hold: Vec<String>,
+    /// Rigid parts that carry targets, with their stated shapes. Residuals of targets only.
+    pub rigid: Vec<RigidPart>,
 }
 
 impl Settings {
     /// Standard uncertainty of one measured coordinate with what it has in common with others, mm; 0 where none is stated.
     pub fn coordinate_uncertainty_mm(&self) -> f64 {
         self.standard_uncertainty_mm.unwrap_or(0.0).hypot(self.common_uncertainty_mm.unwrap_or(0.0))
+    }
+
+    /// The same with stated shapes that weigh as against residuals of this standard deviation.
+    fn with_shape_weight(&self, weight: f64) -> Self {
+        let mut settings = self.clone();
+        settings.rigid.iter_mut().for_each(|part| part.weight = weight);
+        settings
     }
 }
 
@@ -96,6 +111,8 @@ pub struct Identification {
     pub degrees_of_freedom: usize,
     /// Sum of squares of residuals over their uncertainties; `None` where no uncertainty is stated or nothing is left over.
     pub chi_square: Option<f64>,
+    /// What rows of stated shapes were multiplied by, see [`RigidPart::weight`].
+    pub shape_weight: f64,
     /// Steps taken.
     pub iterations: usize,
     /// How the solver ended.

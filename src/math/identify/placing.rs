@@ -21,6 +21,7 @@ pub(super) const PLAIN: Settings = Settings {
     standard_uncertainty_mm: None,
     common_uncertainty_mm: None,
     hold: Vec::new(),
+    rigid: Vec::new(),
 };
 
 /// At most `count` of the observations, spread over all.

@@ -1,5 +1,6 @@
 //! Residuals between model and measurement, as a least-squares problem in the free parameters.
 
+use super::rigid_part::{At, Shape};
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
@@ -21,7 +22,7 @@ pub enum ResidualKind {
 
 const CHUNK: usize = 32;
 /// Standard deviation of normal residuals over their median size.
-pub(super) const OF_MEDIAN: f64 = 1.4826;
+pub const OF_MEDIAN: f64 = 1.4826;
 
 /// Residuals of the observations as a function of the free parameters.
 pub(super) struct Residuals<'a> {
@@ -31,6 +32,8 @@ pub(super) struct Residuals<'a> {
     platform: Option<&'a dyn Platform>,
     /// what makes residuals independent that are not
     common: Option<Common>,
+    /// stated shapes of rigid parts, whose rows come last
+    shapes: Vec<Shape>,
     /// residuals are divided by this
     pub unit: f64,
     /// standard deviation of a residual so divided, as the instrument states it
@@ -68,10 +71,28 @@ impl<'a> Residuals<'a> {
             observations,
             platform,
             common: Common::new(observations, settings, robot.dimension()),
+            shapes: match platform {
+                None => settings.rigid.iter().filter_map(|part| Shape::new(robot, part)).collect(),
+                Some(_) => Vec::new(),
+            },
             unit,
             stated_noise: settings.standard_uncertainty_mm.map(|u| u / unit),
             values: values.to_vec(),
             rows: rows.collect(),
+        })
+    }
+
+    /// Residuals of measured coordinates: those of stated shapes come behind them.
+    pub fn measured_count(&self) -> usize {
+        self.rows.iter().sum()
+    }
+
+    /// The stated shapes, each with its first row.
+    pub fn shapes(&self) -> impl Iterator<Item = (usize, &Shape)> {
+        let mut row = self.measured_count();
+        self.shapes.iter().map(move |shape| {
+            row += shape.rows();
+            (row - shape.rows(), shape)
         })
     }
 
@@ -89,7 +110,7 @@ impl<'a> Residuals<'a> {
     pub fn noise(&self, solution: Option<&Solution>) -> f64 {
         let shown = |s: &Solution| {
             let dof = self.residual_count().saturating_sub(s.x.len());
-            let mut sizes: Vec<f64> = s.residuals.iter().take(self.residual_count()).map(|r| r.abs()).collect();
+            let mut sizes: Vec<f64> = s.residuals.iter().take(self.measured_count()).map(|r| r.abs()).collect();
             sizes.sort_by(f64::total_cmp);
             let median = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
             if dof > 0 { OF_MEDIAN * median * (self.residual_count() as f64 / dof as f64).sqrt() } else { 0.0 }
@@ -106,7 +127,7 @@ impl<'a> Residuals<'a> {
     /// least twice as many as `count`, one of `count` regions of the joints.
     pub fn clusters(&self, count: usize) -> Vec<i64> {
         if let Some(common) = &self.common {
-            return common.numbers(self.residual_count());
+            return common.numbers(self.measured_count());
         }
         let regions = self.regions(count);
         let of = |o: &Observation| regions.get(&o.pose).map_or(o.pose, |&region| region as i64);
@@ -147,6 +168,12 @@ impl<'a> Residuals<'a> {
             parts.extend([part, rest]);
         }
         parts.iter().enumerate().flat_map(|(k, part)| part.iter().map(move |p| (p.0, k))).collect()
+    }
+
+    /// The robot with all parameters `values`, wherever it is.
+    pub fn at<'v>(&'v self, values: &'v [f64]) -> At<'v> {
+        let joints = self.observations.first().map_or(&[][..], |o| &o.joints);
+        At { robot: self.robot, values, free: &self.free, joints }
     }
 
     /// Whether residuals and Jacobian are whitened, and their elements no longer belong to one observation.
@@ -295,7 +322,11 @@ fn both(o: &Observation) -> Option<[[f64; 2]; 2]> {
 
 impl Problem for Residuals<'_> {
     fn residual_count(&self) -> usize {
-        self.rows.iter().sum()
+        self.measured_count() + self.prior_count()
+    }
+
+    fn prior_count(&self) -> usize {
+        self.shapes.iter().map(Shape::rows).sum()
     }
 
     fn residuals(&self, x: &[f64], r: &mut [f64]) {
@@ -303,12 +334,20 @@ impl Problem for Residuals<'_> {
         if let Some(common) = &self.common {
             common.whiten(r, 1);
         }
+        let all = self.all(x);
+        for (row, shape) in self.shapes() {
+            shape.residuals(&self.at(&all), &mut r[row..][..shape.rows()]);
+        }
     }
 
     fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
         self.plain_jacobian(x, jacobian);
         if let Some(common) = &self.common {
             common.whiten(jacobian, self.free.len());
+        }
+        let (n, all) = (self.free.len(), self.all(x));
+        for (row, shape) in self.shapes() {
+            shape.jacobian(&self.at(&all), &mut jacobian[row * n..][..shape.rows() * n]);
         }
     }
 }

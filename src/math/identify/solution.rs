@@ -30,6 +30,8 @@ pub(super) struct Identifiable {
     pub solution: Solution,
     /// Steps taken in all.
     pub iterations: usize,
+    /// What rows of stated shapes were multiplied by.
+    pub shape_weight: f64,
 }
 
 /// Solves for the `wanted` parameters from `start` (all parameters of the robot).
@@ -50,6 +52,16 @@ pub(super) fn solve_identifiable(
         }
     }
     let mut found = rounds(robot, observations, settings, wanted, values, held)?;
+    if !settings.rigid.is_empty() {
+        // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid beside them
+        let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
+        let (weight, before) = (problem.noise(Some(&found.solution)), found.iterations);
+        let held = found.groups.iter().map(|g| g.held).collect();
+        let settings = settings.with_shape_weight(weight);
+        found = rounds(robot, observations, &settings, wanted, found.values, Some(held))?;
+        found.shape_weight = weight;
+        found.iterations += before;
+    }
     // a whole turn more or less is the same robot: the angle nearest to nominal is taken
     for (value, p) in found.values.iter_mut().zip(robot.parameters()) {
         if p.quantity == Quantity::Angle {
@@ -111,7 +123,7 @@ fn rounds(
         let groups = [useless.clone(), redundant].concat();
         let now = held_by(&groups);
         if now == held {
-            return Ok(Identifiable { values, free, groups, solution, iterations });
+            return Ok(Identifiable { values, free, groups, solution, iterations, shape_weight: 1.0 });
         }
         held = now;
     }

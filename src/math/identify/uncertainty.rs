@@ -1,9 +1,11 @@
 //! Uncertainty of the parameters: covariance and chi-square.
 
+use super::chi_square::{exceeds, falls_short};
 use super::clusters::ByCluster;
 use super::frame_error::{FrameError, carry};
 use super::observability::{held_singular_values, observe, weak_message};
 use super::residuals::Residuals;
+use super::rigid_part::Shape;
 use super::solution::Identifiable;
 use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
@@ -12,7 +14,6 @@ use crate::math::solve::{Factor, Problem, Solution, column_norms};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::collections::BTreeMap;
 
 /// What standard uncertainties rest on.
@@ -33,8 +34,6 @@ pub enum UncertaintyFrom {
     Nothing,
 }
 
-/// Probability with which a chi-square test rejects a right model.
-const REJECT: f64 = 1e-3;
 /// Regions of the joints per parameter whose scatter gives a covariance, where there are poses for twice as many.
 const REGIONS_PER_PARAMETER: usize = 3;
 
@@ -46,8 +45,9 @@ pub(super) fn with_uncertainty(
     wanted: &[usize],
     found: Identifiable,
 ) -> Result<Identification> {
+    let settings = &settings.with_shape_weight(found.shape_weight);
     let problem = &Residuals::new(robot, observations, settings, &found.free, &found.values)?;
-    let Identifiable { values, groups, solution, iterations, .. } = found;
+    let Identifiable { values, groups, solution, iterations, shape_weight, .. } = found;
     let solution = &solution;
     let (m, n) = (problem.residual_count(), problem.free.len());
     let dof = m - n;
@@ -86,7 +86,7 @@ pub(super) fn with_uncertainty(
         warnings.push(shortfall(chi, dof));
     }
 
-    let mut plain = vec![0.0; m];
+    let mut plain = vec![0.0; problem.measured_count()];
     problem.plain_residuals(&solution.x, &mut plain);
     let factor = solution.factor.as_ref();
     let observed = factor.and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance.as_deref()));
@@ -95,6 +95,7 @@ pub(super) fn with_uncertainty(
         let all = Residuals::new(robot, observations, settings, wanted, &values)?;
         o.held_singular_values = held_singular_values(&all, &values, n);
     }
+    warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
     warnings.extend(groups.iter().map(|g| held_message(robot, g)));
     warnings.extend(weak.iter().map(|w| weak_message(robot, w)));
     let status = |i| match () {
@@ -113,10 +114,11 @@ pub(super) fn with_uncertainty(
         groups,
         weak,
         observability,
-        rms: (plain.iter().map(|r| r * r).sum::<f64>() / m.max(1) as f64).sqrt() * problem.unit,
+        rms: (plain.iter().map(|r| r * r).sum::<f64>() / plain.len().max(1) as f64).sqrt() * problem.unit,
         max: plain.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
         degrees_of_freedom: dof,
         chi_square,
+        shape_weight,
         iterations,
         termination: solution.termination,
         warnings,
@@ -145,7 +147,12 @@ fn from_instrument(
 ) -> Option<(Vec<f64>, f64)> {
     let u = settings.standard_uncertainty_mm?;
     if settings.kind == ResidualKind::Targets && (placed.is_empty() || problem.is_whitened()) {
-        return Some((solution.covariance()?, solution.cost));
+        // rows of stated shapes count with their own uncertainty
+        let more = |(row, shape): (usize, &Shape)| -> f64 {
+            let squares = solution.residuals[row..][..shape.rows()].iter().map(|r| r * r).sum::<f64>();
+            squares * (1.0 - 1.0 / shape.variance())
+        };
+        return Some((solution.covariance()?, solution.cost - problem.shapes().map(more).sum::<f64>()));
     }
     noise_covariance(solution, jacobian, &noise(problem, solution, u, placed)?)
 }
@@ -190,19 +197,29 @@ fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Opt
     let regions = !problem.is_whitened() && problem.pose_count() >= 2 * count;
     let from = if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose };
     let clusters = ByCluster::new(&problem.clusters(count), solution, jacobian).filter(ByCluster::is_usable)?;
-    let covariance = Some(clusters.covariance.clone());
+    let mut covariance = clusters.covariance.clone();
+    // a stated shape is one reading: its rows have the variance that is stated, not the scatter of one
+    let n = solution.x.len();
+    for (row, shape) in problem.shapes() {
+        let rows = DMatrix::from_row_slice(shape.rows(), n, &jacobian[row * n..][..shape.rows() * n]);
+        let step = DMatrix::from_row_slice(n, n, &solution.covariance()?) * rows.transpose();
+        let more = &step * step.transpose() * shape.variance();
+        covariance.iter_mut().zip(more.iter()).for_each(|(c, more)| *c += more);
+    }
     let degrees = clusters.degrees_of_freedom.clone();
-    Some((Found { degrees, ..Found::new(from, covariance) }, clusters))
+    Some((Found { degrees, ..Found::new(from, Some(covariance)) }, clusters))
 }
 
-/// Whether chi-square is too large for the degrees of freedom: a right model has it once in a thousand times.
-pub fn exceeds(chi_square: f64, dof: usize) -> bool {
-    ChiSquared::new(dof as f64).is_ok_and(|d| d.sf(chi_square) < REJECT)
-}
-
-/// Whether chi-square is too small for the degrees of freedom: with the stated uncertainty once in a thousand times.
-fn falls_short(chi_square: f64, dof: usize) -> bool {
-    ChiSquared::new(dof as f64).is_ok_and(|d| d.cdf(chi_square) < REJECT)
+/// Messages about stated shapes that the measurements contradict.
+fn contradictions(
+    problem: &Residuals,
+    solution: &Solution,
+    values: &[f64],
+    covariance: Option<&[f64]>,
+) -> Vec<Message> {
+    let (Some(inverse), Some(covariance)) = (solution.covariance(), covariance) else { return Vec::new() };
+    let of = |(_, shape): (_, &Shape)| shape.contradiction(&problem.at(values), &inverse, covariance);
+    problem.shapes().filter_map(of).collect()
 }
 
 fn shortfall(chi_square: f64, dof: usize) -> Message {
@@ -291,7 +308,8 @@ fn noise(
         }
         Some(noise.cholesky()?.unpack())
     };
-    problem.blocks().enumerate().map(root).collect()
+    let shapes = problem.shapes().map(|(_, s)| Some(DMatrix::identity(s.rows(), s.rows()) * s.variance().sqrt()));
+    problem.blocks().enumerate().map(root).chain(shapes).collect()
 }
 
 /// Covariance of unweighted residuals with noise V = L Lᵀ, given by L: A⁻¹ (Σ Jᵀ V J) A⁻¹ with A = JᵀJ; and the least chi-square that

@@ -11,7 +11,7 @@ mod study;
 
 pub use criterion::{Criterion, Pool};
 pub use search::Choice;
-pub use study::{PlaceError, Setting, Study, study};
+pub use study::{PlaceError, Setting, Study, point_of, study};
 
 use crate::base::message::{Message, Result};
 use crate::math::identify::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};

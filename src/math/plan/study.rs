@@ -4,7 +4,7 @@ use super::{Criterion, Plan, pool_of, search::Choice};
 use crate::base::message::{Message, Result};
 use crate::base::noise::Noise;
 use crate::base::pose::{Vector, minus, norm};
-use crate::math::identify::{Observation, Settings, identify_from};
+use crate::math::identify::{Observation, Settings, ToolPoint, identify_from};
 use crate::math::robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -20,6 +20,14 @@ pub struct Setting {
     pub draws: u64,
     /// Seed of the noise.
     pub seed: u64,
+}
+
+/// The point whose errors a study has.
+pub fn point_of(robot: &dyn Robot) -> &'static str {
+    match robot.platform() {
+        Some(_) => "the platform's centre C in the base frame",
+        None => "the targets in the world",
+    }
 }
 
 /// The largest error of one pose, among its configurations and targets.
@@ -44,8 +52,8 @@ pub struct Study {
     pub configurations: usize,
     /// Mean of the parameters identified, of the first draw.
     pub identified: Vec<f64>,
-    /// Root mean square error of position over all configurations and targets: nominal, and identified as the median of all
-    /// draws (mm).
+    /// Root mean square error of position over all configurations and targets, or of a platform's centre in the base frame, minus what is
+    /// commanded: nominal, and identified as the median of all draws (mm).
     pub rms_mm: (f64, f64),
     /// Largest error, likewise.
     pub max_mm: (f64, f64),
@@ -140,12 +148,18 @@ fn errors(
     setting: &Setting,
 ) -> Study {
     let nominal = robot.nominal();
+    let centre = ToolPoint::centre(robot);
     let mut places: BTreeMap<i64, PlaceError> = BTreeMap::new();
     let (mut squares, mut largest, mut count) = ((0.0, 0.0), (0.0f64, 0.0f64), 0.0);
     for o in everywhere {
-        for target in (0..o.targets.len()).filter(|&t| o.targets[t].is_some()) {
-            let at_mm = robot.position(&setting.truth, &o.joints, target);
-            let off = |values: &[f64]| norm(minus(robot.position(values, &o.joints, target), at_mm));
+        let seen = (0..o.targets.len()).filter(|&t| o.targets[t].is_some());
+        for target in seen.take(if centre.is_some() { 1 } else { usize::MAX }) {
+            let position = |values: &[f64]| match &centre {
+                Some(centre) => centre.in_base(robot, values, &o.joints).unwrap_or([f64::NAN; 3]),
+                None => robot.position(values, &o.joints, target),
+            };
+            let at_mm = position(&setting.truth);
+            let off = |values: &[f64]| norm(minus(position(values), at_mm));
             let (before_mm, after_mm) = (off(&nominal), off(&identified));
             // the true robot may be a little too short
             if !before_mm.is_finite() || !after_mm.is_finite() {

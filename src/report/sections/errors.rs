@@ -18,13 +18,39 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::text(words.say("No errors are given.")));
     }
     for set in &accuracy.sets {
-        let title = words.fill("{0}: {1} poses, {2} errors", &[&words.say(&set.name), &set.poses, &set.count]);
+        let counts = words.fill("{0}: {1} poses, {2} errors", &[&words.say(&set.name), &set.poses, &set.count]);
+        let title = match accuracy.point.as_str() {
+            "" => counts,
+            point => words.fill("{0}, errors of {1}", &[&counts, &words.say(point)]),
+        };
         section.push(Block::heading(title));
         section.push(Block::Table(statistics(accuracy, set, words)));
     }
     if let Some(d) = &accuracy.validation_distance {
         let number = |v: f64| number::fixed(v, 2);
         section.push(Block::text(words.fill("The errors hold among poses like these: from a validation pose to the nearest calibration pose it is {0} times the spacing of the calibration poses (median; at most {1} times), and {2} of {3} have a joint outside of its range in the calibration.", &[&number(d.median), &number(d.largest), &d.outside, &d.poses])));
+    }
+    if let Some(tool) = &accuracy.tool {
+        section.push(Block::heading(words.fill("At the tool point: {0} poses", &[&tool.poses])));
+        let of_tool = ErrorStatistics {
+            quantity: "position".to_owned(),
+            unit: "mm".to_owned(),
+            before: tool.before,
+            after: tool.after,
+        };
+        let set =
+            AccuracySet { name: "tool point".to_owned(), poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
+        section.push(Block::Table(statistics(accuracy, &set, words)));
+        let um = |mm: f64| number::significant(1e3 * mm, 3);
+        let shares = [
+            &um(tool.parameters_mm),
+            &um(tool.model_mm),
+            &um(tool.place_mm),
+            &um(tool.expanded_max_mm),
+            &um(tool.held_mm),
+        ];
+        section.push(Block::text(words.fill("Expected, root mean square (k = 1): {0} µm from the parameters, {4} µm from those that the data do not determine (their tolerance), {1} µm from what the model leaves out, {2} µm from the place of the point on the tool; expanded uncertainty of the worst pose (k = 2) {3} µm.", &shares.map(|s| s as &dyn std::fmt::Display))));
+        section.push(Block::detail(Text::english(&tool.definition)));
     }
     let table = poses(errors, words);
     if !table.is_empty() {
@@ -185,10 +211,12 @@ mod tests {
         let set = set("validation", all);
         let document = AccuracyDocument {
             schema: String::new(),
+            point: String::new(),
             definition: String::new(),
             sets: vec![set.clone()],
             validation_distance: None,
             limits: vec![],
+            tool: None,
         };
         page_of(&statistics(&document, &set, &Words::default()))
     }

@@ -91,7 +91,7 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
         ),
         (words.say("compared with"), compared.into()),
         (words.say("condition number"), digits(plan.observability.as_ref().map(|o| o.condition), 4)),
-        (words.say("predicted uncertainty of position over the candidates (k = 1)"), workspace.into()),
+        (words.say("predicted uncertainty of the targets over the candidates (k = 1)"), workspace.into()),
     ]
 }
 
@@ -125,7 +125,7 @@ fn predicted(plan: &PlanDocument, words: &Words) -> Table {
 
 fn study(document: &StudyDocument, words: &Words) -> Section {
     let mut section = Section::new("study", words.say("A simulated calibration"));
-    section.push(Block::note(words.fill("Synthetic: Gaussian noise of {0} µm on every coordinate, mean of {1} identifications (thesis, section 4.6); parameters and pictures are of one such mean, errors by the number of positions are medians of {2}; errors are evaluated over {3} configurations.", &[&stated(document.noise_um), &document.runs, &document.draws, &document.configurations])));
+    section.push(Block::note(words.fill("Synthetic: Gaussian noise of {0} µm on every coordinate, mean of {1} identifications (thesis, section 4.6); parameters and pictures are of one such mean, errors by the number of positions are medians of {2}; errors are those of {4}, evaluated over {3} configurations.", &[&stated(document.noise_um), &document.runs, &document.draws, &document.configurations, &words.say(&document.point)])));
     let columns = Columns::<StudiedParameter>::new()
         .both("name", "", |p| p.name.as_str())
         .both("unit", "", |p| p.unit.as_str())

@@ -4,7 +4,7 @@ use super::limits::limits;
 use super::repeatability::quarter_sentence;
 use crate::document::{
     AccuracyDocument, AccuracySet, Characteristics, ErrorStatistics, Iso9283Conformity, Iso9283Document, Iso9283Pose,
-    ParametersDocument, Statistics,
+    ParametersDocument, Statistics, ToolAccuracy,
 };
 use crate::report::Identified;
 use crate::report::model::{Headline, Verdict};
@@ -44,13 +44,20 @@ pub(in crate::report) fn verdict(identified: Option<&Identified>, tested: &Chara
     // of a test alone, the sentences on its characteristics say whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then_some(counted));
     let set = identified.and_then(|i| headline_set(i.accuracy));
-    let about = set.map(|s| words.fill("Errors before → after calibration, {0} poses:", &[&words.say(&s.name)]));
+    let point = identified.map(|i| words.say(&i.accuracy.point)).filter(|point| !point.is_empty());
+    let about = set.map(|s| match &point {
+        Some(point) => {
+            words.fill("Errors of {0} before → after calibration, {1} poses:", &[point, &words.say(&s.name)])
+        }
+        None => words.fill("Errors before → after calibration, {0} poses:", &[&words.say(&s.name)]),
+    });
+    let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
     Verdict {
         class,
         met: within && proven(tested) && identified.is_none_or(|i| i.parameters.is_plausible()),
         sentences,
         about: about.unwrap_or_default(),
-        headlines: set.map_or_else(Vec::new, |set| headlines(set, words)),
+        headlines: set.map_or_else(Vec::new, |set| headlines(set, words)).into_iter().chain(tool).collect(),
     }
 }
 
@@ -103,6 +110,14 @@ fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
             [headline(e, max, |s| s.max), headline(e, rms, |s| s.rms)]
         })
         .collect()
+}
+
+/// The error to expect at the tool point.
+fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
+    let Shown { unit, factor } = number::shown("mm", tool.before.max);
+    let text = |v: f64| number::significant(v * factor, 3);
+    let what = words.say("tool point RMS, expected");
+    Headline { what, before: text(tool.before.rms), after: text(tool.after.rms), unit }
 }
 
 fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f64) -> Headline {

@@ -94,6 +94,7 @@ impl Documents {
             parameters: parameters(),
             accuracy: AccuracyDocument {
                 schema: "etalon/accuracy/1".to_owned(),
+                point: "the platform's centre as the balls measure it".to_owned(),
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
                     .to_owned(),
                 sets: vec![set("calibration", 8), set("validation", 51)],
@@ -102,6 +103,7 @@ impl Documents {
                     limit("position_max_mm", "mm", 0.050, 0.0442),
                     limit("orientation_max_deg", "deg", 0.010, 0.0056),
                 ],
+                tool: None,
             },
             errors,
         }

@@ -6,7 +6,9 @@ use crate::base::pose::{minus, norm};
 use crate::campaign::{Campaign, Rigid};
 use crate::document::{Refused, Source};
 use crate::import::Point;
+use crate::math::identify::{OF_MEDIAN, Pair, chi_square_exceeds};
 use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::FRAC_PI_2;
 
 /// Points that were measured together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -51,7 +53,10 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
                 continue;
             }
         };
-        problems.0.extend(too_few(campaign, rigid, &groups));
+        match rigid.places_mm.is_empty() {
+            true => problems.0.extend(too_few(campaign, rigid, &groups)),
+            false => problems.0.extend(contradicted(campaign, rigid, &columns.points, &groups)),
+        }
         let refused = violations(rigid, &columns.points, &groups);
         for (&i, reason) in &refused {
             let point = &columns.points[i];
@@ -91,6 +96,31 @@ fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Resu
             .at(campaign.place_of(&["rigid", &index.to_string(), "tolerance_mm"]))
             .expected("how far a distance may leave its median, some times its scatter, e.g. 0.1"));
     }
+    let at = |key: &str| campaign.place_of(&["rigid", &index.to_string(), key]);
+    let uncertainty =
+        [("expanded_uncertainty_um", rigid.expanded_uncertainty_um), ("coverage_factor", rigid.coverage_factor)];
+    if rigid.places_mm.is_empty() {
+        return match uncertainty.iter().find(|(_, value)| value.is_some()) {
+            Some((key, _)) => {
+                Err(Message::error(format!("`{key}` of a rigid part is that of `places_mm`, which is not stated"))
+                    .at(at(key)))
+            }
+            None => Ok(()),
+        };
+    }
+    if let Some(other) = rigid.places_mm.keys().find(|name| !names.contains(name.as_str())) {
+        let what = format!("`places_mm` names `{other}`, which is not a target of this rigid part");
+        return Err(Message::error(what).at(at("places_mm")).hint_names(other, names));
+    }
+    if let Some(missing) = names.iter().find(|name| !rigid.places_mm.contains_key(**name)) {
+        return Err(Message::error(format!("`places_mm` lacks the place of `{missing}`")).at(at("places_mm")));
+    }
+    for (key, value) in uncertainty {
+        if !value.is_some_and(|value| value > 0.0 && value.is_finite()) {
+            let message = Message::error(format!("`places_mm` needs `{key}`, a positive number")).at(at("places_mm"));
+            return Err(message.expected("the expanded uncertainty of one coordinate, and its coverage factor"));
+        }
+    }
     Ok(())
 }
 
@@ -118,7 +148,7 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
     }
     let together = groups.values().any(|seen| seen.iter().flatten().count() > 1);
     // a target that no export brings is reported by the check of names
-    if !together && measured.len() == names.len() {
+    if !together && measured.len() == names.len() && rigid.places_mm.is_empty() {
         let what = format!("[[rigid]]: {} are never measured together", names.join(", "));
         return Err(Message::error(what)
             .at(place(campaign, rigid))
@@ -144,6 +174,33 @@ fn too_few(campaign: &Campaign, rigid: &Rigid, groups: &Groups) -> Option<Messag
         seen(&(a, b))
     );
     Some(Message::warning(what).at(place(campaign, rigid)).expected(format!("{FEWEST} times or more")))
+}
+
+/// A message where targets measured together are at other distances than `places_mm` states, beyond the uncertainty of both.
+fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &Groups) -> Option<Message> {
+    let part = rigid.shape()?;
+    let u_mm = campaign.file.instrument.standard_uncertainty_mm();
+    let deviation = |pair: Pair| {
+        let measured = |seen: &Vec<Option<usize>>| {
+            Some(norm(minus(points[seen[pair.first]?].xyz_mm, points[seen[pair.second]?].xyz_mm)))
+        };
+        let median = |mut of: Vec<f64>| {
+            of.sort_by(f64::total_cmp);
+            of.get(of.len() / 2).copied()
+        };
+        let all: Vec<f64> = groups.values().filter_map(measured).collect();
+        let middle = median(all.clone())?;
+        // of one distance, by the instrument or as it scatters; that of a median is larger by π/2
+        let scatter = OF_MEDIAN * median(all.iter().map(|d| (d - middle).abs()).collect())?;
+        let of_median = (2.0 * u_mm * u_mm).max(scatter * scatter) * FRAC_PI_2 / all.len() as f64;
+        let variance = of_median + 2.0 * part.standard_uncertainty_mm.powi(2);
+        Some((pair, middle, (middle - pair.distance_mm(&part.places_mm)).powi(2) / variance))
+    };
+    let pairs = part.pairs().count();
+    let (pair, measured_mm, square) = part.pairs().filter_map(deviation).max_by(|a, b| a.2.total_cmp(&b.2))?;
+    // the largest of several: no more often beyond than their sum
+    let message = part.contradicted(pair, measured_mm, "measured together they are");
+    chi_square_exceeds(square, pairs).then(|| message.at(place(campaign, rigid)))
 }
 
 /// Indices of the points to refuse, and why.
