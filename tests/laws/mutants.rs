@@ -419,15 +419,10 @@ mod statements {
         lines.iter().map(|line| format!("{line}\n")).collect()
     }
 
-    /// A changed text and how it differs; `None` where the change does not apply.
-    pub fn mutate(text: &str, noise: &mut Noise) -> Option<(String, String)> {
-        let mut all: Vec<String> = text.lines().map(str::to_owned).collect();
-        let i = pick(noise, &lines(text))?;
-        let (line, comment) = match all[i].split_once('#') {
-            Some((line, comment)) => (line.to_owned(), format!("#{comment}")),
-            None => (all[i].clone(), String::new()),
-        };
-        let how = match below(noise, 16) {
+    /// A line dropped, doubled, renamed, or with the value of another.
+    fn of_keys(kind: usize, text: &str, all: &mut Vec<String>, i: usize, noise: &mut Noise) -> Option<String> {
+        let line = all[i].split('#').next()?.to_owned();
+        Some(match kind {
             0 => {
                 all.remove(i);
                 format!("without `{line}`")
@@ -451,7 +446,7 @@ mod statements {
                 format!("`{key}` renamed `{other}`")
             }
             // the keys of two lines exchanged
-            3 => {
+            _ => {
                 let j = pick(noise, &lines(text))?;
                 let (here, there) = (line.split_once(" = ")?, all[j].split_once(" = ")?);
                 let (a, b) = (format!("{} = {}", there.0, here.1), format!("{} = {}", here.0, there.1));
@@ -459,6 +454,19 @@ mod statements {
                 (all[i], all[j]) = (a, b);
                 how
             }
+        })
+    }
+
+    /// A changed text and how it differs; `None` where the change does not apply.
+    pub fn mutate(text: &str, noise: &mut Noise) -> Option<(String, String)> {
+        let mut all: Vec<String> = text.lines().map(str::to_owned).collect();
+        let i = pick(noise, &lines(text))?;
+        let (line, comment) = match all[i].split_once('#') {
+            Some((line, comment)) => (line.to_owned(), format!("#{comment}")),
+            None => (all[i].clone(), String::new()),
+        };
+        let how = match below(noise, 16) {
+            kind @ 0..4 => of_keys(kind, text, &mut all, i, noise)?,
             4 | 5 => {
                 let words = WORDS[below(noise, WORDS.len())];
                 let from = pick(noise, words)?;
