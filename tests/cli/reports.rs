@@ -212,7 +212,8 @@ fn the_workbook_holds_every_number_of_a_calibration() {
     let singular = all(&parameters["observability"]["singular_values"], "/value");
     let title = "singular value (columns divided by their norms)";
     same(&column(&mut book, "Singular values", title)[..singular.len()], &singular);
-    let errors: Vec<Value> = all(&accuracy["sets"], "/errors").iter().flat_map(|e| all(e, "/after/rms")).collect();
+    let mut errors: Vec<Value> = all(&accuracy["sets"], "/errors").iter().flat_map(|e| all(e, "/after/rms")).collect();
+    errors.push(accuracy["tool"]["after"]["rms"].clone());
     same(&column(&mut book, "Errors", "after, RMS"), &errors);
     same(&column(&mut book, "Limits", "reached"), &all(&accuracy["limits"], "/value"));
     let inputs = &parameters["provenance"]["inputs"];
