@@ -55,13 +55,16 @@ pub(super) fn changed((from, to): (usize, usize), found: &Difference, difference
     }
 }
 
+/// A change with the name of its quantity.
+type Named<'a> = (&'a str, &'a mut CompareChange);
+
 /// Says which changes are significant: each family of each pair of campaigns by itself. `correlation` is that of the changes of
 /// quantities with these names between two campaigns, where it is known.
 pub(super) fn judge(
     trends: &mut [CompareTrend],
     correlation: impl Fn(&[&str], (usize, usize)) -> Option<DMatrix<f64>>,
 ) {
-    let mut families: BTreeMap<(CompareFamily, usize, usize), Vec<(&str, &mut CompareChange)>> = BTreeMap::new();
+    let mut families: BTreeMap<(CompareFamily, usize, usize), Vec<Named>> = BTreeMap::new();
     for CompareTrend { family, name, changes, .. } in trends {
         for change in changes.iter_mut().filter(|c| c.p.is_some()) {
             families.entry((*family, change.from, change.to)).or_default().push((name, change));

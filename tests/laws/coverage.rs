@@ -9,7 +9,7 @@ use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::campaign::Campaign;
 use etalon::compare::{Compared, compare};
-use etalon::document::{CompareFamily, FramesDocument};
+use etalon::document::{CompareDocument, CompareFamily, FramesDocument};
 use etalon::run::check;
 use etalon::simulate::{Truth, simulate, true_values};
 use etalon::stages::{frames, identification, join};
@@ -106,13 +106,18 @@ fn coverage(found: &[Found]) -> Vec<(String, f64)> {
     (0..found[0].held.len()).map(|i| (found[0].held[i].0.clone(), share(i))).collect()
 }
 
+/// Every two campaigns side by side.
+fn compared(found: &[Found]) -> Vec<CompareDocument> {
+    let pair = |pair: &[Found]| compare(&[pair[0].compared.clone(), pair[1].compared.clone()]).expect("compared");
+    found.par_chunks_exact(2).map(pair).collect()
+}
+
 /// The share of pairs of unchanged campaigns in which something of a family is called changed, and all parameters together.
 fn called_changed(found: &[Found]) -> BTreeMap<String, f64> {
     let mut counts: BTreeMap<String, f64> = BTreeMap::new();
-    let pairs = found.chunks_exact(2);
-    let each = 1.0 / pairs.len() as f64;
-    for pair in pairs {
-        let document = compare(&[pair[0].compared.clone(), pair[1].compared.clone()]).expect("compared");
+    let documents = compared(found);
+    let each = 1.0 / documents.len() as f64;
+    for document in documents {
         let mut families: BTreeMap<CompareFamily, bool> = BTreeMap::new();
         for t in &document.trends {
             *families.entry(t.family).or_default() |= t.changes[0].significant == Some(true);
@@ -179,8 +184,7 @@ fn campaigns_in_which_the_model_misfits_are_not_called_changed() {
     let files = |scratch: &Scratch, _: &Truth| scratch.replace("robot.toml", "bending = [2, 3]\n", "");
     let changes = Changes { truth: &poses, files: &files };
     let found = simulated(campaigns(20), || tracker::campaign(Reflectors::Before, 1, true), changes);
-    for pair in found.chunks_exact(2) {
-        let document = compare(&[pair[0].compared.clone(), pair[1].compared.clone()]).expect("compared");
+    for document in compared(&found) {
         for change in document.trends.iter().flat_map(|t| &t.changes) {
             // by chance, these call four of five families of mean errors changed
             assert!(change.p.is_none() && change.significant.is_none(), "a p value where the model misfits");
