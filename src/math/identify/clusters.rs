@@ -9,6 +9,8 @@ use std::collections::BTreeMap;
 const REST: f64 = 0.01;
 /// Effective degrees of freedom that are too few: Student's t has no standard deviation.
 const TOO_FEW: f64 = 2.0;
+/// Degrees of freedom from which the ratio has about the distribution of a multiple of chi-square.
+const ENOUGH: f64 = 30.0;
 /// Probability with which independent residuals are taken for such that have errors in common.
 const REJECT: f64 = 0.01;
 
@@ -76,10 +78,10 @@ impl ByCluster {
         self.degrees_of_freedom.iter().all(|d| *d > TOO_FEW)
     }
 
-    /// Whether the ratio is larger than that of independent residuals is once in a hundred times.
+    /// Whether the ratio is larger than that of independent residuals is once in a hundred times; of few clusters it does not show.
     pub fn exceeds(&self) -> bool {
         let degrees = 2.0 / self.ratio_variance;
-        ChiSquared::new(degrees).is_ok_and(|d| d.sf(self.ratio * degrees) < REJECT)
+        degrees > ENOUGH && ChiSquared::new(degrees).is_ok_and(|d| d.sf(self.ratio * degrees) < REJECT)
     }
 }
 
@@ -113,7 +115,8 @@ mod tests {
             let variance = (9.0 + 4.0 + 0.0 + 25.0) / 3.0;
             assert!((found.covariance[0] - variance / 4.0).abs() < 1e-12, "{}", found.covariance[0]);
             assert!((found.degrees_of_freedom[0] - 3.0).abs() < 1e-12 && found.is_usable());
-            assert!((found.ratio - readings.len() as f64 * variance / 4.0).abs() < 1e-12 && found.exceeds());
+            assert!((found.ratio - readings.len() as f64 * variance / 4.0).abs() < 1e-12);
+            assert!(!found.exceeds(), "four clusters are too few");
         }
         let solution = solve(&Mean(&single), &[0.0], Options::default());
         assert!(ByCluster::new(&[0; 4], &solution, &[1.0; 4]).is_none(), "one cluster determines the mean alone");

@@ -59,10 +59,10 @@ pub(super) fn with_uncertainty(
     let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
     let instrument = stated.map(|s| s.0);
     let rejected = chi_square.filter(|&chi| exceeds(chi, dof));
-    let shares = settings.kind == ResidualKind::Targets && placed.is_empty() && chi_square.is_some();
+    let apart = settings.kind == ResidualKind::Targets && placed.is_empty() && !problem.is_whitened();
     let found = match &instrument {
         Some(instrument) if rejected.is_none() => {
-            let clusters = shares.then(|| shared(problem, solution, &jacobian)).flatten();
+            let clusters = (apart && dof > 0).then(|| shared(problem, solution, &jacobian)).flatten();
             clusters.unwrap_or_else(|| Found::new(UncertaintyFrom::Instrument, Some(instrument.clone())))
         }
         _ => from_residuals((problem, solution, &jacobian), instrument.as_deref(), chi_square),
