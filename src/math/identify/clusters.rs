@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 const REST: f64 = 0.01;
 /// Effective degrees of freedom that are too few: Student's t has no standard deviation.
 const TOO_FEW: f64 = 2.0;
-/// Degrees of freedom from which the ratio has about the distribution of a multiple of chi-square.
-const ENOUGH: f64 = 30.0;
+/// Clusters from which a test by their scatter keeps its probability (Cameron & Miller 2015, section VI).
+const ENOUGH: usize = 30;
 /// Probability with which independent residuals are taken for such that have errors in common.
 const REJECT: f64 = 0.01;
 
@@ -24,6 +24,7 @@ pub(super) struct ByCluster {
     pub ratio: f64,
     /// Variance of this ratio where residuals are so.
     ratio_variance: f64,
+    clusters: usize,
 }
 
 impl ByCluster {
@@ -69,6 +70,7 @@ impl ByCluster {
             covariance: covariance.as_slice().to_vec(),
             degrees_of_freedom: (0..n).map(degrees).collect(),
             ratio: steps.trace() / n as f64,
+            clusters: rows.len(),
             ratio_variance: 2.0 * (fourths + squares.norm_squared()) / (n * n) as f64,
         })
     }
@@ -81,7 +83,7 @@ impl ByCluster {
     /// Whether the ratio is larger than that of independent residuals is once in a hundred times; of few clusters it does not show.
     pub fn exceeds(&self) -> bool {
         let degrees = 2.0 / self.ratio_variance;
-        degrees > ENOUGH && ChiSquared::new(degrees).is_ok_and(|d| d.sf(self.ratio * degrees) < REJECT)
+        self.clusters >= ENOUGH && ChiSquared::new(degrees).is_ok_and(|d| d.sf(self.ratio * degrees) < REJECT)
     }
 }
 
