@@ -38,7 +38,7 @@ impl Export {
         let file = |e: &dyn Exporter| Ok((e.file_name().to_owned(), e.write(&parameters)?));
         let files = exporters.into_iter().map(file).collect::<Result<Vec<_>, Problems>>()?;
         let written = match Documents::open(&to) {
-            Ok(run) => run.add(files)?,
+            Ok(run) => run.write(files)?,
             Err(_) => files::write_all(&to, &files)?,
         };
         print_written(written, self.json)?;

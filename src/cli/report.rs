@@ -74,5 +74,5 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
     let mut run = documents::Run::read(&documents)?;
     run.campaign.report = dressed.over(run.campaign.report)?;
     let files = run.faces()?.files()?;
-    documents.add(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
+    documents.write(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
 }

@@ -80,7 +80,7 @@ impl Documents {
     }
 
     /// Writes files beside the others of the run, or in their place; gives their paths.
-    pub fn add(self, added: Vec<(String, Vec<u8>)>) -> Result<Vec<String>> {
+    pub fn write(self, added: Vec<(String, Vec<u8>)>) -> Result<Vec<String>> {
         let paths = added.iter().map(|(name, _)| self.path(name).display().to_string()).collect();
         replace(&self.folder, self.manifest.files, added, |_| true, || Ok(()))?;
         Ok(paths)
