@@ -23,6 +23,8 @@ const FEWEST_SCALED: usize = 4;
 const LEAST_NOMINAL: f64 = 0.5;
 /// A common factor below this is within what an instrument and a drawing are wrong by.
 const LEAST_SCALE: f64 = 2e-4;
+/// A value this many standard uncertainties below zero is negative.
+const SIGNIFICANT: f64 = 3.0;
 /// Probability with which independent deviations look like a common factor.
 const CHANCE: f64 = 1e-3;
 /// A calibrated model leaves thousandths of the workspace; more than this share of it is another robot.
@@ -53,6 +55,7 @@ pub fn plausibility(
         None => {}
     }
     messages.extend(common_factor(robot, found));
+    messages.extend(negative_compliance(robot, found));
     messages.extend(validation_outliers(errors));
     if misfit {
         messages.extend(moved_between(robot, observations, &found.values));
@@ -138,6 +141,25 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
         );
         Message::warning(what).hint("check scale, temperature compensation and unit of the measuring system and of the encoders")
     })
+}
+
+/// A warning where a joint bends against its own torque, which no material does: gravity or an axis points the other way.
+fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
+    let of_one_joint = |p: &Parameter| {
+        p.name
+            .strip_prefix("compliance_")
+            .and_then(|pair| pair.split_once('_'))
+            .is_some_and(|(joint, link)| joint == link)
+    };
+    let negative = |&&i: &&usize| {
+        let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
+        of_one_joint(&robot.parameters()[i]) && found.values[i] < -SIGNIFICANT * u
+    };
+    let &i = found.free.iter().find(negative)?;
+    let p = &robot.parameters()[i];
+    let (value, unit) = (p.quantity.outward(found.values[i]), p.quantity.unit());
+    let what = format!("`{}` is negative ({value:.5} {unit}): the joint bends against gravity", p.name);
+    Some(Message::warning(what).hint("check `gravity` and the direction of the joint's axis in robot.toml"))
 }
 
 /// An error where the nominal robot, at `before`, is further from most measurements than its tolerances allow.

@@ -94,3 +94,18 @@ fn with_bending_and_coupling() {
     assert!((told.iter().map(|s| s.value.powi(2)).sum::<f64>() - 45.0).abs() < 1e-9);
     assert!((told[0].value / told[44].value / o.condition - 1.0).abs() < 1e-12);
 }
+
+#[test]
+fn gravity_that_points_up_is_named() {
+    if crate::reference_data("robots/irb120_faro_ets").is_none() {
+        return;
+    }
+    for (gravity, named) in [("[0.0, 0.0, -1.0]", false), ("[0.0, 0.0, 1.0]", true)] {
+        let scratch = crate::support::scratch::copy_sample("abb-irb120");
+        let bending = "bending = [2, 3]";
+        scratch.replace("robot.toml", bending, &format!("{bending}\ngravity = {gravity}"));
+        let found = pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).expect("evaluated");
+        let said = found.messages().any(|m| m.what.contains("the joint bends against gravity"));
+        assert_eq!(said, named, "{gravity}");
+    }
+}

@@ -6,11 +6,12 @@ use crate::import::format::Delimiter;
 use crate::import::lexer::{WHOLE, number, pose_number, rows};
 use crate::import::logs::meaning;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
+use std::collections::BTreeMap;
 
 /// Reads a table of observations (commas, decimal point, a header): its columns, and `line` with the line of each row.
 ///
-/// `pose` and `cycle` hold whole numbers (a pose also a name that ends in one, like `P12`), columns whose name ends in a unit hold numbers (empty cells are missing values),
-/// others text. Every row of another width and every cell that does not read is an error with its place.
+/// `pose` and `cycle` hold whole numbers (a pose also a name that ends in one, like `P12`), columns whose name ends in a unit hold
+/// numbers (empty cells are missing values), others text. Every row of another width and every cell that does not read is an error with its place.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     let mut all = rows(file, text, Delimiter::Comma)?;
     if all.len() < 2 {
@@ -37,9 +38,16 @@ pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
         }
         let whole = name == "pose" || name == "cycle";
         let mut values: Vec<Option<f64>> = Vec::with_capacity(all.len());
+        let mut poses: BTreeMap<&str, &str> = BTreeMap::new();
         for (row, field) in all.iter().zip(texts) {
             let odd = |v: &f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
-            let field = if name == "pose" { pose_number(field) } else { field };
+            let (named, field) = (field, if name == "pose" { pose_number(field) } else { field });
+            let before = &named[..named.len() - field.len()];
+            if let Some(other) = poses.insert(field.trim_start_matches('0'), before).filter(|other| *other != before) {
+                let what = format!("`{other}{field}` and `{named}` are both pose {field}");
+                let message = Message::error(what).hint("number the poses from 1 to the last, each once");
+                problems.0.push(message.at(row.cell(file, i)));
+            }
             let value = match number(field, Decimal::Point) {
                 _ if field.is_empty() => Ok(None),
                 Ok(value) if odd(&value) => Err(Message::error(format!("`{field}` is not a whole number"))),
@@ -60,4 +68,16 @@ pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     problems.check()?;
     Ok(DataFrame::new(all.len(), columns)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_names_of_one_pose_are_refused() {
+        assert_eq!(observations("o.csv", "pose,x_mm\nP01,1\nP1,2\nP2,3\n").unwrap().height(), 3);
+        let said = observations("o.csv", "pose,x_mm\nA1,1\nB1,2\n").unwrap_err().to_string();
+        assert!(said.contains("`A1` and `B1` are both pose 1") && said.contains("o.csv:3"), "{said}");
+    }
 }
