@@ -18,10 +18,12 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::text(words.say("No errors are given.")));
     }
     for set in &accuracy.sets {
-        let counts = words.fill("{0}: {1} poses, {2} errors", &[&words.say(&set.name), &set.poses, &set.count]);
+        let name = words.say(&set.name);
         let title = match accuracy.point.as_str() {
-            "" => counts,
-            point => words.fill("{0}, errors of {1}", &[&counts, &words.say(point)]),
+            "" => words.fill("{0}: {1} poses, {2} errors", &[&name, &set.poses, &set.count]),
+            point => {
+                words.fill("{0}: {1} poses, {2} errors of {3}", &[&name, &set.poses, &set.count, &words.say(point)])
+            }
         };
         section.push(Block::heading(title));
         section.push(Block::Table(statistics(accuracy, set, words)));
