@@ -11,17 +11,4 @@ mod hostile;
 mod reference;
 mod support;
 
-/// The reference data, or `None` after saying that the test is skipped.
-fn reference_data(folder: &str) -> Option<std::path::PathBuf> {
-    match std::env::var_os("ETALON_REFERENCE") {
-        Some(root) => {
-            let path = std::path::PathBuf::from(root).join(folder);
-            assert!(path.is_dir(), "ETALON_REFERENCE has no folder {folder}");
-            Some(path)
-        }
-        None => {
-            println!("skipped: ETALON_REFERENCE is not set, {folder} is not there to test against");
-            None
-        }
-    }
-}
+pub(crate) use support::reference_data;

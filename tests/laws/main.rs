@@ -1,4 +1,4 @@
-//! Laws of the mathematics that hold without outside data, and of output folders. Many are shown by thousands of simulated
+//! Laws of the mathematics, and of output folders. Many are shown by thousands of simulated
 //! measurements or runs: `make test` runs this suite optimised.
 #![allow(clippy::print_stdout)] // a test says what it measured
 
@@ -23,6 +23,8 @@ mod iso9283_weaves_and_loads;
 mod mutants;
 mod plans;
 mod probes;
+mod qkm;
+mod rigid;
 mod robots;
 mod serial;
 mod set_ups;
@@ -30,4 +32,7 @@ mod solving;
 #[path = "../support/mod.rs"]
 mod support;
 mod thresholds;
+mod tool;
 mod zones;
+
+pub(crate) use support::reference_data;

@@ -10,5 +10,4 @@ mod nist_geometry;
 mod nist_strd;
 mod prexyt;
 mod qif;
-mod qkm;
 mod readers;
