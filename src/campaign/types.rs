@@ -28,7 +28,7 @@ pub struct CampaignFile {
     pub synthetic: Option<String>,
     /// Remarks for the report.
     pub notes: Option<String>,
-    /// Date of the measurements, as the report prints it.
+    /// Date of the measurements (ISO 8601), as the report prints it.
     pub date: Option<String>,
     /// Name of the operator.
     pub operator: Option<String>,

@@ -116,6 +116,7 @@ struct Found {
 fn find(campaign: &Campaign) -> Found {
     let mut problems = Problems::default();
     statements::check(campaign, &mut problems);
+    statements::values(campaign, &mut problems);
     statements::conditions(campaign, &mut problems);
     let presentation = problems.keep(presentation(campaign));
     let before = problems.0.len();

@@ -13,6 +13,9 @@ use toml::Spanned;
 /// Expanded uncertainties of a coordinate, from an interferometer's to a camera's; beyond them the unit is another.
 const PLAUSIBLE_UM: std::ops::RangeInclusive<f64> = 0.05..=1e5;
 
+/// Temperatures of a part in a workshop or a climatic chamber, degC.
+const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -50.0..=100.0;
+
 /// All statements but those on features and frames.
 pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
@@ -257,6 +260,49 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(message.at(campaign.world_place()));
         }
     }
+}
+
+/// Names of files, dates, temperatures and nominal lengths that mean nothing.
+pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
+    // what is not stated at all is reported already
+    for name in file.inputs().chain([&file.robot]).filter(|f| f.get_ref().is_empty() && !f.span().is_empty()) {
+        problems.0.push(Message::error("the name of a file is empty").at(campaign.place(name)));
+    }
+    if file.date.as_deref().is_some_and(|date| !begins_with_date(date)) {
+        let message = Message::error("`date` does not begin with a date of the calendar");
+        problems.0.push(message.at(campaign.place_of(&["date"])).expected("year-month-day (ISO 8601), as 2026-01-31"));
+    }
+    if file.temperature_c.is_some_and(|t| !TEMPERATURES_C.contains(&t)) {
+        let message = Message::error("`temperature_c` is not a temperature at which robots are measured, in degC");
+        problems.0.push(message.at(campaign.place_of(&["temperature_c"])));
+    }
+    let Some(geometric) = &file.geometric else { return };
+    let leads = geometric.lead.iter().map(|lead| (&lead.label, "lead_mm", lead.lead_mm));
+    let bars = geometric.scale_bar.iter().map(|bar| (&bar.label, "length_mm", bar.length_mm));
+    for (label, key, value) in leads.chain(bars).filter(|(_, _, value)| *value <= 0.0) {
+        let what = format!("`{key}` = {value:?} must be positive");
+        problems.0.push(Message::error(what).at(campaign.place(label)));
+    }
+}
+
+/// Whether a text begins with a date of the Gregorian calendar, `YYYY-MM-DD` (ISO 8601).
+fn begins_with_date(text: &str) -> bool {
+    let Some((date, rest)) = text.split_at_checked(10) else { return false };
+    let mut parts = date.split('-').map(|part| (part.len(), part.parse::<u32>().ok()));
+    let (Some((4, Some(year))), Some((2, Some(month))), Some((2, Some(day))), None) =
+        (parts.next(), parts.next(), parts.next(), parts.next())
+    else {
+        return false;
+    };
+    let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    let days = match month {
+        2 => 28 + u32::from(leap),
+        4 | 6 | 9 | 11 => 30,
+        1..=12 => 31,
+        _ => 0,
+    };
+    (1..=days).contains(&day) && !rest.starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// Numbers of `[conditions]` that mean nothing.

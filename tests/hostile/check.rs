@@ -161,3 +161,30 @@ fn a_report_that_cannot_be_dressed_is_refused() {
     dressed("templates = \"exports\"", &["there is no template in `", "--write-templates"]);
     dressed("templates = \"none\"", &["cannot read the folder `", "templates = \"none\""]);
 }
+
+#[test]
+fn values_that_mean_nothing_are_refused() {
+    let log = "file = \"encoders.csv\"";
+    broken("campaign.toml", log, "file = \"\"", &["the name of a file is empty", "campaign.toml:"]);
+    let first = "name = \"PreXYT, CMM (synthetic)\"";
+    let date = "`date` does not begin with a date of the calendar";
+    for (stated, part) in [
+        ("date = \"31.02.2026\"", date),
+        ("date = \"2026-02-29\"", date),
+        ("date = \"2026-13-01\"", date),
+        ("date = \"yesterday\"", date),
+        ("temperature_c = -500.0", "is not a temperature at which robots are measured"),
+        ("temperature_c = 293.15", "is not a temperature at which robots are measured"),
+    ] {
+        broken("campaign.toml", first, &format!("{first}\n{stated}"), &[part, "campaign.toml:2:"]);
+    }
+    let scratch = copy_sample("prexyt-geometric");
+    scratch.replace("campaign.toml", "lead_mm = 5.080", "lead_mm = 0.0");
+    scratch.replace("campaign.toml", "\nlength_mm = ", "\nlength_mm = -");
+    ends(&scratch, "check", 2, &["`lead_mm` = 0.0 must be positive", "`length_mm` = -"]);
+    for good in ["2024-02-29", "2026-03-02 to 2026-03-04"] {
+        let scratch = copy_sample("prexyt-cmm");
+        scratch.replace("campaign.toml", first, &format!("{first}\ndate = \"{good}\""));
+        assert_eq!(etalon(&scratch, "check").0, Some(0), "{good}");
+    }
+}
