@@ -69,7 +69,7 @@ fn make_hostile(scratch: &crate::support::scratch::Scratch) {
             "operator = {}\nnotes = {}\ndate = {}\n\n[conditions]\nrobot = {}\ndeviations = [{}, {}]\n\n[instrument]",
             quoted(hebrew),
             quoted(&long),
-            quoted(script),
+            quoted(&format!("2026-03-02 {script}")),
             quoted(&long),
             quoted(script),
             quoted(hebrew)
