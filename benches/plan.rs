@@ -7,7 +7,7 @@
 
 use etalon::campaign::read_robot;
 use etalon::import;
-use etalon::math::identify::{ResidualKind, Settings, sensitivity};
+use etalon::math::identify::{Settings, sensitivity};
 use etalon::math::plan::search::greedy;
 use etalon::math::plan::{Criterion, candidates, pool_of};
 use std::fmt::Write;
@@ -24,13 +24,7 @@ fn main() {
     let text = std::fs::read_to_string(sample.join("candidates.csv")).expect("candidates");
     let table = import::observations("candidates.csv", &text).expect("candidates");
     let observations = candidates::configurations(robot.as_ref(), &table).expect("configurations").observations;
-    let settings = Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: None,
-        common_uncertainty_mm: None,
-        hold: Vec::new(),
-        rigid: Vec::new(),
-    };
+    let settings = Settings::default();
     let known = sensitivity(robot.as_ref(), &observations, &settings).expect("sensitivity");
     let mut members: Vec<Vec<usize>> = Vec::new();
     for (k, o) in observations.iter().enumerate() {

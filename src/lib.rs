@@ -48,7 +48,7 @@
 //! A campaign on disk: [`campaign::Campaign::read`], then [`run::pipeline::run`]. Or data in memory:
 //!
 //! ```
-//! use etalon::math::identify::{Observation, ResidualKind, Settings, identify};
+//! use etalon::math::identify::{Observation, Settings, identify};
 //! use etalon::math::robots::{Prexyt, Robot};
 //!
 //! let robot = Prexyt::default();
@@ -67,7 +67,7 @@
 //!     })
 //!     .collect();
 //! let settings =
-//!     Settings { kind: ResidualKind::Targets, standard_uncertainty_mm: Some(0.002), common_uncertainty_mm: None, hold: Vec::new(), rigid: Vec::new() };
+//!     Settings { standard_uncertainty_mm: Some(0.002), ..Settings::default() };
 //! let found = identify(&robot, &observations, &settings)?;
 //! assert!((found.values[3] - 393.93).abs() < 1e-9);
 //! # Ok::<(), etalon::base::message::Problems>(())

@@ -67,7 +67,7 @@ fn carry(from: &Path, to: &Path) -> io::Result<()> {
     fs::read_dir(from)?.try_for_each(|entry| entry.and_then(|e| carry(&e.path(), &to.join(e.file_name()))))
 }
 
-/// Exchanges both folders in one step; in two, where the file system has no such step or there is no earlier folder.
+/// Exchanges both folders in one step; in two, where the file system does not support that or no earlier folder exists.
 fn exchange(place: &Path, new: &Path, old: &Path) -> io::Result<()> {
     #[cfg(any(target_os = "linux", target_vendor = "apple"))]
     {

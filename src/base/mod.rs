@@ -1,5 +1,7 @@
-//! What every room may use: messages, files, tables, patterns of names, poses, numbers that carry derivatives, random numbers.
+//! What every room may use: messages, files, tables, patterns of names, poses, numbers that carry derivatives, random
+//! numbers, dates, order statistics.
 
+pub mod date;
 pub mod files;
 pub mod folder;
 pub mod message;
@@ -7,4 +9,5 @@ pub mod noise;
 pub mod pattern;
 pub mod pose;
 pub mod scalar;
+pub mod statistics;
 pub mod table;

@@ -7,10 +7,9 @@ use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::table::ASSEMBLY;
 use crate::campaign::{RobotFile, read_robot, read_true_parameters};
-use crate::document::to_json;
 use crate::document::*;
 use crate::export;
-use crate::math::identify::{Observation, ResidualKind, Settings};
+use crate::math::identify::{Observation, Settings};
 use crate::math::plan::candidates::{self, Candidates};
 use crate::math::plan::{
     Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, point_of, study,
@@ -103,11 +102,9 @@ impl Plan {
         let robot_file = read_robot(&self.robot)?;
         let (robot, Candidates { observations, beyond }) = read(&robot_file, &self.candidates)?;
         let settings = Settings {
-            kind: ResidualKind::Targets,
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
-            common_uncertainty_mm: None,
             hold: self.hold.clone(),
-            rigid: Vec::new(),
+            ..Settings::default()
         };
         let request = Request {
             positions: self.positions,

@@ -5,7 +5,7 @@ use crate::base::table;
 use crate::campaign::Campaign;
 use crate::document::{BatchDocument, BatchEnd, BatchEntry, Iso9283Pose};
 use crate::run::documents::{Documents, Run};
-use crate::run::output::is_current;
+use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
 use polars::prelude::{Column, DataFrame};
 use rayon::prelude::*;
@@ -59,11 +59,15 @@ fn campaign(folder: &Path, wanted: Wanted, entry: &mut BatchEntry) -> Result<Vec
     }
     let output = campaign.output()?;
     let last = if wanted == Wanted::Reports { "report.html" } else { "import.json" };
-    if !is_current(&campaign, last) {
-        pipeline::run_for(&campaign, wanted)?;
-        entry.computed = true;
-    }
-    let run = Run::read(&Documents::open(&output)?)?;
+    let documents = match current(&campaign, last) {
+        Some(documents) => documents,
+        None => {
+            pipeline::run_for(&campaign, wanted)?;
+            entry.computed = true;
+            Documents::open(&output)?
+        }
+    };
+    let run = Run::read(&documents)?;
     entry.ended = if run.faces()?.is_met() { BatchEnd::Done } else { BatchEnd::NotMet };
     (entry.name, entry.date) = (run.campaign.name.clone(), run.campaign.date.clone());
     entry.robot = run.campaign.robot.clone().or_else(|| run.identified.as_ref().map(|i| i.parameters.robot.clone()));

@@ -50,7 +50,7 @@ impl Documents {
     pub fn bytes(&self, name: &str) -> Result<Vec<u8>> {
         let path = self.path(name);
         let Some(sha256) = self.manifest.files.get(name) else {
-            let message = Message::error(format!("there is no file `{}` of this run", path.display()));
+            let message = Message::error(format!("the run wrote no `{}`", path.display()));
             return Err(message.hint("run the campaign again: `etalon run CAMPAIGN`").into());
         };
         let bytes = files::read(&path)?;
@@ -76,7 +76,7 @@ impl Documents {
     /// The identified parameters, of a run that identifies any.
     pub fn parameters(&self) -> Result<Option<ParametersDocument>> {
         let named = self.manifest.files.contains_key(PARAMETERS);
-        named.then(|| read_parameters(&self.path(PARAMETERS))).transpose()
+        named.then(|| checked(&self.path(PARAMETERS), &self.bytes(PARAMETERS)?)).transpose()
     }
 
     /// Writes files beside the others of the run, or in their place; gives their paths.
@@ -178,7 +178,12 @@ pub fn read_parameters(path: &Path) -> Result<ParametersDocument> {
         Ok(documents) if path.ends_with(PARAMETERS) => documents.bytes(PARAMETERS)?,
         _ => files::read(path)?,
     };
-    let document: ParametersDocument = parse(path, &bytes, "parameters")?;
+    checked(path, &bytes)
+}
+
+/// Parameters whose parts belong together.
+fn checked(path: &Path, bytes: &[u8]) -> Result<ParametersDocument> {
+    let document: ParametersDocument = parse(path, bytes, "parameters")?;
     document.check().map_err(|what| wrong(path, &what))?;
     Ok(document)
 }

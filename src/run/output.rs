@@ -111,14 +111,15 @@ impl Output {
     }
 }
 
-/// Whether the campaign's output folder holds the results of its files as they are, by this version: `file` among them.
-pub fn is_current(campaign: &Campaign, file: &str) -> bool {
-    let Ok(documents) = campaign.output().and_then(|folder| Documents::open(&folder)) else { return false };
+/// The campaign's output folder, if it holds the results of the campaign's files as they are, by this version: `file` among them.
+pub fn current(campaign: &Campaign, file: &str) -> Option<Documents> {
+    let documents = Documents::open(&campaign.output().ok()?).ok()?;
     let ManifestDocument { version, files, .. } = &documents.manifest;
-    let import = || documents.json::<ImportDocument>("import.json").ok();
-    version == env!("CARGO_PKG_VERSION")
-        && files.contains_key(file)
-        && import().is_some_and(|import| unchanged(campaign, &import.sources).is_ok())
+    if version != env!("CARGO_PKG_VERSION") || !files.contains_key(file) {
+        return None;
+    }
+    let import: ImportDocument = documents.json("import.json").ok()?;
+    unchanged(campaign, &import.sources).is_ok().then_some(documents)
 }
 
 /// An error if an input holds other bytes by now.

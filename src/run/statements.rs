@@ -1,5 +1,6 @@
 //! Statements of a campaign that contradict each other or mean nothing, whatever the files hold.
 
+use crate::base::date::date;
 use crate::base::message::{Message, Problems};
 use crate::base::table::LABEL;
 use crate::campaign::{Campaign, ClockOffset, Join, JoinBy};
@@ -269,7 +270,7 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
     for name in file.inputs().chain([&file.robot]).filter(|f| f.get_ref().is_empty() && !f.span().is_empty()) {
         problems.0.push(Message::error("the name of a file is empty").at(campaign.place(name)));
     }
-    if file.date.as_deref().is_some_and(|date| !begins_with_date(date)) {
+    if file.date.as_deref().is_some_and(|text| date(text).is_none()) {
         let message = Message::error("`date` does not begin with a date of the calendar");
         problems.0.push(message.at(campaign.place_of(&["date"])).expected("year-month-day (ISO 8601), as 2026-01-31"));
     }
@@ -284,25 +285,6 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
         let what = format!("`{key}` = {value:?} must be positive");
         problems.0.push(Message::error(what).at(campaign.place(label)));
     }
-}
-
-/// Whether a text begins with a date of the Gregorian calendar, `YYYY-MM-DD` (ISO 8601).
-fn begins_with_date(text: &str) -> bool {
-    let Some((date, rest)) = text.split_at_checked(10) else { return false };
-    let mut parts = date.split('-').map(|part| (part.len(), part.parse::<u32>().ok()));
-    let (Some((4, Some(year))), Some((2, Some(month))), Some((2, Some(day))), None) =
-        (parts.next(), parts.next(), parts.next(), parts.next())
-    else {
-        return false;
-    };
-    let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-    let days = match month {
-        2 => 28 + u32::from(leap),
-        4 | 6 | 9 | 11 => 30,
-        1..=12 => 31,
-        _ => 0,
-    };
-    (1..=days).contains(&day) && !rest.starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// Numbers of `[conditions]` that mean nothing.

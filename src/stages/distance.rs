@@ -1,6 +1,7 @@
 //! How far the validation poses lie from those of the calibration: errors hold among poses like these.
 
 use crate::base::message::Message;
+use crate::base::statistics::median;
 use crate::document::ValidationDistance;
 use crate::math::identify::Observation;
 use crate::math::robots::Robot;
@@ -38,17 +39,14 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
             let others = calibration.iter().enumerate().filter(|(k, _)| !within || *k != i);
             others.map(|(_, b)| apart(a, b)).fold(f64::INFINITY, f64::min)
         };
-        let mut all: Vec<f64> = from.par_iter().enumerate().map(of).collect();
-        all.sort_by(f64::total_cmp);
-        all
+        from.par_iter().enumerate().map(of).collect()
     };
-    let middle = |sorted: &[f64]| sorted.get(sorted.len() / 2).copied();
-    let spacing = middle(&nearest(&calibration, true)).filter(|s| *s > 0.0 && s.is_finite())?;
+    let spacing = median(nearest(&calibration, true)).filter(|s| *s > 0.0 && s.is_finite())?;
     let distances = nearest(&validation, false);
     let outside = |q: &&Vec<f64>| q.iter().zip(&ranges).any(|(q, (low, high))| q < low || q > high);
     Some(ValidationDistance {
-        median: middle(&distances)? / spacing,
-        largest: distances.last()? / spacing,
+        largest: distances.iter().copied().reduce(f64::max)? / spacing,
+        median: median(distances)? / spacing,
         poses: validation.len(),
         outside: validation.iter().filter(outside).count(),
     })

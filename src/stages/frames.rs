@@ -195,7 +195,7 @@ fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, no
     let mut points: Vec<Point> = points.iter().filter(used).cloned().collect();
     let instrument_mm = campaign.file.instrument.standard_uncertainty_mm();
     let mut sum = [[0.0; 6]; 6];
-    // of the many points of a feature every k-th stands for k
+    // of many points of a feature every k-th is moved, with the weight of k
     let stride = points.len().div_ceil(FEW);
     for i in 0..points.len() {
         let alone = world.names().any(|name| matches_pattern(name.get_ref(), &points[i].label));

@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, count};
 use crate::base::pose::{centroid, minus, norm};
+use crate::base::statistics::median;
 use crate::document::PointError;
 use crate::math::identify::{
     Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, explain,
@@ -90,9 +91,7 @@ fn undetermined(robot: &dyn Robot, observations: &[Observation], found: &Identif
 /// A warning about validation readings that lie far from the others: their errors are in the accuracy.
 fn validation_outliers(errors: &[PointError]) -> Option<Message> {
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == "validation").collect();
-    let mut sizes: Vec<f64> = of.iter().map(|e| norm(e.after_mm)).collect();
-    sizes.sort_by(f64::total_cmp);
-    let median_mm = *sizes.get(sizes.len() / 2)?;
+    let median_mm = median(of.iter().map(|e| norm(e.after_mm)))?;
     let far: Vec<&&PointError> = of.iter().filter(|e| norm(e.after_mm) > FAR * median_mm).collect();
     if far.is_empty() || 10 * far.len() > of.len() {
         return None;
@@ -170,11 +169,10 @@ fn far_before(
     before: &[f64],
     errors: &[PointError],
 ) -> Option<Message> {
-    let mut left: Vec<f64> = errors.iter().filter(|e| e.set == "calibration").map(|e| norm(e.before_mm)).collect();
-    left.sort_by(f64::total_cmp);
+    let left: Vec<f64> = errors.iter().filter(|e| e.set == "calibration").map(|e| norm(e.before_mm)).collect();
     let rms_mm = (left.iter().map(|v| v * v).sum::<f64>() / left.len().max(1) as f64).sqrt();
     let allowed_mm = allowed_mm(robot, observations, before, settings.coordinate_uncertainty_mm())?;
-    (*left.get(left.len() / 2)? > allowed_mm).then(|| far_from_nominal(robot, observations, rms_mm, allowed_mm))
+    (median(left)? > allowed_mm).then(|| far_from_nominal(robot, observations, rms_mm, allowed_mm))
 }
 
 /// Errors about the parameters `values` and the errors that they leave; empty where the result is plausible.
@@ -265,7 +263,7 @@ fn exchanged<'r>(robot: &'r dyn Robot, values: &[f64]) -> Option<(&'r Parameter,
 mod tests {
     use super::*;
     use crate::base::noise::Noise;
-    use crate::math::identify::{ResidualKind, identify};
+    use crate::math::identify::identify;
     use crate::math::robots::Prexyt;
 
     /// What is said of a common factor where all measured points are `factor` times what they are, and the robot's parameters are off
@@ -288,13 +286,7 @@ mod tests {
             Observation { pose: i, cycle: 1, joints, targets }
         };
         let observations: Vec<Observation> = (1..=40).map(pose).collect();
-        let settings = Settings {
-            kind: ResidualKind::Targets,
-            standard_uncertainty_mm: Some(0.003),
-            common_uncertainty_mm: None,
-            hold: Vec::new(),
-            rigid: Vec::new(),
-        };
+        let settings = Settings { standard_uncertainty_mm: Some(0.003), ..Settings::default() };
         let found = identify(&robot, &observations, &settings).expect("identified");
         common_factor(&robot, &found).map(|message| message.what)
     }

@@ -3,6 +3,7 @@
 use crate::base::message::{Message, Place, count};
 use crate::base::pattern::matches_pattern;
 use crate::base::pose::{Vector, minus, norm};
+use crate::base::statistics::middle_pair;
 use crate::campaign::Campaign;
 use crate::import::Point;
 use crate::math::identify::Observation;
@@ -98,7 +99,8 @@ pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Ve
     let mut messages = Vec::new();
     for (label, all) in repeats {
         let places: Vec<Vector> = all.iter().map(|p| p.xyz_mm).collect();
-        let middle = [0, 1, 2].map(|i| median(places.iter().map(|p| p[i]).collect()));
+        let middle =
+            [0, 1, 2].map(|i| middle_pair(places.iter().map(|p| p[i])).map_or(0.0, |[low, high]| 0.5 * (low + high)));
         let off = |p: &&&Point| norm(minus(p.xyz_mm, middle)) > APART * u_mm;
         let away: Vec<&&Point> = all.iter().filter(off).collect();
         let Some(worst) = away.iter().map(|p| norm(minus(p.xyz_mm, middle))).reduce(f64::max) else { continue };
@@ -128,10 +130,4 @@ pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Ve
         messages.push(message.hint(hint));
     }
     messages
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let (low, high) = (values.get((values.len().max(1) - 1) / 2), values.get(values.len() / 2));
-    low.zip(high).map_or(0.0, |(low, high)| 0.5 * (low + high))
 }

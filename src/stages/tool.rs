@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
 
-/// The error that the controller will make at `point` with what was `found`, over the poses that are judged; `None` where there is no
+/// The error that the controller will make at `point` with what was `found`, over the poses that are judged; `None` without a
 /// covariance. Its variance is the sum of those of the predicted position, of parameters that the data do not
 /// determine, of what the model leaves out, and of the point's place.
 pub fn tool_accuracy(
@@ -39,12 +39,11 @@ pub fn tool_accuracy(
     let (mut sizes_before, mut sizes) = (Vec::new(), Vec::new());
     let (mut of_parameters, mut of_held) = (0.0, 0.0);
     for o in observations {
-        let Some(error) = point.error(robot, o, before, found)? else { return Ok(None) };
-        let held_mm = point.held_mm(robot, found, &held, &o.joints)?;
+        let Some(error) = point.error(robot, o, before, found, &held)? else { return Ok(None) };
         sizes_before.push(norm(error.before_mm));
-        sizes.push(error.parameters_mm.hypot(held_mm).hypot(model_mm).hypot(place_mm));
+        sizes.push(error.parameters_mm.hypot(error.held_mm).hypot(model_mm).hypot(place_mm));
         of_parameters += error.parameters_mm.powi(2) / count;
-        of_held += held_mm.powi(2) / count;
+        of_held += error.held_mm.powi(2) / count;
     }
     let after: Statistics = summarise(sizes);
     let which = match point.frame {

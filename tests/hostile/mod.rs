@@ -13,27 +13,7 @@ mod set_up;
 mod together;
 mod traps;
 
-use crate::support::scratch::{Scratch, copy_sample};
-
-/// Exit code and stderr of `etalon ARGS campaign`.
-fn etalon(scratch: &Scratch, command: &str) -> (Option<i32>, String) {
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
-        .args([command, "campaign"])
-        .current_dir(scratch.root())
-        .output()
-        .unwrap();
-    (output.status.code(), String::from_utf8(output.stderr).unwrap())
-}
-
-/// What `etalon COMMAND campaign` says on stderr; it must end with `code`, and all `parts` must be said.
-fn ends(scratch: &Scratch, command: &str, code: i32, parts: &[&str]) -> String {
-    let (ended, said) = etalon(scratch, command);
-    assert_eq!(ended, Some(code), "{said}");
-    for part in parts {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
-    }
-    said
-}
+use crate::support::scratch::{copy_sample, ends, etalon};
 
 /// Checks the campaign after one replacement; all `parts` must be said.
 fn broken(file: &str, from: &str, to: &str, parts: &[&str]) {

@@ -1,7 +1,7 @@
 //! Arms with two to four joints, whose geometry leaves more untold than base and targets: what is told must be right.
 
 use etalon::base::noise::Noise;
-use etalon::math::identify::{Identification, Observation, ResidualKind, Settings, Status, identify};
+use etalon::math::identify::{Identification, Observation, Settings, Status, identify};
 use etalon::math::robots::{Quantity, Robot, Role, Serial, SerialJoint};
 use std::f64::consts::FRAC_PI_2;
 
@@ -54,13 +54,7 @@ fn observe(robot: &dyn Robot, truth: &[f64], poses: usize, sigma_mm: f64, noise:
 }
 
 fn settings() -> Settings {
-    Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: Some(NOISE_MM),
-        common_uncertainty_mm: None,
-        hold: Vec::new(),
-        rigid: Vec::new(),
-    }
+    Settings { standard_uncertainty_mm: Some(NOISE_MM), ..Settings::default() }
 }
 
 /// Root mean square distance between truth and prediction on fresh poses.

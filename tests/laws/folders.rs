@@ -1,33 +1,11 @@
 //! Output folders: of one run or refused, whatever stops a run, and over no input. Here and not among the hostile files
 //! because a run is short in the release profile.
 
-use crate::support::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, copy_sample, ends, etalon, said};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
-
-/// `etalon ARGS` in the folder above the campaign's: exit code and stderr.
-fn said(scratch: &Scratch, arguments: &[&str]) -> (Option<i32>, String) {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).current_dir(scratch.root()).output().unwrap();
-    (output.status.code(), String::from_utf8(output.stderr).unwrap())
-}
-
-/// Exit code and stderr of `etalon COMMAND campaign`.
-fn etalon(scratch: &Scratch, command: &str) -> (Option<i32>, String) {
-    said(scratch, &[command, "campaign"])
-}
-
-/// What `etalon COMMAND campaign` says on stderr; it must end with `code`, and all `parts` must be said.
-fn ends(scratch: &Scratch, command: &str, code: i32, parts: &[&str]) -> String {
-    let (ended, said) = etalon(scratch, command);
-    assert_eq!(ended, Some(code), "{said}");
-    for part in parts {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
-    }
-    said
-}
 
 fn run(scratch: &Scratch) {
     let (code, said) = etalon(scratch, "run");

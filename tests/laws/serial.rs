@@ -4,7 +4,7 @@ use crate::support::arms::{SIX_AXES, serial};
 use crate::support::tracker;
 use etalon::base::noise::Noise;
 use etalon::campaign::read_robot;
-use etalon::math::identify::{Observation, ResidualKind, Settings, UncertaintyFrom, identify};
+use etalon::math::identify::{Observation, Settings, UncertaintyFrom, identify};
 use etalon::math::robots::{Robot, Role};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -55,13 +55,7 @@ fn base_and_targets_are_found_from_anywhere() {
             let mut noise = Noise::new(11, trial);
             let truth = truth(robot.as_ref(), &mut noise);
             let observations = observe(robot.as_ref(), &truth, 80, &mut noise);
-            let settings = Settings {
-                kind: ResidualKind::Targets,
-                standard_uncertainty_mm: Some(0.01),
-                common_uncertainty_mm: None,
-                hold: Vec::new(),
-                rigid: Vec::new(),
-            };
+            let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };
             let found = identify(robot.as_ref(), &observations, &settings).unwrap();
             for (i, p) in robot.parameters().iter().enumerate() {
                 let identified = found.status[i] == etalon::math::identify::Status::Identified;
@@ -97,13 +91,7 @@ fn what_the_robot_file_states_is_kept_where_held_and_only_a_start_where_not() {
         let mut arm = robot(2);
         arm.definition_mut().set_nominal(&nominal);
         let hold: Vec<String> = hold.into_iter().map(str::to_owned).collect();
-        let settings = Settings {
-            kind: ResidualKind::Targets,
-            standard_uncertainty_mm: Some(0.01),
-            common_uncertainty_mm: None,
-            hold,
-            rigid: Vec::new(),
-        };
+        let settings = Settings { standard_uncertainty_mm: Some(0.01), hold, ..Settings::default() };
         let found = identify(arm.as_ref(), &observations, &settings).unwrap();
         for (name, off) in stated.iter().filter(|s| s.1 == 0.0) {
             assert_eq!(found.values[place(name)], truth[place(name)] + off, "{name}");
@@ -123,13 +111,7 @@ fn a_base_that_stands_on_its_side_is_named_with_its_remedy() {
     let mut truth = truth(robot.as_ref(), &mut noise);
     truth[robot.index("base_ry").unwrap()] = std::f64::consts::FRAC_PI_2;
     let observations = observe(robot.as_ref(), &truth, 60, &mut noise);
-    let settings = Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: None,
-        common_uncertainty_mm: None,
-        hold: Vec::new(),
-        rigid: Vec::new(),
-    };
+    let settings = Settings::default();
     let problems = identify(robot.as_ref(), &observations, &settings).unwrap_err();
     assert!(problems.to_string().contains("base_turn_y_deg = 90"), "{problems}");
 }
@@ -152,13 +134,7 @@ fn errors_common_to_a_pose_are_in_the_uncertainty() {
                 observations.push(Observation { cycle, ..o.clone() });
             }
         }
-        let settings = Settings {
-            kind: ResidualKind::Targets,
-            standard_uncertainty_mm: Some(0.01),
-            common_uncertainty_mm: None,
-            hold: Vec::new(),
-            rigid: Vec::new(),
-        };
+        let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };
         let found = identify(arm.as_ref(), &observations, &settings).unwrap();
         assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByPose);
         for &i in &found.free {
@@ -192,13 +168,8 @@ fn errors_that_neighbouring_poses_share_are_in_the_uncertainty() {
             _ => {}
         }
     }
-    let settings = Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: Some(0.01),
-        common_uncertainty_mm: None,
-        hold: vec!["gain_*".to_owned()],
-        rigid: Vec::new(),
-    };
+    let settings =
+        Settings { standard_uncertainty_mm: Some(0.01), hold: vec!["gain_*".to_owned()], ..Settings::default() };
     let measure = |noise: &mut Noise, regions: usize, poses: usize| -> Vec<Observation> {
         let mut all = Vec::new();
         for _ in 0..regions {
@@ -236,13 +207,7 @@ fn small_campaigns_whose_targets_share_errors_hold_the_truth() {
     let arm = tracker::robot(false);
     let mut noise = Noise::new(17, 0);
     let truth: Vec<f64> = arm.parameters().iter().map(|p| tracker::true_value(p, &mut noise)).collect();
-    let settings = Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: Some(tracker::U_MM),
-        common_uncertainty_mm: None,
-        hold: Vec::new(),
-        rigid: Vec::new(),
-    };
+    let settings = Settings { standard_uncertainty_mm: Some(tracker::U_MM), ..Settings::default() };
     for stop_rad in [0.0, 1e-5, 2e-5, 5e-5, 2e-4] {
         let one = |seed: usize| {
             let mut noise = Noise::new(18, seed as u64);

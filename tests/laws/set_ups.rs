@@ -9,7 +9,7 @@ use etalon::base::message::{Message, Severity};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
-use etalon::math::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
+use etalon::math::identify::{Observation, Settings, fit_frames, identify_from};
 use etalon::math::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
 use etalon::run::check;
 use etalon::stages::evaluate::{self, Sets};
@@ -28,13 +28,7 @@ struct Bench {
 
 /// Errors and warnings of an identification; errors where it ends without a result.
 fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<Message> {
-    let settings = Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: Some(u_mm),
-        common_uncertainty_mm: None,
-        hold: Vec::new(),
-        rigid: Vec::new(),
-    };
+    let settings = Settings { standard_uncertainty_mm: Some(u_mm), ..Settings::default() };
     let found = || {
         let before = fit_frames(robot, observations, &settings)?;
         let found = identify_from(robot, observations, &settings, &before)?;

@@ -1,8 +1,6 @@
 //! Limits that README.md promises, met from both sides with numbers worked out by hand.
 
-use etalon::math::identify::{
-    Identification, Observation, ResidualKind, Settings, SingularValue, Status, UncertaintyFrom, identify,
-};
+use etalon::math::identify::{Identification, Observation, Settings, SingularValue, Status, UncertaintyFrom, identify};
 use etalon::math::robots::{Prexyt, Robot};
 
 /// Poses at theta = 0 of the nominal PreXYT, and of K and L what `error_mm` makes of them.
@@ -26,13 +24,7 @@ fn two_lengths(observations: &[Observation], u_mm: f64) -> Identification {
     let robot = Prexyt::default();
     let names = robot.parameters().iter().map(|p| p.name.clone());
     let hold = names.filter(|name| name != "d" && name != "l_kl").collect();
-    let settings = Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: Some(u_mm),
-        common_uncertainty_mm: None,
-        hold,
-        rigid: Vec::new(),
-    };
+    let settings = Settings { standard_uncertainty_mm: Some(u_mm), hold, ..Settings::default() };
     identify(&robot, observations, &settings).unwrap()
 }
 

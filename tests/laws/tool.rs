@@ -1,12 +1,13 @@
 //! The error that the controller will make at the tool point is another one than that of the targets, and its prediction holds.
 
 use crate::support::arms::{SIX_AXES, serial};
+use crate::support::five_bar::settings;
 use crate::support::scratch::copy_sample;
 use etalon::base::noise::Noise;
 use etalon::base::pose::norm;
 use etalon::campaign::Campaign;
 use etalon::math::identify::{
-    Identification, Observation, ResidualKind, Settings, ToolFrame, ToolPoint, UncertaintyFrom, held, identify,
+    Identification, Observation, Settings, ToolFrame, ToolPoint, UncertaintyFrom, held, identify,
 };
 use etalon::math::robots::{PlanarPose, Platform, Prexyt, Robot, Role};
 use etalon::run::pipeline;
@@ -107,26 +108,16 @@ fn actual_over_predicted(
         for joints in at {
             let there = Observation { joints: joints.clone(), ..observations[0].clone() };
             if found.uncertainty_from == UncertaintyFrom::Instrument {
-                let error = point.error(robot, &there, truth, &found).unwrap().unwrap();
+                let error = point.error(robot, &there, truth, &found, &held).unwrap().unwrap();
                 actual += norm(error.before_mm).powi(2);
                 predicted += error.parameters_mm.powi(2);
-                predicted += point.held_mm(robot, &found, &held, joints).unwrap().powi(2);
+                predicted += error.held_mm.powi(2);
                 count += 1.0;
             }
         }
     }
     assert!(count > 50.0 * at.len() as f64, "{count}");
     [f64::sqrt(actual / count), f64::sqrt(actual / predicted)]
-}
-
-fn settings(u_mm: f64) -> Settings {
-    Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: Some(u_mm),
-        common_uncertainty_mm: None,
-        hold: Vec::new(),
-        rigid: Vec::new(),
-    }
 }
 
 #[test]

@@ -42,13 +42,7 @@ fn measure(robot: &Prexyt, poses: &[[f64; 3]], noise: &mut dyn FnMut() -> f64) -
 }
 
 fn settings(kind: ResidualKind) -> Settings {
-    Settings {
-        kind,
-        standard_uncertainty_mm: Some(0.015 / 3f64.sqrt()),
-        common_uncertainty_mm: None,
-        hold: Vec::new(),
-        rigid: Vec::new(),
-    }
+    Settings { kind, standard_uncertainty_mm: Some(0.015 / 3f64.sqrt()), ..Settings::default() }
 }
 
 /// Largest xy error over the workspace of 170 mm at 0 and ±15 degrees, as the balls measure it (the reference's README).
@@ -128,13 +122,7 @@ fn the_spread_of_each_parameter_is_its_stated_uncertainty_and_chi_square_has_its
         for seed in 0..SEEDS {
             let mut noise = Noise::new(3, seed);
             let observations = measure(&robot, &poses, &mut || noise.gaussian(0.005));
-            let settings = Settings {
-                kind,
-                standard_uncertainty_mm: Some(0.005),
-                common_uncertainty_mm: None,
-                hold: Vec::new(),
-                rigid: Vec::new(),
-            };
+            let settings = Settings { kind, standard_uncertainty_mm: Some(0.005), ..Settings::default() };
             let found = identify(&robot, &observations, &settings).expect("identified");
             // once in a thousand chi-square rejects by chance: that enlarges, and is not what is tested here
             for &i in found.free.iter().filter(|_| found.inflation_factor == 1.0) {
@@ -190,13 +178,7 @@ fn as_many_equations_as_parameters_tell_no_uncertainty() {
     // 4 coordinates for 4 parameters
     let kept = ["epsilon_theta", "x_o", "y_o", "l_kl"];
     let hold = robot.parameters().iter().map(|p| p.name.clone()).filter(|n| !kept.contains(&n.as_str())).collect();
-    let settings = Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: None,
-        common_uncertainty_mm: None,
-        hold,
-        rigid: Vec::new(),
-    };
+    let settings = Settings { hold, ..Settings::default() };
     let found = identify(&robot, &observations, &settings).expect("identified");
     assert_eq!((found.degrees_of_freedom, found.chi_square), (0, None));
     assert!(found.free.iter().all(|&i| found.standard_uncertainty(i).is_none()));

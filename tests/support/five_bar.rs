@@ -1,6 +1,6 @@
 //! The five-bar of the thesis, section 4.2: its true parameters, its plate and what is measured on it.
 
-use etalon::math::identify::{Observation, ResidualKind, Settings};
+use etalon::math::identify::{Observation, Settings};
 use etalon::math::robots::{FiveBar, Limits, Robot};
 
 /// "Actual" column of table 4.1, in the order of eq. 4.24.
@@ -64,13 +64,7 @@ pub fn measure(
 }
 
 pub fn settings(u_mm: f64) -> Settings {
-    Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: Some(u_mm),
-        common_uncertainty_mm: None,
-        hold: Vec::new(),
-        rigid: Vec::new(),
-    }
+    Settings { standard_uncertainty_mm: Some(u_mm), ..Settings::default() }
 }
 
 /// Seven positions around the plate.

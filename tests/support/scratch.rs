@@ -2,6 +2,7 @@
 
 use etalon::document::ManifestDocument;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// A folder that goes away with the test.
 pub struct Scratch(tempfile::TempDir);
@@ -37,7 +38,6 @@ impl Scratch {
 }
 
 /// Writes the manifest of an output folder again, as if the run had written its files as they are.
-#[allow(dead_code)] // not every suite changes documents
 pub fn stamp(out: &Path) {
     let files = std::fs::read_dir(out).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_file());
     let stamped = files.map(|path| {
@@ -75,4 +75,26 @@ pub fn copy_sample(name: &str) -> Scratch {
         }
     }
     scratch
+}
+
+/// `etalon ARGS` in the folder above the campaign's: exit code and stderr.
+pub fn said(scratch: &Scratch, arguments: &[&str]) -> (Option<i32>, String) {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).current_dir(scratch.root()).output().unwrap();
+    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// Exit code and stderr of `etalon COMMAND campaign`.
+pub fn etalon(scratch: &Scratch, command: &str) -> (Option<i32>, String) {
+    said(scratch, &[command, "campaign"])
+}
+
+/// What `etalon COMMAND campaign` says on stderr; it must end with `code`, and all `parts` must be said.
+pub fn ends(scratch: &Scratch, command: &str, code: i32, parts: &[&str]) -> String {
+    let (ended, said) = etalon(scratch, command);
+    assert_eq!(ended, Some(code), "{said}");
+    for part in parts {
+        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+    }
+    said
 }

@@ -3,7 +3,7 @@
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
-use crate::import::lexer::{WHOLE, number, pose_number, rows};
+use crate::import::lexer::{Row, WHOLE, number, pose_number, rows};
 use crate::import::logs::meaning;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::collections::BTreeMap;
@@ -11,7 +11,8 @@ use std::collections::BTreeMap;
 /// Reads a table of observations (commas, decimal point, a header): its columns, and `line` with the line of each row.
 ///
 /// `pose` and `cycle` hold whole numbers (a pose also a name that ends in one, like `P12`), columns whose name ends in a unit hold
-/// numbers (empty cells are missing values), others text. Every row of another width and every cell that does not read is an error with its place.
+/// numbers (empty cells are missing values), others text. Every row of another width and every cell that does not read is an error
+/// with its place.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     let mut all = rows(file, text, Delimiter::Comma)?;
     if all.len() < 2 {
@@ -36,18 +37,14 @@ pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
             columns.push(Series::new(name.as_ref().into(), texts.collect::<Vec<_>>()).into());
             continue;
         }
+        if name == "pose" {
+            problems.0.extend(two_names(file, &all, i));
+        }
         let whole = name == "pose" || name == "cycle";
         let mut values: Vec<Option<f64>> = Vec::with_capacity(all.len());
-        let mut poses: BTreeMap<&str, &str> = BTreeMap::new();
         for (row, field) in all.iter().zip(texts) {
             let odd = |v: &f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
-            let (named, field) = (field, if name == "pose" { pose_number(field) } else { field });
-            let before = &named[..named.len() - field.len()];
-            if let Some(other) = poses.insert(field.trim_start_matches('0'), before).filter(|other| *other != before) {
-                let what = format!("`{other}{field}` and `{named}` are both pose {field}");
-                let message = Message::error(what).hint("number the poses from 1 to the last, each once");
-                problems.0.push(message.at(row.cell(file, i)));
-            }
+            let field = if name == "pose" { pose_number(field) } else { field };
             let value = match number(field, Decimal::Point) {
                 _ if field.is_empty() => Ok(None),
                 Ok(value) if odd(&value) => Err(Message::error(format!("`{field}` is not a whole number"))),
@@ -68,6 +65,22 @@ pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     problems.check()?;
     Ok(DataFrame::new(all.len(), columns)?)
+}
+
+/// Errors about poses of one number and different names in column `at`.
+fn two_names(file: &str, rows: &[Row], at: usize) -> Vec<Message> {
+    let mut names: BTreeMap<&str, &str> = BTreeMap::new();
+    let mut errors = Vec::new();
+    for row in rows {
+        let name = row.field(at);
+        let number = pose_number(name);
+        let before = &name[..name.len() - number.len()];
+        if let Some(other) = names.insert(number.trim_start_matches('0'), before).filter(|other| *other != before) {
+            let message = Message::error(format!("`{other}{number}` and `{name}` are both pose {number}"));
+            errors.push(message.hint("number the poses from 1 to the last, each once").at(row.cell(file, at)));
+        }
+    }
+    errors
 }
 
 #[cfg(test)]

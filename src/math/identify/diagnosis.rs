@@ -7,6 +7,7 @@ use super::set_up::explain;
 use super::{Identification, Observation, ResidualKind, Settings, unseen_by};
 use crate::base::message::{Message, Problems};
 use crate::base::pose::{Vector, minus, norm};
+use crate::base::statistics::median;
 use crate::math::robots::{Robot, Role};
 use crate::math::solve::{self, Loss, Options, Problem, Termination};
 use std::collections::BTreeSet;
@@ -296,9 +297,5 @@ fn median_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) ->
             sizes.extend((0..robot.dimension()).map(|i| (measured[i] - predicted[i]).abs()));
         }
     }
-    let middle = sizes.len() / 2;
-    sizes.iter().all(|s| s.is_finite()).then(|| {
-        sizes.sort_by(f64::total_cmp);
-        sizes.get(middle).copied()
-    })?
+    sizes.iter().all(|s| s.is_finite()).then(|| median(sizes))?
 }

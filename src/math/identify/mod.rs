@@ -39,7 +39,7 @@ use crate::math::solve::Termination;
 use solution::solve_identifiable;
 
 /// What is identified from which residuals.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Settings {
     /// Residuals of single targets, or of the pose (eq. 3.26).
     pub kind: ResidualKind,

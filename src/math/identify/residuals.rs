@@ -4,6 +4,7 @@ use super::rigid_part::{At, Shape};
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
+use crate::base::statistics::median;
 use crate::math::robots::{Platform, Robot};
 use crate::math::solve::{Problem, Solution};
 use rayon::prelude::*;
@@ -11,10 +12,11 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What is compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ResidualKind {
     /// Coordinates of each target, weighted by the instrument's uncertainty.
+    #[default]
     Targets,
     /// x, y and theta of the platform (eq. 3.26): a radian weighs as a millimetre. Planar robots only.
     Pose,
@@ -110,9 +112,7 @@ impl<'a> Residuals<'a> {
     pub fn noise(&self, solution: Option<&Solution>) -> f64 {
         let shown = |s: &Solution| {
             let dof = self.residual_count().saturating_sub(s.x.len());
-            let mut sizes: Vec<f64> = s.residuals.iter().take(self.measured_count()).map(|r| r.abs()).collect();
-            sizes.sort_by(f64::total_cmp);
-            let median = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+            let median = median(s.residuals.iter().take(self.measured_count()).map(|r| r.abs())).unwrap_or(0.0);
             if dof > 0 { OF_MEDIAN * median * (self.residual_count() as f64 / dof as f64).sqrt() } else { 0.0 }
         };
         self.stated_noise.unwrap_or(0.0).max(solution.map_or(0.0, shown))

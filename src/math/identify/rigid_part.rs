@@ -28,8 +28,8 @@ pub struct RigidPart {
 /// The stated shape of a part of a robot.
 ///
 /// With e the places of the model minus the stated ones after the best fit of one onto the other, the rows are Q e / u, Q an
-/// orthonormal basis of all that is no motion of the part: 3 n − 6 rows for n targets in space. At the best fit e has no other
-/// component (variable projection, Golub & Pereyra 1973).
+/// orthonormal basis of the deformations, without rigid motions: 3 n − 6 rows for n targets in space. At the best fit e has no
+/// other component (variable projection, Golub & Pereyra 1973).
 #[derive(Debug)]
 pub(super) struct Shape {
     part: RigidPart,

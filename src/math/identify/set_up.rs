@@ -6,6 +6,7 @@ use super::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
 use super::residuals::Residuals;
 use crate::base::message::Message;
 use crate::base::pose::{Vector, centroid, minus, norm};
+use crate::base::statistics::median;
 use crate::math::robots::{Quantity, Robot, Role};
 use crate::math::solve::{self, Factor, Options, Problem, column_norms};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -227,7 +228,7 @@ fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anyw
         let placed = place(robot, arm, observations, nominal, &places).ok()??;
         let misses = observations.iter().flat_map(|o| o.misses(robot, &placed.values));
         let left: Vec<f64> = misses.map(|(_, miss)| norm(miss)).collect();
-        let found = Misfit { rms_mm: placed.rms_mm, median_mm: median(left), values: placed.values };
+        let found = Misfit { rms_mm: placed.rms_mm, median_mm: median(left).unwrap_or(0.0), values: placed.values };
         return Some(found).filter(|m| m.rms_mm.is_finite());
     }
     planar_misfit(robot, observations, nominal, anywhere)
@@ -243,16 +244,11 @@ fn planar_misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64
     let within = Similarity { angle: tolerance(Quantity::Angle), shift: [tolerance(Quantity::Length); 2] };
     let most = if anywhere { ANYWHERE } else { within };
     let (_, left) = planar_fit(robot, observations, nominal, &most)?;
-    Some(Misfit { rms_mm: rms(&left), median_mm: median(left), values: nominal.to_vec() })
+    Some(Misfit { rms_mm: rms(&left), median_mm: median(left).unwrap_or(0.0), values: nominal.to_vec() })
 }
 
 fn rms(left: &[f64]) -> f64 {
     (left.iter().map(|v| v * v).sum::<f64>() / left.len().max(1) as f64).sqrt()
-}
-
-fn median(mut left: Vec<f64>) -> f64 {
-    left.sort_by(f64::total_cmp);
-    left.get(left.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// Shift and turn that bring predicted positions to the measured ones, no further than `most`, and the distances that they leave, mm.
@@ -541,7 +537,7 @@ mod tests {
         assert!(moved.what.starts_with("from pose 22 on") && moved.what.contains("until pose 21"), "{}", moved.what);
         assert!(moved.what.contains("lie 0.05") && moved.what.contains("(0.05"), "{}", moved.what);
         assert_eq!(moved_between(&robot, &measured(&robot, 0.0), &robot.nominal()), None);
-        // one wrong reading, at an end or amid the others, is no move
+        // a single wrong reading, at an end or between others, is not a move
         for wrong in [0, 20, 39] {
             let mut observations = measured(&robot, 0.0);
             observations[wrong].targets[0].as_mut().unwrap()[0] += 0.5;

@@ -41,6 +41,8 @@ pub struct ToolError {
     pub before_mm: Vector,
     /// What the covariance of the parameters makes of the position: the root of the trace of its covariance, mm.
     pub parameters_mm: f64,
+    /// What parameters that are held contribute, each with its tolerance as half the width of an interval (GUM 4.3.7), mm.
+    pub held_mm: f64,
 }
 
 impl ToolPoint {
@@ -133,26 +135,15 @@ impl ToolPoint {
         Ok(of_roles(robot, columns, &[Role::Robot, Role::Target]))
     }
 
-    /// What parameters that are `held` contribute, each with its tolerance as half the width of an interval (GUM 4.3.7), mm.
-    pub fn held_mm(&self, robot: &dyn Robot, found: &Identification, held: &[Held], joints: &[f64]) -> Result<f64> {
-        let columns = self.jacobian(robot, &found.values, joints)?;
-        let of = |held: &Held| {
-            let mut by = columns[held.parameter];
-            for (&i, compensation) in found.free.iter().zip(&held.compensation) {
-                by.iter_mut().zip(columns[i]).for_each(|(by, column)| *by += compensation * column);
-            }
-            norm(by) * robot.parameters()[held.parameter].tolerance / 3f64.sqrt()
-        };
-        Ok(held.iter().map(|held| of(held).powi(2)).sum::<f64>().sqrt())
-    }
-
-    /// The expected error at the joint values of an observation; `None` where there is no covariance.
+    /// The expected error at the joint values of an observation, `held` being the parameters that the data do not determine; `None`
+    /// without a covariance.
     pub fn error(
         &self,
         robot: &dyn Robot,
         observation: &Observation,
         before: &[f64],
         found: &Identification,
+        held: &[Held],
     ) -> Result<Option<ToolError>> {
         let Some(covariance) = &found.covariance else { return Ok(None) };
         let joints = &observation.joints;
@@ -165,7 +156,18 @@ impl ToolPoint {
                 trace += covariance[i * n + k] * (0..3).map(|axis| columns[a][axis] * columns[b][axis]).sum::<f64>();
             }
         }
-        Ok(Some(ToolError { before_mm: minus(nominal, identified), parameters_mm: trace.max(0.0).sqrt() }))
+        let of_held = |held: &Held| {
+            let mut by = columns[held.parameter];
+            for (&i, compensation) in found.free.iter().zip(&held.compensation) {
+                by.iter_mut().zip(columns[i]).for_each(|(by, column)| *by += compensation * column);
+            }
+            norm(by) * robot.parameters()[held.parameter].tolerance / 3f64.sqrt()
+        };
+        Ok(Some(ToolError {
+            before_mm: minus(nominal, identified),
+            parameters_mm: trace.max(0.0).sqrt(),
+            held_mm: held.iter().map(|held| of_held(held).powi(2)).sum::<f64>().sqrt(),
+        }))
     }
 }
 

@@ -9,6 +9,7 @@ use super::rigid_part::Shape;
 use super::solution::Identifiable;
 use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
+use crate::base::statistics::median;
 use crate::math::robots::{Quantity, Robot};
 use crate::math::solve::{Factor, Problem, Solution, column_norms};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
@@ -77,7 +78,9 @@ pub(super) fn with_uncertainty(
         carry(frames.iter().filter(unseen), (problem, solution, &jacobian), total);
     }
     let inflation_factor = match (&instrument, &covariance) {
-        (Some(before), Some(after)) => median((0..n).map(|k| (after[k * n + k] / before[k * n + k]).sqrt()).collect()),
+        (Some(before), Some(after)) => {
+            median((0..n).map(|k| (after[k * n + k] / before[k * n + k]).sqrt())).unwrap_or(1.0)
+        }
         _ => 1.0,
     };
     if let Some(chi) = rejected {
@@ -274,11 +277,6 @@ pub(super) fn held_message(robot: &dyn Robot, group: &Group) -> Message {
         ))
         .hint("measure poses in which these parameters act differently"),
     }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(1.0)
 }
 
 /// Covariance of the residuals of each observation, by its square root from below: the instrument's noise, of pose residuals that of

@@ -4,6 +4,7 @@ use super::{Criterion, Plan, pool_of, search::Choice};
 use crate::base::message::{Message, Result};
 use crate::base::noise::Noise;
 use crate::base::pose::{Vector, minus, norm};
+use crate::base::statistics::middle_pair;
 use crate::math::identify::{Observation, Settings, ToolPoint, identify_from};
 use crate::math::robots::Robot;
 use rayon::prelude::*;
@@ -96,12 +97,8 @@ pub fn study(
 
 /// The first of the draws with the medians of all.
 fn middle(drawn: Vec<Study>) -> Option<Study> {
-    let median = |of: fn(&Study) -> f64| {
-        let mut values: Vec<f64> = drawn.iter().map(of).collect();
-        values.sort_by(f64::total_cmp);
-        let at = |k: usize| values.get(k).copied().unwrap_or(f64::NAN);
-        0.5 * (at(values.len().saturating_sub(1) / 2) + at(values.len() / 2))
-    };
+    let median =
+        |of: fn(&Study) -> f64| middle_pair(drawn.iter().map(of)).map_or(f64::NAN, |[low, high]| 0.5 * (low + high));
     let (rms, max) = (median(|s| s.rms_mm.1), median(|s| s.max_mm.1));
     let first = drawn.into_iter().next()?;
     Some(Study { rms_mm: (first.rms_mm.0, rms), max_mm: (first.max_mm.0, max), ..first })

@@ -36,7 +36,7 @@ pub struct Model {
     pub name: &'static str,
     /// The model's own keys, each by the keys that lead to it.
     pub keys: &'static [&'static [&'static str]],
-    /// Keys at the top without which there is no robot, and keys of tables that end up there where the header of their table is missing.
+    /// Keys of the top level that the robot needs, and keys of tables that end up there where the header of their table is missing.
     pub essential: &'static [&'static str],
     /// Reads the model's own keys.
     pub read: ReadKeys,

@@ -12,6 +12,7 @@ use super::model::Contents;
 use super::supervised::supervised;
 use super::words::Words;
 use super::{Attachment, TYPESET};
+use crate::base::date::date;
 use crate::base::message::{Message, Result};
 use crate::document::Presentation;
 use serde_json::{Value, json};
@@ -100,10 +101,7 @@ fn labels(presentation: &Presentation, words: &Words) -> Value {
     })
 }
 
-/// Year, month and day of a text that starts with a date of ISO 8601.
+/// Year, month and day of a text that starts with a date of ISO 8601, which counts from 1583.
 fn day(text: &str) -> Option<(i32, u8, u8)> {
-    let mut parts = text.get(..10)?.split('-');
-    let (year, month, day) = (parts.next()?, parts.next()?, parts.next()?);
-    let date: (i32, u8, u8) = (year.parse().ok()?, month.parse().ok()?, day.parse().ok()?);
-    typst::foundations::Datetime::from_ymd(date.0, date.1, date.2).filter(|_| date.0 >= 1583).map(|_| date)
+    date(text).filter(|(year, ..)| *year >= 1583)
 }

@@ -3,6 +3,7 @@
 use super::points::PointColumns;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{minus, norm};
+use crate::base::statistics::median;
 use crate::campaign::{Campaign, Rigid};
 use crate::document::{Refused, Source};
 use crate::import::Point;
@@ -184,14 +185,10 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
         let measured = |seen: &Vec<Option<usize>>| {
             Some(norm(minus(points[seen[pair.first]?].xyz_mm, points[seen[pair.second]?].xyz_mm)))
         };
-        let median = |mut of: Vec<f64>| {
-            of.sort_by(f64::total_cmp);
-            of.get(of.len() / 2).copied()
-        };
         let all: Vec<f64> = groups.values().filter_map(measured).collect();
-        let middle = median(all.clone())?;
+        let middle = median(all.iter().copied())?;
         // of one distance, by the instrument or as it scatters; that of a median is larger by π/2
-        let scatter = OF_MEDIAN * median(all.iter().map(|d| (d - middle).abs()).collect())?;
+        let scatter = OF_MEDIAN * median(all.iter().map(|d| (d - middle).abs()))?;
         let of_median = (2.0 * u_mm * u_mm).max(scatter * scatter) * FRAC_PI_2 / all.len() as f64;
         let variance = of_median + 2.0 * part.standard_uncertainty_mm.powi(2);
         Some((pair, middle, (middle - pair.distance_mm(&part.places_mm)).powi(2) / variance))
@@ -209,7 +206,11 @@ fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usiz
     let distance = |seen: &[Option<usize>], (a, b): (usize, usize)| {
         Some(norm(minus(points[seen[a]?].xyz_mm, points[seen[b]?].xyz_mm)))
     };
-    let median_of = |pair| median(groups.values().filter_map(|seen| distance(seen, pair)).collect());
+    // of distances enough for one to mean something
+    let median_of = |pair| {
+        let all: Vec<f64> = groups.values().filter_map(|seen| distance(seen, pair)).collect();
+        if all.len() < FEWEST { None } else { median(all) }
+    };
     let medians: Vec<((usize, usize), f64)> =
         pairs(rigid).into_iter().filter_map(|pair| Some((pair, median_of(pair)?))).collect();
     let mut refused = BTreeMap::new();
@@ -246,10 +247,4 @@ fn coincident<'a>(point: &Point, points: &'a [Point], tolerance_mm: f64) -> Opti
     let other = |p: &&Point| p.target != point.target && Together::of(p) == together;
     let near = |p: &&Point| norm(minus(p.xyz_mm, point.xyz_mm)) <= tolerance_mm;
     points.iter().filter(other).find(near).and_then(|p| p.target.as_deref())
-}
-
-/// The median of distances, if there are enough for one to mean something.
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().filter(|_| values.len() >= FEWEST)
 }

@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, Place, Problems, count};
 use crate::base::pose::{Vector, minus, norm};
+use crate::base::statistics::median;
 use crate::campaign::{Campaign, Fixed, JoinBy};
 use crate::import::Point;
 use std::collections::BTreeMap;
@@ -107,19 +108,14 @@ fn strays(point: &Point, same: &[&Point], near: f64) -> bool {
 
 /// Where points of one name usually lie, and how far from there.
 fn where_it_is(own: &[&Point]) -> (Vector, f64) {
-    let usual = median(&own.iter().map(|p| p.xyz_mm).collect::<Vec<_>>()).unwrap_or_default();
-    let mut spread: Vec<f64> = own.iter().map(|p| norm(minus(p.xyz_mm, usual))).collect();
-    spread.sort_by(f64::total_cmp);
-    (usual, spread.get(spread.len() / 2).map_or(1e-6, |s| s.max(1e-6)))
+    let usual = middle(&own.iter().map(|p| p.xyz_mm).collect::<Vec<_>>()).unwrap_or_default();
+    let spread = median(own.iter().map(|p| norm(minus(p.xyz_mm, usual))));
+    (usual, spread.map_or(1e-6, |s| s.max(1e-6)))
 }
 
 /// The median of each coordinate.
-fn median(all: &[Vector]) -> Option<Vector> {
-    let axis = |k: usize| {
-        let mut values: Vec<f64> = all.iter().map(|p| p[k]).collect();
-        values.sort_by(f64::total_cmp);
-        values.get(values.len() / 2).copied()
-    };
+fn middle(all: &[Vector]) -> Option<Vector> {
+    let axis = |k: usize| median(all.iter().map(|p| p[k]));
     Some([axis(0)?, axis(1)?, axis(2)?])
 }
 
@@ -153,7 +149,7 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
                 continue;
             }
             let blocks = rows.chunks(rows.len().div_ceil(BLOCKS));
-            let middle = |block: &[&Point]| median(&block.iter().map(|p| p.xyz_mm).collect::<Vec<_>>());
+            let middle = |block: &[&Point]| middle(&block.iter().map(|p| p.xyz_mm).collect::<Vec<_>>());
             let middles: Vec<(i64, i64, Vector)> =
                 blocks.filter_map(|b| Some((b.first()?.row, b.last()?.row, middle(b)?))).collect();
             let apart = |i: usize, j: usize| norm(minus(middles[i].2, middles[j].2));
