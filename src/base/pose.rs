@@ -28,6 +28,31 @@ impl<T: Scalar> Pose<T> {
         turned.turn_z(rpy_rad[2]).turn_y(rpy_rad[1]).turn_x(rpy_rad[0])
     }
 
+    /// Rotation by a vector: about its direction, by its length in radians (Rodrigues).
+    pub fn from_rotation_vector(vector_rad: Vector<T>) -> Self {
+        let [x, y, z] = vector_rad;
+        let square = x * x + y * y + z * z;
+        // sin θ / θ and (1 − cos θ) / θ²; below 1e-4 rad their series are exact to rounding
+        let (sine, versine, cos) = if square.value() < 1e-8 {
+            let one = T::from(1.0);
+            let versine = square * (-1.0 / 24.0) + 0.5;
+            (square * (-1.0 / 6.0) + 1.0, versine, one - versine * square)
+        } else {
+            let angle = square.sqrt();
+            let (sin, cos) = angle.sin_cos();
+            (sin / angle, (T::from(1.0) - cos) / square, cos)
+        };
+        let v = vector_rad;
+        let mut rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j| versine * v[i] * v[j]));
+        for i in 0..3 {
+            rotation[i][i] = rotation[i][i] + cos;
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            rotation[k][j] = rotation[k][j] + sine * v[i];
+            rotation[j][k] = rotation[j][k] - sine * v[i];
+        }
+        Self { rotation, ..Self::identity() }
+    }
+
     /// This pose, then a rotation about its own x axis.
     pub fn turn_x(self, angle_rad: T) -> Self {
         self.turn(1, 2, angle_rad)
@@ -107,11 +132,71 @@ impl Pose {
         sin.atan2(r[0][0] + r[1][1] + r[2][2] - 1.0)
     }
 
+    /// The rotation as a unit quaternion (w, x, y, z) with w not negative (Shepperd 1978).
+    pub fn quaternion(&self) -> [f64; 4] {
+        let r = &self.rotation;
+        let trace = r[0][0] + r[1][1] + r[2][2];
+        let squares = [trace, r[0][0], r[1][1], r[2][2]];
+        let largest = (0..4).fold(0, |best, i| if squares[i] > squares[best] { i } else { best });
+        let off = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
+        let mut q = [0.0; 4];
+        if largest == 0 {
+            q = [1.0 + trace, off[0], off[1], off[2]];
+        } else {
+            let i = largest - 1;
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            q[0] = off[i];
+            q[1 + i] = 1.0 + r[i][i] - r[j][j] - r[k][k];
+            q[1 + j] = r[j][i] + r[i][j];
+            q[1 + k] = r[k][i] + r[i][k];
+        }
+        let length = q.iter().map(|v| v * v).sum::<f64>().sqrt().copysign(q[0]);
+        q.map(|v| v / length)
+    }
+
+    /// The rotation by a quaternion (w, x, y, z) of any length but zero.
+    pub fn from_quaternion(quaternion: [f64; 4]) -> Self {
+        let length = quaternion.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let [w, x, y, z] = quaternion.map(|v| v / length);
+        let rotation = [
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+        ];
+        Self { rotation, translation_mm: [0.0; 3] }
+    }
+
+    /// The rotation as a vector: its direction the axis, its length the angle, at most π.
+    pub fn rotation_vector_rad(&self) -> Vector {
+        let [w, x, y, z] = self.quaternion();
+        let sine = norm([x, y, z]);
+        let factor = if sine > 0.0 { 2.0 * sine.atan2(w) / sine } else { 2.0 };
+        [x, y, z].map(|v| factor * v)
+    }
+
     /// Angles (rx, ry, rz) in radians of `Rz(rz) Ry(ry) Rx(rx)`.
     pub fn rpy_rad(&self) -> Vector {
         let r = &self.rotation;
         [r[2][1].atan2(r[2][2]), (-r[2][0]).atan2(r[0][0].hypot(r[1][0])), r[1][0].atan2(r[0][0])]
     }
+}
+
+/// Axes about which a rotation by a vector turns for each radian of the vector's components: columns of the left Jacobian of the
+/// rotation group (Solà et al., "A micro Lie theory", 2018, eq. 145). They are independent below a full turn.
+pub fn turning_axes(vector_rad: Vector) -> [Vector; 3] {
+    let angle = norm(vector_rad);
+    let (first, second) = if angle < 1e-4 {
+        (0.5 - angle * angle / 24.0, 1.0 / 6.0 - angle * angle / 120.0)
+    } else {
+        ((1.0 - angle.cos()) / (angle * angle), (angle - angle.sin()) / angle.powi(3))
+    };
+    [0, 1, 2].map(|k| {
+        let mut column = [0.0; 3];
+        column[k] = 1.0;
+        let once = cross(vector_rad, column);
+        let twice = cross(vector_rad, once);
+        [0, 1, 2].map(|i| column[i] + first * once[i] + second * twice[i])
+    })
 }
 
 /// `a - b`.
@@ -162,6 +247,38 @@ mod tests {
         let rpy = a.rpy_rad();
         assert!(norm(minus(rpy, [0.1, -0.7, 2.5])) < 1e-14);
         assert!((Pose::<f64>::identity().turn_x(1e-9).angle_rad() - 1e-9).abs() < 1e-20);
+    }
+
+    #[test]
+    fn rotation_vectors_and_quaternions_give_the_rotation_back() {
+        use std::f64::consts::PI;
+        let axis = |v: Vector| unit(v).unwrap();
+        for direction in [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], axis([1.0, 2.0, -3.0]), axis([-0.1, 0.0, 5.0])] {
+            for angle in [0.0, 1e-9, 9e-5, 1.1e-4, 0.7, PI - 1e-9, PI] {
+                let vector = direction.map(|v| v * angle);
+                let pose = Pose::from_rotation_vector(vector);
+                let back = Pose::from_rotation_vector(pose.rotation_vector_rad());
+                let again = Pose::from_quaternion(pose.quaternion().map(|v| 2.0 * v));
+                assert!(pose.inverse().then(&back).angle_rad() < 1e-14, "{direction:?} {angle}");
+                assert!(pose.inverse().then(&again).angle_rad() < 1e-14, "{direction:?} {angle}");
+                // about z it is the elementary rotation
+                let turned = Pose::<f64>::identity().turn_z(angle);
+                let same = Pose::from_rotation_vector([0.0, 0.0, angle]);
+                assert!(turned.inverse().then(&same).angle_rad() < 1e-15);
+                // d(R p) = axis × R p
+                let (p, h) = ([0.3, -0.2, 0.9], 1e-6);
+                for (k, turning) in turning_axes(vector).into_iter().enumerate() {
+                    let at = |h: f64| {
+                        let mut moved = vector;
+                        moved[k] += h;
+                        Pose::from_rotation_vector(moved).apply(p)
+                    };
+                    let numeric = minus(at(h), at(-h)).map(|v| v / (2.0 * h));
+                    let off = norm(minus(cross(turning, pose.apply(p)), numeric));
+                    assert!(off < 1e-9, "{direction:?} {angle} {k}: {off}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::toml_file::{self, Recovered, UnreadKeys};
 use crate::base::message::{Message, Place, Problems, Result};
-use crate::math::robots::{Definition, Description, MODELS, Model, Parameter, Quantity, Robot, Role};
+use crate::math::robots::{Definition, Description, MODELS, Model, Parameter, Quantity, Robot, Role, Source};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, de};
@@ -135,6 +135,13 @@ fn foreign(model: &Model) -> impl Iterator<Item = &'static [&'static str]> {
     all.filter(|path| !model.keys.contains(path))
 }
 
+impl Source for RobotFile {
+    /// The file where the key is not there.
+    fn place(&self, path: &[&str]) -> Place {
+        self.stated(path).unwrap_or_else(|| Place::file(self.source.0.as_str()))
+    }
+}
+
 impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
     pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
@@ -162,11 +169,6 @@ impl RobotFile {
         Some(Place::span(name.as_str(), text, toml_file::find(text, path)?))
     }
 
-    /// The place of a key; the file where the key is not there.
-    fn place(&self, path: &[&str]) -> Place {
-        self.stated(path).unwrap_or_else(|| Place::file(self.source.0.as_str()))
-    }
-
     /// The robot with these targets, where the model has none of its own.
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
         // what did not read is reported already
@@ -176,7 +178,7 @@ impl RobotFile {
         });
         let Some((model, description)) = readable else { return Err(Problems::default()) };
         let mut problems = self.odd_keys(model);
-        let built = description.build(targets, &|path| self.place(path)).and_then(|mut robot| {
+        let built = description.build(targets, self).and_then(|mut robot| {
             let mut values = robot.nominal();
             self.nominal(robot.as_ref(), description.states_geometry(), &mut values)?;
             robot.definition_mut().set_nominal(&values);

@@ -23,7 +23,7 @@ const UNITS: [(&str, &str); 13] = [
     ("per_count", "of the joint"),
 ];
 /// Numbers without a unit.
-const PURE: [&str; 17] = [
+const PURE: [&str; 18] = [
     "coverage_factor",
     "cycle",
     "tolerance",
@@ -41,6 +41,7 @@ const PURE: [&str; 17] = [
     "widths",
     "gravity",
     "bending",
+    "direction",
 ];
 
 /// One schema, and the schemas to which it refers.
@@ -328,7 +329,7 @@ fn keys_of_campaigns_are_documented() {
 #[test]
 fn keys_of_robots_are_documented() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/keys");
-    let all = ["prexyt", "five_bar", "serial"].map(|model| folder.join(format!("robot-{model}.toml")));
+    let all = ["prexyt", "five_bar", "serial", "serial-dh", "serial-poe"].map(|model| folder.join(format!("robot-{model}.toml")));
     for path in &all {
         let robot = etalon::campaign::read_robot(path).unwrap();
         robot.build(&["T".to_owned()]).unwrap_or_else(|e| panic!("{}: {e}", path.display()));

@@ -5,6 +5,7 @@
 mod arms;
 mod common;
 mod compare;
+mod conventions;
 mod coverage;
 mod fits;
 mod fits_covariances;

@@ -4,9 +4,7 @@ use super::Observation;
 use super::placing::{Placed, UNEXPLAINED, place, spread_mm, spread_over};
 use super::set_up::explain;
 use crate::base::message::{Message, Result};
-use crate::base::pose::Pose;
 use crate::math::robots::{Robot, Role};
-use std::f64::consts::FRAC_PI_2;
 
 const SUBSET: usize = 24;
 
@@ -32,12 +30,11 @@ pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[u
         explain(std::slice::from_mut(&mut message), robot, observations);
         return Err(message.into());
     }
-    // the same rotation by angles of which the middle one is at most a right angle
+    let angles = [values[3], values[4], values[5]];
     if (3..6).all(|i| places.contains(&i)) {
-        let turned = Pose::identity().turn_z(values[5]).turn_y(values[4]).turn_x(values[3]);
-        values[3..6].copy_from_slice(&turned.rpy_rad());
+        values[3..6].copy_from_slice(&arm.shortest_base_angles(angles));
     }
-    if (values[4].abs() - FRAC_PI_2).abs() < 0.1 {
+    if arm.base_is_singular([values[3], values[4], values[5]]) {
         return Err(Message::error(
             "the x axis of the base is upright in the world: base_rx and base_rz turn about the same axis",
         )

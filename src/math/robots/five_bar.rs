@@ -3,8 +3,8 @@
 //!
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
-use super::{Definition, Description, Joint, Model, Parameter, Quantity, Robot, Role};
-use crate::base::message::{Place, Result};
+use super::{Definition, Description, Joint, Model, Parameter, Quantity, Robot, Role, Source};
+use crate::base::message::Result;
 use crate::base::pose::Vector;
 use crate::base::scalar::{Dual, Scalar, duals};
 use schemars::JsonSchema;
@@ -67,7 +67,7 @@ struct LimitKeys {
 }
 
 impl Description for Keys {
-    fn build(&self, _targets: &[String], _place: &dyn Fn(&[&str]) -> Place) -> Result<Box<dyn Robot>> {
+    fn build(&self, _targets: &[String], _source: &dyn Source) -> Result<Box<dyn Robot>> {
         let (given, none) = (self.reach, Limits::default());
         let limits = |given: Option<[f64; 2]>, none: [f64; 2]| given.map_or(none, |l| l.map(f64::to_radians));
         Ok(Box::new(FiveBar::default().with_limits(Limits {

@@ -4,6 +4,8 @@
 //! its keys of robot.toml; and one line of [`MODELS`]. What not all models can do is a capability: [`Platform`],
 //! [`RailTable`], [`FreeBase`]. Lengths are in millimetres, angles in radians.
 
+mod chain;
+mod conventions;
 mod definition;
 mod five_bar;
 mod prexyt;
@@ -12,7 +14,8 @@ mod serial;
 pub use definition::{Definition, Joint, Parameter, Quantity, Role};
 pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
 pub use prexyt::Prexyt;
-pub use serial::{Serial, SerialJoint};
+pub use conventions::SerialJoint;
+pub use serial::Serial;
 
 use crate::base::message::{Place, Result};
 use crate::base::pose::{Pose, Vector};
@@ -24,7 +27,7 @@ use toml::Spanned;
 use toml::de::{DeTable, Deserializer};
 
 /// All models.
-pub const MODELS: [&Model; 4] = [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &serial::MODEL];
+pub const MODELS: [&Model; 4] = [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &conventions::MODEL];
 
 /// Reads the keys of a table that are a model's own.
 pub type ReadKeys = fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>;
@@ -63,8 +66,14 @@ pub trait Description: Debug + Send + Sync {
         false
     }
 
-    /// The robot, with these targets where the model has none of its own; `place` is where the value of a key is.
-    fn build(&self, targets: &[String], place: &dyn Fn(&[&str]) -> Place) -> Result<Box<dyn Robot>>;
+    /// The robot, with these targets where the model has none of its own.
+    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>>;
+}
+
+/// The file that states a robot.
+pub trait Source {
+    /// Where the value of a key is, by the keys that lead to it.
+    fn place(&self, path: &[&str]) -> Place;
 }
 
 /// A robot whose targets are seen by a measuring system.
@@ -239,4 +248,13 @@ pub trait FreeBase: Robot {
 
     /// Index of the first parameter of a target.
     fn target_place(&self, target: usize) -> usize;
+
+    /// base_rx, base_ry, base_rz of a rotation.
+    fn base_angles(&self, rotation: &Pose) -> Vector;
+
+    /// The shortest base_rx, base_ry, base_rz of the same rotation.
+    fn shortest_base_angles(&self, angles: Vector) -> Vector;
+
+    /// Whether two of them turn about nearly the same axis there.
+    fn base_is_singular(&self, angles: Vector) -> bool;
 }

@@ -3,8 +3,8 @@
 //! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
 //! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
 
-use super::{Definition, Description, Joint, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot, Role};
-use crate::base::message::{Place, Result};
+use super::{Definition, Description, Joint, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot, Role, Source};
+use crate::base::message::Result;
 use crate::base::scalar::{Dual, Scalar, constants, duals};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -51,7 +51,7 @@ struct Travel {
 }
 
 impl<const FULL: bool> Description for Keys<FULL> {
-    fn build(&self, _targets: &[String], _place: &dyn Fn(&[&str]) -> Place) -> Result<Box<dyn Robot>> {
+    fn build(&self, _targets: &[String], _source: &dyn Source) -> Result<Box<dyn Robot>> {
         Ok(Box::new(Prexyt { travel_mm: self.reach.travel_mm, ..Prexyt::new(FULL) }))
     }
 }

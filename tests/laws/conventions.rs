@@ -1,0 +1,180 @@
+//! One robot in every convention: modified and standard Denavit-Hartenberg parameters, screw axes. Identified from the same data, each
+//! leaves the same errors.
+
+use crate::support::arms::SIX_AXES;
+use crate::support::scratch::{Scratch, copy_sample};
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, minus, norm};
+use etalon::campaign::{Campaign, read_robot};
+use etalon::math::identify::{Observation, Settings, identify};
+use etalon::math::robots::Robot;
+use etalon::run::pipeline;
+use std::fmt::Write;
+
+/// The six axes as robot.toml of a convention states them.
+pub fn robot_toml(convention: &str, effects: &str) -> String {
+    let mut text = format!("model = \"serial\"\nconvention = \"{convention}\"\n{effects}\n");
+    let mut joints = String::new();
+    let mut pose = Pose::identity();
+    for (i, [alpha, a, theta, d]) in SIX_AXES.into_iter().enumerate() {
+        pose = pose.turn_x(alpha.to_radians()).shift(0, a).turn_z(theta.to_radians()).shift(2, d);
+        let [next_alpha, next_a] = SIX_AXES.get(i + 1).map_or([0.0; 2], |next| [next[0], next[1]]);
+        let _ = match convention {
+            "poe" => write!(joints, "[[joint]]\ndirection = {:?}\npoint_mm = {:?}\n", pose.axis(2), pose.translation_mm),
+            "dh" => write!(
+                joints,
+                "[[joint]]\nalpha_deg = {next_alpha:?}\na_mm = {next_a:?}\ntheta_deg = {theta:?}\nd_mm = {d:?}\n"
+            ),
+            _ => write!(joints, "[[joint]]\nalpha_deg = {alpha:?}\na_mm = {a:?}\ntheta_deg = {theta:?}\nd_mm = {d:?}\n"),
+        };
+    }
+    if convention == "poe" {
+        let angles = pose.rpy_rad().map(f64::to_degrees);
+        let _ = write!(text, "flange_xyz_mm = {:?}\nflange_rpy_deg = {angles:?}\n", pose.translation_mm);
+    }
+    text + &joints
+}
+
+const CONVENTIONS: [&str; 3] = ["mdh", "dh", "poe"];
+const EFFECTS: &str = "bending = [2, 3]\ncoupling = [[5, 4], [6, 4], [6, 5]]";
+
+fn robot(convention: &str, effects: &str) -> Box<dyn Robot> {
+    let scratch = Scratch::with(&[("robot.toml", &robot_toml(convention, effects))]);
+    let robot = read_robot(&scratch.path().join("robot.toml")).unwrap();
+    robot.build(&["a", "b", "c"].map(str::to_owned)).unwrap()
+}
+
+/// How far each target is from where it was measured.
+fn misses(robot: &dyn Robot, values: &[f64], observations: &[Observation]) -> Vec<f64> {
+    let of = |o: &Observation| {
+        let seen = o.targets.iter().enumerate().filter_map(|(k, seen)| Some((k, (*seen)?)));
+        seen.map(|(k, seen)| norm(minus(robot.position(values, &o.joints, k), seen))).collect::<Vec<f64>>()
+    };
+    observations.iter().flat_map(of).collect()
+}
+
+/// A truth, identified in every convention from noisy measurements, with the base in any orientation.
+#[test]
+fn conventions_identify_the_same_robot() {
+    let all = CONVENTIONS.map(|convention| robot(convention, EFFECTS));
+    let mut noise = Noise::new(31, 0);
+    let mut truth: Vec<f64> = all[0].parameters().iter().map(|p| p.nominal).collect();
+    for (value, p) in truth.iter_mut().zip(all[0].parameters()) {
+        *value += match p.name.as_str() {
+            "base_x" | "base_y" | "base_z" => noise.uniform(2000.0),
+            "base_rx" | "base_rz" => noise.uniform(3.0),
+            name if name.starts_with("base") => noise.uniform(1.2),
+            name if name.starts_with("a_") || name.starts_with("d_") => noise.uniform(0.5),
+            name if ["a_", "b_", "c_"].iter().any(|target| name.starts_with(target)) => noise.uniform(100.0),
+            name if name.starts_with("gain") => noise.uniform(1e-3),
+            _ => noise.uniform(2e-3),
+        };
+    }
+    let observe = |i: usize, noise: &mut Noise| {
+        let joints: Vec<f64> = [2.8, 1.3, 1.2, 2.6, 1.9, 3.0].map(|range| noise.uniform(range)).to_vec();
+        let seen = |k| Some(all[0].position(&truth, &joints, k).map(|v| v + noise.gaussian(0.05)));
+        let targets = (0..3).map(seen).collect();
+        Observation { pose: i as i64, cycle: 1, joints, targets }
+    };
+    let observations: Vec<Observation> = (0..70).map(|i| observe(i, &mut noise)).collect();
+    let settings = Settings { standard_uncertainty_mm: Some(0.05), ..Settings::default() };
+    let errors = |robot: &dyn Robot| {
+        let found = identify(robot, &observations, &settings).unwrap();
+        (misses(robot, &found.values, &observations), found.free.len())
+    };
+    let expected = errors(all[0].as_ref());
+    assert_eq!(expected.1, 6 + 9 + 24 - 6 + 6 + 3 + 3);
+    for (robot, convention) in all.iter().zip(CONVENTIONS).skip(1) {
+        let found = errors(robot.as_ref());
+        let off = found.0.iter().zip(&expected.0).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        println!("{convention}: {} parameters, errors differ by {off:.1e} mm", found.1);
+        assert_eq!(found.1, expected.1, "{convention}");
+        assert!(off < 1e-9, "{convention}: {off}");
+    }
+}
+
+/// At nominal values all are the same robot, and its Jacobian is the derivative, whatever the orientation of the base.
+#[test]
+fn conventions_describe_the_same_robot() {
+    let all = CONVENTIONS.map(|convention| robot(convention, EFFECTS));
+    let mut noise = Noise::new(31, 1);
+    for _ in 0..20 {
+        let joints: Vec<f64> = (0..6).map(|_| noise.uniform(3.0)).collect();
+        let values = |robot: &dyn Robot| {
+            let mut values = robot.nominal();
+            values[6..9].copy_from_slice(&[10.0, -20.0, 130.0]);
+            values
+        };
+        let at = all.each_ref().map(|robot| robot.position(&values(robot.as_ref()), &joints, 0));
+        for other in &at[1..] {
+            assert!((0..3).all(|i| (other[i] - at[0][i]).abs() < 1e-9), "{at:?}");
+        }
+    }
+    for robot in &all[1..] {
+        for _ in 0..5 {
+            let joints: Vec<f64> = (0..6).map(|_| noise.uniform(3.0)).collect();
+            let p: Vec<f64> = robot.nominal().iter().map(|v| v + noise.uniform(0.2)).collect();
+            let (n, h) = (p.len(), 1e-6);
+            let mut exact = vec![0.0; 9 * n];
+            robot.jacobian(&p, &joints, &mut exact);
+            for j in 0..n {
+                let moved = |by: f64| {
+                    let (mut p, mut out) = (p.clone(), [0.0; 9]);
+                    p[j] += by;
+                    robot.positions(&p, &joints, &mut out);
+                    out
+                };
+                let (plus, minus) = (moved(h), moved(-h));
+                for i in 0..9 {
+                    let numeric = (plus[i] - minus[i]) / (2.0 * h);
+                    assert!((exact[i * n + j] - numeric).abs() < 1e-5, "{} {i}", robot.parameters()[j].name);
+                }
+            }
+        }
+    }
+}
+
+/// The base may be in any orientation where its angles are a rotation vector.
+#[test]
+fn an_upright_base_is_not_singular_in_other_conventions() {
+    for convention in ["dh", "poe"] {
+        let robot = robot(convention, "");
+        for (trial, upright) in [[0.0, std::f64::consts::FRAC_PI_2, 0.0], [0.0, 0.0, std::f64::consts::PI]].into_iter().enumerate() {
+            let mut noise = Noise::new(32, trial as u64);
+            let mut truth = robot.nominal();
+            truth[3..6].copy_from_slice(&upright);
+            (6..15).for_each(|i| truth[i] = noise.uniform(100.0));
+            let observe = |i: i64| {
+                let joints: Vec<f64> = (0..6).map(|_| noise.uniform(2.0)).collect();
+                let targets = (0..3).map(|k| Some(robot.position(&truth, &joints, k))).collect();
+                Observation { pose: i, cycle: 1, joints, targets }
+            };
+            let observations: Vec<Observation> = (0..40).map(observe).collect();
+            let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };
+            let found = identify(robot.as_ref(), &observations, &settings).unwrap();
+            let off = misses(robot.as_ref(), &found.values, &observations).into_iter().fold(0.0, f64::max);
+            assert!(off < 1e-8, "{convention}: {off}");
+        }
+    }
+}
+
+/// ABB IRB 120 with a FARO tracker (real data).
+#[test]
+fn conventions_leave_the_same_errors_on_a_real_arm() {
+    if crate::reference_data("robots/irb120_faro_ets").is_none() {
+        return;
+    }
+    let mut expected: Option<[f64; 6]> = None;
+    for convention in CONVENTIONS {
+        let scratch = copy_sample("abb-irb120");
+        std::fs::write(scratch.path().join("robot.toml"), robot_toml(convention, EFFECTS)).unwrap();
+        let found = pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).expect("evaluated");
+        let set = &found.identified.as_ref().unwrap().accuracy.sets[1].errors[0];
+        let (before, after) = (set.before, set.after);
+        let errors = [before.mean, before.rms, before.max, after.mean, after.rms, after.max];
+        println!("{convention}: {errors:?}");
+        let expected = expected.get_or_insert(errors);
+        let off = errors.iter().zip(expected).map(|(a, b)| (a - *b).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-9, "{convention}: {off:e} mm");
+    }
+}
