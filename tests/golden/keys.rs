@@ -329,7 +329,8 @@ fn keys_of_campaigns_are_documented() {
 #[test]
 fn keys_of_robots_are_documented() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/keys");
-    let all = ["prexyt", "five_bar", "serial", "serial-dh", "serial-poe"].map(|model| folder.join(format!("robot-{model}.toml")));
+    let all = ["prexyt", "five_bar", "serial", "serial-dh", "serial-poe"]
+        .map(|model| folder.join(format!("robot-{model}.toml")));
     for path in &all {
         let robot = etalon::campaign::read_robot(path).unwrap();
         robot.build(&["T".to_owned()]).unwrap_or_else(|e| panic!("{}: {e}", path.display()));

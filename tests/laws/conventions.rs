@@ -20,12 +20,16 @@ pub fn robot_toml(convention: &str, effects: &str) -> String {
         pose = pose.turn_x(alpha.to_radians()).shift(0, a).turn_z(theta.to_radians()).shift(2, d);
         let [next_alpha, next_a] = SIX_AXES.get(i + 1).map_or([0.0; 2], |next| [next[0], next[1]]);
         let _ = match convention {
-            "poe" => write!(joints, "[[joint]]\ndirection = {:?}\npoint_mm = {:?}\n", pose.axis(2), pose.translation_mm),
+            "poe" => {
+                write!(joints, "[[joint]]\ndirection = {:?}\npoint_mm = {:?}\n", pose.axis(2), pose.translation_mm)
+            }
             "dh" => write!(
                 joints,
                 "[[joint]]\nalpha_deg = {next_alpha:?}\na_mm = {next_a:?}\ntheta_deg = {theta:?}\nd_mm = {d:?}\n"
             ),
-            _ => write!(joints, "[[joint]]\nalpha_deg = {alpha:?}\na_mm = {a:?}\ntheta_deg = {theta:?}\nd_mm = {d:?}\n"),
+            _ => {
+                write!(joints, "[[joint]]\nalpha_deg = {alpha:?}\na_mm = {a:?}\ntheta_deg = {theta:?}\nd_mm = {d:?}\n")
+            }
         };
     }
     if convention == "poe" {
@@ -139,7 +143,9 @@ fn conventions_describe_the_same_robot() {
 fn an_upright_base_is_not_singular_in_other_conventions() {
     for convention in ["dh", "poe"] {
         let robot = robot(convention, "");
-        for (trial, upright) in [[0.0, std::f64::consts::FRAC_PI_2, 0.0], [0.0, 0.0, std::f64::consts::PI]].into_iter().enumerate() {
+        for (trial, upright) in
+            [[0.0, std::f64::consts::FRAC_PI_2, 0.0], [0.0, 0.0, std::f64::consts::PI]].into_iter().enumerate()
+        {
             let mut noise = Noise::new(32, trial as u64);
             let mut truth = robot.nominal();
             truth[3..6].copy_from_slice(&upright);

@@ -84,7 +84,8 @@ impl Element {
     /// The frame after this motion of `pose`.
     pub fn advance<T: Scalar>(&self, pose: Pose<T>, p: &[T], state: State) -> Pose<T> {
         let amount = || {
-            self.coefficients(state).fold(T::from(self.constant), |sum, (parameter, factor)| sum + p[parameter] * factor)
+            self.coefficients(state)
+                .fold(T::from(self.constant), |sum, (parameter, factor)| sum + p[parameter] * factor)
         };
         match self.motion {
             Motion::Turn(0) => pose.turn_x(amount()),

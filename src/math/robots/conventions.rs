@@ -24,7 +24,19 @@ pub(super) const MODEL: Model = Model::new::<Keys>(
         &["flange_xyz_mm"],
         &["flange_rpy_deg"],
     ],
-    &["joint", "alpha_deg", "alpha_rad", "a_mm", "a_m", "theta_deg", "theta_rad", "d_mm", "d_m", "direction", "point_mm"],
+    &[
+        "joint",
+        "alpha_deg",
+        "alpha_rad",
+        "a_mm",
+        "a_m",
+        "theta_deg",
+        "theta_rad",
+        "d_mm",
+        "d_m",
+        "direction",
+        "point_mm",
+    ],
 );
 
 /// Axes whose twist is below this are near-parallel: d is replaced by Hayati's beta (3 degrees).
@@ -222,7 +234,8 @@ impl JointKeys {
     /// The joint as a screw axis; `place` is that of its table.
     fn screw(&self, place: &Place) -> Result<Screw> {
         let mut problems = Problems::default();
-        let table = [self.alpha_deg, self.alpha_rad, self.a_mm, self.a_m, self.theta_deg, self.theta_rad, self.d_mm, self.d_m];
+        let table =
+            [self.alpha_deg, self.alpha_rad, self.a_mm, self.a_m, self.theta_deg, self.theta_rad, self.d_mm, self.d_m];
         if table.iter().any(Option::is_some) || self.parallel.is_some() {
             let what = "a screw axis has neither Denavit-Hartenberg parameters nor `parallel`";
             problems.0.push(Message::error(what).at(place.clone()).hint("state `direction` and `point_mm`"));
@@ -407,12 +420,7 @@ impl Serial {
     }
 
     /// An arm of a table of joints with `targets` on its last link.
-    fn of_table(
-        convention: TableConvention,
-        joints: &[SerialJoint],
-        targets: &[String],
-        effects: &Effects,
-    ) -> Self {
+    fn of_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String], effects: &Effects) -> Self {
         let other = convention.other();
         let rigid = Effects { gravity: effects.gravity, ..Effects::default() };
         let what = format!("the table of joints read as {} Denavit-Hartenberg parameters", other.name());

@@ -11,10 +11,10 @@ mod five_bar;
 mod prexyt;
 mod serial;
 
+pub use conventions::SerialJoint;
 pub use definition::{Definition, Joint, Parameter, Quantity, Role};
 pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
 pub use prexyt::Prexyt;
-pub use conventions::SerialJoint;
 pub use serial::Serial;
 
 use crate::base::message::{Place, Result};

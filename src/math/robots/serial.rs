@@ -236,7 +236,8 @@ impl ArmBuilder {
         let size = |k: usize| direction[k].abs();
         let along = (0..3).fold(2, |best, k| if size(k) > size(best) { k } else { best });
         let across: Vec<usize> = (0..3).filter(|&k| k != along).collect();
-        let label = if drive.label.starts_with(|c: char| c.is_ascii_digit()) { "q" } else { "" }.to_owned() + &drive.label;
+        let label =
+            if drive.label.starts_with(|c: char| c.is_ascii_digit()) { "q" } else { "" }.to_owned() + &drive.label;
         let mut errors = Vec::new();
         for (turn, quantity) in [(false, Quantity::Length), (true, Quantity::Angle)] {
             for &k in across.iter().filter(|_| turn || !drive.prismatic) {
@@ -478,7 +479,8 @@ impl Robot for Serial {
             let [lower, upper] = (*limit)?.map(|v| joint.quantity.outward(v));
             let (q, unit) = (joint.quantity.outward(*q), joint.quantity.unit());
             let name = &joint.name;
-            (!(lower..=upper).contains(&q)).then(|| format!("{name} = {q} {unit}, its limits are {lower} and {upper} {unit}"))
+            (!(lower..=upper).contains(&q))
+                .then(|| format!("{name} = {q} {unit}, its limits are {lower} and {upper} {unit}"))
         };
         self.joints().iter().zip(joints.iter().zip(&self.limits)).find_map(beyond)
     }
