@@ -8,6 +8,7 @@ pub mod message;
 pub mod noise;
 pub mod pattern;
 pub mod pose;
+pub mod pose_name;
 pub mod scalar;
 pub mod statistics;
 pub mod table;

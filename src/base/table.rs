@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use polars::prelude::*;
 use serde::Serialize;
 use std::io::Cursor;
@@ -42,6 +43,26 @@ pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
     let column = column.strict_cast(&DataType::Int64).map_err(|_| wrong())?;
     let whole = |v: Option<i64>| v.ok_or_else(|| Message::error(format!("column `{name}` has an empty cell")).into());
     column.i64()?.iter().map(whole).collect()
+}
+
+/// The names of poses in the column `pose`, without gaps.
+pub fn poses(table: &DataFrame) -> Result<Vec<PoseName>> {
+    if !column(table, "pose")?.dtype().is_string() {
+        return Ok(integers(table, "pose")?.into_iter().map(PoseName::from).collect());
+    }
+    let name = |name: String| PoseName::new(&name).map_err(|message| Problems::from(message));
+    texts(table, "pose")?.into_iter().map(name).collect()
+}
+
+/// A column of names of poses: whole numbers, or texts where one of them is a text.
+pub fn pose_column(name: &str, poses: &[Option<PoseName>]) -> Column {
+    let numbers = poses.iter().map(|pose| pose.map(PoseName::number));
+    match numbers.clone().all(|number| number != Some(None)) {
+        true => Column::new(name.into(), numbers.map(Option::flatten).collect::<Vec<_>>()),
+        false => {
+            Column::new(name.into(), poses.iter().map(|pose| Some(pose.as_ref()?.to_string())).collect::<Vec<_>>())
+        }
+    }
 }
 
 /// A column of whole numbers; empty where missing.

@@ -1,5 +1,6 @@
 //! `[geometric]`: which labels are which step of the geometric calibration (thesis, chapter 2).
 
+use super::StatedPoses;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
@@ -93,8 +94,8 @@ pub struct TableDefinition {
     /// Title of the table.
     pub title: String,
     /// Poses of the table, as those of `[identify]`.
-    #[schemars(with = "String")]
-    pub poses: Spanned<String>,
+    #[schemars(with = "StatedPoses")]
+    pub poses: Spanned<StatedPoses>,
 }
 
 /// The orientations that must all be reached; the travel of the actuators is that of robot.toml.

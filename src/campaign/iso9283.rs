@@ -2,6 +2,7 @@
 
 use super::Campaign;
 use crate::base::message::{Message, Problems};
+use crate::base::pose_name::PoseName;
 use crate::import::{Format, format::Unit};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -14,12 +15,12 @@ pub struct RepeatabilityDefinition {
     /// Pattern of the labels, with `{pose}` and `{cycle}`. Attained poses of one pose and cycle have one label, in their order.
     #[schemars(with = "String")]
     pub label: Spanned<String>,
-    /// Numbers of the poses in the order of one cycle; the previous pose is the approach.
-    #[schemars(with = "Vec<i64>")]
-    pub trajectory: Spanned<Vec<i64>>,
+    /// Numbers or names of the poses in the order of one cycle; the previous pose is the approach.
+    #[schemars(with = "Vec<PoseName>")]
+    pub trajectory: Spanned<Vec<PoseName>>,
     /// Four poses whose mean positions are tested for coplanarity.
-    #[schemars(with = "Option<[i64; 4]>")]
-    pub coplanar: Option<Spanned<[i64; 4]>>,
+    #[schemars(with = "Option<[PoseName; 4]>")]
+    pub coplanar: Option<Spanned<[PoseName; 4]>>,
     /// Pattern of the labels of the home position, each measured after homing.
     #[schemars(with = "Option<String>")]
     pub homing: Option<Spanned<String>>,

@@ -13,7 +13,7 @@ pub use geometric::*;
 pub use iso9283::*;
 pub use join::{ClockOffset, Join, JoinBy};
 pub use robot_file::RobotFile;
-pub use selection::{Selection, Selections};
+pub use selection::{Selection, Selections, StatedPoses};
 pub use toml_file::UnreadKeys;
 pub use types::*;
 
@@ -180,7 +180,7 @@ impl Campaign {
 
     /// The poses of `calibration` and `validation`.
     pub fn selections(&self, identify: &Identify) -> Result<Selections> {
-        let parse = |text: &Spanned<String>| {
+        let parse = |text: &Spanned<StatedPoses>| {
             Selection::parse(text.get_ref()).map_err(|m| Problems::from(m.at(self.place(text))))
         };
         let calibration = parse(&identify.calibration)?;

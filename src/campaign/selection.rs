@@ -1,12 +1,53 @@
-//! Which poses: `"1-8, 12"`, `"all"`, `"rest"`, or `"index mod 10 < 7"`.
+//! Which poses: `"1-8, 12, home"`, `["home", "P3", "5-9"]`, `"all"`, `"rest"`, or `"index mod 10 < 7"`.
 
 use crate::base::message::Message;
+use crate::base::pose_name::PoseName;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::fmt;
+use std::ops::RangeInclusive;
+
+/// Poses as a campaign states them: a text with commas between names and ranges, or a list of them.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(untagged, expecting = "poses are a text like \"1-8, 12\", or a list like [\"home\", \"5-9\"]")]
+pub enum StatedPoses {
+    /// A text.
+    Text(String),
+    /// A list: a name may then hold a comma, or be `all`.
+    List(Vec<PoseName>),
+}
+
+impl JsonSchema for StatedPoses {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "StatedPoses".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let name = generator.subschema_for::<PoseName>();
+        json_schema!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": name }] })
+    }
+}
+
+impl fmt::Display for StatedPoses {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Text(text) => f.write_str(text),
+            Self::List(names) => f.write_str(&names.iter().map(PoseName::to_string).collect::<Vec<_>>().join(", ")),
+        }
+    }
+}
 
 /// A set of poses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Selection {
-    /// Numbers of poses: ranges with both ends in.
-    Ranges(Vec<(i64, i64)>),
+    /// Poses by their names, and ranges of them.
+    Named(Vec<Named>),
     /// Poses whose index, counted from 0 over the poses that remain in their order, modulo the first number is
     /// below the second.
     Modulo(usize, usize),
@@ -14,6 +55,43 @@ pub enum Selection {
     All,
     /// All poses that the calibration does not take.
     Rest,
+}
+
+/// A pose, or several with the same text before their numbers: `12`, `home`, `5-9`, `P1-P8`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// As it is written.
+    pub name: PoseName,
+    /// The text before the numbers, and the numbers, both ends in.
+    range: Option<(String, RangeInclusive<i64>)>,
+}
+
+impl Named {
+    fn new(text: &str) -> Option<Self> {
+        let name = PoseName::new(text).ok()?;
+        let between = |(at, _): (usize, &str)| {
+            let (from, to) = (text[..at].trim(), text[at + 1..].trim());
+            let ((before, from), (same, to)) = (numbered(from)?, numbered(to)?);
+            (before == same).then(|| (before.to_owned(), from..=to))
+        };
+        let range = text.match_indices('-').find_map(between).filter(|_| name.number().is_none());
+        range.as_ref().is_none_or(|(_, numbers)| !numbers.is_empty()).then_some(Self { name, range })
+    }
+
+    /// Whether it names this pose.
+    pub fn contains(&self, pose: PoseName) -> bool {
+        let within = |(before, numbers): &(String, RangeInclusive<i64>)| match pose {
+            PoseName::Number(number) => before.is_empty() && numbers.contains(&number),
+            PoseName::Text(text) => numbered(text).is_some_and(|(text, n)| text == before && numbers.contains(&n)),
+        };
+        self.name == pose || self.range.as_ref().is_some_and(within)
+    }
+}
+
+/// A name that ends in a number, taken apart.
+fn numbered(name: &str) -> Option<(&str, i64)> {
+    let before = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    Some((before, name[before.len()..].parse().ok()?))
 }
 
 /// The poses of an identification.
@@ -26,13 +104,13 @@ pub struct Selections {
 }
 
 impl Selections {
-    /// Whether the pose with this number and index is for calibration.
-    pub fn calibrates(&self, pose: i64, index: usize) -> bool {
+    /// Whether the pose with this name and index is for calibration.
+    pub fn calibrates(&self, pose: PoseName, index: usize) -> bool {
         self.calibration.contains(pose, index, false)
     }
 
     /// Whether the pose is for validation.
-    pub fn validates(&self, pose: i64, index: usize) -> bool {
+    pub fn validates(&self, pose: PoseName, index: usize) -> bool {
         let calibrates = self.calibrates(pose, index);
         self.validation.as_ref().is_some_and(|validation| validation.contains(pose, index, calibrates))
     }
@@ -40,10 +118,18 @@ impl Selections {
 
 impl Selection {
     /// Reads a selection.
-    pub fn parse(text: &str) -> Result<Self, Message> {
+    pub fn parse(stated: &StatedPoses) -> Result<Self, Message> {
         let wrong = || {
-            Message::error(format!("`{text}` names no poses"))
-                .expected("numbers and ranges like \"1-8, 12\", \"all\", \"rest\" or \"index mod 10 < 7\"")
+            Message::error(format!("`{stated}` names no poses")).expected(
+                "names and ranges like \"1-8, 12, home\", a list of them, \"all\", \"rest\" or \"index mod 10 < 7\"",
+            )
+        };
+        let text = match stated {
+            StatedPoses::Text(text) => text,
+            StatedPoses::List(names) => {
+                let named = names.iter().map(|name| Named::new(&name.to_string())).collect::<Option<Vec<_>>>();
+                return named.filter(|named| !named.is_empty()).map(Self::Named).ok_or_else(wrong);
+            }
         };
         let words: Vec<&str> = text.split_whitespace().collect();
         match words[..] {
@@ -55,23 +141,28 @@ impl Selection {
             }
             _ => {}
         }
-        let range = |part: &str| {
-            let part = part.trim();
-            let (from, to) = part.split_once('-').unwrap_or((part, part));
-            Some((from.trim().parse().ok()?, to.trim().parse().ok()?))
-        };
-        let ranges: Option<Vec<(i64, i64)>> = text.split(',').map(range).collect();
-        ranges.filter(|r| r.iter().all(|(from, to)| from <= to)).map(Self::Ranges).ok_or_else(wrong)
+        text.split(',').map(|part| Named::new(part.trim())).collect::<Option<_>>().map(Self::Named).ok_or_else(wrong)
     }
 
-    /// Whether the pose with this number and index is in; `taken`: the calibration has it.
-    pub fn contains(&self, pose: i64, index: usize, taken: bool) -> bool {
+    /// Whether the pose with this name and index is in; `taken`: the calibration has it.
+    pub fn contains(&self, pose: PoseName, index: usize, taken: bool) -> bool {
         match self {
-            Self::Ranges(ranges) => ranges.iter().any(|&(from, to)| (from..=to).contains(&pose)),
+            Self::Named(named) => named.iter().any(|named| named.contains(pose)),
             Self::Modulo(n, k) => index % n < *k,
             Self::All => true,
             Self::Rest => !taken,
         }
+    }
+
+    /// The first text that none of these poses bears: a mistaken name. Of numbers and their ranges some may not have been measured.
+    pub fn mistaken(&self, poses: &BTreeSet<PoseName>) -> Option<PoseName> {
+        let Self::Named(named) = self else { return None };
+        let text = |named: &&Named| match &named.range {
+            Some((before, _)) => !before.is_empty(),
+            None => named.name.number().is_none(),
+        };
+        let lone = |named: &&Named| !poses.iter().any(|pose| named.contains(*pose));
+        named.iter().filter(text).find(lone).map(|named| named.name)
     }
 }
 
@@ -79,15 +170,36 @@ impl Selection {
 mod tests {
     use super::*;
 
+    fn selection(text: &str) -> Result<Selection, Message> {
+        Selection::parse(&StatedPoses::Text(text.to_owned()))
+    }
+
     #[test]
     fn selections() {
-        let s = Selection::parse("1-8, 12").unwrap();
-        assert!(s.contains(8, 0, false) && s.contains(12, 0, false) && !s.contains(9, 0, false));
-        let s = Selection::parse("index mod 10 < 7").unwrap();
-        assert!(s.contains(99, 16, false) && !s.contains(99, 17, false));
-        assert!(!Selection::parse("rest").unwrap().contains(1, 1, true));
-        for wrong in ["", "a", "8-1", "1-", "index mod 0 < 1", "1 2"] {
-            assert!(Selection::parse(wrong).is_err(), "{wrong}");
+        let s = selection("1-8, 12").unwrap();
+        assert!(s.contains(8.into(), 0, false) && s.contains(12.into(), 0, false) && !s.contains(9.into(), 0, false));
+        let s = selection("index mod 10 < 7").unwrap();
+        assert!(s.contains(99.into(), 16, false) && !s.contains(99.into(), 17, false));
+        assert!(!selection("rest").unwrap().contains(1.into(), 1, true));
+        for wrong in ["", "8-1", "index mod 0 < 1", "1,,2", "-a"] {
+            assert!(selection(wrong).is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn poses_are_selected_by_name() {
+        let named = |name: &str| PoseName::new(name).unwrap();
+        let list: StatedPoses =
+            serde_json::from_str(r#"["home", "P3", "5-9", "Q1-Q12", "A-3", 20, "a,b", "all"]"#).unwrap();
+        for s in [Selection::parse(&list).unwrap(), selection("home,P3, 5-9, Q1-Q12, A-3, 20").unwrap()] {
+            for name in ["home", "P3", "5", "9", "Q1", "Q10", "Q012", "A-3", "20"] {
+                assert!(s.contains(named(name), 0, false), "{name}");
+            }
+            for name in ["Home", "3", "P5", "10", "Q13", "A", "A3", "R1"] {
+                assert!(!s.contains(named(name), 0, false), "{name}");
+            }
+        }
+        let s = Selection::parse(&list).unwrap();
+        assert!(s.contains(named("a,b"), 0, false) && s.contains(named("all"), 0, false));
     }
 }

@@ -1,6 +1,6 @@
 //! The keys of `campaign.toml`.
 
-use super::{Join, JoinBy};
+use super::{Join, JoinBy, StatedPoses};
 use crate::document::{Conditions, Language};
 use crate::import::{Export, Log};
 use crate::math::identify::{ResidualKind, RigidPart, ToolFrame, ToolPoint};
@@ -312,12 +312,13 @@ pub struct Identify {
     /// Residuals of `targets`, or of the `pose` (planar robots, thesis eq. 3.26).
     #[serde(default = "default_residuals")]
     pub residuals: ResidualKind,
-    /// Poses to identify with: numbers and ranges, `all`, or `index mod 10 < 7` (index from 0).
-    #[schemars(with = "String")]
-    pub calibration: Spanned<String>,
+    /// Poses to identify with: names and ranges (`"1-8, 12, home"` or `["home", "P3", "5-9"]`), `all`, or `index mod 10 < 7` (index
+    /// from 0).
+    #[schemars(with = "StatedPoses")]
+    pub calibration: Spanned<StatedPoses>,
     /// Poses to validate with, likewise; `rest` is all poses that the calibration does not use.
-    #[schemars(with = "Option<String>")]
-    pub validation: Option<Spanned<String>>,
+    #[schemars(with = "Option<StatedPoses>")]
+    pub validation: Option<Spanned<StatedPoses>>,
     /// Parameters held at their nominal values; `*` replaces any text.
     #[serde(default)]
     #[schemars(with = "Vec<String>")]
@@ -347,8 +348,8 @@ pub enum OutlierRule {
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Exclude {
-    /// Poses: numbers and ranges.
-    pub poses: String,
+    /// Poses: names and ranges.
+    pub poses: StatedPoses,
     /// Repeat; without it all repeats.
     pub cycle: Option<i64>,
     /// Target; without it all targets.

@@ -5,6 +5,7 @@ use super::table_file::TableFile;
 use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pose_name::PoseName;
 use crate::base::table::ASSEMBLY;
 use crate::campaign::{RobotFile, read_robot, read_true_parameters};
 use crate::document::*;
@@ -50,11 +51,11 @@ pub struct Plan {
     #[arg(long, conflicts_with = "single")]
     grouped: bool,
     /// Poses from which the one-by-one choice starts; by default two that are far apart
-    #[arg(long, value_name = "POSES", value_delimiter = ',')]
-    start: Vec<i64>,
+    #[arg(long, value_name = "POSES", value_delimiter = ',', value_parser = pose)]
+    start: Vec<PoseName>,
     /// Poses to compare the plan with
-    #[arg(long, value_name = "POSES", value_delimiter = ',')]
-    compare: Vec<i64>,
+    #[arg(long, value_name = "POSES", value_delimiter = ',', value_parser = pose)]
+    compare: Vec<PoseName>,
     /// Random starts of the exchange
     #[arg(long, value_name = "N", default_value_t = 10)]
     starts: u64,
@@ -331,4 +332,9 @@ fn csv(robot: &dyn Robot, document: &PlanDocument) -> String {
         }
     }
     text
+}
+
+/// A pose of an option.
+fn pose(name: &str) -> std::result::Result<PoseName, String> {
+    PoseName::new(name).map_err(|message| message.what)
 }

@@ -3,6 +3,7 @@
 use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
 use super::trend::{changed, of_estimates, pairs};
 use crate::base::message::Message;
+use crate::base::pose_name::PoseName;
 use crate::document::*;
 use crate::iso9283::statistics::sample::spread;
 use std::collections::BTreeSet;
@@ -12,7 +13,7 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
     let mut missing = Vec::new();
-    let later: BTreeSet<i64> = all.iter().flat_map(|d| &d.poses).map(|p| p.pose).collect();
+    let later: BTreeSet<PoseName> = all.iter().flat_map(|d| &d.poses).map(|p| p.pose).collect();
     missing.extend(later.into_iter().filter(|pose| first.poses.iter().all(|p| p.pose != *pose)).map(|p| p.to_string()));
     for pose in &first.poses {
         let same: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.poses.iter().find(|p| p.pose == pose.pose)).collect();

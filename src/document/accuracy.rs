@@ -1,6 +1,7 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use crate::math::identify::ToolFrame;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -138,7 +139,7 @@ pub struct PointError {
     /// `calibration` or `validation`.
     pub set: String,
     /// Pose number.
-    pub pose: i64,
+    pub pose: PoseName,
     /// Cycle number.
     pub cycle: i64,
     /// Target, or `C` for the centre of a planar platform.

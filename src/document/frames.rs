@@ -2,6 +2,7 @@
 
 use crate::base::message::Message;
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -79,8 +80,8 @@ pub struct WorldFrame {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FramePose {
-    /// Pose number; absent where the frame holds for all.
-    pub pose: Option<i64>,
+    /// Name of the pose; absent where the frame holds for all.
+    pub pose: Option<PoseName>,
     /// Cycle number; absent where the frame holds for all.
     pub cycle: Option<i64>,
     /// `export_T_world`.

@@ -2,6 +2,7 @@
 
 use crate::base::message::Message;
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -167,8 +168,8 @@ pub struct PoseTable {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PoseRow {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Commanded position of C in the base frame: what the nominal model makes of the joints.
     pub command_mm: [f64; 2],
     /// Commanded orientation.

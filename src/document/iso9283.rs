@@ -3,6 +3,7 @@
 use super::LimitVerdict;
 use crate::base::message::Message;
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -77,8 +78,8 @@ pub struct Iso9283Epoch {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283OutOfPlane {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Distance from the plane.
     pub distance_mm: f64,
 }
@@ -87,8 +88,8 @@ pub struct Iso9283OutOfPlane {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Visit {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Number of the cycle.
     pub cycle: i64,
     /// How the pose was approached; null for the first visit of all.
@@ -111,8 +112,8 @@ pub struct Iso9283Interval {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Pose {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Visits counted.
     pub cycles: usize,
     /// AP_p (7.2.1); null where no position was commanded, as its coordinates.
@@ -229,7 +230,7 @@ pub enum Iso9283Conformity {
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Distance {
     /// The two poses.
-    pub poses: [i64; 2],
+    pub poses: [PoseName; 2],
     /// Cycles that have both.
     pub cycles: usize,
     /// AD_p: mean attained minus commanded distance.
@@ -250,8 +251,8 @@ pub struct Iso9283Distance {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Variation {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// vAP_p: largest distance between barycentres of two approaches.
     pub vap_mm: f64,
     /// The two that are farthest apart.
@@ -284,8 +285,8 @@ pub struct Iso9283Approach {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Drift {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// AP of each set.
     pub ap_mm: Vec<f64>,
     /// RP of each set.
@@ -364,7 +365,7 @@ pub struct Iso9283StreamDocument {
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Standstill {
     /// Number of the pose that is visited; null where it is near none.
-    pub pose: Option<i64>,
+    pub pose: Option<PoseName>,
     /// Which visit of that pose it is, from 1.
     pub cycle: Option<i64>,
     /// First sample.
@@ -391,8 +392,8 @@ pub struct Iso9283Standstill {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Settling {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Arrivals that settled.
     pub arrivals: usize,
     /// Mean stabilisation time.
@@ -406,9 +407,9 @@ pub struct Iso9283Settling {
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Posing {
     /// Where they begin.
-    pub from: i64,
+    pub from: PoseName,
     /// Where they end.
-    pub to: i64,
+    pub to: PoseName,
     /// How many.
     pub moves: usize,
     /// Mean attained distance.
@@ -528,8 +529,8 @@ pub struct Iso9283Weaving {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Arrival {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Which visit of that pose it is, from 1.
     pub cycle: i64,
     /// Times since the entry.

@@ -3,6 +3,7 @@
 use super::{ObservabilitySummary, Provenance};
 use crate::base::message::Message;
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -65,7 +66,7 @@ pub struct PlanDocument {
 #[serde(deny_unknown_fields)]
 pub struct PlannedPose {
     /// Number of the pose in the candidates.
-    pub pose: i64,
+    pub pose: PoseName,
     /// Joint values of each configuration, by column.
     pub configurations: Vec<BTreeMap<String, f64>>,
 }
@@ -75,7 +76,7 @@ pub struct PlannedPose {
 #[serde(deny_unknown_fields)]
 pub struct GreedySummary {
     /// Poses in the order of choosing.
-    pub poses: Vec<i64>,
+    pub poses: Vec<PoseName>,
     /// Their index.
     pub value: f64,
     /// Index and condition while candidates are added, beyond the number asked for.
@@ -103,7 +104,7 @@ pub struct CurvePoint {
 #[serde(deny_unknown_fields)]
 pub struct ComparedPoses {
     /// The poses.
-    pub poses: Vec<i64>,
+    pub poses: Vec<PoseName>,
     /// Their index.
     pub value: f64,
     /// By how many per cent the chosen poses are better.
@@ -140,8 +141,8 @@ pub struct WorkspaceUncertainty {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CandidatePlace {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Where the first target of the nominal robot is in its first configuration.
     pub at_mm: Vector,
     /// Number of configurations.
@@ -211,8 +212,8 @@ pub struct StudyStep {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudiedPlace {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Where the first target is, nominal.
     pub at_mm: Vector,
     /// Largest among its configurations and targets, nominal.

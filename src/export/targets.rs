@@ -2,6 +2,7 @@
 
 use super::c_header::{comment, identifier, literal};
 use crate::base::message::{Message, Result};
+use crate::base::pose_name::PoseName;
 use crate::document::{Iso9283Places, PlanDocument};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -21,7 +22,7 @@ struct Targets<'a> {
 #[derive(Serialize)]
 struct Target<'a> {
     name: String,
-    pose: i64,
+    pose: PoseName,
     configuration: usize,
     #[serde(flatten)]
     values: Values<'a>,
@@ -66,9 +67,9 @@ pub fn targets(document: &PlanDocument, file_name: &str) -> Result<Vec<u8>> {
 
 /// Places of a test by ISO 9283, likewise, in coordinates of the base frame.
 pub fn places(places: &Iso9283Places, file_name: &str) -> Result<Vec<u8>> {
-    let target = |(pose, coordinates)| Target {
-        name: format!("{}_{pose}", places.name),
-        pose,
+    let target = |(number, coordinates): (i64, _)| Target {
+        name: format!("{}_{number}", places.name),
+        pose: number.into(),
         configuration: 1,
         values: Values::Coordinates(coordinates),
     };

@@ -3,6 +3,7 @@
 use super::format::{Encoding, FromRow, Unit};
 use super::formats::Format;
 use crate::base::message::Message;
+use crate::base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
@@ -34,7 +35,7 @@ pub struct Export {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Named {
     pub target: Option<String>,
-    pub pose: Option<i64>,
+    pub pose: Option<PoseName>,
     pub cycle: Option<i64>,
 }
 
@@ -45,6 +46,9 @@ enum Part {
     Pose,
     Cycle,
 }
+
+/// Longer labels name no pose by a text.
+const LONGEST: usize = 300;
 
 /// A pattern of labels.
 #[derive(Clone, Debug)]
@@ -84,27 +88,49 @@ impl Pattern {
     }
 
     /// What `label` names; `None` if it does not have this form.
-    pub fn read(&self, label: &str) -> Option<Named> {
-        matched(&self.0, label)
+    ///
+    /// Of several readings counts the first that is `known` in which the pose is a number, then that of the longest target in which
+    /// it is a text; a text is no pose in what is not known.
+    pub fn read(&self, label: &str, known: impl Fn(&Named) -> bool) -> Option<Named> {
+        let numbers = readings(&self.0, label, false);
+        let first = || numbers.first().cloned();
+        let by_number = numbers.iter().find(|named| known(named)).cloned();
+        let by_text = || readings(&self.0, label, true).into_iter().rev().find(|named| known(named));
+        by_number.or_else(|| by_text().filter(|_| label.len() <= LONGEST)).or_else(first)
     }
 }
 
-fn matched(parts: &[Part], label: &str) -> Option<Named> {
-    let Some((first, rest)) = parts.split_first() else { return label.is_empty().then(Named::default) };
-    let digits = label.bytes().take_while(u8::is_ascii_digit).count();
-    let whole = |set: fn(&mut Named, i64)| {
-        let mut named = matched(rest, &label[digits..])?;
-        set(&mut named, label[..digits].parse().ok()?);
-        Some(named)
+/// Every way to read a label, those of the shortest target first; `texts`: a pose is any text, not a number.
+fn readings(parts: &[Part], label: &str, texts: bool) -> Vec<Named> {
+    let Some((first, rest)) = parts.split_first() else {
+        return if label.is_empty() { vec![Named::default()] } else { Vec::new() };
     };
+    let digits = label.bytes().take_while(u8::is_ascii_digit).count();
+    // every part up to one of these places
+    let parted = |ends: &mut dyn Iterator<Item = usize>, set: &dyn Fn(&mut Named, &str) -> Option<()>| {
+        let read = |end: usize| {
+            let all = label.get(end..).map_or_else(Vec::new, |after| readings(rest, after, texts));
+            all.into_iter().filter_map(move |mut named| set(&mut named, &label[..end]).map(|()| named))
+        };
+        ends.flat_map(read).collect()
+    };
+    let anywhere = || label.char_indices().skip(1).map(|(i, _)| i).chain([label.len()]).filter(|end| *end > 0);
+    let number = |text: &str| text.parse::<i64>().ok();
     match first {
-        Part::Text(text) => matched(rest, label.strip_prefix(text.as_str())?),
-        Part::Pose => whole(|n, v| n.pose = Some(v)),
-        Part::Cycle => whole(|n, v| n.cycle = Some(v)),
-        Part::Target => label.char_indices().skip(1).map(|(i, _)| i).chain([label.len()]).find_map(|end| {
-            let mut named = matched(rest, label.get(end..)?)?;
-            named.target = (end > 0).then(|| label[..end].to_owned());
-            named.target.is_some().then_some(named)
+        Part::Text(text) => {
+            label.strip_prefix(text.as_str()).map_or_else(Vec::new, |after| readings(rest, after, texts))
+        }
+        Part::Pose if texts => {
+            let pose = |text: &str| PoseName::new(text).ok().filter(|pose| pose.number().is_none());
+            parted(&mut anywhere(), &|named, text| pose(text).map(|pose| named.pose = Some(pose)))
+        }
+        Part::Pose => {
+            parted(&mut [digits].into_iter(), &|named, text| number(text).map(|n| named.pose = Some(n.into())))
+        }
+        Part::Cycle => parted(&mut [digits].into_iter(), &|named, text| number(text).map(|n| named.cycle = Some(n))),
+        Part::Target => parted(&mut anywhere(), &|named, text| {
+            named.target = Some(text.to_owned());
+            Some(())
         }),
     }
 }
@@ -116,14 +142,25 @@ mod tests {
     #[test]
     fn labels_are_taken_apart() {
         let pattern = Pattern::parse("{target}_{pose}_{cycle}").unwrap();
-        let named = |t: &str, p, c| Some(Named { target: Some(t.to_owned()), pose: Some(p), cycle: Some(c) });
-        assert_eq!(pattern.read("K_12_3"), named("K", 12, 3));
-        assert_eq!(pattern.read("SMR_1_12_3"), named("SMR_1", 12, 3));
-        for other in ["K_12", "K_a_3", "_1_2", "R_home", ""] {
-            assert_eq!(pattern.read(other), None, "{other}");
+        let named =
+            |t: &str, p, c| Some(Named { target: Some(t.to_owned()), pose: PoseName::new(p).ok(), cycle: Some(c) });
+        let read =
+            |label: &str| pattern.read(label, |named| matches!(named.target.as_deref(), Some("K" | "K_1" | "SMR_1")));
+        assert_eq!(read("K_12_3"), named("K", "12", 3));
+        assert_eq!(read("SMR_1_12_3"), named("SMR_1", "12", 3));
+        assert_eq!(read("M_12_3"), named("M", "12", 3));
+        assert_eq!(read("K_home_3"), named("K", "home", 3));
+        assert_eq!(read("SMR_1_P_home_3"), named("SMR_1", "P_home", 3));
+        assert_eq!(read("K_A-3_1"), named("K", "A-3", 1));
+        // a number before a text, and the longest target
+        assert_eq!(read("K_1_2_3"), named("K_1", "2", 3));
+        assert_eq!(read("K_1_10b_3"), named("K_1", "10b", 3));
+        for other in ["K_12", "M_home_3", "_1_2", "R_home", "R_home_1", "K_=1_1", ""] {
+            assert_eq!(read(other), None, "{other}");
         }
         let pattern = Pattern::parse("P{pose}-{target}").unwrap();
-        assert_eq!(pattern.read("P7-ball"), Some(Named { target: Some("ball".into()), pose: Some(7), cycle: None }));
+        let ball = Named { target: Some("ball".into()), pose: Some(7.into()), cycle: None };
+        assert_eq!(pattern.read("P7-ball", |_| false), Some(ball));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! points take labels and numbers straight from the scanner, at the speed of the disk. And lines as these read them.
 
 use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pose_name::PoseName;
 use crate::import::format::{Decimal, Delimiter, Dialect, Thousands};
 use std::borrow::Cow;
 
@@ -120,10 +121,18 @@ pub(crate) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, 
     marked(field, decimal, None)
 }
 
-/// The number in the name of a pose, which is a number or ends in one: `12` of `12`, `P12` and `pose 012`.
-pub(crate) fn pose_number(name: &str) -> &str {
-    let digits = name.trim_start_matches(|c: char| c.is_alphabetic() || matches!(c, '_' | ' ' | '#'));
-    if digits.bytes().all(|b| b.is_ascii_digit()) && !digits.is_empty() { digits } else { name }
+/// The name of a pose: what is written with digits and a decimal mark alone (`7`, `7.0`) is a number, and must be whole.
+pub(crate) fn pose_name(field: &str, decimal: Decimal) -> std::result::Result<PoseName, Message> {
+    let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',' | '\u{2212}');
+    match number(field, decimal) {
+        Ok(value) if value.fract() != 0.0 || value.abs() > WHOLE => {
+            Err(Message::error(format!("`{field}` is not a whole number"))
+                .expected("a whole number, or a name like `home`"))
+        }
+        Ok(value) if field.chars().all(numeric) => Ok((value as i64).into()),
+        // of letters as well, like `3E1`
+        _ => PoseName::new(field),
+    }
 }
 
 /// A number in the stated decimal and thousands marks, correctly rounded. Exponents may be `e+003`, `E001` or Fortran's
@@ -584,12 +593,16 @@ mod tests {
     }
 
     #[test]
-    fn poses_are_numbered_by_the_end_of_their_names() {
-        for (name, number) in [("12", "12"), ("P1", "1"), ("pose 012", "012"), ("Prüf_7", "7"), ("#3", "3")] {
-            assert_eq!(pose_number(name), number);
+    fn poses_are_whole_numbers_or_names() {
+        for (field, number) in [("12", 12), ("012", 12), ("12.0", 12), ("-1", -1)] {
+            assert_eq!(pose_name(field, Decimal::Point).unwrap(), number);
         }
-        for name in ["home", "P1a", "1.5", "-1", "P-1", "1e5", ""] {
-            assert_eq!(pose_number(name), name);
+        assert_eq!(pose_name("7,0", Decimal::Comma).unwrap(), 7);
+        for name in ["home", "P1", "P1a", "3E1", "10b"] {
+            assert_eq!(pose_name(name, Decimal::Point).unwrap().to_string(), name);
+        }
+        for wrong in ["1.5", "1e300", "99999999999999999999", "", "=A1"] {
+            assert!(pose_name(wrong, Decimal::Point).is_err(), "{wrong}");
         }
     }
 

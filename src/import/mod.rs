@@ -19,7 +19,7 @@ mod xml;
 
 pub use cloud::{Cloud, cloud};
 pub use export::Export;
-pub(crate) use export::Pattern as LabelPattern;
+pub(crate) use export::{Named as LabelNames, Pattern as LabelPattern};
 pub use formats::{Format, qif};
 pub(crate) use input::{bytes_of, read_text, text_of};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, Standstill, is_joint_column, standstill};

@@ -2,6 +2,8 @@
 
 use crate::base::message::Result;
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
+use crate::base::table::pose_column;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 
 /// A row of an export. A reader fills in what the row states; what the campaign states of the export comes after.
@@ -19,8 +21,8 @@ pub struct Point {
     pub label: String,
     /// Name of the target.
     pub target: Option<String>,
-    /// Number of the pose.
-    pub pose: Option<i64>,
+    /// Name of the pose.
+    pub pose: Option<PoseName>,
     /// Number of the repeat.
     pub cycle: Option<i64>,
     /// Time in seconds.
@@ -53,7 +55,7 @@ pub fn table(points: &[Point]) -> Result<DataFrame> {
         whole("line", &|p| Some(p.line as i64)),
         strings("label", &|p| Some(&p.label)),
         strings("target", &|p| p.target.as_deref()),
-        whole("pose", &|p| p.pose),
+        pose_column("pose", &p.iter().map(|p| p.pose).collect::<Vec<_>>()),
         whole("cycle", &|p| p.cycle),
         real("time_s", &|p| p.time_s),
         real("x_mm", &|p| Some(p.xyz_mm[0])),

@@ -5,6 +5,7 @@
 use super::number;
 use super::words::Words;
 use crate::base::message::one_line;
+use crate::base::pose_name::PoseName;
 use serde::{Serialize, Serializer};
 
 /// Rows of a table that a page shows; the workbook and the documents have all.
@@ -276,6 +277,12 @@ impl From<f64> for Cell {
 impl From<i64> for Cell {
     fn from(value: i64) -> Self {
         Self::Count(value)
+    }
+}
+
+impl From<PoseName> for Cell {
+    fn from(pose: PoseName) -> Self {
+        pose.number().map_or_else(|| Text::from(pose.to_string()).into(), Self::Count)
     }
 }
 

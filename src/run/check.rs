@@ -3,6 +3,7 @@
 use super::{names, statements};
 use crate::base::message::{Problems, Result, Severity};
 use crate::base::pattern::matches_pattern;
+use crate::base::pose_name::PoseName;
 use crate::base::table;
 use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Presentation};
@@ -73,7 +74,7 @@ pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
     if !campaign.identifies() {
         return (found.gathered.document, found.problems);
     }
-    let mut poses: BTreeSet<i64> = points.iter().filter_map(|p| p.pose).collect();
+    let mut poses: BTreeSet<PoseName> = points.iter().filter_map(|p| p.pose).collect();
     if let (Some(robot), true) = (&found.robot, found.read) {
         match world {
             None => drop(found.problems.keep(join::counts(campaign, &found.gathered, robot.as_ref()))),
@@ -87,7 +88,7 @@ pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
                     found.gathered.document.messages.extend(warnings);
                     found.gathered.document.messages.extend(joined.messages);
                     let first = joined.observations.first();
-                    let first = first.and_then(|(_, table)| table::integers(table, "pose").ok());
+                    let first = first.and_then(|(_, table)| table::poses(table).ok());
                     poses = first.into_iter().flatten().collect();
                 }
             }

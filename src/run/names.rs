@@ -168,9 +168,9 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
 fn other_form(campaign: &Campaign, export: &Export, imported: &Gathered) -> Option<Message> {
     let form = export.label.as_ref()?;
     let pattern = import::LabelPattern::parse(form.get_ref()).ok()?;
-    let mut own = imported.points.iter().filter(|p| p.export == *export.file.get_ref()).map(|p| p.label.as_str());
-    let first = own.next()?;
-    if pattern.read(first).is_some() || own.any(|label| pattern.read(label).is_some()) {
+    let own = || imported.points.iter().filter(|p| p.export == *export.file.get_ref());
+    let first = &own().next()?.label;
+    if own().any(|p| p.pose.is_some() || pattern.read(&p.label, |_| false).is_some()) {
         return None;
     }
     let what = format!("no label of `{}` has the form `{}`", export.file.get_ref(), form.get_ref());

@@ -25,7 +25,14 @@ impl Row {
         let offset_s = scene.campaign.file.join.as_ref().and_then(|join| join.stated_offset_s()).unwrap_or(0.0);
         let Turn { pose, cycle, .. } = self.turn;
         let time_s = self.turn.time_s() + offset_s;
-        Written { label: self.label.clone(), target: self.target.clone(), pose, cycle, time_s, xyz: self.xyz }
+        Written {
+            label: self.label.clone(),
+            target: self.target.clone(),
+            pose: pose.into(),
+            cycle,
+            time_s,
+            xyz: self.xyz,
+        }
     }
 }
 
@@ -125,7 +132,7 @@ fn is_meant(row: &Row, point: &import::Point) -> bool {
     // without a cycle, numbers of rows and times go on from one round to the next
     let told = match point.pose {
         Some(pose) if pose == row.turn.pose && point.cycle == Some(row.turn.cycle) => true,
-        Some(pose) => pose == row.turn.number && point.row == pose,
+        Some(pose) => pose == row.turn.number && pose == point.row,
         None => point.time_s.is_some(),
     };
     target && told

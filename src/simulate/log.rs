@@ -24,7 +24,7 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
     for turn in scene.turns(if once { 1 } else { scene.truth.cycles }) {
         let joints = scene.encoders(turn, &mut contact)?;
         values.rows.push(LogRow {
-            pose: Some(turn.pose),
+            pose: Some(turn.pose.into()),
             cycle: Some(turn.cycle),
             time_s: Some(turn.time_s()),
             label: scene.truth.label_of(turn.pose).map(str::to_owned),

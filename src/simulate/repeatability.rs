@@ -73,11 +73,11 @@ pub(super) fn points(
     let mut rows = Vec::new();
     let (mut before, mut play) = (home_mm, [0.0; 2]);
     for cycle in 1..=scene.truth.cycles {
-        for &pose in definition.trajectory.get_ref() {
+        for &name in definition.trajectory.get_ref() {
+            let pose = name.number().filter(|pose| (1..=scene.joints.len() as i64).contains(pose)).unwrap_or_default();
             let scatter = usize::try_from(pose - 1).ok().and_then(|i| truth.pose.get(i));
-            let known = (1..=scene.joints.len() as i64).contains(&pose);
-            let Some(scatter) = scatter.filter(|_| known) else {
-                let message = Message::error(format!("pose {pose} of the trajectory is not in the truth"));
+            let Some(scatter) = scatter else {
+                let message = Message::error(format!("pose {name} of the trajectory is not in the truth"));
                 return Err(message.hint("add it to `joints` of [[poses]] and to [[repeatability.pose]]").into());
             };
             let at = scene.target(Turn { pose, cycle, number: pose }, target);
@@ -91,14 +91,14 @@ pub(super) fn points(
             let lagging = |k: usize| (play[0] * truth.play_x_um[k] + play[1] * truth.play_y_um[k]) / 1e3;
             let lift = [0.0, 0.0, scatter.lift_um / 1e3];
             let stands = [0, 1, 2].map(|k| at[k] + lagging(k) + lift[k] + noise[k]);
-            rows.push((geometric::label(definition.label.get_ref(), &truth.target, pose, cycle), measure(stands)));
+            rows.push((geometric::label(definition.label.get_ref(), &truth.target, name, cycle), measure(stands)));
             before = at;
         }
     }
     for (cycle, pattern) in (1..=truth.homings).flat_map(|cycle| definition.homing.iter().map(move |p| (cycle, p))) {
         let noise = scattered([truth.homing_um; 3]);
         let stands = [0, 1, 2].map(|k| home_mm[k] + noise[k]);
-        rows.push((geometric::label(pattern.get_ref(), &truth.target, 0, cycle), measure(stands)));
+        rows.push((geometric::label(pattern.get_ref(), &truth.target, 0.into(), cycle), measure(stands)));
     }
     Ok(rows)
 }

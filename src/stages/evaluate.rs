@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Vector, minus, norm};
+use crate::base::pose_name::PoseName;
 use crate::base::table::{self, XYZ};
 use crate::campaign::{Limits, Selections};
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, PointError, Statistics};
@@ -20,14 +21,14 @@ pub struct Sets {
     pub validation: Vec<Observation>,
 }
 
-/// Numbers of the poses of these observations.
-pub fn poses(observations: &[Observation]) -> BTreeSet<i64> {
+/// The poses of these observations.
+pub fn poses(observations: &[Observation]) -> BTreeSet<PoseName> {
     observations.iter().map(|o| o.pose).collect()
 }
 
 /// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log that is identified.
-pub fn split(observations: &[Observation], poses: &BTreeSet<i64>, selections: &Selections) -> Sets {
-    let index = |pose: i64| poses.range(..pose).count();
+pub fn split(observations: &[Observation], poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
+    let index = |pose: PoseName| poses.range(..pose).count();
     let mut sets = Sets::default();
     for o in observations {
         let i = index(o.pose);
@@ -162,7 +163,7 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
 }
 
 fn accuracy_of(name: &str, errors: &[&PointError], planar: bool) -> AccuracySet {
-    let poses: BTreeSet<i64> = errors.iter().map(|e| e.pose).collect();
+    let poses: BTreeSet<PoseName> = errors.iter().map(|e| e.pose).collect();
     let mut quantities = vec![statistics("position", "mm", errors, &|v, _| Some(norm(v)))];
     for (axis, quantity) in ["x", "y", "z"].into_iter().enumerate().take(if planar { 2 } else { 3 }) {
         quantities.push(statistics(quantity, "mm", errors, &move |v, _| Some(v[axis].abs())));
@@ -206,7 +207,7 @@ pub fn to_table(errors: &[PointError]) -> Result<DataFrame> {
         |name: &str, f: fn(&PointError) -> i64| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
     let mut columns = vec![
         text("set", |e| &e.set),
-        whole("pose", |e| e.pose),
+        table::pose_column("pose", &errors.iter().map(|e| Some(e.pose)).collect::<Vec<_>>()),
         whole("cycle", |e| e.cycle),
         text("target", |e| &e.target),
     ];
@@ -229,7 +230,7 @@ const VECTORS: [VectorColumns; 3] = [("", |e| e.at_mm), ("before_", |e| e.before
 /// The errors from such a table.
 pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
     let (sets, targets) = (table::texts(frame, "set")?, table::texts(frame, "target")?);
-    let (poses, cycles) = (table::integers(frame, "pose")?, table::integers(frame, "cycle")?);
+    let (poses, cycles) = (table::poses(frame)?, table::integers(frame, "cycle")?);
     let vectors = |prefix: &str| -> Result<Vec<Vector>> {
         let [x, y, z] = XYZ.map(|axis| table::numbers(frame, &format!("{prefix}{axis}")));
         Ok(x?.into_iter().zip(y?).zip(z?).map(|((x, y), z)| [x, y, z]).collect())

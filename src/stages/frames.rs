@@ -3,6 +3,7 @@
 use crate::base::message::{Message, Problems, Result, Severity};
 use crate::base::pattern::matches_pattern;
 use crate::base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
+use crate::base::pose_name::PoseName;
 use crate::campaign::{Campaign, WorldDefinition};
 use crate::document::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
 use crate::import::Point;
@@ -14,7 +15,7 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// Pose and cycle of targets measured together.
-type Key = (i64, i64);
+type Key = (PoseName, i64);
 
 /// Fits the features of a campaign to the points with their labels.
 pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
@@ -325,7 +326,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
         };
         let all: Vec<Vec<Vector>> = names.iter().map(bearing).collect();
         u_of = all.iter().map(|of| u_mm / (of.len().max(1) as f64).sqrt()).collect();
-        BTreeMap::from([((0, 0), all.iter().map(|of| centroid(of)).collect())])
+        BTreeMap::from([((PoseName::default(), 0), all.iter().map(|of| centroid(of)).collect())])
     };
     let whole: BTreeMap<Key, Vec<Vector>> =
         seen.into_iter().filter_map(|(key, places)| Some((key, places.into_iter().collect::<Option<_>>()?))).collect();

@@ -1,6 +1,7 @@
 //! Identify: observations become parameters, and errors before and after.
 
 use crate::base::message::{Message, Problems, Result, count};
+use crate::base::pose_name::PoseName;
 use crate::campaign::{Campaign, Exclude, Identify, OutlierRule, Selection};
 use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings, ToolPoint};
@@ -135,6 +136,7 @@ fn exclude(
                 let Exclude { poses, cycle, target, reason } = rule.get_ref();
                 let of = target.as_ref().map_or(String::new(), |target| format!(" of `{target}`"));
                 let cycle = cycle.map_or(String::new(), |cycle| format!(", cycle {cycle}"));
+                let poses = poses.to_string();
                 let of_poses = if poses.trim().parse::<i64>().is_ok() { "pose" } else { "poses" };
                 let readings_left_out = count(readings.len(), "reading");
                 let what = format!("excluded: {readings_left_out}{of}, {of_poses} {poses}{cycle}: {reason}");
@@ -162,9 +164,9 @@ fn readings_of(
     observations: &[Observation],
 ) -> std::result::Result<Vec<(usize, usize)>, Message> {
     let Exclude { poses, cycle, target, reason } = rule;
-    let Ok(Selection::Ranges(ranges)) = Selection::parse(poses) else {
+    let Ok(Selection::Named(named)) = Selection::parse(poses) else {
         let message = Message::error(format!("`{poses}` names no poses to exclude"));
-        return Err(message.expected("numbers and ranges like \"13, 20-22\""));
+        return Err(message.expected("names and ranges like \"13, 20-22, home\""));
     };
     if let Some(target) = target.as_ref().filter(|target| !robot.targets().contains(target)) {
         let message = Message::error(format!("`{target}` is not a target of this robot"));
@@ -174,9 +176,8 @@ fn readings_of(
         return Err(Message::error("an exclusion needs its reason"));
     }
     let mut all = BTreeSet::new();
-    for (range, text) in ranges.into_iter().zip(poses.split(',')) {
-        let here =
-            |o: &Observation| (range.0..=range.1).contains(&o.pose) && cycle.is_none_or(|cycle| cycle == o.cycle);
+    for named_poses in named {
+        let here = |o: &Observation| named_poses.contains(o.pose) && cycle.is_none_or(|cycle| cycle == o.cycle);
         let observed = observations.iter().enumerate().filter(|(_, o)| here(o));
         let named = |k: &usize| target.as_ref().is_none_or(|target| *target == robot.targets()[*k]);
         let mut measured = observed
@@ -187,7 +188,7 @@ fn readings_of(
         if measured.peek().is_none() {
             let what = format!(
                 "this exclusion leaves no reading out at pose {}: there is none of this pose, cycle and target",
-                text.trim()
+                named_poses.name
             );
             return Err(Message::error(what));
         }
@@ -253,11 +254,22 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
 }
 
 /// Errors where a selection or a table takes none of these poses, or calibration and validation share some.
-pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()> {
+pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Result<()> {
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     // what does not read is reported with the statements
     let Ok(selections) = campaign.selections(identify) else { return Ok(()) };
     let mut problems = Problems::default();
+    let stated = [
+        (Some(&identify.calibration), Some(&selections.calibration)),
+        (identify.validation.as_ref(), selections.validation.as_ref()),
+    ];
+    for (text, selection) in stated.into_iter().filter_map(|(text, selection)| Some((text?, selection?))) {
+        if let Some(name) = selection.mistaken(poses) {
+            let message = Message::error(format!("`{name}` names no pose that was measured")).at(campaign.place(text));
+            let names: Vec<String> = poses.iter().map(PoseName::to_string).collect();
+            problems.0.push(message.hint_names(&name.to_string(), names.iter().map(String::as_str)));
+        }
+    }
     let numbered = || poses.iter().copied().enumerate();
     if !numbered().any(|(i, pose)| selections.calibrates(pose, i)) {
         let message = Message::error("`calibration` selects no pose that was measured");
@@ -280,8 +292,8 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()
             problems.0.push(message.hint("`validation = \"rest\"` takes all that calibration does not"));
         }
     }
-    let in_use = |&(i, pose): &(usize, i64)| selections.calibrates(pose, i) || selections.validates(pose, i);
-    let used: Vec<i64> = numbered().filter(in_use).map(|(_, pose)| pose).collect();
+    let in_use = |&(i, pose): &(usize, PoseName)| selections.calibrates(pose, i) || selections.validates(pose, i);
+    let used: Vec<PoseName> = numbered().filter(in_use).map(|(_, pose)| pose).collect();
     for table in campaign.file.geometric.iter().flat_map(|g| &g.table) {
         let found = match Selection::parse(table.poses.get_ref()) {
             Ok(selection) if used.iter().enumerate().any(|(i, &pose)| selection.contains(pose, i, false)) => continue,
@@ -295,7 +307,7 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<i64>) -> Result<()
 }
 
 /// Which poses there are to select from.
-fn measured(poses: &BTreeSet<i64>) -> String {
+fn measured(poses: &BTreeSet<PoseName>) -> String {
     match (poses.first(), poses.last()) {
         (Some(first), Some(last)) => {
             format!("{} are measured and joined, from {first} to {last}", count(poses.len(), "pose"))

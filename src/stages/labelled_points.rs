@@ -3,13 +3,14 @@
 use crate::base::message::{Message, Result};
 use crate::base::pattern::matches_pattern;
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use crate::campaign::Campaign;
-use crate::import::{LabelPattern, Point};
+use crate::import::{LabelNames, LabelPattern, Point};
 use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// Points of one step: by cycle, pose and target, in the order in which they were measured.
-pub(crate) type PointGroup = BTreeMap<(i64, i64, String), Vec<Vector>>;
+pub(crate) type PointGroup = BTreeMap<(i64, PoseName, String), Vec<Vector>>;
 
 /// All points of a campaign by their labels.
 #[derive(Clone, Debug)]
@@ -24,14 +25,20 @@ impl<'a> LabelledPoints<'a> {
         Self { campaign, points }
     }
 
-    /// Points whose labels have the form of `pattern`.
+    /// Points whose labels have the form of `pattern`, poses with numbers.
     pub fn of(&self, pattern: &Spanned<String>) -> Result<PointGroup> {
+        self.with_poses(pattern, &[])
+    }
+
+    /// The same; `poses` may have names that are not numbers.
+    pub fn with_poses(&self, pattern: &Spanned<String>, poses: &[PoseName]) -> Result<PointGroup> {
         let place = || self.campaign.place(pattern);
         let form = LabelPattern::parse(pattern.get_ref()).map_err(|m| m.at(place()))?;
+        let known = |named: &LabelNames| named.pose.is_some_and(|pose| poses.contains(&pose));
         let mut step = PointGroup::new();
         for point in self.points {
-            let Some(named) = form.read(&point.label) else { continue };
-            let key = (named.cycle.unwrap_or(1), named.pose.unwrap_or(1), named.target.unwrap_or_default());
+            let Some(named) = form.read(&point.label, &known) else { continue };
+            let key = (named.cycle.unwrap_or(1), named.pose.unwrap_or(1.into()), named.target.unwrap_or_default());
             step.entry(key).or_default().push(point.xyz_mm);
         }
         if step.is_empty() {

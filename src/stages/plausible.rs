@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, count};
 use crate::base::pose::{centroid, minus, norm};
+use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::document::PointError;
 use crate::math::identify::{
@@ -76,7 +77,7 @@ pub fn plausibility(
 fn undetermined(robot: &dyn Robot, observations: &[Observation], found: &Identification) -> Option<Message> {
     let targets =
         |o: &Observation| (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).map(|k| (o.pose, k)).collect();
-    let distinct: BTreeSet<(i64, usize)> = observations.iter().flat_map(|o| -> Vec<_> { targets(o) }).collect();
+    let distinct: BTreeSet<(PoseName, usize)> = observations.iter().flat_map(|o| -> Vec<_> { targets(o) }).collect();
     let coordinates = robot.dimension() * distinct.len();
     (coordinates <= found.free.len()).then(|| {
         let what = format!(
@@ -283,7 +284,7 @@ mod tests {
                     Some([x, y, 0.0])
                 })
                 .to_vec();
-            Observation { pose: i, cycle: 1, joints, targets }
+            Observation { pose: i.into(), cycle: 1, joints, targets }
         };
         let observations: Vec<Observation> = (1..=40).map(pose).collect();
         let settings = Settings { standard_uncertainty_mm: Some(0.003), ..Settings::default() };

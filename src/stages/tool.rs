@@ -3,6 +3,7 @@
 use super::evaluate::{Sets, summarise};
 use crate::base::message::Result;
 use crate::base::pose::norm;
+use crate::base::pose_name::PoseName;
 use crate::document::{AccuracyDocument, Statistics, ToolAccuracy};
 use crate::math::identify::{Identification, Settings, ToolFrame, ToolPoint, UncertaintyFrom, held};
 use crate::math::robots::Robot;
@@ -62,7 +63,7 @@ pub fn tool_accuracy(
         point_mm: point.point_mm,
         frame: point.frame,
         set: judged.name.clone(),
-        poses: observations.iter().map(|o| o.pose).collect::<BTreeSet<i64>>().len(),
+        poses: observations.iter().map(|o| o.pose).collect::<BTreeSet<PoseName>>().len(),
         before: summarise(sizes_before),
         after,
         expanded_max_mm: COVERAGE * after.max,

@@ -6,6 +6,7 @@ mod features;
 mod geometric_campaign;
 mod joins;
 mod own_formats;
+mod pose_names;
 mod repeatability;
 mod standstills;
 mod texts;

@@ -2,6 +2,7 @@
 
 use super::{etalon, text_of};
 use etalon::base::pose::Pose;
+use etalon::base::pose_name::PoseName;
 use etalon::document::{Iso9283ComplianceDocument, Iso9283PlanDocument, Iso9283StreamDocument};
 use std::path::Path;
 use std::process::Output;
@@ -39,7 +40,9 @@ fn a_recording_tells_stops_path_and_poses_that_the_command_takes_again() {
     let answered = run(here, &format!("{line} --json"));
     assert!(answered.status.success(), "{}", text_of(&answered));
     let document: Iso9283StreamDocument = serde_json::from_slice(&answered.stdout).unwrap();
-    let visits: Vec<(i64, i64)> = document.standstills.iter().map(|s| (s.pose.unwrap(), s.cycle.unwrap())).collect();
+    let number = |pose: PoseName| pose.number().unwrap();
+    let visits: Vec<(i64, i64)> =
+        document.standstills.iter().map(|s| (number(s.pose.unwrap()), s.cycle.unwrap())).collect();
     assert_eq!(visits, [(7, 1), (8, 1), (7, 2), (8, 2), (7, 3), (8, 3)]);
     let path = document.path.unwrap();
     let velocity = path.velocity.unwrap();

@@ -27,11 +27,11 @@ fn a_campaign_tells_what_its_recorded_motion_says_and_the_report_shows_it() {
     assert!((0.01..0.06).contains(&rt) && interval.low_mm < rt && interval.high_mm > 0.01, "{rt} {interval:?}");
     assert!(path.velocity.as_ref().unwrap().av_percent.abs() < 1.0);
     assert_eq!(path.corners.len(), 1);
-    let poses: Vec<(i64, usize)> = stream.settling.iter().map(|s| (s.pose, s.arrivals)).collect();
+    let poses: Vec<(i64, usize)> = stream.settling.iter().map(|s| (s.pose.number().unwrap(), s.arrivals)).collect();
     assert_eq!(poses, [(1, 9), (2, 10)], "the recording begins at pose 1");
     // 0.15 mm that die away within 80 ms are below 20 µm after 0.16 s, and 9 Hz swing about it
     assert!(stream.settling.iter().all(|s| (0.1..0.25).contains(&s.stabilisation_s)), "{:?}", stream.settling);
-    let shown: Vec<i64> = stream.arrivals.iter().map(|a| a.pose).collect();
+    let shown: Vec<i64> = stream.arrivals.iter().map(|a| a.pose.number().unwrap()).collect();
     assert_eq!(shown.iter().filter(|p| **p == 2).count(), 3);
     let import: ImportDocument = read(&scratch, "import.json");
     let sources: Vec<&str> = import.sources.iter().filter(|s| s.kind == "stream").map(|s| s.file.as_str()).collect();

@@ -23,7 +23,7 @@ const UNITS: [(&str, &str); 13] = [
     ("per_count", "of the joint"),
 ];
 /// Numbers without a unit.
-const PURE: [&str; 18] = [
+const PURE: [&str; 15] = [
     "coverage_factor",
     "cycle",
     "tolerance",
@@ -31,8 +31,6 @@ const PURE: [&str; 18] = [
     "drift_set",
     "path_points",
     "weave_across",
-    "trajectory",
-    "coplanar",
     "actuator",
     "occurrence",
     "number",
@@ -40,7 +38,6 @@ const PURE: [&str; 18] = [
     "header",
     "widths",
     "gravity",
-    "bending",
     "direction",
 ];
 
@@ -141,7 +138,8 @@ impl Schema {
 
     fn is_number(&self, schema: &Value) -> bool {
         self.alternatives(schema).iter().any(|s| match type_of(s) {
-            "array" => self.is_number(&s["items"]),
+            // numbers among texts are names
+            "array" => self.is_number(&s["items"]) && !self.kind(&s["items"]).contains("text"),
             kind => ["number", "integer"].contains(&kind),
         })
     }

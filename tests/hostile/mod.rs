@@ -209,7 +209,7 @@ fn selections_that_select_nothing() {
     for (from, to, part) in [
         ("calibration = \"1-8\"", "calibration = \"100-108\"", "`calibration` selects no pose that was measured"),
         ("validation = \"9-59\"", "validation = \"90-99\"", "`validation` selects no pose that was measured"),
-        ("calibration = \"1-8\"", "calibration = \"eight\"", "`eight` names no poses"),
+        ("calibration = \"1-8\"", "calibration = \"eight\"", "`eight` names no pose that was measured"),
     ] {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("campaign.toml", from, to);

@@ -176,7 +176,7 @@ fn tested(folder: &str, noise: &mut Noise, (off, sigma, cycles): (Vector, Vector
     let (ap, rp) = (pose_accuracy(&attained, [0.0; 3]).unwrap(), pose_repeatability(&attained).unwrap());
     let stated = |i: Interval| Some(Iso9283Interval { low_mm: i.low_mm, high_mm: i.high_mm });
     let pose = Iso9283Pose {
-        pose: 1,
+        pose: 1.into(),
         cycles,
         ap_mm: Some(ap.ap_mm),
         ap_x_mm: Some(ap.deviation_mm[0]),

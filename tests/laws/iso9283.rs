@@ -91,7 +91,7 @@ fn position_characteristics_agree_with_a_second_implementation() {
         }
 
         let sets: Vec<Vec<Vector>> = all.iter().flat_map(|g| g.chunks(10).map(<[Vector]>::to_vec)).collect();
-        let drifted = drift(1, &sets, AT).unwrap();
+        let drifted = drift(1.into(), &sets, AT).unwrap();
         let (first, last) = (running_mean(&sets[0]), running_mean(&sets[8]));
         close(drifted.dap_mm, (norm(minus(last, AT)) - norm(minus(first, AT))).abs());
         close(
@@ -112,8 +112,8 @@ fn a_drift_that_dies_away_settles_and_one_that_goes_on_does_not() {
         (0..30).map(|i| vec![[at(f64::from(i)), 0.0, 0.0]; 3]).collect()
     };
     // e^(-i/3): below a tenth of the first change after 3 ln 10 = 6.9 changes; five in a row end at change 12, set 13
-    assert_eq!(drift(1, &sets(&|i| 1.0 - (-i / 3.0).exp()), [0.0; 3]).unwrap().settled_after, Some(13));
-    assert_eq!(drift(1, &sets(&|i| i), [0.0; 3]).unwrap().settled_after, None);
+    assert_eq!(drift(1.into(), &sets(&|i| 1.0 - (-i / 3.0).exp()), [0.0; 3]).unwrap().settled_after, Some(13));
+    assert_eq!(drift(1.into(), &sets(&|i| i), [0.0; 3]).unwrap().settled_after, None);
 }
 
 #[test]
@@ -143,7 +143,7 @@ fn rigid_motion_changes_nothing_and_scaling_scales() {
     let lengths = |all: &[Vec<Vector>], at: Vector| {
         let found = pose_repeatability(&all[0]).unwrap();
         let (varied, driven) = (variation(all).unwrap(), distance(&all[0], &all[1], [at, at]).unwrap());
-        let drifted = drift(1, all, at).unwrap();
+        let drifted = drift(1.into(), all, at).unwrap();
         let accuracy = pose_accuracy(&all[0], at).unwrap();
         let bootstrap = Bootstrap::new(30, 200, 5).unwrap();
         let rp = [repeatability_interval(&all[0], &found).unwrap(), bootstrap.repeatability(&all[0], &found).unwrap()];
@@ -192,7 +192,7 @@ fn without_noise_everything_is_exactly_zero() {
     assert_eq!(variation(&still).unwrap().vap_mm, 0.0);
     let driven = distance(&still[0], &still[1], [AT, AT]).unwrap();
     assert_eq!((driven.ad_mm, driven.rd_mm), (0.0, 0.0));
-    let drifted = drift(1, &still, AT).unwrap();
+    let drifted = drift(1.into(), &still, AT).unwrap();
     assert_eq!((drifted.dap_mm, drifted.drp_mm), (0.0, 0.0));
     assert_eq!(angle_repeatability_rad(&[0.7; 30]), 0.0);
     let bootstrap = Bootstrap::new(30, 100, 1).unwrap();
@@ -230,7 +230,7 @@ fn too_little_or_unusable_data_are_refused() {
     assert!(pose_repeatability(&[AT]).is_err() && pose_repeatability(&nan).is_err());
     assert!(variation(&[vec![AT]]).is_err() && variation(&[vec![AT], vec![]]).is_err());
     assert!(distance(&[AT, AT], &[AT], [AT, AT]).is_err());
-    assert!(drift(1, &[vec![AT, AT]], AT).is_err() && exchangeability(&[vec![vec![AT]], vec![]]).is_err());
+    assert!(drift(1.into(), &[vec![AT, AT]], AT).is_err() && exchangeability(&[vec![vec![AT]], vec![]]).is_err());
     assert!(Bootstrap::new(2, 10, 1).is_err());
 }
 

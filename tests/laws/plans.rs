@@ -2,6 +2,7 @@
 
 use crate::support::five_bar::{SEVEN, holes, measure, robot, settings, truth};
 use etalon::base::noise::Noise;
+use etalon::base::pose_name::PoseName;
 use etalon::math::identify::{Observation, identify_from};
 use etalon::math::plan::bound::branch_and_bound;
 use etalon::math::plan::candidates::{self, Candidates};
@@ -35,14 +36,14 @@ fn periphery(robot: &FiveBar) -> Vec<Observation> {
         let reached = robot.inverse_all(&nominal, [p[0], p[1], 0.0]).unwrap();
         for (mode, joints) in reached.into_iter().enumerate() {
             let targets = vec![Some([p[0], p[1], 0.0])];
-            all.push(Observation { pose: pose as i64, cycle: mode as i64 + 1, joints, targets });
+            all.push(Observation { pose: (pose as i64).into(), cycle: mode as i64 + 1, joints, targets });
         }
     }
     all
 }
 
-fn poses(all: &[Observation]) -> Vec<i64> {
-    let mut poses: Vec<i64> = all.iter().map(|o| o.pose).collect();
+fn poses(all: &[Observation]) -> Vec<PoseName> {
+    let mut poses: Vec<PoseName> = all.iter().map(|o| o.pose).collect();
     poses.dedup();
     poses
 }
@@ -50,7 +51,7 @@ fn poses(all: &[Observation]) -> Vec<i64> {
 /// Every eighth of the periphery's positions: few enough to try all choices.
 fn fifteen(robot: &FiveBar) -> Vec<Observation> {
     let all = periphery(robot);
-    let kept: Vec<i64> = poses(&all).into_iter().step_by(8).take(15).collect();
+    let kept: Vec<PoseName> = poses(&all).into_iter().step_by(8).take(15).collect();
     all.into_iter().filter(|o| kept.contains(&o.pose)).collect()
 }
 
@@ -208,7 +209,7 @@ fn five_and_seven_of_the_periphery_are_proven_to_be_the_best() {
 fn the_proven_optimum_of_four_of_sixty_five_is_that_of_enumeration() {
     let robot = robot();
     let all = periphery(&robot);
-    let kept: Vec<i64> = poses(&all).into_iter().step_by(2).collect();
+    let kept: Vec<PoseName> = poses(&all).into_iter().step_by(2).collect();
     let observations: Vec<Observation> = all.into_iter().filter(|o| kept.contains(&o.pose)).collect();
     let pool = pool(&robot, &observations, Criterion::O1);
     let n = pool.candidates.len();
@@ -316,7 +317,12 @@ fn study(robot: &FiveBar, positions: &[[f64; 2]], seeds: u64) -> (f64, f64) {
     for (_, _, p) in holes() {
         let at = [p[0], p[1], 0.0];
         let reached = robot.inverse_all(&truth, at).unwrap().into_iter();
-        everywhere.extend(reached.map(|joints| Observation { pose: 0, cycle: 0, joints, targets: vec![Some(at)] }));
+        everywhere.extend(reached.map(|joints| Observation {
+            pose: 0.into(),
+            cycle: 0,
+            joints,
+            targets: vec![Some(at)],
+        }));
     }
     let trial = |seed: u64| {
         let mut mean = vec![0.0; truth.len()];

@@ -31,7 +31,12 @@ fn observations() -> Option<Vec<Observation>> {
     let observation = |(i, (q, p)): (usize, (&Vec<f64>, &Vec<f64>))| {
         let mut targets = vec![None; 3];
         targets[q[6] as usize - 1] = Some([p[0], p[1], p[2]]);
-        Observation { pose: i as i64, cycle: 1, joints: q[..6].iter().map(|q| q.to_radians()).collect(), targets }
+        Observation {
+            pose: (i as i64).into(),
+            cycle: 1,
+            joints: q[..6].iter().map(|q| q.to_radians()).collect(),
+            targets,
+        }
     };
     Some(angles.iter().zip(&points).enumerate().map(observation).collect())
 }

@@ -81,7 +81,12 @@ fn arm(name: &'static str, rows: &[[f64; 4]], targets: &[&str], poses: usize, cu
         }
         let mut seen = |k: usize| Some(robot.position(&truth, &joints, k).map(|v| v + noise.gaussian(u_mm)));
         let seen = (0..targets.len()).map(&mut seen).collect();
-        observations.push(Observation { pose: observations.len() as i64 + 1, cycle: 1, joints, targets: seen });
+        observations.push(Observation {
+            pose: (observations.len() as i64 + 1).into(),
+            cycle: 1,
+            joints,
+            targets: seen,
+        });
     }
     Bench { name, robot: Box::new(robot), observations, u_mm }
 }
@@ -127,7 +132,7 @@ fn prexyt() -> Bench {
             Some([p[0] + noise.gaussian(u_mm), p[1] + noise.gaussian(u_mm), 0.0])
         };
         let targets = vec![seen(0), seen(1)];
-        observations.push(Observation { pose: i + 1, cycle: 1, joints, targets });
+        observations.push(Observation { pose: (i + 1).into(), cycle: 1, joints, targets });
     }
     Bench { name: "PreXYT", robot: Box::new(robot), observations, u_mm }
 }

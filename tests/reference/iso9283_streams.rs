@@ -45,7 +45,7 @@ fn write_path(here: &Path, name: &str, points: &[Vector]) {
 }
 
 fn places(document: &Iso9283StreamDocument) -> [Vector; 2] {
-    let of = |pose: i64| document.standstills.iter().find(|s| s.pose == Some(pose)).unwrap().mean_mm.clone();
+    let of = |pose: i64| document.standstills.iter().find(|s| s.pose == Some(pose.into())).unwrap().mean_mm.clone();
     [1, 2].map(|pose| of(pose).try_into().unwrap())
 }
 
@@ -68,7 +68,7 @@ fn both_streams_are_cut_into_seven_stops_and_settle_within_what_the_robot_shakes
         let runs: Vec<Vector> = runs.map(|run| run[run.len() / 2]).collect();
         assert_eq!(document.standstills.len(), runs.len());
         for (i, (s, middle)) in document.standstills.iter().zip(&runs).enumerate() {
-            assert_eq!((s.pose, s.cycle), (Some(i as i64 % 2 + 1), Some(i as i64 / 2 + 1)));
+            assert_eq!((s.pose, s.cycle), (Some((i as i64 % 2 + 1).into()), Some(i as i64 / 2 + 1)));
             let mean: Vector = s.mean_mm.clone().try_into().unwrap();
             assert!(norm(minus(mean, *middle)) < 0.02, "{velocity}, stop {i}");
             // the tracker's noise and the hold of the robot: not above the published by more than what still swings

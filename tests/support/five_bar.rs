@@ -57,7 +57,12 @@ pub fn measure(
             }
             let joints = vec![q[0], q[1], robot.assembly_at(truth, q, e)];
             let measured = [p[0] + noise(), p[1] + noise(), 0.0];
-            all.push(Observation { pose: k as i64, cycle: cycle as i64 + 1, joints, targets: vec![Some(measured)] });
+            all.push(Observation {
+                pose: (k as i64).into(),
+                cycle: cycle as i64 + 1,
+                joints,
+                targets: vec![Some(measured)],
+            });
         }
     }
     all

@@ -15,7 +15,7 @@ pub enum Role {
     Label,
     /// Name of the target.
     Target,
-    /// Number of the pose.
+    /// Name of the pose.
     Pose,
     /// Number of the repeat.
     Cycle,

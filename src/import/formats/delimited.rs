@@ -7,6 +7,7 @@ use crate::import::Point;
 use crate::import::format::{
     ColumnAt, Columns, CoordinateType, Delimiter, Dialect, Header, Role, Unit, coordinate_type,
 };
+use crate::import::lexer::pose_name;
 use crate::import::lexer::{self, Row, WHOLE, marked, split};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
@@ -261,14 +262,14 @@ impl Reader<'_> {
         point.refused = self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f)));
         let unmeasured = point.refused.is_some();
         let (mut coordinates, mut uncertain, mut direction) = (Vec::new(), Vec::new(), Vec::new());
-        let mut wholes = Vec::new();
+        let mut names = Vec::new();
         for (i, role, field) in cells() {
             match role {
                 Role::Label if point.label.is_empty() => point.label.push_str(field),
                 Role::Label => point.label.extend(["::", field]),
                 Role::Target => point.target = Some(field.to_owned()),
                 Role::TimeS => point.time_s = Some(value(i, field)),
-                Role::Pose | Role::Cycle => wholes.push((i, role, field)),
+                Role::Pose | Role::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}
                 role if role.is_coordinate() => coordinates.push((i, role, value(i, field) * self.factor(role))),
                 role if role.is_uncertainty() => uncertain.push((role, value(i, field))),
@@ -276,13 +277,15 @@ impl Reader<'_> {
                 _ => {}
             }
         }
-        for (i, role, field) in wholes {
-            let field = if role == Role::Pose { lexer::pose_number(field) } else { field };
-            let whole = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
-            if whole.is_none() {
+        for (i, role, field) in names {
+            if role == Role::Pose {
+                point.pose = pose_name(field, self.dialect.decimal).map_err(|message| wrong(message, i)).ok();
+                continue;
+            }
+            point.cycle = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
+            if point.cycle.is_none() {
                 wrong(Message::error(format!("`{field}` is not a whole number")), i);
             }
-            *(if role == Role::Pose { &mut point.pose } else { &mut point.cycle }) = whole;
         }
         if unmeasured {
             return Some(point);

@@ -23,6 +23,7 @@ use super::lexer::written;
 use super::points::Point;
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use crate::import::format::{Decimal, Dialect, Unit};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, Visitor};
@@ -272,7 +273,7 @@ impl<'de> Deserialize<'de> for Format {
 pub(crate) struct Row {
     pub label: String,
     pub target: String,
-    pub pose: i64,
+    pub pose: PoseName,
     pub cycle: i64,
     pub time_s: f64,
     pub xyz: Vector,

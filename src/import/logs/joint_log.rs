@@ -1,9 +1,11 @@
 //! Joint values as the stages use them, and what the columns of a log become in them.
 
 use crate::base::message::Result;
+use crate::base::pose_name::PoseName;
+use crate::base::table::pose_column;
 use crate::base::table::{ASSEMBLY, LABEL};
 use crate::math::robots::{Joint, Quantity};
-use polars::prelude::{Column as Series, DataFrame};
+use polars::prelude::{Column, DataFrame};
 
 /// Keys of `columns` that bring the time, and seconds in one of their unit.
 const TIMES: [(&str, f64); 3] = [("time_s", 1.0), ("time_ms", 1e-3), ("time_ns", 1e-9)];
@@ -64,8 +66,8 @@ pub struct LogRow {
     pub row: i64,
     /// Line of the file, from 1.
     pub line: usize,
-    /// Number of the pose.
-    pub pose: Option<i64>,
+    /// Name of the pose.
+    pub pose: Option<PoseName>,
     /// Number of the repeat.
     pub cycle: Option<i64>,
     /// Time; of a standstill its middle.
@@ -88,25 +90,25 @@ impl JointLog {
 
     /// The log as a table.
     pub fn table(&self) -> Result<DataFrame> {
-        let column = |name: &String| {
-            let whole = |f: fn(&LogRow) -> Option<i64>| -> Series {
-                Series::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
+        let column = |name: &String| -> Column {
+            let whole = |f: fn(&LogRow) -> Option<i64>| -> Column {
+                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
             };
-            let real = |f: &dyn Fn(&LogRow) -> Option<f64>| -> Series {
-                Series::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
+            let real = |f: &dyn Fn(&LogRow) -> Option<f64>| -> Column {
+                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
             };
             match (name.as_str(), self.joints.iter().position(|joint| joint == name)) {
                 (_, Some(k)) => real(&|r| r.joints.get(k).copied()),
                 ("row", _) => whole(|r| Some(r.row)),
                 ("line", _) => whole(|r| Some(r.line as i64)),
-                ("pose", _) => whole(|r| r.pose),
+                ("pose", _) => return pose_column("pose", &self.rows.iter().map(|r| r.pose).collect::<Vec<_>>()),
                 ("cycle", _) => whole(|r| r.cycle),
                 ("time_s", _) => real(&|r| r.time_s),
                 ("from_s", _) => real(&|r| Some(r.standing_s?[0])),
                 ("to_s", _) => real(&|r| Some(r.standing_s?[1])),
                 (ASSEMBLY, _) => real(&|r| r.assembly),
                 _ => {
-                    Series::new(name.as_str().into(), self.rows.iter().map(|r| r.label.as_deref()).collect::<Vec<_>>())
+                    Column::new(name.as_str().into(), self.rows.iter().map(|r| r.label.as_deref()).collect::<Vec<_>>())
                 }
             }
         };

@@ -18,6 +18,7 @@ pub(crate) use write::write;
 use super::format::{Column, Decimal, Delimiter, Encoding, FromRow};
 use super::formats::Recognised;
 use crate::base::message::{Message, Problems, Result, Stated};
+use crate::base::pose_name::PoseName;
 use crate::base::table::ASSEMBLY;
 use crate::document::{Refused, Source};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -263,6 +264,8 @@ pub(crate) struct Columns {
 pub(crate) enum Values {
     /// Labels.
     Text(Vec<String>),
+    /// Names of poses.
+    Poses(Vec<PoseName>),
     /// Numbers, all finite.
     Real(Vec<f64>),
 }
@@ -312,7 +315,7 @@ pub fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Resul
         .map(|(&row, line)| LogRow {
             row,
             line: line as usize,
-            pose: log.pose.map(|from| from.number(row)),
+            pose: log.pose.map(|from| from.number(row).into()),
             time_s: log.period_s.map(|period_s| (row - 1) as f64 * period_s),
             ..LogRow::default()
         })
@@ -323,10 +326,14 @@ pub fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Resul
                 read.rows.iter_mut().zip(texts).for_each(|(row, text)| row.label = Some(text));
                 continue;
             }
+            Values::Poses(poses) => {
+                read.rows.iter_mut().zip(poses).for_each(|(row, pose)| row.pose = Some(pose));
+                continue;
+            }
             Values::Real(values) => values,
         };
         let set: fn(&mut LogRow, f64) = match name.as_str() {
-            "pose" => |row, v| row.pose = Some(v as i64),
+            "pose" => |row, v| row.pose = Some((v as i64).into()),
             "cycle" => |row, v| row.cycle = Some(v as i64),
             "time_s" => |row, v| row.time_s = Some(v),
             ASSEMBLY => |row, v| row.assembly = Some(v),

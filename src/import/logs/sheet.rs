@@ -6,7 +6,7 @@ use crate::base::table::{ASSEMBLY, LABEL};
 use crate::document::Source;
 use crate::import::format::{ColumnAt, Decimal, Delimiter, Dialect, two_commas};
 use crate::import::guess::guesses;
-use crate::import::lexer::{Row, WHOLE, number, pose_number, rows};
+use crate::import::lexer::{Row, WHOLE, number, pose_name, rows};
 use std::borrow::Cow;
 
 /// Delimited text of which nothing is known but what the campaign states.
@@ -182,11 +182,18 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     if wanted.name == LABEL {
         return Values::Text(sheet.rows.iter().map(|row| row.field(at).to_owned()).collect());
     }
+    if wanted.name == "pose" {
+        let name = |row: &Row| {
+            let named = pose_name(row.field(at), log.decimal).map_err(|m| problems.0.push(m.at(sheet.cell(row, at))));
+            named.unwrap_or_default()
+        };
+        return Values::Poses(sheet.rows.iter().map(name).collect());
+    }
     let nanoseconds = wanted.key.get_ref() == "time_ns";
     let before = problems.0.len();
     let mut read = Vec::with_capacity(sheet.rows.len());
     for row in &sheet.rows {
-        let cell = if wanted.name == "pose" { pose_number(row.field(at)) } else { row.field(at) };
+        let cell = row.field(at);
         match if nanoseconds { seconds(cell) } else { number(cell, log.decimal) } {
             Ok(value) => read.push(value),
             Err(message) => {
@@ -202,13 +209,13 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     if wanted.is_joint() {
         log.format.0.check_joint(sheet, at, &read, problems);
     }
-    let (whole, modes) = (matches!(wanted.name.as_str(), "pose" | "cycle"), wanted.name == ASSEMBLY);
+    let (whole, modes) = (wanted.name == "cycle", wanted.name == ASSEMBLY);
     for (value, row) in read.iter().zip(&sheet.rows) {
         let message = if modes && value.abs() != 1.0 {
             let hint = "leave the column out of `columns` if it is not known: then the nearer solution is taken";
             Message::error(format!("{value} is not an assembly mode")).expected("1 or -1").hint(hint)
         } else if whole && (value.fract() != 0.0 || value.abs() > WHOLE) {
-            Message::error(format!("{} {value} is not a whole number", wanted.name))
+            Message::error(format!("cycle {value} is not a whole number"))
         } else {
             continue;
         };

@@ -128,7 +128,7 @@ pub(super) fn reduce(
         let [from_s, to_s] = [times_s[first], times_s[last]];
         rows.push(LogRow {
             row: number,
-            pose: log.pose.map(|from| from.number(number)).or(within[0].pose),
+            pose: log.pose.map(|from| from.number(number).into()).or(within[0].pose),
             time_s: Some(0.5 * (from_s + to_s)),
             standing_s: Some([from_s, to_s]),
             joints: joints.iter().map(|joint| joint.mean).collect(),
@@ -172,13 +172,12 @@ fn limits(log: &Log, still: &Standstill, read: &JointLog) -> std::result::Result
 
 /// An error if what a standing robot is at changes.
 fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
-    let whole = |n: Option<i64>| n.map_or_else(String::new, |n| n.to_string());
     type Value<'a> = dyn Fn(&LogRow) -> String + 'a;
     let of: [(&str, &Value); 4] = [
         (ASSEMBLY, &|row| row.assembly.map_or_else(String::new, |v| format!("{v:.1}"))),
-        ("cycle", &|row| whole(row.cycle)),
+        ("cycle", &|row| row.cycle.map_or_else(String::new, |cycle| cycle.to_string())),
         (LABEL, &|row| row.label.clone().unwrap_or_default()),
-        ("pose", &|row| whole(row.pose)),
+        ("pose", &|row| row.pose.map_or_else(String::new, |pose| pose.to_string())),
     ];
     for (name, value) in of.into_iter().filter(|(name, _)| *name != "pose" || log.pose.is_none()) {
         let first = value(&rows[0]);

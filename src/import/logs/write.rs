@@ -99,11 +99,10 @@ fn content(values: &JointLog, key: &str, column: &Column) -> std::result::Result
 
 fn field(log: &Log, content: Option<&Content>, row: &LogRow) -> String {
     let number = |value: f64, digits: usize| written(value, digits, log.decimal);
-    let whole = |n: Option<i64>| n.unwrap_or_default().to_string();
     match content {
         None => "-".to_owned(),
-        Some(Content::Pose) => whole(row.pose),
-        Some(Content::Cycle) => whole(row.cycle),
+        Some(Content::Pose) => row.pose.unwrap_or_default().to_string(),
+        Some(Content::Cycle) => row.cycle.unwrap_or_default().to_string(),
         Some(Content::Time(in_a_second, digits)) => number(row.time_s.unwrap_or_default() * in_a_second, *digits),
         Some(Content::Assembly) => number(row.assembly.unwrap_or(1.0), 0),
         Some(Content::Label) => row.label.clone().unwrap_or_else(|| "-".to_owned()),

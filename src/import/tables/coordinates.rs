@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::Vector;
+use crate::base::pose_name::{PoseName, two_spellings};
 use crate::base::table::{self, ANGLES};
 use polars::prelude::DataFrame;
 
@@ -52,6 +53,15 @@ impl NamedTable<'_> {
     /// Whether there is such a column.
     pub fn has(&self, column: &str) -> bool {
         self.frame.column(column).is_ok()
+    }
+
+    /// The names of poses, each in one spelling.
+    pub fn poses(&self) -> Result<Vec<PoseName>> {
+        let poses = table::poses(self.frame).map_err(|p| self.place(p))?;
+        match two_spellings(poses.iter().copied().map(Some)) {
+            Some((message, row)) => Err(self.at_row(message, row).into()),
+            None => Ok(poses),
+        }
     }
 
     /// A column of whole numbers without gaps.

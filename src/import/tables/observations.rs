@@ -1,18 +1,18 @@
 //! A table of observations as CSV: one row per pose, repeat and target, a column per joint with its unit.
 
 use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pose_name::{PoseName, two_spellings};
+use crate::base::table::pose_column;
 use crate::import::format::Decimal;
 use crate::import::format::Delimiter;
-use crate::import::lexer::{Row, WHOLE, number, pose_number, rows};
+use crate::import::lexer::{Row, WHOLE, number, pose_name, rows};
 use crate::import::logs::meaning;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
-use std::collections::BTreeMap;
 
 /// Reads a table of observations (commas, decimal point, a header): its columns, and `line` with the line of each row.
 ///
-/// `pose` and `cycle` hold whole numbers (a pose also a name that ends in one, like `P12`), columns whose name ends in a unit hold
-/// numbers (empty cells are missing values), others text. Every row of another width and every cell that does not read is an error
-/// with its place.
+/// `pose` holds names of poses, `cycle` whole numbers, columns whose name ends in a unit numbers (empty cells are missing values),
+/// others text. Every row of another width and every cell that does not read is an error with its place.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     let mut all = rows(file, text, Delimiter::Comma)?;
     if all.len() < 2 {
@@ -38,13 +38,14 @@ pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
             continue;
         }
         if name == "pose" {
-            problems.0.extend(two_names(file, &all, i));
+            let named = poses(file, &all, i, &mut problems);
+            columns.push(pose_column("pose", &named));
+            continue;
         }
-        let whole = name == "pose" || name == "cycle";
+        let whole = name == "cycle";
         let mut values: Vec<Option<f64>> = Vec::with_capacity(all.len());
         for (row, field) in all.iter().zip(texts) {
             let odd = |v: &f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
-            let field = if name == "pose" { pose_number(field) } else { field };
             let value = match number(field, Decimal::Point) {
                 _ if field.is_empty() => Ok(None),
                 Ok(value) if odd(&value) => Err(Message::error(format!("`{field}` is not a whole number"))),
@@ -67,20 +68,19 @@ pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     Ok(DataFrame::new(all.len(), columns)?)
 }
 
-/// Errors about poses of one number and different names in column `at`.
-fn two_names(file: &str, rows: &[Row], at: usize) -> Vec<Message> {
-    let mut names: BTreeMap<&str, &str> = BTreeMap::new();
-    let mut errors = Vec::new();
-    for row in rows {
-        let name = row.field(at);
-        let number = pose_number(name);
-        let before = &name[..name.len() - number.len()];
-        if let Some(other) = names.insert(number.trim_start_matches('0'), before).filter(|other| *other != before) {
-            let message = Message::error(format!("`{other}{number}` and `{name}` are both pose {number}"));
-            errors.push(message.hint("number the poses from 1 to the last, each once").at(row.cell(file, at)));
+/// The names of poses in column `at`, each in one spelling.
+fn poses(file: &str, rows: &[Row], at: usize, problems: &mut Problems) -> Vec<Option<PoseName>> {
+    let mut name = |row: &Row| match row.field(at) {
+        "" => None,
+        field => {
+            pose_name(field, Decimal::Point).map_err(|message| problems.0.push(message.at(row.cell(file, at)))).ok()
         }
+    };
+    let names: Vec<Option<PoseName>> = rows.iter().map(&mut name).collect();
+    if let Some((message, row)) = two_spellings(names.iter().copied()) {
+        problems.0.push(message.at(rows[row].cell(file, at)));
     }
-    errors
+    names
 }
 
 #[cfg(test)]
@@ -88,9 +88,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_names_of_one_pose_are_refused() {
-        assert_eq!(observations("o.csv", "pose,x_mm\nP01,1\nP1,2\nP2,3\n").unwrap().height(), 3);
-        let said = observations("o.csv", "pose,x_mm\nA1,1\nB1,2\n").unwrap_err().to_string();
-        assert!(said.contains("`A1` and `B1` are both pose 1") && said.contains("o.csv:3"), "{said}");
+    fn a_pose_has_one_spelling() {
+        let table = observations("o.csv", "pose,x_mm\n07,1\n7,2\nP7,3\nhome,4\n").unwrap();
+        let names: Vec<String> = crate::base::table::poses(&table).unwrap().iter().map(ToString::to_string).collect();
+        assert_eq!(names, ["7", "7", "P7", "home"]);
+        let error = observations("o.csv", "pose,x_mm\nP01,1\nA1,2\nP1,2\n").unwrap_err().to_string();
+        assert!(error.contains("`P01` and `P1` differ only in") && error.contains("o.csv:4"), "{error}");
     }
 }

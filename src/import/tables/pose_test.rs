@@ -2,13 +2,14 @@
 
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use crate::import::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
 use crate::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Numbers of one table.
 struct Rows {
-    poses: Vec<i64>,
+    poses: Vec<PoseName>,
     positions_mm: Vec<Vector>,
     angles_rad: Vec<Vec<f64>>,
     spatial: bool,
@@ -97,7 +98,7 @@ fn attained_poses(table: NamedTable, rows: &Rows) -> Result<Vec<AttainedPose>> {
 }
 
 fn rows(table: NamedTable) -> Result<Rows> {
-    let poses = table.integers("pose")?;
+    let poses = table.poses()?;
     let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;
     let angles_rad = (0..poses.len()).map(|i| angles_rad.iter().map(|column| column[i]).collect()).collect();
     Ok(Rows { poses, positions_mm, angles_rad, spatial, angles })

@@ -50,7 +50,7 @@ pub fn commanded_path(table: NamedTable, recorded: &str, recording: &Recording) 
 
 /// Numbers and positions of commanded poses.
 pub fn commanded_poses(table: NamedTable) -> Result<Vec<CommandedPose>> {
-    let poses = table.integers("pose")?;
+    let poses = table.poses()?;
     let positions_mm = table.coordinates()?.positions_mm;
     if let Some(i) = (0..poses.len()).find(|&i| poses[..i].contains(&poses[i])) {
         let message = Message::error(format!("pose {} is commanded twice", poses[i]));

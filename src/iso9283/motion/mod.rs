@@ -9,6 +9,7 @@ pub mod stream;
 
 use crate::base::message::{Message, Result, count};
 use crate::base::pose::{Vector, minus, norm};
+use crate::base::pose_name::PoseName;
 use crate::base::table::ANGLES;
 use crate::document::{Iso9283Arrival, Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamDocument};
 use crate::iso9283::motion::overshoot::overshoot_mm;
@@ -67,7 +68,7 @@ pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Iso9283Str
         Some(poses) => poses.clone(),
         None => (1..)
             .zip(places_mm(&stood, settings.near_mm))
-            .map(|(pose, position_mm)| CommandedPose { pose, position_mm })
+            .map(|(number, position_mm): (i64, _)| CommandedPose { pose: number.into(), position_mm })
             .collect(),
     };
     let visits = visits(&stood, &places, settings.near_mm);
@@ -143,9 +144,9 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
 }
 
 /// Pose and number of the visit of each standstill.
-fn visits(stood: &[Standstill], places: &[CommandedPose], near_mm: f64) -> Vec<Option<(i64, i64)>> {
+fn visits(stood: &[Standstill], places: &[CommandedPose], near_mm: f64) -> Vec<Option<(PoseName, i64)>> {
     let positions: Vec<Vector> = places.iter().map(|p| p.position_mm).collect();
-    let mut counts: BTreeMap<i64, i64> = BTreeMap::new();
+    let mut counts: BTreeMap<PoseName, i64> = BTreeMap::new();
     let mut visit = |place: Option<usize>| {
         let pose = places[place?].pose;
         let cycle = counts.entry(pose).or_default();
@@ -165,7 +166,7 @@ struct Standing {
 fn standing(
     recording: &Recording,
     stood: &[Standstill],
-    visits: &[Option<(i64, i64)>],
+    visits: &[Option<(PoseName, i64)>],
     band_mm: Option<f64>,
     messages: &mut Vec<Message>,
 ) -> Vec<Standing> {
@@ -207,7 +208,7 @@ fn standing(
 }
 
 fn settling(standing: &[Standing]) -> Vec<Iso9283Settling> {
-    let mut by_pose: BTreeMap<i64, (Vec<Arrival>, f64)> = BTreeMap::new();
+    let mut by_pose: BTreeMap<PoseName, (Vec<Arrival>, f64)> = BTreeMap::new();
     for s in standing {
         let (Some(pose), Some(arrival), Some(overshoot)) = (s.standstill.pose, s.arrival, s.standstill.overshoot_mm)
         else {
@@ -217,7 +218,7 @@ fn settling(standing: &[Standing]) -> Vec<Iso9283Settling> {
         arrivals.push(arrival);
         *largest = largest.max(overshoot);
     }
-    let settled = |(pose, (arrivals, overshoot_mm)): (i64, (Vec<Arrival>, f64))| {
+    let settled = |(pose, (arrivals, overshoot_mm)): (PoseName, (Vec<Arrival>, f64))| {
         let stabilisation_s = stabilisation_time_s(&arrivals)?;
         Some(Iso9283Settling { pose, arrivals: arrivals.len(), stabilisation_s, overshoot_mm })
     };
@@ -252,14 +253,14 @@ fn arrivals(stream: &Stream, stood: &[Standstill], standing: &[Standing]) -> Vec
 }
 
 fn moves(standing: &[Standing]) -> Vec<Iso9283Posing> {
-    let mut by_pair: BTreeMap<(i64, i64), Vec<Posing>> = BTreeMap::new();
+    let mut by_pair: BTreeMap<(PoseName, PoseName), Vec<Posing>> = BTreeMap::new();
     for pair in standing.windows(2) {
         if let (Some(from), Some(to), Some(posing)) = (pair[0].standstill.pose, pair[1].standstill.pose, pair[1].posing)
         {
             by_pair.entry((from, to)).or_default().push(posing);
         }
     }
-    let mean_move = |((from, to), moves): ((i64, i64), Vec<Posing>)| {
+    let mean_move = |((from, to), moves): ((PoseName, PoseName), Vec<Posing>)| {
         let mean = |of: fn(&Posing) -> f64| moves.iter().map(of).sum::<f64>() / moves.len() as f64;
         Iso9283Posing {
             from,

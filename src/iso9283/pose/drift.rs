@@ -3,6 +3,7 @@
 
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use crate::document::Iso9283Drift;
 use crate::iso9283::pose::accuracy::pose_accuracy;
 use crate::iso9283::pose::repeatability::pose_repeatability;
@@ -12,7 +13,7 @@ const QUIET_SETS: usize = 5;
 const QUIET: f64 = 0.1;
 
 /// Drift over at least two sets of at least two positions of one pose.
-pub fn drift(pose: i64, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Iso9283Drift> {
+pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Iso9283Drift> {
     if sets_mm.len() < 2 {
         let message = Message::error(format!("drift: {} sets of cycles", sets_mm.len()));
         return Err(message.expected("at least two").into());

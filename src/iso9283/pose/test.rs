@@ -2,6 +2,7 @@
 
 use crate::base::message::Message;
 use crate::base::pose::{Vector, centroid};
+use crate::base::pose_name::PoseName;
 use crate::iso9283::statistics::sample::wrapped;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -25,8 +26,8 @@ pub struct AttainedPose {
 /// A pose as it is commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommandedPose {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Commanded position.
     pub position_mm: Vector,
 }
@@ -34,8 +35,8 @@ pub struct CommandedPose {
 /// A pose of the test with all that was attained of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TestedPose {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Commanded position; without it there is neither accuracy nor distance.
     pub commanded_mm: Option<Vector>,
     /// Commanded angles.
@@ -91,7 +92,7 @@ impl TestedPose {
 }
 
 /// What an approach is called by the pose before.
-pub fn from_pose(pose: i64) -> String {
+pub fn from_pose(pose: PoseName) -> String {
     format!("from pose {pose}")
 }
 

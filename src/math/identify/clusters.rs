@@ -32,10 +32,10 @@ impl ByCluster {
     /// part of the hat matrix of one cluster: unbiased for independent residuals, which the fit makes smaller than errors. Degrees of
     /// freedom are those of a multiple of chi-square with the same mean and variance (Bell & McCaffrey 2002; CR2 in Imbens & Kolesár
     /// 2016). `None` where one cluster determines some direction of the parameters alone.
-    pub fn new(clusters: &[i64], solution: &Solution, jacobian: &[f64]) -> Option<Self> {
+    pub fn new<C: Copy + Ord>(clusters: &[C], solution: &Solution, jacobian: &[f64]) -> Option<Self> {
         let n = solution.x.len();
         let root = Cholesky::new(DMatrix::from_row_slice(n, n, &solution.covariance()?))?.unpack(); // F, with F Fᵀ = A⁻¹
-        let mut rows: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
+        let mut rows: BTreeMap<C, Vec<usize>> = BTreeMap::new();
         clusters.iter().enumerate().for_each(|(row, cluster)| rows.entry(*cluster).or_default().push(row));
         let mut steps = DMatrix::zeros(n, n); // Fᵀ (Σ hₚ hₚᵀ) F
         let mut grams = vec![DMatrix::zeros(n, n); n];

@@ -7,6 +7,7 @@ use super::set_up::explain;
 use super::{Identification, Observation, ResidualKind, Settings, unseen_by};
 use crate::base::message::{Message, Problems};
 use crate::base::pose::{Vector, minus, norm};
+use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::math::robots::{Robot, Role};
 use crate::math::solve::{self, Loss, Options, Problem, Termination};
@@ -56,7 +57,7 @@ pub(super) fn nothing_left(robot: &dyn Robot, observations: &[Observation], star
 
 /// The parameters that too few poses do not determine, group by group.
 fn too_little(robot: &dyn Robot, observations: &[Observation], all: &Residuals, start: &[f64]) -> Problems {
-    let poses: BTreeSet<i64> = observations.iter().map(|o| o.pose).collect();
+    let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
     let groups = Analysis::at(all, start, 0.0).groups;
     let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
     let message = Message::error(format!(
@@ -112,7 +113,7 @@ fn cause(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Opti
     }
     let wrong = misplaced(robot, observations, start);
     let (worst, other) = wrong.first()?;
-    let of: BTreeSet<i64> = wrong.iter().map(|(o, _)| o.pose).collect();
+    let of: BTreeSet<PoseName> = wrong.iter().map(|(o, _)| o.pose).collect();
     let mode = worst.joints.last()?;
     let what = format!(
         "the tool is not where the assembly mode puts it in {}: pose {} is stated in mode {mode:+}, where the model is {:.1} mm \
@@ -138,8 +139,8 @@ fn extent(points: &[Vector]) -> f64 {
     norm(minus(end(f64::max), end(f64::min)))
 }
 
-fn poses(numbers: &BTreeSet<i64>) -> String {
-    let shown: Vec<String> = numbers.iter().take(NAMED_POSES).map(i64::to_string).collect();
+fn poses(numbers: &BTreeSet<PoseName>) -> String {
+    let shown: Vec<String> = numbers.iter().take(NAMED_POSES).map(PoseName::to_string).collect();
     match numbers.len() {
         1 => format!("pose {}", shown.join("")),
         n if n > NAMED_POSES => format!("{n} poses ({}, ...)", shown.join(", ")),
@@ -177,8 +178,8 @@ pub struct Reading {
     pub observation: usize,
     /// Index of its target.
     pub target: usize,
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Number of the repeat.
     pub cycle: i64,
     /// Distance, mm.

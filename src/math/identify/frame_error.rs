@@ -1,13 +1,14 @@
 //! The uncertainty of frames: what is wrong with a frame is common to all observations that it places.
 
 use super::residuals::Residuals;
+use crate::base::pose_name::PoseName;
 use crate::math::solve::Solution;
 
 /// The uncertainty of the frame in which observations are stated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameError {
     /// Pose and cycle that it places; `None`: all.
-    pub pose: Option<(i64, i64)>,
+    pub pose: Option<(PoseName, i64)>,
     /// Covariance of a small shift (mm) and then a small rotation (rad) of the frame along and about its own axes, at its origin.
     pub covariance: [[f64; 6]; 6],
 }

@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, Place, Result};
 use crate::base::pose::{Vector, minus, norm};
+use crate::base::pose_name::PoseName;
 use crate::base::table::{self, ASSEMBLY};
 use crate::math::robots::{Joint, Robot};
 use polars::prelude::DataFrame;
@@ -9,8 +10,8 @@ use polars::prelude::DataFrame;
 /// One pose of one cycle: joint values and the targets that were measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observation {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Number of the repeat.
     pub cycle: i64,
     /// Joint values in mm or rad, in the robot's order, and behind them the assembly mode of robots that have several.
@@ -29,7 +30,7 @@ impl Observation {
         let columns: Vec<(String, f64)> =
             robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
         table::require(table, &[&needed[..], &columns.iter().map(|c| c.0.clone()).collect::<Vec<_>>()].concat())?;
-        let poses = table::integers(table, "pose")?;
+        let poses = table::poses(table)?;
         let cycles = table::integers(table, "cycle")?;
         let names = table::texts(table, "target")?;
         let xyz = table::coordinates(table)?;
@@ -142,7 +143,7 @@ fn assign_modes(
     stated: &[Option<f64>],
 ) -> Result<Option<Message>> {
     let nominal = robot.nominal();
-    let (mut taken, mut least_clear): ([usize; 2], Option<(i64, f64, f64)>) = ([0, 0], None);
+    let (mut taken, mut least_clear): ([usize; 2], Option<(PoseName, f64, f64)>) = ([0, 0], None);
     for (o, stated) in observations.iter_mut().zip(stated) {
         let mode = match stated {
             Some(mode) => *mode,

@@ -6,6 +6,7 @@ use super::residuals::Residuals;
 use super::uncertainty::held_message;
 use super::{Observation, Settings, wanted_parameters};
 use crate::base::message::{Message, Result};
+use crate::base::pose_name::PoseName;
 use crate::math::robots::Robot;
 use crate::math::solve::{Factor, Problem, column_norms, covariance, svd};
 use std::collections::BTreeSet;
@@ -74,7 +75,7 @@ pub fn predict(
     let regular = svd(&factor).rank(RANK_TOLERANCE) == free.len() && problem.residual_count() >= free.len();
     let covariance = covariance(&factor, &scale).filter(|_| regular);
     let covariance = covariance.ok_or_else(|| {
-        let poses: BTreeSet<i64> = observations.iter().map(|o| o.pose).collect();
+        let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
         Message::error(format!("{} poses do not suffice to identify {} parameters", poses.len(), free.len()))
             .hint("choose more positions, or hold parameters with `--hold`")
     })?;

@@ -4,6 +4,7 @@ use super::rigid_part::{At, Shape};
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::math::robots::{Platform, Robot};
 use crate::math::solve::{Problem, Solution};
@@ -119,41 +120,41 @@ impl<'a> Residuals<'a> {
     }
 
     /// The pose of each residual.
-    pub fn poses(&self) -> Vec<i64> {
+    pub fn poses(&self) -> Vec<PoseName> {
         self.observations.iter().zip(&self.rows).flat_map(|(o, &rows)| std::iter::repeat_n(o.pose, rows)).collect()
     }
 
     /// What the errors of each residual belong to: its reading where that is common to several, or else its pose, or, of poses at
     /// least twice as many as `count`, one of `count` regions of the joints.
-    pub fn clusters(&self, count: usize) -> Vec<i64> {
+    pub fn clusters(&self, count: usize) -> Vec<PoseName> {
         if let Some(common) = &self.common {
             return common.numbers(self.measured_count());
         }
         let regions = self.regions(count);
-        let of = |o: &Observation| regions.get(&o.pose).map_or(o.pose, |&region| region as i64);
+        let of = |o: &Observation| regions.get(&o.pose).map_or(o.pose, |&region| (region as i64).into());
         self.observations.iter().zip(&self.rows).flat_map(|(o, &rows)| std::iter::repeat_n(of(o), rows)).collect()
     }
 
     /// Poses, whatever their repeats.
     pub fn pose_count(&self) -> usize {
-        self.observations.iter().map(|o| o.pose).collect::<BTreeSet<i64>>().len()
+        self.observations.iter().map(|o| o.pose).collect::<BTreeSet<PoseName>>().len()
     }
 
     /// The region of each pose: the joints' ranges, cut in halves of equally many poses along the widest joint until there are
     /// `count` parts; empty where poses are fewer than twice as many.
-    fn regions(&self, count: usize) -> BTreeMap<i64, usize> {
-        let poses: BTreeMap<i64, &[f64]> = self.observations.iter().map(|o| (o.pose, &o.joints[..])).collect();
+    fn regions(&self, count: usize) -> BTreeMap<PoseName, usize> {
+        let poses: BTreeMap<PoseName, &[f64]> = self.observations.iter().map(|o| (o.pose, &o.joints[..])).collect();
         let n = self.robot.joints().len();
         if poses.len() < 2 * count || count < 2 {
             return BTreeMap::new();
         }
-        let range = |part: &[(i64, &[f64])], j: usize| {
+        let range = |part: &[(PoseName, &[f64])], j: usize| {
             let of = |pick: fn(f64, f64) -> f64| part.iter().map(|p| p.1[j]).reduce(pick).unwrap_or(0.0);
             of(f64::max) - of(f64::min)
         };
-        let whole: Vec<(i64, &[f64])> = poses.into_iter().collect();
+        let whole: Vec<(PoseName, &[f64])> = poses.into_iter().collect();
         let all: Vec<f64> = (0..n).map(|j| range(&whole, j)).collect();
-        let widest = |part: &[(i64, &[f64])]| {
+        let widest = |part: &[(PoseName, &[f64])]| {
             let width = |j: usize| if all[j] > 0.0 { range(part, j) / all[j] } else { 0.0 };
             (0..n).map(|j| (width(j), j)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0))
         };
@@ -182,7 +183,7 @@ impl<'a> Residuals<'a> {
     }
 
     /// Pose and cycle of each observation, with the number of its residuals.
-    pub fn blocks(&self) -> impl Iterator<Item = ((i64, i64), usize)> {
+    pub fn blocks(&self) -> impl Iterator<Item = ((PoseName, i64), usize)> {
         self.observations.iter().zip(&self.rows).map(|(o, &rows)| ((o.pose, o.cycle), rows)).filter(|block| block.1 > 0)
     }
 
@@ -212,7 +213,7 @@ impl<'a> Residuals<'a> {
 
     /// Derivatives of the residuals at `x`, whitened, by a small shift (mm) and rotation (rad) of the frame that places the observations
     /// of `pose` and cycle, or all: rows of six.
-    pub fn frame_jacobian(&self, x: &[f64], pose: Option<(i64, i64)>) -> Vec<f64> {
+    pub fn frame_jacobian(&self, x: &[f64], pose: Option<(PoseName, i64)>) -> Vec<f64> {
         let sensitivities = self.target_sensitivities(x);
         let mut poses = sensitivities.iter().flatten();
         let mut rows: Vec<f64> = Vec::with_capacity(6 * self.residual_count());
@@ -395,11 +396,11 @@ impl Common {
     }
 
     /// For each of `count` rows the number of its reading.
-    fn numbers(&self, count: usize) -> Vec<i64> {
-        let mut numbers = vec![0; count];
+    fn numbers(&self, count: usize) -> Vec<PoseName> {
+        let mut numbers = vec![PoseName::default(); count];
         for (number, (reading, _)) in self.readings.iter().enumerate() {
             for row in reading {
-                numbers[*row..][..self.dimension].fill(number as i64);
+                numbers[*row..][..self.dimension].fill((number as i64).into());
             }
         }
         numbers

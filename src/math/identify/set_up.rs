@@ -6,6 +6,7 @@ use super::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
 use super::residuals::Residuals;
 use crate::base::message::Message;
 use crate::base::pose::{Vector, centroid, minus, norm};
+use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::math::robots::{Quantity, Robot, Role};
 use crate::math::solve::{self, Factor, Options, Problem, column_norms};
@@ -333,7 +334,7 @@ impl Similarity {
 /// system has moved. A warning where one shift explains most of what is left, and chance would not.
 pub fn moved_between(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<Message> {
     let left = |o: &Observation| centroid(&o.misses(robot, values).map(|(_, miss)| miss).collect::<Vec<_>>());
-    let all: Vec<(i64, Vector)> = observations.iter().filter_map(|o| Some((o.pose, left(o)?))).collect();
+    let all: Vec<(PoseName, Vector)> = observations.iter().filter_map(|o| Some((o.pose, left(o)?))).collect();
     let n = all.len();
     let sum = all.iter().fold([0.0; 3], |s, (_, r)| [0, 1, 2].map(|i| s[i] + r[i]));
     let middle = sum.map(|s| s / n as f64);
@@ -460,7 +461,7 @@ fn changes_of_points(robot: &dyn Robot, observations: &[Observation]) -> Vec<(St
 
 /// The observations with the joints of the pose before or after, in the order in which poses come.
 fn shifted(observations: &[Observation], shift: isize) -> Vec<Observation> {
-    let mut poses: Vec<(i64, &Observation)> = Vec::new();
+    let mut poses: Vec<(PoseName, &Observation)> = Vec::new();
     for o in observations {
         if poses.last().is_none_or(|(pose, _)| *pose != o.pose) {
             poses.push((o.pose, o));
@@ -525,7 +526,7 @@ mod tests {
             let by = if i < 22 { 0.0 } else { shift_mm };
             let mut seen = |[x, y]: [f64; 2]| Some([x + by + noise.gaussian(0.003), y + noise.gaussian(0.003), 0.0]);
             let targets = robot.balls(&nominal, &joints).map(&mut seen).to_vec();
-            Observation { pose: i, cycle: 1, joints, targets }
+            Observation { pose: i.into(), cycle: 1, joints, targets }
         };
         (1..=40).map(pose).collect()
     }

@@ -9,6 +9,7 @@ use super::rigid_part::Shape;
 use super::solution::Identifiable;
 use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
+use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::math::robots::{Quantity, Robot};
 use crate::math::solve::{Factor, Problem, Solution, column_norms};
@@ -55,7 +56,7 @@ pub(super) fn with_uncertainty(
     let mut jacobian = vec![0.0; m * n];
     problem.jacobian(&solution.x, &mut jacobian);
 
-    let placed: BTreeMap<(i64, i64), &FrameError> = frames.iter().filter_map(|f| Some((f.pose?, f))).collect();
+    let placed: BTreeMap<(PoseName, i64), &FrameError> = frames.iter().filter_map(|f| Some((f.pose?, f))).collect();
     let stated = from_instrument((problem, solution, &jacobian), settings, &placed);
     let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
     let instrument = stated.map(|s| s.0);
@@ -146,7 +147,7 @@ impl Found {
 fn from_instrument(
     (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
     settings: &Settings,
-    placed: &BTreeMap<(i64, i64), &FrameError>,
+    placed: &BTreeMap<(PoseName, i64), &FrameError>,
 ) -> Option<(Vec<f64>, f64)> {
     let u = settings.standard_uncertainty_mm?;
     if settings.kind == ResidualKind::Targets && (placed.is_empty() || problem.is_whitened()) {
@@ -285,12 +286,12 @@ fn noise(
     problem: &Residuals,
     solution: &Solution,
     u: f64,
-    frames: &BTreeMap<(i64, i64), &FrameError>,
+    frames: &BTreeMap<(PoseName, i64), &FrameError>,
 ) -> Option<Vec<DMatrix<f64>>> {
     let sensitivities = problem.target_sensitivities(&solution.x);
     let by_frame = problem.frame_jacobian(&solution.x, None);
     let mut rows = by_frame.chunks_exact(6);
-    let root = |(i, (key, count)): (usize, ((i64, i64), usize))| {
+    let root = |(i, (key, count)): (usize, ((PoseName, i64), usize))| {
         let mut noise = match &sensitivities {
             Some(all) => {
                 let s = u * Matrix3x4::from_fn(|k, j| all[i][k][j]);

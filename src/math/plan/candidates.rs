@@ -1,6 +1,7 @@
 //! Candidates from a table: poses with joint values, or positions that the robot finds its own joint values for.
 
 use crate::base::message::{Message, Result, count};
+use crate::base::pose_name::PoseName;
 use crate::base::table;
 use crate::math::identify::{Observation, joint_column, stated_modes};
 use crate::math::robots::{Joint, Robot};
@@ -18,13 +19,13 @@ pub struct Candidates {
 
 /// The candidates of a table.
 pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates> {
-    let poses = table::integers(table, "pose")?;
+    let poses = table::poses(table)?;
     let stated = |j: &Joint| table.get_column_names().iter().any(|name| j.factor(name).is_some());
     let by_joints = robot.joints().iter().any(stated) || table.column("x_mm").is_err();
     let all = if by_joints { from_joints(robot, table, &poses)? } else { from_positions(robot, table, &poses)? };
     let nominal = robot.nominal();
     let mut beyond = Vec::new();
-    let mut by_pose: BTreeMap<i64, Vec<Observation>> = BTreeMap::new();
+    let mut by_pose: BTreeMap<PoseName, Vec<Observation>> = BTreeMap::new();
     for o in all {
         match robot.limit_violation(&nominal, &o.joints) {
             Some(why) => beyond.push(format!("pose {} ({why})", o.pose)),
@@ -52,7 +53,7 @@ fn out_of_reach(beyond: &[String]) -> Option<Message> {
 }
 
 /// One configuration a row; rows that differ in the target alone are one configuration of several targets.
-fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[i64]) -> Result<Vec<Observation>> {
+fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
     let modes = stated_modes(robot, table)?;
     let names = if table.column("target").is_ok() { Some(table::texts(table, "target")?) } else { None };
     let mut columns = Vec::new();
@@ -96,7 +97,7 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[i64]) -> Result<Ve
 }
 
 /// Positions of the tool in the world: every way to reach them is a configuration.
-fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[i64]) -> Result<Vec<Observation>> {
+fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
     let nominal = robot.nominal();
     let mut all = Vec::new();
     for (&pose, position) in poses.iter().zip(table::coordinates(table)?) {

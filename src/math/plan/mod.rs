@@ -14,6 +14,7 @@ pub use search::Choice;
 pub use study::{PlaceError, Setting, Study, point_of, study};
 
 use crate::base::message::{Message, Result};
+use crate::base::pose_name::PoseName;
 use crate::math::identify::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};
 use crate::math::robots::Robot;
 use bound::{Proven, branch_and_bound};
@@ -29,7 +30,7 @@ pub struct Request {
     /// Every configuration is a candidate of its own, instead of all of a pose together.
     pub single: bool,
     /// Numbers of the poses that the thesis' way starts from; empty: two that are far apart.
-    pub start: Vec<i64>,
+    pub start: Vec<PoseName>,
     /// Random starts of the exchange.
     pub starts: u64,
     /// Seed of them.
@@ -151,7 +152,7 @@ pub fn plan(robot: &dyn Robot, observations: &[Observation], settings: &Settings
 }
 
 /// The index of other poses, by their numbers; configurations that are not candidates do not count.
-pub fn index_of(plan: &Plan, observations: &[Observation], criterion: Criterion, poses: &[i64]) -> f64 {
+pub fn index_of(plan: &Plan, observations: &[Observation], criterion: Criterion, poses: &[PoseName]) -> f64 {
     let pool = pool_of(&plan.sensitivity, &plan.members, criterion);
     let of = |m: &Vec<usize>| m.iter().any(|&k| poses.contains(&observations[k].pose));
     let chosen = (0..plan.members.len()).filter(|&c| of(&plan.members[c])).collect();

@@ -4,6 +4,7 @@ use super::{Criterion, Plan, pool_of, search::Choice};
 use crate::base::message::{Message, Result};
 use crate::base::noise::Noise;
 use crate::base::pose::{Vector, minus, norm};
+use crate::base::pose_name::PoseName;
 use crate::base::statistics::middle_pair;
 use crate::math::identify::{Observation, Settings, ToolPoint, identify_from};
 use crate::math::robots::Robot;
@@ -34,8 +35,8 @@ pub fn point_of(robot: &dyn Robot) -> &'static str {
 /// The largest error of one pose, among its configurations and targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaceError {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Where its first target is in the first configuration, nominal (mm).
     pub at_mm: Vector,
     /// With nominal parameters (mm).
@@ -146,7 +147,7 @@ fn errors(
 ) -> Study {
     let nominal = robot.nominal();
     let centre = ToolPoint::centre(robot);
-    let mut places: BTreeMap<i64, PlaceError> = BTreeMap::new();
+    let mut places: BTreeMap<PoseName, PlaceError> = BTreeMap::new();
     let (mut squares, mut largest, mut count) = ((0.0, 0.0), (0.0f64, 0.0f64), 0.0);
     for o in everywhere {
         let seen = (0..o.targets.len()).filter(|&t| o.targets[t].is_some());

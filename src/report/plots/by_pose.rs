@@ -3,6 +3,7 @@
 use super::axis::{Axis, left_margin, range};
 use super::points;
 use super::svg::{Shape, Svg};
+use crate::base::pose_name::PoseName;
 use crate::document::PointError;
 use crate::report::model::Figure;
 use crate::report::number;
@@ -68,7 +69,7 @@ fn picture(
         false => words.fill("One mark for each pose, cycle and target; linear axis in {0}.", &[&shown.unit]),
     };
     let mut svg = Svg::new(&format!("by-pose-{quantity}"), WIDTH, HEIGHT, &title, &description);
-    let poses: Vec<i64> = pairs.iter().map(|(p, _)| p.pose).collect::<BTreeSet<_>>().into_iter().collect();
+    let poses: Vec<PoseName> = pairs.iter().map(|(p, _)| p.pose).collect::<BTreeSet<_>>().into_iter().collect();
     let left = left_margin(&axis.ticks(TICKS));
     let across = Axis::linear(-0.7, poses.len() as f64 - 0.3, left, WIDTH - RIGHT);
     draw_axes(&mut svg, left, (&across, &axis), &poses, [&name, &words.say("pose")]);
@@ -107,7 +108,7 @@ pub(in crate::report) fn draw_axes(
     svg: &mut Svg,
     left: f64,
     (across, axis): (&Axis, &Axis),
-    poses: &[i64],
+    poses: &[PoseName],
     [up, along]: [&str; 2],
 ) {
     for (value, label) in axis.ticks(TICKS) {
@@ -118,7 +119,7 @@ pub(in crate::report) fn draw_axes(
     let stride = (super::axis::step(poses.len() as f64, 15) as usize).max(1);
     for (i, pose) in poses.iter().enumerate() {
         // round pose numbers where poses are counted from 1
-        if pose % stride as i64 == 0 || poses.len() <= 15 {
+        if pose.number().unwrap_or(i as i64) % stride as i64 == 0 || poses.len() <= 15 {
             let x = across.at(i as f64);
             svg.line("axis", (x, BOTTOM), (x, BOTTOM + 4.0));
             svg.text("mid", (x, BOTTOM + 17.0), &pose.to_string());

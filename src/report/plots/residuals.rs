@@ -4,6 +4,7 @@ use super::axis::{Axis, range};
 use super::by_pose::{self, BOTTOM, HEIGHT, RIGHT, TOP, WIDTH};
 use super::points;
 use super::svg::{COLOURS, Shape, Svg};
+use crate::base::pose_name::PoseName;
 use crate::document::PointError;
 use crate::report::model::Figure;
 use crate::report::number::{self, Shown};
@@ -47,7 +48,7 @@ fn by_poses(errors: &[&PointError], axes: usize, shown: Shown, reach: f64, words
     let name = words.fill("measured minus predicted in {0}", &[&shown.unit]);
     let description = words.say("One mark for each pose, cycle, target and axis.");
     let mut svg = Svg::new("residuals", WIDTH, HEIGHT, &title, &description);
-    let poses: Vec<i64> = drawn.iter().map(|p| p.pose).collect::<BTreeSet<_>>().into_iter().collect();
+    let poses: Vec<PoseName> = drawn.iter().map(|p| p.pose).collect::<BTreeSet<_>>().into_iter().collect();
     let up = Axis::linear(-reach, reach, BOTTOM, TOP);
     let left = super::axis::left_margin(&up.ticks(6));
     let across = Axis::linear(-0.7, poses.len() as f64 - 0.3, left, WIDTH - RIGHT);

@@ -3,6 +3,7 @@
 use super::plane::{Plane, WIDTH};
 use super::svg::{COLOURS, Shape, Svg};
 use crate::base::pose::{Vector, centroid, minus};
+use crate::base::pose_name::PoseName;
 use crate::document::{Iso9283Document, Iso9283Visit};
 use crate::report::model::Figure;
 use crate::report::number;
@@ -24,7 +25,7 @@ pub(in crate::report) fn approach(name: &str, words: &Words) -> String {
 }
 
 /// The visits of a pose.
-pub(in crate::report) fn of_pose(document: &Iso9283Document, pose: i64) -> impl Iterator<Item = &Iso9283Visit> {
+pub(in crate::report) fn of_pose(document: &Iso9283Document, pose: PoseName) -> impl Iterator<Item = &Iso9283Visit> {
     document.visits.iter().filter(move |v| v.pose == pose)
 }
 
@@ -38,7 +39,7 @@ pub(in crate::report) fn pictures(document: &Iso9283Document, words: &Words) -> 
 }
 
 /// All visits of a pose in the xy plane, by approach, with their means.
-fn picture(pose: i64, visits: &[&Iso9283Visit], words: &Words) -> Option<Figure> {
+fn picture(pose: PoseName, visits: &[&Iso9283Visit], words: &Words) -> Option<Figure> {
     let middle = centroid(&visits.iter().map(|v| v.attained_mm).collect::<Vec<_>>())?;
     let from_middle = |v: &&Iso9283Visit| minus(v.attained_mm, middle).map(|d| 1e3 * d);
     let places: Vec<Vector> = visits.iter().map(from_middle).collect();

@@ -1,5 +1,6 @@
 //! Errors before and after: by set of poses, by pose, every one of them, and in pictures.
 
+use crate::base::pose_name::PoseName;
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, PointError, Statistics};
 use crate::report::model::{Block, Columns, Section, Table, Text, shown};
 use crate::report::number::{self, Shown};
@@ -137,7 +138,7 @@ fn decimals(accuracy: &AccuracyDocument, unit: &str, largest_mm: f64) -> usize {
 /// Set and number of a pose, and its errors.
 struct OfPose<'a> {
     set: &'a str,
-    pose: i64,
+    pose: PoseName,
     errors: Vec<&'a PointError>,
 }
 
@@ -154,7 +155,7 @@ impl OfPose<'_> {
 
 /// Mean and largest error of every pose.
 fn poses(errors: &[PointError], words: &Words) -> Table {
-    let mut by_pose: BTreeMap<(&str, i64), Vec<&PointError>> = BTreeMap::new();
+    let mut by_pose: BTreeMap<(&str, PoseName), Vec<&PointError>> = BTreeMap::new();
     for p in errors {
         by_pose.entry((&p.set, p.pose)).or_default().push(p);
     }

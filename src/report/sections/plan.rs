@@ -1,5 +1,6 @@
 //! A plan: which poses to measure, how far from the best, and what a calibration with them would come to.
 
+use crate::base::pose_name::PoseName;
 use crate::document::{
     PlanDocument, PlannedParameter, PointError, StudiedParameter, StudiedPlace, StudyDocument, StudyStep,
 };
@@ -51,7 +52,7 @@ pub(in crate::report) fn sections(plan: &PlanDocument, words: &Words) -> Vec<Sec
 }
 
 fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
-    let list = |poses: &[i64]| poses.iter().map(i64::to_string).collect::<Vec<_>>().join(", ");
+    let list = |poses: &[PoseName]| poses.iter().map(PoseName::to_string).collect::<Vec<_>>().join(", ");
     let configurations: usize = plan.chosen.iter().map(|p| p.configurations.len()).sum();
     let count: [&dyn std::fmt::Display; 2] = [&plan.chosen.len(), &configurations];
     let chosen = match plan.grouped {
@@ -96,7 +97,7 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
 }
 
 fn poses(plan: &PlanDocument, words: &Words) -> Section {
-    type Row<'a> = (i64, &'a BTreeMap<String, f64>);
+    type Row<'a> = (PoseName, &'a BTreeMap<String, f64>);
     let rows: Vec<Row> = plan.chosen.iter().flat_map(|p| p.configurations.iter().map(move |c| (p.pose, c))).collect();
     let joints: Vec<&str> = rows.iter().take(1).flat_map(|(_, c)| c.keys().map(String::as_str)).collect();
     // assembly modes are whole

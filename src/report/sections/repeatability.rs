@@ -1,6 +1,7 @@
 //! Visited poses: table 2.1 of the thesis, the uncertainty of RP, the 25 % rule, approaches, coplanarity.
 
 use crate::base::pose::{Vector, centroid, minus};
+use crate::base::pose_name::PoseName;
 use crate::document::{
     Characteristics, Iso9283Approach, Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane,
     Iso9283Pose, Iso9283Variation, Iso9283Visit,
@@ -201,7 +202,7 @@ fn characteristics(poses: &[Named], words: &Words) -> Table {
 
 /// An approach of a pose, and the mean of all visits of the pose.
 struct OfApproach<'a> {
-    pose: i64,
+    pose: PoseName,
     approach: &'a Iso9283Approach,
     middle: Vector,
     spatial: bool,
@@ -284,13 +285,13 @@ fn places_note(document: &Iso9283Document, words: &Words) -> String {
 
 /// Where the poses are: means of the attained positions.
 fn places(document: &Iso9283Document, words: &Words) -> Table {
-    let mut by_pose: BTreeMap<i64, Vec<Vector>> = BTreeMap::new();
+    let mut by_pose: BTreeMap<PoseName, Vec<Vector>> = BTreeMap::new();
     for visit in &document.visits {
         by_pose.entry(visit.pose).or_default().push(visit.attained_mm);
     }
-    let rows: Vec<(i64, usize, Vector)> =
+    let rows: Vec<(PoseName, usize, Vector)> =
         by_pose.into_iter().filter_map(|(pose, places)| Some((pose, places.len(), centroid(&places)?))).collect();
-    let columns = Columns::<(i64, usize, Vector)>::new()
+    let columns = Columns::<(PoseName, usize, Vector)>::new()
         .page("pose", "", |(pose, ..)| *pose)
         .page("visits", "", |(_, visits, _)| *visits)
         .page("x", "mm", |(.., mean)| fixed(mean[0], 3))
@@ -302,7 +303,7 @@ fn places(document: &Iso9283Document, words: &Words) -> Table {
 /// A characteristic of the whole robot.
 struct Whole {
     what: &'static str,
-    pose: Option<i64>,
+    pose: Option<PoseName>,
     mm: f64,
 }
 

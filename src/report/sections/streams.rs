@@ -1,5 +1,6 @@
 //! Recorded motions: characteristics of ISO 9283 in a table, the path, drift and arrivals in pictures.
 
+use crate::base::pose_name::PoseName;
 use crate::document::{
     Characteristics, Iso9283Arrival, Iso9283Corner, Iso9283Interval, Iso9283NamedStream, Iso9283Path, Iso9283PathPoint,
     Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamsDocument, Iso9283Weaving,
@@ -140,13 +141,13 @@ fn path_picture(index: usize, path: Option<&Iso9283Path>, words: &Words) -> Opti
 
 /// How far the mean of each visit lies from that of the first visit of its pose, over time.
 fn drift(index: usize, standstills: &[Iso9283Standstill], words: &Words) -> Option<Figure> {
-    let mut by_pose: BTreeMap<i64, Vec<&Iso9283Standstill>> = BTreeMap::new();
+    let mut by_pose: BTreeMap<PoseName, Vec<&Iso9283Standstill>> = BTreeMap::new();
     for s in standstills {
         if let Some(pose) = s.pose {
             by_pose.entry(pose).or_default().push(s);
         }
     }
-    let curve = |(pose, visits): (i64, Vec<&Iso9283Standstill>)| {
+    let curve = |(pose, visits): (PoseName, Vec<&Iso9283Standstill>)| {
         let first = visits.first()?.mean_mm.clone();
         let away = |s: &&Iso9283Standstill| {
             let squares: f64 = s.mean_mm.iter().zip(&first).map(|(a, b)| (a - b).powi(2)).sum();

@@ -11,7 +11,17 @@ use crate::report::{Identified, Report};
 /// An error of pose `pose`, cycle 1, target K, calibration.
 pub(in crate::report) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vector) -> PointError {
     let (set, target) = ("calibration".to_owned(), "K".to_owned());
-    PointError { set, pose, cycle: 1, target, at_mm, before_mm, after_mm, before_deg: None, after_deg: None }
+    PointError {
+        set,
+        pose: pose.into(),
+        cycle: 1,
+        target,
+        at_mm,
+        before_mm,
+        after_mm,
+        before_deg: None,
+        after_deg: None,
+    }
 }
 
 /// All that a report is made from.
@@ -113,7 +123,7 @@ impl Documents {
 fn errors() -> Vec<PointError> {
     let mut noise = Noise::new(7, 0);
     let mut errors = vec![];
-    for pose in 1..=59 {
+    for pose in 1..=59_i32 {
         let (ring, turn) = (pose % 3, f64::from(pose) * 2.399_963);
         let radius = [0.0, 42.5, 85.0][ring as usize];
         let (x, y) = (150.0 + radius * turn.cos(), 120.0 + radius * turn.sin());
@@ -122,7 +132,7 @@ fn errors() -> Vec<PointError> {
             let bend = 0.02 * (y - 120.0) / 85.0;
             errors.push(PointError {
                 set: if pose <= 8 { "calibration" } else { "validation" }.to_owned(),
-                pose: pose.into(),
+                pose: i64::from(pose).into(),
                 cycle,
                 target: "C".to_owned(),
                 at_mm: [x, y, 0.0],

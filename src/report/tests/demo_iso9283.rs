@@ -24,7 +24,7 @@ pub(in crate::report) fn whole() -> Characteristics {
         });
     }
     poses.distances = vec![Iso9283Distance {
-        poses: [1, 2],
+        poses: [1.into(), 2.into()],
         cycles: 30,
         ad_mm: -0.0212,
         ad_axes_mm: vec![-0.02, 0.003, 0.001],
@@ -35,7 +35,7 @@ pub(in crate::report) fn whole() -> Characteristics {
     }];
     poses.approaches[0].vap_angles_deg = vec![0.0021];
     poses.drifts = vec![Iso9283Drift {
-        pose: 1,
+        pose: 1.into(),
         ap_mm: vec![0.04, 0.05, 0.056],
         rp_mm: vec![0.02, 0.021, 0.02],
         dap_mm: 0.016,
@@ -75,14 +75,14 @@ pub(in crate::report) fn whole() -> Characteristics {
 pub(in crate::report) fn iso9283() -> Iso9283Document {
     let mut noise = Noise::new(7, 1);
     let mut visits = vec![];
-    for (i, pose) in (1..=30).flat_map(|_| [1, 2]).enumerate() {
+    for (i, pose) in (1..=30).flat_map(|_| [1_i32, 2]).enumerate() {
         let approach = (i > 0).then(|| format!("from pose {}", 3 - pose));
         let x_mm = 100.0 * f64::from(pose) + noise.gaussian(0.003);
         let attained_mm = [x_mm, 50.0 + noise.gaussian(0.006), noise.gaussian(0.002)];
-        visits.push(Iso9283Visit { pose: pose.into(), cycle: 1 + i as i64 / 2, approach, attained_mm });
+        visits.push(Iso9283Visit { pose: i64::from(pose).into(), cycle: 1 + i as i64 / 2, approach, attained_mm });
     }
-    let pose = |pose| Iso9283Pose {
-        pose,
+    let pose = |pose: i64| Iso9283Pose {
+        pose: pose.into(),
         cycles: 30,
         rp_mm: Some(0.0217),
         enclosing_radius_mm: Some(0.0173),
@@ -104,7 +104,7 @@ pub(in crate::report) fn iso9283() -> Iso9283Document {
         poses: vec![pose(1), pose(2)],
         distances: vec![],
         approaches: vec![Iso9283Variation {
-            pose: 1,
+            pose: 1.into(),
             vap_mm: 0.0123,
             between: ["from pose 2".to_owned(), "from pose 3".to_owned()],
             vap_angles_deg: vec![],

@@ -20,7 +20,7 @@ pub(in crate::report) fn streams() -> Iso9283StreamsDocument {
 /// Three visits of two poses.
 fn standing() -> Iso9283StreamDocument {
     let standstill = |i: i64| Iso9283Standstill {
-        pose: Some(1 + i % 2),
+        pose: Some((1 + i % 2).into()),
         cycle: Some(1 + i / 2),
         from_s: 5.0 * i as f64,
         to_s: 5.0 * i as f64 + 2.0,
@@ -39,9 +39,9 @@ fn standing() -> Iso9283StreamDocument {
         left_out: vec![],
         duration_s: 30.0,
         standstills: (0..6).map(standstill).collect(),
-        settling: vec![Iso9283Settling { pose: 1, arrivals: 3, stabilisation_s: 0.31, overshoot_mm: 0.021 }],
+        settling: vec![Iso9283Settling { pose: 1.into(), arrivals: 3, stabilisation_s: 0.31, overshoot_mm: 0.021 }],
         arrivals: vec![Iso9283Arrival {
-            pose: 1,
+            pose: 1.into(),
             cycle: 1,
             time_s: vec![0.0, 0.1, 0.2, 0.3],
             away_mm: vec![0.05, 0.02, 0.06, 0.01],

@@ -56,7 +56,7 @@ fn what_a_cell_cannot_hold_is_cut_or_replaced() {
     documents.campaign.operator = Some("a\0b\u{fffe}c".to_owned());
     documents.parameters.parameters[0].value = f64::NAN;
     documents.parameters.parameters[1].value = f64::INFINITY;
-    documents.errors[0].pose = i64::MAX;
+    documents.errors[0].pose = i64::MAX.into();
     let mut book = read(&documents);
     let summary = book.worksheet_range("Summary").unwrap();
     let cells: Vec<String> = summary.rows().map(|row| row[1].to_string()).collect();

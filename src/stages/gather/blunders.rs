@@ -3,6 +3,7 @@
 use super::points::PointColumns;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{minus, norm};
+use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::campaign::{Campaign, Rigid};
 use crate::document::{Refused, Source};
@@ -15,7 +16,7 @@ use std::f64::consts::FRAC_PI_2;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Together {
     /// Pose (perhaps the number of the row) and cycle.
-    Pose(i64, Option<i64>),
+    Pose(PoseName, Option<i64>),
     /// The same time stamp, as the bits of its seconds.
     Time(u64),
 }

@@ -178,7 +178,16 @@ mod tests {
 
     fn point(row: i64, name: &str, pose: Option<i64>, xyz_mm: Vector) -> Point {
         let target = pose.map(|_| name.to_owned());
-        Point { row, line: row as usize, label: name.to_owned(), target, pose, cycle: pose, xyz_mm, ..Point::default() }
+        Point {
+            row,
+            line: row as usize,
+            label: name.to_owned(),
+            target,
+            pose: pose.map(crate::base::pose_name::PoseName::from),
+            cycle: pose,
+            xyz_mm,
+            ..Point::default()
+        }
     }
 
     fn campaign(more: &str) -> Campaign {

@@ -12,9 +12,10 @@ pub(crate) use points::used_labels;
 
 use crate::base::files::Stamp;
 use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pose_name::two_spellings;
 use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Source};
-use crate::import::{self, Export, JointLog, Log, Point};
+use crate::import::{self, Export, JointLog, Log, LogRow, Point};
 use points::PointColumns;
 use std::collections::BTreeMap;
 
@@ -79,6 +80,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     }
     let (logs, said) = logs(campaign, &mut sources, &mut problems);
     problems.0.extend(columns.measured_twice(campaign));
+    problems.0.extend(other_spelling(&columns.points, &logs));
     problems.0.extend(blunders::check(campaign).0);
     problems.0.extend(mislabelling::check(campaign).0);
     let mut messages = if campaign.unread.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
@@ -142,6 +144,16 @@ pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Res
 pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<JointLog> {
     import::log(campaign.stated(), stated, text, &mut statement("log", stated.file.get_ref(), &Stamp::default()))
         .map(|(table, _)| table)
+}
+
+/// An error about a pose that two rows of exports and logs name in two spellings.
+fn other_spelling(points: &[Point], logs: &[JointLog]) -> Option<Message> {
+    let logged = || logs.iter().flat_map(|log| log.rows.iter().map(move |row| (log, row)));
+    let names = points.iter().map(|point| point.pose).chain(logged().map(|(_, row)| row.pose));
+    let (message, at) = two_spellings(names)?;
+    let of_log = |(log, row): (&JointLog, &LogRow)| Place { line: Some(row.line), ..Place::file(&log.file) };
+    let place = points.get(at).map(|point| Place::line(&point.export, point.line, &point.text));
+    Some(message.at(place.or_else(|| logged().nth(at - points.len()).map(of_log)).unwrap_or_default()))
 }
 
 fn statement(kind: &str, file: &str, stamp: &Stamp) -> Source {

@@ -4,7 +4,8 @@ use crate::base::message::{Message, Place, Problems};
 use crate::base::pattern::matches_pattern;
 use crate::campaign::{Campaign, JoinBy};
 use crate::document::{Refused, Source};
-use crate::import::{Export, LabelPattern as Pattern, Point};
+use crate::import::{Export, LabelNames, LabelPattern as Pattern, Point};
+use std::collections::BTreeSet;
 
 /// All points of a campaign.
 #[derive(Clone, Debug, Default)]
@@ -42,6 +43,8 @@ impl PointColumns {
         // targets that carry a world frame measured once need no pose
         let world = campaign.file.world().filter(|world| world.each.is_none());
         let frame_targets = world.and_then(|world| world.targets.as_deref()).unwrap_or_default();
+        let targets = known_targets(campaign);
+        let known = |named: &LabelNames| named.target.as_ref().is_none_or(|target| targets.contains(target));
         for (i, row) in rows.into_iter().enumerate() {
             let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
             let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
@@ -49,7 +52,7 @@ impl PointColumns {
                 source.refused.push(Refused { line: row.line, text: row.text, reason });
                 continue;
             }
-            let named = pattern.as_ref().and_then(|p| p.read(&row.label)).unwrap_or_default();
+            let named = pattern.as_ref().and_then(|p| p.read(&row.label, known)).unwrap_or_default();
             let target = row.target.clone().or(named.target).or_else(|| export.target.clone());
             if target.as_ref().is_some_and(|t| t.starts_with(['=', '@', '+', '-'])) {
                 let target = target.unwrap_or_default();
@@ -58,7 +61,7 @@ impl PointColumns {
                 problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
                 continue;
             }
-            let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|from| from.number(i as i64 + 1)));
+            let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|from| from.number(i as i64 + 1).into()));
             let unreadable = row.xyz_mm.iter().any(|v| v.is_nan());
             let in_frame = |t: &String| frame_targets.iter().any(|f| f.get_ref() == t);
             let placed = pose.is_some() || row.time_s.is_some() || unreadable;
@@ -112,7 +115,7 @@ impl PointColumns {
         let joined = campaign.file.join_by() == Some(JoinBy::Label);
         let idle = |p: &&Point| {
             let used = joined || used.iter().any(|u| matches_pattern(u, &p.label));
-            p.target.is_none() && !used && !forms.iter().any(|f| f.read(&p.label).is_some())
+            p.target.is_none() && !used && !forms.iter().any(|f| f.read(&p.label, |_| false).is_some())
         };
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
         let Some(first) = idle.first() else { return Vec::new() };
@@ -127,6 +130,13 @@ impl PointColumns {
                 .hint("correct the label, or `label` of this export"),
         ]
     }
+}
+
+/// Targets of the robot and of the world frame: labels that name them may name a pose by a text.
+fn known_targets(campaign: &Campaign) -> BTreeSet<String> {
+    let of_robot = campaign.build_robot().map_or_else(|_| Vec::new(), |robot| robot.targets().to_vec());
+    let of_frame = campaign.file.world().and_then(|world| world.targets.as_deref()).unwrap_or_default();
+    of_robot.into_iter().chain(of_frame.iter().map(|target| target.get_ref().clone())).collect()
 }
 
 /// Labels that features and the world frame use.

@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::{Vector, centroid};
+use crate::base::pose_name::PoseName;
 use crate::campaign::{Campaign, GeometricDefinition, WorldDefinition};
 use crate::import::Point;
 use crate::math::geometric::{
@@ -41,10 +42,10 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
     found.base.arc = arc.into_values().flatten().collect();
     gather_leads(campaign, definition, leads, &mut found, &mut problems);
 
-    let one = |step: &PointGroup, cycle: i64, pose: i64, target: &str| {
+    let one = |step: &PointGroup, cycle: i64, pose: PoseName, target: &str| {
         centroid(step.get(&(cycle, pose, target.to_owned())).map_or(&[][..], Vec::as_slice))
     };
-    let mut want = |point: Option<Vector>, pattern: &Spanned<String>, (cycle, pose): (i64, i64), target: &str| {
+    let mut want = |point: Option<Vector>, pattern: &Spanned<String>, (cycle, pose): (i64, PoseName), target: &str| {
         if point.is_none() {
             let what = format!("ball `{target}` is missing (pose {pose}, cycle {cycle})");
             problems.0.push(Message::error(what).at(campaign.place(pattern)).hint("measure it, or remove the rest"));
@@ -61,15 +62,16 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
         found.shafts.push(ShaftMeasurements { positions });
     }
     for cycle in offsets.keys().map(|k| k.0).collect::<BTreeSet<_>>() {
-        let mut ball =
-            |name: &str, pose: i64| want(one(&offsets, cycle, pose, name), &definition.offsets, (cycle, pose), name);
-        let (k, l, k_end) = (ball("K", 1), ball("L", 1), ball("K", 2));
+        let mut ball = |name: &str, pose: PoseName| {
+            want(one(&offsets, cycle, pose, name), &definition.offsets, (cycle, pose), name)
+        };
+        let (k, l, k_end) = (ball("K", 1.into()), ball("L", 1.into()), ball("K", 2.into()));
         let rho = definition.mid_travel_mm;
         found.offsets.push(OffsetMeasurements { rho2_mm: rho, rho3_mm: rho, k, l, k_end });
     }
     let mut pairs = Vec::new();
     for (definition, step) in definition.scale_bar.iter().zip(bars) {
-        let keys: BTreeSet<(i64, i64)> = step.keys().map(|k| (k.0, k.1)).collect();
+        let keys: BTreeSet<(i64, PoseName)> = step.keys().map(|k| (k.0, k.1)).collect();
         let mut ball =
             |(cycle, pose), name: &str| want(one(&step, cycle, pose, name), &definition.label, (cycle, pose), name);
         pairs.push(keys.into_iter().map(|key| [ball(key, "A"), ball(key, "B")]).collect());
@@ -95,7 +97,8 @@ fn gather_leads(
         };
         let measured = run.get_or_insert_with(LeadMeasurements::default);
         for ((_, pose, _), points) in step {
-            let commanded = usize::try_from(pose - 1).ok().and_then(|i| definition.positions_mm.get(i));
+            let commanded =
+                pose.number().and_then(|n| usize::try_from(n - 1).ok()).and_then(|i| definition.positions_mm.get(i));
             let Some(&commanded) = commanded else {
                 let what = format!("position {pose} of actuator {actuator} is not among `positions_mm`");
                 problems.0.push(Message::error(what).at(campaign.place(&definition.label)));
@@ -108,7 +111,7 @@ fn gather_leads(
 }
 
 /// The label of a point: a pattern with its parts filled in.
-pub fn label(pattern: &str, target: &str, pose: i64, cycle: i64) -> String {
+pub fn label(pattern: &str, target: &str, pose: PoseName, cycle: i64) -> String {
     pattern.replace("{target}", target).replace("{pose}", &pose.to_string()).replace("{cycle}", &cycle.to_string())
 }
 
@@ -117,7 +120,7 @@ pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(S
     let Gathered { robot: found, bars, balls } = gathered;
     let mut rows = Vec::new();
     let mut row = |pattern: &Spanned<String>, target: &str, pose: i64, cycle: i64, p: Vector| {
-        rows.push((label(pattern.get_ref(), target, pose, cycle), p));
+        rows.push((label(pattern.get_ref(), target, pose.into(), cycle), p));
     };
     for (lead, run) in definition.lead.iter().filter_map(|l| Some((l, found.leads.get(l.actuator.get_ref() - 1)?))) {
         for (i, p) in run.iter().flat_map(|run| &run.points).enumerate() {

@@ -6,6 +6,7 @@ pub use labels::{Gathered, gather, label, labelled};
 
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
+use crate::base::pose_name::PoseName;
 use crate::campaign::{BallDefinition, Campaign, GeometricDefinition, Selection};
 use crate::document::*;
 use crate::iso9283::pose::repeatability::pose_repeatability;
@@ -219,7 +220,7 @@ fn tables(
     sets: &Sets,
     parameters: [&[f64]; 3],
 ) -> Result<Vec<PoseTable>> {
-    let mut poses: BTreeMap<i64, Vec<&Observation>> = BTreeMap::new();
+    let mut poses: BTreeMap<PoseName, Vec<&Observation>> = BTreeMap::new();
     for o in sets.calibration.iter().chain(&sets.validation) {
         poses.entry(o.pose).or_default().push(o);
     }
@@ -240,7 +241,12 @@ fn tables(
 }
 
 /// Mean errors of one pose; `None` where K and L were never measured together.
-fn pose_row(robot: &dyn Platform, pose: i64, observed: &[&Observation], parameters: [&[f64]; 3]) -> Option<PoseRow> {
+fn pose_row(
+    robot: &dyn Platform,
+    pose: PoseName,
+    observed: &[&Observation],
+    parameters: [&[f64]; 3],
+) -> Option<PoseRow> {
     let errors = |p: &[f64]| -> Vec<[f64; 3]> {
         let error = |o: &&Observation| {
             let [Some(k), Some(l)] = o.targets[..] else { return None };

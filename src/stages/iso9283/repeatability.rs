@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::Pose;
+use crate::base::pose_name::PoseName;
 use crate::base::table::ANGLES;
 use crate::campaign::{Campaign, RepeatabilityDefinition};
 use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
@@ -73,7 +74,8 @@ pub fn gather(
 ) -> Result<Gathered> {
     let steps = LabelledPoints::new(campaign, points);
     let mut problems = statements(campaign, definition);
-    let mut step = |pattern| steps.of(pattern).map_err(|more| problems.0.extend(more.0)).ok();
+    let trajectory = definition.trajectory.get_ref();
+    let mut step = |pattern| steps.with_poses(pattern, trajectory).map_err(|more| problems.0.extend(more.0)).ok();
     let (visits, homings) = (step(&definition.label), definition.homing.as_ref().map(&mut step));
     let world_T_export = export_T_world.inverse();
     let mut warnings = Vec::new();
@@ -82,8 +84,8 @@ pub fn gather(
     });
     problems.check()?;
     let homings = homings.flatten().map(|step| {
-        let homed = |((cycle, _, _), points): ((i64, i64, String), Vec<_>)| {
-            let visit = move |p| visit(0, cycle, None, world_T_export.apply(p));
+        let homed = |((cycle, _, _), points): ((i64, PoseName, String), Vec<_>)| {
+            let visit = move |p| visit(0.into(), cycle, None, world_T_export.apply(p));
             points.into_iter().map(visit).collect::<Vec<_>>()
         };
         by_pose(&step.into_iter().flat_map(homed).collect::<Vec<_>>(), Vec::new())
@@ -122,7 +124,7 @@ impl Commanded {
 
     /// Every visited pose must be commanded. Where no z is, the visits lose theirs.
     fn give_to(&self, visits: &mut PoseTest) -> Result<()> {
-        let known = |pose: i64| self.poses.iter().find(|known| known.pose == pose).map(|known| known.position_mm);
+        let known = |pose: PoseName| self.poses.iter().find(|known| known.pose == pose).map(|known| known.position_mm);
         let mut missing = Vec::new();
         for p in &mut visits.poses {
             p.commanded_mm = known(p.pose);
@@ -155,7 +157,7 @@ fn flatten(visits: &mut PoseTest) {
     }
 }
 
-fn visit(pose: i64, cycle: i64, approach: Option<String>, attained_mm: crate::base::pose::Vector) -> Iso9283Visit {
+fn visit(pose: PoseName, cycle: i64, approach: Option<String>, attained_mm: crate::base::pose::Vector) -> Iso9283Visit {
     Iso9283Visit { pose, cycle, approach, attained_mm }
 }
 
@@ -192,7 +194,7 @@ fn in_order(
     let place = || campaign.place(&definition.label);
     let cycles: BTreeSet<i64> = step.keys().map(|key| key.0).collect();
     let first = cycles.first().copied();
-    let mut measured: BTreeMap<(i64, i64), std::vec::IntoIter<_>> = BTreeMap::new();
+    let mut measured: BTreeMap<(PoseName, i64), std::vec::IntoIter<_>> = BTreeMap::new();
     for ((cycle, pose, target), points) in std::mem::take(&mut step) {
         if !trajectory.contains(&pose) {
             let message = Message::error(format!("pose {pose} (cycle {cycle}) is not in the trajectory")).at(place());
@@ -204,7 +206,7 @@ fn in_order(
                 .push(Message::error(what).at(place()).hint("one ball gives the repeatability: name it in `label`"));
         }
     }
-    let counts = trajectory.iter().fold(BTreeMap::new(), |mut counts: BTreeMap<i64, usize>, pose| {
+    let counts = trajectory.iter().fold(BTreeMap::new(), |mut counts: BTreeMap<PoseName, usize>, pose| {
         *counts.entry(*pose).or_default() += 1;
         counts
     });
@@ -244,7 +246,7 @@ fn in_order(
 }
 
 fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> PoseTest {
-    let mut poses: BTreeMap<i64, Vec<AttainedPose>> = BTreeMap::new();
+    let mut poses: BTreeMap<PoseName, Vec<AttainedPose>> = BTreeMap::new();
     for v in in_order {
         poses.entry(v.pose).or_default().push(AttainedPose {
             cycle: v.cycle,
@@ -266,7 +268,7 @@ fn out_of_plane(
 ) -> Result<Vec<Iso9283OutOfPlane>> {
     let Some(four) = &definition.coplanar else { return Ok(Vec::new()) };
     let poses = *four.get_ref();
-    let of_pose = |pose: i64| visits.iter().filter(|v| v.pose == pose).map(|v| v.attained_mm).collect::<Vec<_>>();
+    let of_pose = |pose: PoseName| visits.iter().filter(|v| v.pose == pose).map(|v| v.attained_mm).collect::<Vec<_>>();
     let distances_mm = from_the_others(&poses.map(of_pose)).map_err(|more| more.at(&campaign.place(four)))?;
     Ok(poses.into_iter().zip(distances_mm).map(|(pose, distance_mm)| Iso9283OutOfPlane { pose, distance_mm }).collect())
 }

@@ -3,19 +3,20 @@
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
 use crate::base::message::{Message, Problems, Result, count};
+use crate::base::pose_name::PoseName;
 use crate::document::Unmatched;
 use crate::import::JointLog;
 use std::collections::BTreeMap;
 
-/// Indices of rows by their key.
-type Keys = BTreeMap<Vec<i64>, Vec<usize>>;
+/// Indices of rows by their key: names of poses, and numbers likewise.
+type Keys = BTreeMap<Vec<PoseName>, Vec<usize>>;
 
 /// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a warning.
 pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks: &mut Remarks) -> Result<Vec<Row>> {
-    let number = |key: &str, row: i64, pose: Option<i64>, cycle: Option<i64>| match key {
-        "row" => Some(row),
+    let number = |key: &str, row: i64, pose: Option<PoseName>, cycle: Option<i64>| match key {
+        "row" => Some(row.into()),
         "pose" => pose,
-        _ => cycle,
+        _ => cycle.map(PoseName::from),
     };
     let measured = collected(keys, targets, |t: &Target, key| number(key, t.point.row, t.point.pose, t.point.cycle))?;
     let logged = collected(keys, &log.rows, |row, key| number(key, row.row, row.pose, row.cycle))?;
@@ -35,10 +36,10 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
                       here: &Keys,
                       there: &Keys,
                       reason: &str| {
-        let alone: Vec<&Vec<i64>> = here.keys().filter(|key| !there.contains_key(*key)).collect();
+        let alone: Vec<&Vec<PoseName>> = here.keys().filter(|key| !there.contains_key(*key)).collect();
         let what = if alone.len() == 1 { one } else { many };
         if !alone.is_empty() {
-            let shown: Vec<String> = alone.iter().take(8).map(|k| format!("{k:?}")).collect();
+            let shown: Vec<String> = alone.iter().take(8).map(|k| format!("[{}]", listed(k))).collect();
             let more = if alone.len() > 8 { ", ... (all are in import.json)" } else { "" };
             let text = format!(
                 "{} {what} `{name}` without a partner ({}): {}{more}",
@@ -66,7 +67,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
 }
 
 /// Rows by their keys, which all must have.
-fn collected<T>(keys: &[&str], rows: &[T], number: impl Fn(&T, &str) -> Option<i64>) -> Result<Keys> {
+fn collected<T>(keys: &[&str], rows: &[T], number: impl Fn(&T, &str) -> Option<PoseName>) -> Result<Keys> {
     let mut all = Keys::new();
     for key in keys {
         if rows.iter().any(|row| number(row, key).is_none()) {
@@ -81,7 +82,11 @@ fn collected<T>(keys: &[&str], rows: &[T], number: impl Fn(&T, &str) -> Option<i
     Ok(all)
 }
 
+fn listed(key: &[PoseName]) -> String {
+    key.iter().map(PoseName::to_string).collect::<Vec<_>>().join(", ")
+}
+
 /// A key in words: `pose 3, cycle 1`.
-fn in_words(names: &[&str], key: &[i64]) -> String {
+fn in_words(names: &[&str], key: &[PoseName]) -> String {
     names.iter().zip(key).map(|(name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(", ")
 }

@@ -8,6 +8,7 @@ mod unmatched;
 
 use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::{Pose, Vector};
+use crate::base::pose_name::PoseName;
 use crate::base::table;
 use crate::campaign::{Campaign, ClockOffset, Join, JoinBy};
 use crate::document::{FramesDocument, Unmatched};
@@ -49,7 +50,7 @@ struct Target<'a> {
 
 /// A target with the joint values at which it was measured.
 struct Row {
-    pose: Option<i64>,
+    pose: Option<PoseName>,
     cycle: Option<i64>,
     target: usize,
     world_mm: Vector,
@@ -134,7 +135,11 @@ fn with_log(
             );
             return Err(message.at(campaign.place_of(&["join", "clock_offset_s"])).hint(hint).into());
         }
-        let hint = "compare the poses and cycles of exports and log, or choose another key with `by` in [join]";
+        let first = targets.first().and_then(|t| t.point.pose).zip(log.rows.first().and_then(|row| row.pose));
+        let names = first.map(|(here, there)| format!(" (the first are `{here}` and `{there}`)")).unwrap_or_default();
+        let hint = format!(
+            "compare the poses{names} and cycles of exports and log, or choose another key with `by` in [join]"
+        );
         return Err(message.hint(hint).into());
     }
     Ok(joined)
@@ -196,7 +201,7 @@ fn targets_in_world<'a>(
     robot: &dyn Robot,
     remarks: &mut Remarks,
 ) -> Vec<Target<'a>> {
-    let mut by_pose: BTreeMap<(i64, i64), Pose> = BTreeMap::new();
+    let mut by_pose: BTreeMap<(PoseName, i64), Pose> = BTreeMap::new();
     let mut for_all = None;
     for frame in &frames.world.poses {
         match (frame.pose, frame.cycle) {
@@ -232,12 +237,13 @@ fn targets_in_world<'a>(
 
 /// An error where points and the rows of the log that they meet bear different poses or cycles.
 fn contradictions<'a>(log: &JointLog, pairs: impl Iterator<Item = (&'a Point, &'a LogRow)> + Clone) -> Result<()> {
-    type Number = (fn(&Point) -> Option<i64>, fn(&LogRow) -> Option<i64>);
+    type Number = (fn(&Point) -> Option<PoseName>, fn(&LogRow) -> Option<PoseName>);
     let mut problems = Problems::default();
-    let of: [(&str, Number); 2] = [("pose", (|p| p.pose, |r| r.pose)), ("cycle", (|p| p.cycle, |r| r.cycle))];
+    let cycle: Number = (|p| p.cycle.map(PoseName::from), |r| r.cycle.map(PoseName::from));
+    let of: [(&str, Number); 2] = [("pose", (|p| p.pose, |r| r.pose)), ("cycle", cycle)];
     for (column, (stated, logged)) in of {
         let differs = pairs.clone().filter_map(|(point, row)| Some((point, row, stated(point)?, logged(row)?)));
-        let all: Vec<(&Point, &LogRow, i64, i64)> = differs.filter(|(.., a, b)| a != b).collect();
+        let all: Vec<(&Point, &LogRow, PoseName, PoseName)> = differs.filter(|(.., a, b)| a != b).collect();
         let Some((point, row, here, there)) = all.first() else { continue };
         let what = format!(
             "{} with another {column} than the row of log `{}` that it meets: {here} and {there} (line {} of the log)",
@@ -284,7 +290,7 @@ fn tidy(mut rows: Vec<Row>, log: &JointLog, robot: &dyn Robot) -> Result<DataFra
         Column::new(name.into(), rows.iter().map(of).collect::<Vec<_>>())
     };
     let mut columns = vec![
-        Column::new("pose".into(), rows.iter().map(|row| row.pose).collect::<Vec<_>>()),
+        table::pose_column("pose", &rows.iter().map(|row| row.pose).collect::<Vec<_>>()),
         Column::new("cycle".into(), rows.iter().map(|row| row.cycle).collect::<Vec<_>>()),
         Column::new("target".into(), names),
     ];
@@ -322,19 +328,19 @@ fn out_of_plane(rows: &[Row], robot: &dyn Robot) -> Option<Message> {
 
 /// A warning where some poses lack a target that others have.
 fn incomplete(observations: &DataFrame, robot: &dyn Robot) -> Result<Option<Message>> {
-    let (poses, cycles) = (table::integers(observations, "pose")?, table::integers(observations, "cycle")?);
-    let mut seen: BTreeMap<(i64, i64), usize> = BTreeMap::new();
+    let (poses, cycles) = (table::poses(observations)?, table::integers(observations, "cycle")?);
+    let mut seen: BTreeMap<(PoseName, i64), usize> = BTreeMap::new();
     for key in poses.into_iter().zip(cycles) {
         *seen.entry(key).or_default() += 1;
     }
-    let lacking = |(_, n): &(&(i64, i64), &usize)| **n < robot.targets().len();
-    let poses: BTreeSet<i64> = seen.iter().filter(lacking).map(|(key, _)| key.0).collect();
+    let lacking = |(_, n): &(&(PoseName, i64), &usize)| **n < robot.targets().len();
+    let poses: BTreeSet<PoseName> = seen.iter().filter(lacking).map(|(key, _)| key.0).collect();
     let what = format!("poses that lack a target: {}", listed(&poses));
     let hint = "their other targets still count; a pose or an orientation needs all of them";
     Ok((!poses.is_empty()).then(|| Message::warning(what).hint(hint)))
 }
 
-fn listed(numbers: &BTreeSet<i64>) -> String {
-    let shown: Vec<String> = numbers.iter().take(20).map(i64::to_string).collect();
+fn listed(numbers: &BTreeSet<PoseName>) -> String {
+    let shown: Vec<String> = numbers.iter().take(20).map(PoseName::to_string).collect();
     shown.join(", ") + if numbers.len() > 20 { ", ..." } else { "" }
 }

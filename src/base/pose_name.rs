@@ -1,0 +1,272 @@
+//! Names of poses: whole numbers, or any other text.
+
+use super::message::Message;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::borrow::Cow;
+use std::cmp::Ordering;
+use std::collections::{BTreeMap, HashSet};
+use std::fmt;
+use std::sync::{Mutex, PoisonError};
+
+/// The name of a pose: a whole number (`7`, `07`), or any other text (`home`, `A-3`, `P7`), letter by letter as it is written.
+///
+/// Numbers sort before texts, texts by natural order: `P2` before `P10`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PoseName {
+    /// A number.
+    Number(i64),
+    /// A text that is not a number. Every text is stored once, until the program ends.
+    Text(&'static str),
+}
+
+/// Texts of poses that occurred.
+static TEXTS: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
+
+/// The most characters of a name.
+const LONGEST: usize = 100;
+
+impl PoseName {
+    /// The pose of this name, blanks around it left out. A name that no table or spreadsheet could hold is an error.
+    pub fn new(name: &str) -> Result<Self, Message> {
+        let name = name.trim();
+        if let Ok(number) = name.parse() {
+            return Ok(Self::Number(number));
+        }
+        let wrong = |what: String| Err(Message::error(what).expected("a whole number, or a name like `home` or `A-3`"));
+        if name.is_empty() {
+            return wrong("the pose has no name".to_owned());
+        }
+        if name.len() > LONGEST {
+            return wrong(format!("the name of a pose has {} characters", name.chars().count()));
+        }
+        if name.contains(char::is_control) || name.starts_with(['=', '@', '+', '-']) {
+            return wrong(format!(
+                "the pose `{}` would be a formula or a line of its own in a table",
+                name.escape_debug()
+            ));
+        }
+        let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
+        let texts = texts.get_or_insert_default();
+        Ok(Self::Text(texts.get(name).copied().unwrap_or_else(|| {
+            let stored: &'static str = Box::leak(name.into());
+            texts.insert(stored);
+            stored
+        })))
+    }
+
+    /// Its number, if it is one.
+    pub fn number(self) -> Option<i64> {
+        match self {
+            Self::Number(number) => Some(number),
+            Self::Text(_) => None,
+        }
+    }
+
+    /// What is left of a name without capital letters, blanks, `_`, `-` and leading zeros: names that agree so are two spellings
+    /// of one.
+    fn folded(self) -> String {
+        let mut folded = String::new();
+        for part in parts(&self.to_string().to_lowercase()) {
+            match part {
+                Part::Digits(digits) => folded.push_str(if digits.is_empty() { "0" } else { digits }),
+                Part::Other(c) if matches!(c, '_' | '-') || c.is_whitespace() => {}
+                Part::Other(c) => folded.push(c),
+            }
+        }
+        folded
+    }
+}
+
+/// The first pose among these that another one before it names in another spelling (`P1` and `p 01`): the other, and its index.
+pub fn two_spellings(names: impl IntoIterator<Item = Option<PoseName>>) -> Option<(Message, usize)> {
+    let mut known: HashSet<PoseName> = HashSet::new();
+    let mut by_spelling: BTreeMap<String, PoseName> = BTreeMap::new();
+    for (i, name) in names.into_iter().enumerate() {
+        let Some(name @ PoseName::Text(_)) = name.filter(|name| known.insert(*name)) else { continue };
+        if let Some(other) = by_spelling.insert(name.folded(), name) {
+            let what = format!("`{other}` and `{name}` differ only in capital letters, blanks, `_`, `-` or zeros");
+            return Some((
+                Message::error(what).hint("one pose has one name: write it the same in every row and file"),
+                i,
+            ));
+        }
+    }
+    None
+}
+
+impl Default for PoseName {
+    fn default() -> Self {
+        Self::Number(0)
+    }
+}
+
+impl From<i64> for PoseName {
+    fn from(number: i64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl PartialEq<i64> for PoseName {
+    fn eq(&self, number: &i64) -> bool {
+        *self == Self::Number(*number)
+    }
+}
+
+impl fmt::Display for PoseName {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Number(number) => number.fmt(f),
+            Self::Text(text) => f.pad(text),
+        }
+    }
+}
+
+impl Ord for PoseName {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (self, other) {
+            (Self::Number(a), Self::Number(b)) => a.cmp(b),
+            (Self::Number(_), Self::Text(_)) => Ordering::Less,
+            (Self::Text(_), Self::Number(_)) => Ordering::Greater,
+            (Self::Text(a), Self::Text(b)) => parts(a).cmp(parts(b)).then_with(|| a.cmp(b)),
+        }
+    }
+}
+
+impl PartialOrd for PoseName {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// What natural order compares: runs of digits as numbers, anything else letter by letter.
+#[derive(PartialEq, Eq)]
+enum Part<'a> {
+    /// Without leading zeros.
+    Digits(&'a str),
+    Other(char),
+}
+
+impl Ord for Part<'_> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (self, other) {
+            (Self::Digits(a), Self::Digits(b)) => a.len().cmp(&b.len()).then_with(|| a.cmp(b)),
+            (Self::Digits(_), Self::Other(_)) => Ordering::Less,
+            (Self::Other(_), Self::Digits(_)) => Ordering::Greater,
+            (Self::Other(a), Self::Other(b)) => a.cmp(b),
+        }
+    }
+}
+
+impl PartialOrd for Part<'_> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+fn parts(mut rest: &str) -> impl Iterator<Item = Part<'_>> {
+    std::iter::from_fn(move || {
+        let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+        if digits > 0 {
+            let (run, after) = rest.split_at(digits);
+            rest = after;
+            return Some(Part::Digits(run.trim_start_matches('0')));
+        }
+        let mut all = rest.chars();
+        let first = all.next()?;
+        rest = all.as_str();
+        Some(Part::Other(first))
+    })
+}
+
+impl Serialize for PoseName {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Number(number) => serializer.serialize_i64(*number),
+            Self::Text(text) => serializer.serialize_str(text),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for PoseName {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NumberOrText;
+        impl Visitor<'_> for NumberOrText {
+            type Value = PoseName;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("the number or the name of a pose")
+            }
+            fn visit_i64<E: de::Error>(self, number: i64) -> Result<PoseName, E> {
+                Ok(PoseName::Number(number))
+            }
+            fn visit_u64<E: de::Error>(self, number: u64) -> Result<PoseName, E> {
+                number.try_into().map(PoseName::Number).map_err(|_| E::custom("the number of a pose is too large"))
+            }
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<PoseName, E> {
+                PoseName::new(name).map_err(|message| E::custom(message.what))
+            }
+        }
+        deserializer.deserialize_any(NumberOrText)
+    }
+}
+
+impl JsonSchema for PoseName {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "PoseName".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [{ "type": "integer" }, { "type": "string" }] })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(name: &str) -> PoseName {
+        PoseName::new(name).unwrap()
+    }
+
+    #[test]
+    fn a_pose_has_a_number_or_a_name() {
+        for (name, number) in [("7", 7), ("07", 7), (" 12 ", 12), ("-3", -3)] {
+            assert_eq!(named(name), number, "{name}");
+        }
+        for name in ["home", "P_home", "A-3", "10b", "P7", "pose 012", "3E1", "Prüf"] {
+            assert_eq!(named(name).to_string(), name);
+            assert_eq!(named(name), named(name));
+        }
+        for wrong in ["", " ", "=1+1", "@a", "-a", "a\nb", &"n".repeat(101)] {
+            assert!(PoseName::new(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn numbers_come_first_and_names_in_natural_order() {
+        let sorted = ["-1", "2", "10", "10b", "A-3", "P", "P2", "P02", "P2a", "P10", "home"];
+        let mut names: Vec<PoseName> = sorted.iter().rev().map(|name| named(name)).collect();
+        names.sort();
+        assert_eq!(names.iter().map(ToString::to_string).collect::<Vec<_>>(), {
+            let mut expected = sorted;
+            // of equal numbers the text decides
+            expected.swap(6, 7);
+            expected
+        });
+    }
+
+    #[test]
+    fn two_spellings_of_one_name_are_found() {
+        let found = |names: &[&str]| two_spellings(names.iter().map(|name| PoseName::new(name).ok()));
+        for pair in [["P1", "p1"], ["P01", "P1"], ["P_1", "P-1"], ["home", "Home"], ["pose 2", "pose2"]] {
+            let (message, at) = found(&["7", pair[0], "A1", "B1", pair[1]]).unwrap();
+            assert!(message.what.contains(pair[0]) && message.what.contains(pair[1]) && at == 4, "{}", message.what);
+        }
+        assert!(found(&["7", "07", "P7", "P70", "A1", "B1", "10", "10b", "P1"]).is_none());
+    }
+}
