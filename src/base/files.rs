@@ -1,10 +1,10 @@
 //! Reading whole files, and writing them so that nothing exists until it is whole.
 
-use crate::base::message::{Message, Result};
+use crate::base::message::{Message, Problems, Result};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{Read, Write};
+use std::io::{BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -83,14 +83,28 @@ impl Stamp {
 
 /// Writes a file: beside it, synced, then renamed, so that a stop at any moment loses nothing.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    let fail = |e: std::io::Error| Message::error(format!("cannot write `{}`: {e}", path.display()));
-    std::fs::create_dir_all(parent(path)).map_err(fail)?;
+    write_by(path, |file| Ok(file.write_all(bytes)?))
+}
+
+/// The same of what `fill` writes, bit by bit.
+pub fn write_by<T>(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> anyhow::Result<T>) -> Result<T> {
+    let fail = |e: anyhow::Error| match e.downcast::<Problems>() {
+        Ok(problems) => problems,
+        Err(e) => Message::error(format!("cannot write `{}`: {e}", path.display())).into(),
+    };
+    std::fs::create_dir_all(parent(path)).map_err(|e| fail(e.into()))?;
     let _lock = Lock::take(path)?;
     let new = beside(path, "new");
-    let written = write_synced(&new, bytes).and_then(|()| std::fs::rename(&new, path));
-    written.map_err(|e| {
+    let write = || {
+        let mut file = BufWriter::new(File::create(&new)?);
+        let made = fill(&mut file)?;
+        file.into_inner()?.sync_all()?;
+        std::fs::rename(&new, path)?;
+        Ok(made)
+    };
+    write().map_err(|e| {
         let _ = std::fs::remove_file(&new);
-        fail(e).into()
+        fail(e)
     })
 }
 

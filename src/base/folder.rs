@@ -7,6 +7,16 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+/// When what is written is on the disk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Durability {
+    /// Before the folder is exchanged: a power cut leaves the earlier folder or the new one.
+    Now,
+    /// When the system writes it, or [`flush`] asks for it: a power cut may leave a folder whose files are cut off, which their hashes
+    /// in the manifest show, and never files of two runs.
+    Later,
+}
+
 /// Replaces `folder` by one that holds `files` and, of the earlier one, what `keeps` says by its name. Right before the
 /// exchange `ready` is asked, after which nothing fails.
 pub fn replace(
@@ -14,6 +24,7 @@ pub fn replace(
     files: &[(String, Vec<u8>)],
     keeps: impl Fn(&str) -> bool,
     ready: impl FnOnce() -> Result<()>,
+    durability: Durability,
 ) -> Result<()> {
     let fail = |e: io::Error| Message::error(format!("cannot write the folder `{}`: {e}", folder.display())).into();
     // the folder that a link leads to
@@ -22,8 +33,12 @@ pub fn replace(
     let _lock = Lock::take(&place)?;
     let (new, old) = (beside(&place, "new"), beside(&place, "old"));
     recover(&place, &new, &old).map_err(fail)?;
-    let written = fill(&place, &new, files, keeps).map_err(fail).and_then(|()| ready());
+    let written = fill(&place, &new, files, keeps, durability).map_err(fail).and_then(|()| ready());
     let written = written.and_then(|()| exchange(&place, &new, &old).map_err(fail));
+    if written.is_ok() && durability == Durability::Now {
+        // the folder is exchanged, whatever the disk says of it
+        let _ = sync(parent(&place));
+    }
     // the earlier folder; or the new one, where something failed
     let _ = fs::remove_dir_all(&new);
     let _ = fs::remove_dir_all(&old);
@@ -41,10 +56,19 @@ fn recover(place: &Path, new: &Path, old: &Path) -> io::Result<()> {
     Ok(())
 }
 
-fn fill(place: &Path, new: &Path, files: &[(String, Vec<u8>)], keeps: impl Fn(&str) -> bool) -> io::Result<()> {
+fn fill(
+    place: &Path,
+    new: &Path,
+    files: &[(String, Vec<u8>)],
+    keeps: impl Fn(&str) -> bool,
+    durability: Durability,
+) -> io::Result<()> {
     fs::create_dir(new)?;
     for (name, bytes) in files {
-        write_synced(&new.join(name), bytes)?;
+        match durability {
+            Durability::Now => write_synced(&new.join(name), bytes)?,
+            Durability::Later => fs::write(new.join(name), bytes)?,
+        }
     }
     if place.exists() {
         fs::set_permissions(new, fs::metadata(place)?.permissions())?;
@@ -55,7 +79,7 @@ fn fill(place: &Path, new: &Path, files: &[(String, Vec<u8>)], keeps: impl Fn(&s
             }
         }
     }
-    sync(new)
+    if durability == Durability::Now { sync(new) } else { Ok(()) }
 }
 
 /// The same file or folder under another name; a copy, where the file system has no links.
@@ -73,20 +97,37 @@ fn exchange(place: &Path, new: &Path, old: &Path) -> io::Result<()> {
     {
         use rustix::fs::{CWD, RenameFlags, renameat_with};
         if place.exists() && renameat_with(CWD, new, CWD, place, RenameFlags::EXCHANGE).is_ok() {
-            // done, whatever the disk says of it
-            let _ = sync(parent(place));
             return Ok(());
         }
     }
     if place.exists() {
         fs::rename(place, old)?;
     }
-    fs::rename(new, place).inspect_err(|_| drop(fs::rename(old, place)))?;
-    let _ = sync(parent(place));
-    Ok(())
+    fs::rename(new, place).inspect_err(|_| drop(fs::rename(old, place)))
 }
 
 /// Waits until the names in a folder are on the disk.
 fn sync(folder: &Path) -> io::Result<()> {
     if cfg!(unix) { fs::File::open(folder)?.sync_all() } else { Ok(()) }
+}
+
+/// Waits until all that was written into these folders is on the disk: one call a file system where the system has one.
+pub fn flush<'a>(folders: impl IntoIterator<Item = &'a Path>) -> io::Result<()> {
+    #[cfg(target_os = "linux")]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let mut flushed = std::collections::BTreeSet::new();
+        for folder in folders {
+            let file = fs::File::open(folder)?;
+            if flushed.insert(file.metadata()?.dev()) {
+                rustix::fs::syncfs(&file)?;
+            }
+        }
+        Ok(())
+    }
+    #[cfg(not(target_os = "linux"))]
+    {
+        let files = |folder: &Path| fs::read_dir(folder)?.try_for_each(|file| fs::File::open(file?.path())?.sync_all());
+        folders.into_iter().try_for_each(|folder| files(folder).and_then(|()| sync(folder)))
+    }
 }

@@ -5,7 +5,8 @@ use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use polars::prelude::*;
 use serde::Serialize;
-use std::io::Cursor;
+use polars_io::parquet::write::BatchedWriter;
+use std::io::{Cursor, Write};
 
 /// Columns of the coordinates, in millimetres.
 pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
@@ -143,6 +144,30 @@ pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     ParquetWriter::new(&mut bytes).finish(table)?;
     Ok(bytes)
+}
+
+/// A table that is written as Parquet piece by piece, so that its length takes no memory.
+pub struct RowGroups<W: Write + Send>(BatchedWriter<W>);
+
+impl<W: Write + Send> RowGroups<W> {
+    /// A table with the columns of `like`.
+    pub fn new(into: W, like: &DataFrame) -> Result<Self> {
+        Ok(Self(ParquetWriter::new(into).batched(like.schema())?))
+    }
+
+    /// Adds the rows of a table.
+    pub fn add(&mut self, rows: &DataFrame) -> Result<()> {
+        if rows.height() > 0 {
+            self.0.write_batch(rows)?;
+        }
+        Ok(())
+    }
+
+    /// Ends the file.
+    pub fn finish(self) -> Result<()> {
+        self.0.finish()?;
+        Ok(())
+    }
 }
 
 /// The table of a Parquet file that a stage wrote.

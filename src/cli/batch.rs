@@ -1,18 +1,20 @@
 //! `etalon batch`
 
+use super::report::Dressed;
 use super::{Verdict, print_with, say};
 use crate::base::files;
 use crate::base::message::printable;
 use crate::document::to_json;
-use crate::document::{BatchDocument, BatchEnd, BatchEntry};
-use crate::run::batch::{batch, folders};
+use crate::document::{BatchDocument, BatchEnd, BatchEntry, Presentation};
+use crate::report;
+use crate::run::batch::{Batch as Batched, batch, folders};
 use crate::run::pipeline::Wanted;
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Run many campaigns on all cores, and write their results as one table
+/// Run many campaigns on all cores, and write their results as one table and one page
 ///
 /// A campaign of which nothing has changed since its last run is read back: a batch that was stopped goes on where it was.
 /// One that fails stops no other.
@@ -24,9 +26,11 @@ pub struct Batch {
     /// Write no reports: `etalon report` can write them later
     #[arg(long)]
     documents: bool,
-    /// Folder for batch.parquet
+    /// Folder for batch.parquet and batch.html
     #[arg(long, value_name = "FOLDER", default_value = ".")]
     to: PathBuf,
+    #[command(flatten)]
+    dressed: Dressed,
     /// Print how each campaign ended as JSON
     #[arg(long)]
     json: bool,
@@ -35,9 +39,10 @@ pub struct Batch {
 impl Batch {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let campaigns = folders(&self.campaigns)?;
+        let presentation = self.dressed.over(Presentation::default())?;
         let wanted = if self.documents { Wanted::Documents } else { Wanted::Reports };
         let (shown, ended) = (std::io::stderr().is_terminal(), AtomicUsize::new(0));
-        let batch = batch(&campaigns, wanted, |entry: &BatchEntry| {
+        let said = |entry: &BatchEntry| {
             let ended = ended.fetch_add(1, Ordering::Relaxed) + 1;
             if let Some(message) = &entry.message {
                 let how = if entry.ended == BatchEnd::Skipped { "skipped" } else { "failed" };
@@ -45,9 +50,12 @@ impl Batch {
             } else if shown {
                 eprint_progress(ended, campaigns.len());
             }
-        });
-        files::write(&self.to.join("batch.parquet"), &batch.parquet()?)?;
-        let document = batch.document;
+        };
+        let table = self.to.join("batch.parquet");
+        let Batched { document, figures } =
+            files::write_by(&table, |file| Ok(batch(&campaigns, wanted, file, said)?))?;
+        let page = self.to.join("batch.html");
+        files::write_by(&page, |file| report::batch::write(&document, &figures, &self.to, &presentation, file))?;
         let verdict = match (document.failed, document.not_met) {
             (0, 0) => Verdict::Met,
             (0, _) => Verdict::LimitNotMet,

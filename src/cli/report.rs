@@ -4,7 +4,7 @@ use super::{Verdict, print_written};
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
 use crate::document::{Language, Presentation};
-use crate::report;
+use crate::report::{self, Faces};
 use crate::report::branding;
 use crate::run::documents::{self, Documents};
 use std::path::{Path, PathBuf};
@@ -73,6 +73,6 @@ fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
     let documents = Documents::open(folder)?;
     let mut run = documents::Run::read(&documents)?;
     run.campaign.report = dressed.over(run.campaign.report)?;
-    let files = run.faces()?.files()?;
+    let files = Faces::campaign(&run.report())?.files()?;
     documents.write(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
 }

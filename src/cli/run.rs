@@ -44,7 +44,7 @@ impl Run {
     }
 
     fn answer(&self, campaign: &Campaign, outcome: Outcome) -> anyhow::Result<Verdict> {
-        let Outcome { identified, tested, faces, messages, .. } = outcome;
+        let Outcome { identified, tested, met, faces, messages, .. } = outcome;
         remark(&messages);
         if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
             say("no controller file is written: this result cannot be the robot");
@@ -52,13 +52,14 @@ impl Run {
         let data = match (self.json, &identified, &tested.poses, &tested.streams) {
             (false, ..) => {
                 let report = campaign.output()?.join("report.html");
-                format!("{}\nreport: {}\n", faces.terminal(), report.display()).into_bytes()
+                let shown = faces.map_or_else(String::new, |faces| faces.terminal());
+                format!("{shown}\nreport: {}\n", report.display()).into_bytes()
             }
             (true, Some(found), ..) => to_json(&found.accuracy)?,
             (true, None, Some(poses), _) => to_json(poses)?,
             (true, None, None, Some(streams)) => to_json(streams)?,
             (true, None, None, None) => to_json(&tested.compliance)?,
         };
-        print_with(data, Verdict::of(faces.is_met()))
+        print_with(data, Verdict::of(met))
     }
 }

@@ -1,5 +1,6 @@
 //! What `etalon batch --json` answers.
 
+use indexmap::IndexSet;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -67,6 +68,35 @@ impl BatchEnd {
             Self::Failed => "failed",
             Self::Skipped => "skipped",
         }
+    }
+}
+
+/// A quantity that the page over all campaigns shows.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
+pub struct BatchQuantity {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+}
+
+/// Results of the campaigns of a batch, as far as its page shows them.
+#[derive(Debug, Default)]
+pub struct BatchFigures {
+    /// Every quantity that a campaign has.
+    pub quantities: IndexSet<BatchQuantity>,
+    /// By campaign: quantities by their index, and values.
+    pub values: Vec<Vec<(usize, f64)>>,
+}
+
+impl BatchFigures {
+    /// Adds the next campaign: names, units and values.
+    pub fn add<'a>(&mut self, figures: impl Iterator<Item = (&'a str, &'a str, f64)>) {
+        let mut place = |name: &str, unit: &str| {
+            self.quantities.insert_full(BatchQuantity { name: name.to_owned(), unit: unit.to_owned() }).0
+        };
+        let values = figures.map(|(name, unit, value)| (place(name, unit), value)).collect();
+        self.values.push(values);
     }
 }
 

@@ -11,12 +11,14 @@ use base64::engine::general_purpose::STANDARD;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Rest, Serde};
 use minijinja::{Environment, UndefinedBehavior, Value};
+use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::error::Error;
 
 /// Every template by its name; the ending turns escaping on.
-pub(super) const BUILT_IN: [(&str, &str); 6] = [
+pub(super) const BUILT_IN: [(&str, &str); 7] = [
     ("report.html", include_str!("html/report.html")),
+    ("batch.html", include_str!("html/batch.html")),
     ("blocks.html", include_str!("html/blocks.html")),
     ("head.html", include_str!("html/head.html")),
     ("signatures.html", include_str!("html/signatures.html")),
@@ -26,18 +28,43 @@ pub(super) const BUILT_IN: [(&str, &str); 6] = [
 
 /// What makes marks answer; the page's policy lets no other script run.
 pub(super) const SCRIPT: &str = include_str!("html/script.js");
+/// The same of the page over all campaigns of a batch.
+const BATCH_SCRIPT: &str = include_str!("html/batch.js");
 
 /// The page; of control characters, which no name is known to need, line feeds and tabs stay.
 pub(super) fn html(contents: &Contents, presentation: &Presentation, words: &Words) -> Result<String> {
-    let own = presentation.templates.keys().any(|name| name != TYPESET.0);
-    let (contents, presentation, words) = (Value::from(Serde(contents)), presentation.clone(), words.clone());
-    supervised("report.html", own, move || page(&contents, &presentation, &words))
+    page("report.html", SCRIPT, contents, presentation, words)
 }
 
-fn page(contents: &Value, presentation: &Presentation, words: &Words) -> Result<String> {
-    let environment = environment(presentation, words)?;
+/// The page over all campaigns of a batch.
+pub(super) fn batch(contents: &impl Serialize, presentation: &Presentation, words: &Words) -> Result<String> {
+    page("batch.html", BATCH_SCRIPT, contents, presentation, words)
+}
+
+fn page(
+    template: &'static str,
+    script: &'static str,
+    contents: &impl Serialize,
+    presentation: &Presentation,
+    words: &Words,
+) -> Result<String> {
+    let own = presentation.templates.keys().any(|name| name != TYPESET.0);
+    let (contents, presentation, words) = (Value::from(Serde(contents)), presentation.clone(), words.clone());
+    supervised(template, own, move || filled(template, script, &contents, &presentation, &words))
+}
+
+fn filled(
+    template: &str,
+    script: &str,
+    contents: &Value,
+    presentation: &Presentation,
+    words: &Words,
+) -> Result<String> {
+    let mut environment = environment(presentation, words)?;
+    environment.add_global("script", script);
+    environment.add_global("script_sha256", STANDARD.encode(Sha256::digest(script)));
     let fail = |e: minijinja::Error| Problems::from(failure(&e, presentation));
-    let page = environment.get_template("report.html").map_err(fail)?.render(contents).map_err(fail)?;
+    let page = environment.get_template(template).map_err(fail)?.render(contents).map_err(fail)?;
     Ok(page.chars().map(|c| if c.is_control() && !matches!(c, '\n' | '\t') { '\u{fffd}' } else { c }).collect())
 }
 
@@ -60,8 +87,6 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     });
     environment.add_global("lang", presentation.language.code());
     environment.add_global("logo", presentation.logo.as_deref());
-    environment.add_global("script", SCRIPT);
-    environment.add_global("script_sha256", STANDARD.encode(Sha256::digest(SCRIPT)));
     for (name, text) in BUILT_IN {
         environment.add_template(name, text).map_err(|e| failure(&e, presentation))?;
     }

@@ -4,6 +4,7 @@
 //! Every face is a pure function: it reads nothing but its arguments and writes the same bytes for the same documents. To
 //! add a section: its file in `sections`, a line in `sections::ALL`, and its words in `words`.
 
+pub mod batch;
 pub mod branding;
 mod html;
 mod model;
@@ -61,6 +62,11 @@ pub struct Identified<'a> {
 }
 
 impl<'a> Report<'a> {
+    /// Whether every limit is met, and the result can be that of a robot; without making the report.
+    pub fn is_met(&self) -> bool {
+        sections::verdict::met(self.identified.as_ref(), self.tested)
+    }
+
     /// Every warning and error of its documents.
     fn messages(&self) -> Vec<&'a Message> {
         let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);

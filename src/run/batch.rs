@@ -1,18 +1,32 @@
 //! Many campaigns in one process: each is run, or read back where nothing of it has changed, and their results are one table.
+//!
+//! Documents of a batch are not synced one by one: what counts as done on a restart is a folder whose files all have the hashes of its
+//! manifest, so a power cut costs no more than the campaigns that the system had not written yet, which are run again.
 
+use crate::base::folder::{self, Durability};
 use crate::base::message::{Message, Problems, Result};
-use crate::base::table;
+use crate::base::table::RowGroups;
 use crate::campaign::Campaign;
-use crate::document::{BatchDocument, BatchEnd, BatchEntry, Iso9283Pose};
-use crate::run::documents::{Documents, Run};
+use crate::document::{
+    AccuracyDocument, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary, Characteristics, Iso9283Pose,
+    ParametersDocument,
+};
+use crate::run::documents::Run;
 use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
 use polars::prelude::{Column, DataFrame};
-use rayon::prelude::*;
+use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
+use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Campaigns whose results are in memory at once; as many are a row group of the table.
+const AT_ONCE: usize = 256;
+/// Of the thread of a campaign, bytes.
+const STACK: usize = 8 << 20;
 
 /// One result of one campaign.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 struct Row {
     kind: &'static str,
     item: String,
@@ -25,31 +39,72 @@ struct Row {
 }
 
 /// All campaigns of a batch, in the order in which they were named.
+#[derive(Debug)]
 pub struct Batch {
     /// How each ended.
     pub document: BatchDocument,
-    rows: Vec<Vec<Row>>,
+    /// Their results, as far as its page shows them.
+    pub figures: BatchFigures,
 }
 
-/// Runs campaigns on all cores, without those of which nothing has changed; `ended` is called after each.
-pub fn batch(folders: &[PathBuf], wanted: Wanted, ended: impl Fn(&BatchEntry) + Sync) -> Batch {
+/// Runs campaigns on all cores, without those of which nothing has changed, and writes their results as Parquet; `ended` is called
+/// after each.
+pub fn batch<W: Write + Send>(
+    folders: &[PathBuf],
+    wanted: Wanted,
+    parquet: W,
+    ended: impl Fn(&BatchEntry) + Sync,
+) -> Result<Batch> {
     let one = |folder: &PathBuf| {
         let mut entry = BatchEntry { campaign: folder.display().to_string(), ..BatchEntry::default() };
-        let rows = match campaign(folder, wanted, &mut entry) {
-            Ok(rows) => rows,
-            Err(problems) => {
-                (entry.ended, entry.message) = (BatchEnd::Failed, Some(problems.to_string()));
-                Vec::new()
-            }
-        };
+        let rows = campaign(folder, wanted, &mut entry).unwrap_or_else(|problems| {
+            (entry.ended, entry.message) = (BatchEnd::Failed, Some(problems.to_string()));
+            Vec::new()
+        });
         ended(&entry);
         (entry, rows)
     };
-    let (campaigns, rows) = folders.par_iter().map(one).unzip();
-    Batch { document: BatchDocument::new(campaigns), rows }
+    let (mut campaigns, mut figures) = (Vec::with_capacity(folders.len()), BatchFigures::default());
+    let mut written = RowGroups::new(parquet, &table(&[])?)?;
+    for folders in folders.chunks(AT_ONCE) {
+        let found: Vec<(BatchEntry, Vec<Row>)> = on_all_cores(folders, one)?;
+        written.add(&table(&found)?)?;
+        for (entry, rows) in found {
+            campaigns.push(entry);
+            figures.add(shown(&rows));
+        }
+    }
+    written.finish()?;
+    let computed = campaigns.iter().filter(|c: &&BatchEntry| c.computed);
+    let folders = computed.filter_map(|c| c.output.as_ref().map(Path::new));
+    folder::flush(folders).map_err(|e| Message::error(format!("the results cannot be synced to the disk: {e}")))?;
+    Ok(Batch { document: BatchDocument::new(campaigns), figures })
 }
 
-/// Results of one campaign; what `entry` says of it is filled in.
+/// What `work` makes of each item, in order. Each core has a thread with a pool of its own: a thread of a common pool that waits for
+/// another one (as tables do) takes up the next item meanwhile, deeper and deeper in its stack.
+fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) -> Result<Vec<T>> {
+    let next = AtomicUsize::new(0);
+    let some = || -> std::result::Result<Vec<(usize, T)>, ThreadPoolBuildError> {
+        let pool = ThreadPoolBuilder::new().num_threads(1).stack_size(STACK).build()?;
+        let taken = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|&i| i < items.len());
+        Ok(pool.install(|| std::iter::from_fn(taken).map(|i| (i, work(&items[i]))).collect()))
+    };
+    let failed = |what: String| Message::error(format!("the campaigns cannot be run at once: {what}"));
+    let mut all = Vec::with_capacity(items.len());
+    std::thread::scope(|scope| -> Result<()> {
+        let threads: Vec<_> = (0..rayon::current_num_threads()).map(|_| scope.spawn(some)).collect();
+        for thread in threads {
+            let made = thread.join().map_err(|_| failed("a thread has ended".to_owned()))?;
+            all.extend(made.map_err(|e| failed(e.to_string()))?);
+        }
+        Ok(())
+    })?;
+    all.sort_unstable_by_key(|(i, _)| *i);
+    Ok(all.into_iter().map(|(_, made)| made).collect())
+}
+
+/// Results of one campaign; what `entry` states of it is filled in.
 fn campaign(folder: &Path, wanted: Wanted, entry: &mut BatchEntry) -> Result<Vec<Row>> {
     let campaign = Campaign::read(folder)?;
     if let Some(name) = campaign.missing_variable() {
@@ -57,28 +112,31 @@ fn campaign(folder: &Path, wanted: Wanted, entry: &mut BatchEntry) -> Result<Vec
         entry.message = Some(format!("its data are below ${name}, which is not set"));
         return Ok(Vec::new());
     }
-    let output = campaign.output()?;
+    entry.output = Some(campaign.output()?.display().to_string());
     let last = if wanted == Wanted::Reports { "report.html" } else { "import.json" };
-    let documents = match current(&campaign, last) {
-        Some(documents) => documents,
-        None => {
-            pipeline::run_for(&campaign, wanted)?;
-            entry.computed = true;
-            Documents::open(&output)?
-        }
-    };
-    let run = Run::read(&documents)?;
-    entry.ended = if run.faces()?.is_met() { BatchEnd::Done } else { BatchEnd::NotMet };
-    (entry.name, entry.date) = (run.campaign.name.clone(), run.campaign.date.clone());
-    entry.robot = run.campaign.robot.clone().or_else(|| run.identified.as_ref().map(|i| i.parameters.robot.clone()));
-    entry.output = Some(output.display().to_string());
-    Ok(rows(&run))
+    if let Some(documents) = current(&campaign, last) {
+        let run = Run::read(&documents)?;
+        let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
+        describe(entry, &run.campaign, run.report().is_met(), identified.map(|i| i.0));
+        return Ok(rows(identified, &run.tested));
+    }
+    let found = pipeline::run_for(&campaign, wanted, Durability::Later)?;
+    entry.computed = true;
+    let identified = found.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
+    describe(entry, &found.summary, found.met, identified.map(|i| i.0));
+    Ok(rows(identified, &found.tested))
 }
 
-fn rows(run: &Run) -> Vec<Row> {
+fn describe(entry: &mut BatchEntry, campaign: &CampaignSummary, met: bool, parameters: Option<&ParametersDocument>) {
+    entry.ended = if met { BatchEnd::Done } else { BatchEnd::NotMet };
+    (entry.name, entry.date) = (campaign.name.clone(), campaign.date.clone());
+    entry.robot = campaign.robot.clone().or_else(|| parameters.map(|p| p.robot.clone()));
+}
+
+fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &Characteristics) -> Vec<Row> {
     let mut rows = Vec::new();
-    if let Some(identified) = &run.identified {
-        rows.extend(identified.parameters.parameters.iter().map(|p| Row {
+    if let Some((parameters, accuracy)) = identified {
+        rows.extend(parameters.parameters.iter().map(|p| Row {
             kind: "parameter",
             item: p.name.clone(),
             unit: p.unit.clone(),
@@ -87,7 +145,7 @@ fn rows(run: &Run) -> Vec<Row> {
             nominal: Some(p.nominal),
             ..Row::default()
         }));
-        for set in &identified.accuracy.sets {
+        for set in &accuracy.sets {
             for errors in &set.errors {
                 let of = |(statistic, value): (&str, f64)| Row {
                     kind: "error",
@@ -102,7 +160,7 @@ fn rows(run: &Run) -> Vec<Row> {
                 rows.extend(all.map(of));
             }
         }
-        rows.extend(identified.accuracy.limits.iter().map(|l| Row {
+        rows.extend(accuracy.limits.iter().map(|l| Row {
             kind: "limit",
             item: l.name.clone(),
             unit: l.unit.clone(),
@@ -116,48 +174,46 @@ fn rows(run: &Run) -> Vec<Row> {
         let row = |kind, value| Row { kind, item: p.pose.to_string(), unit: "mm".to_owned(), value, ..Row::default() };
         [p.ap_mm.map(|ap| row("AP", ap)), p.rp_mm.map(|rp| row("RP", rp))].into_iter().flatten().collect::<Vec<_>>()
     };
-    rows.extend(run.tested.poses.iter().flat_map(|tested| &tested.poses).flat_map(of_pose));
+    rows.extend(tested.poses.iter().flat_map(|tested| &tested.poses).flat_map(of_pose));
     rows
 }
 
-impl Batch {
-    /// One row a result: parameters, errors before and after, limits, AP and RP by pose.
-    pub fn table(&self) -> Result<DataFrame> {
-        let all = || {
-            let of =
-                |(entry, rows): (_, &'_ Vec<Row>)| rows.iter().map(move |row| (entry, row.clone())).collect::<Vec<_>>();
-            self.document.campaigns.iter().zip(&self.rows).flat_map(of)
-        };
-        let of_entry = |name: &str, f: fn(&BatchEntry) -> Option<String>| {
-            Column::new(name.into(), all().map(|(entry, _)| f(entry)).collect::<Vec<_>>())
-        };
-        let text =
-            |name: &str, f: fn(Row) -> String| Column::new(name.into(), all().map(|(_, r)| f(r)).collect::<Vec<_>>());
-        let number = |name: &str, f: fn(Row) -> Option<f64>| {
-            Column::new(name.into(), all().map(|(_, row)| f(row)).collect::<Vec<_>>())
-        };
-        let columns = vec![
-            of_entry("campaign", |e| Some(e.campaign.clone())),
-            of_entry("name", |e| Some(e.name.clone())),
-            of_entry("robot", |e| e.robot.clone()),
-            of_entry("date", |e| e.date.clone()),
-            of_entry("verdict", |e| Some(e.ended.name().to_owned())),
-            text("kind", |r| r.kind.to_owned()),
-            text("item", |r| r.item),
-            text("unit", |r| r.unit),
-            number("value", |r| Some(r.value)),
-            number("standard_uncertainty", |r| r.standard_uncertainty),
-            number("nominal", |r| r.nominal),
-            number("limit", |r| r.limit),
-            Column::new("met".into(), all().map(|(_, row)| row.met).collect::<Vec<_>>()),
-        ];
-        Ok(DataFrame::new(all().count(), columns)?)
-    }
+/// What the page shows of the results of a campaign: errors after calibration, the largest AP and RP, and parameters.
+fn shown(rows: &[Row]) -> impl Iterator<Item = (&str, &str, f64)> {
+    let of = move |kind: &'static str| rows.iter().filter(move |row| row.kind == kind);
+    let errors = of("error").filter(|row| !row.item.ends_with("before")).chain(of("parameter"));
+    let largest = ["AP", "RP"].into_iter().filter_map(move |kind| {
+        let value = of(kind).map(|row| row.value).max_by(f64::total_cmp)?;
+        Some((kind, "mm", value))
+    });
+    largest.chain(errors.map(|row| (row.item.as_str(), row.unit.as_str(), row.value)))
+}
 
-    /// The same as Parquet.
-    pub fn parquet(&self) -> Result<Vec<u8>> {
-        table::to_parquet(&mut self.table()?)
-    }
+/// One row a result: parameters, errors before and after, limits, AP and RP by pose.
+fn table(found: &[(BatchEntry, Vec<Row>)]) -> Result<DataFrame> {
+    let all = || found.iter().flat_map(|(entry, rows)| rows.iter().map(move |row| (entry, row)));
+    let text = |name: &str, of: fn(&BatchEntry, &Row) -> Option<String>| {
+        Column::new(name.into(), all().map(|(entry, row)| of(entry, row)).collect::<Vec<_>>())
+    };
+    let number = |name: &str, of: fn(&Row) -> Option<f64>| {
+        Column::new(name.into(), all().map(|(_, row)| of(row)).collect::<Vec<_>>())
+    };
+    let columns = vec![
+        text("campaign", |entry, _| Some(entry.campaign.clone())),
+        text("name", |entry, _| Some(entry.name.clone())),
+        text("robot", |entry, _| entry.robot.clone()),
+        text("date", |entry, _| entry.date.clone()),
+        text("verdict", |entry, _| Some(entry.ended.name().to_owned())),
+        text("kind", |_, row| Some(row.kind.to_owned())),
+        text("item", |_, row| Some(row.item.clone())),
+        text("unit", |_, row| Some(row.unit.clone())),
+        number("value", |row| Some(row.value)),
+        number("standard_uncertainty", |row| row.standard_uncertainty),
+        number("nominal", |row| row.nominal),
+        number("limit", |row| row.limit),
+        Column::new("met".into(), all().map(|(_, row)| row.met).collect::<Vec<_>>()),
+    ];
+    Ok(DataFrame::new(all().count(), columns)?)
 }
 
 /// The campaigns that arguments name: folders, their `campaign.toml`, and lists of them, one a line, `#` before a remark.

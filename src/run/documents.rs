@@ -1,13 +1,14 @@
 //! The output folder of a run as others read it: every document is what that run wrote, or the folder is refused.
 
 use crate::base::message::{Message, Place, Result};
-use crate::base::{files, folder, table};
+use crate::base::folder::{self, Durability};
+use crate::base::{files, table};
 use crate::document::to_json;
 use crate::document::{
     AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
     ImportDocument, ManifestDocument, ParametersDocument, PointError,
 };
-use crate::report::{self, Faces};
+use crate::report::{self, Report};
 use crate::stages::evaluate;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
@@ -82,7 +83,7 @@ impl Documents {
     /// Writes files beside the others of the run, or in their place; gives their paths.
     pub fn write(self, added: Vec<(String, Vec<u8>)>) -> Result<Vec<String>> {
         let paths = added.iter().map(|(name, _)| self.path(name).display().to_string()).collect();
-        replace(&self.folder, self.manifest.files, added, |_| true, || Ok(()))?;
+        replace(&self.folder, self.manifest.files, added, |_| true, || Ok(()), Durability::Now)?;
         Ok(paths)
     }
 }
@@ -140,9 +141,9 @@ impl Run {
         })
     }
 
-    /// The report of it.
-    pub fn faces(&self) -> Result<Faces> {
-        Faces::campaign(&report::Report {
+    /// Its report.
+    pub fn report(&self) -> Report<'_> {
+        Report {
             campaign: &self.campaign,
             import: &self.import,
             features: &self.features,
@@ -154,7 +155,7 @@ impl Run {
                 geometric: i.geometric.as_ref(),
             }),
             tested: &self.tested,
-        })
+        }
     }
 }
 
@@ -165,11 +166,12 @@ pub(super) fn replace(
     mut files: Vec<(String, Vec<u8>)>,
     keeps: impl Fn(&str) -> bool,
     ready: impl FnOnce() -> Result<()>,
+    durability: Durability,
 ) -> Result<()> {
     listed.extend(files.iter().map(|(name, bytes)| (name.clone(), files::sha256(bytes))));
     files.push((ManifestDocument::NAME.to_owned(), to_json(&ManifestDocument::new(listed))?));
     let new = |name: &str| files.iter().any(|(file, _)| file == name);
-    folder::replace(place, &files, |name| keeps(name) && !new(name), ready)
+    folder::replace(place, &files, |name| keeps(name) && !new(name), ready, durability)
 }
 
 /// Reads `parameters.json`, wherever it is: in the output folder of a run, as that run wrote it.

@@ -1,6 +1,7 @@
 //! The output folder of a campaign: documents are collected first and written when all of them are whole.
 
 use crate::base::files;
+use crate::base::folder::Durability;
 use crate::base::message::{Message, Result};
 use crate::base::table;
 use crate::campaign::Campaign;
@@ -96,7 +97,7 @@ impl Output {
 
     /// Replaces the folder by one with these files and what others than etalon put there; gives the names of the files
     /// written. An input that no longer holds what was read is an error.
-    pub fn write(self, campaign: &Campaign, sources: &[Source]) -> Result<Vec<String>> {
+    pub fn write(self, campaign: &Campaign, sources: &[Source], durability: Durability) -> Result<Vec<String>> {
         let names = self.files.iter().map(|(name, _)| name.clone()).collect();
         let earlier = Documents::open(&self.folder).map(|earlier| earlier.manifest.files).unwrap_or_default();
         let ours = |name: &str| earlier.contains_key(name) || export::file_names().any(|file| file == name);
@@ -106,12 +107,14 @@ impl Output {
             self.files,
             |name| !ours(name),
             || unchanged(campaign, sources),
+            durability,
         )?;
         Ok(names)
     }
 }
 
-/// The campaign's output folder, if it holds the results of the campaign's files as they are, by this version: `file` among them.
+/// The campaign's output folder, if it holds the results of the campaign's files as they are, by this version: `file` among them,
+/// and all of them whole.
 pub fn current(campaign: &Campaign, file: &str) -> Option<Documents> {
     let documents = Documents::open(&campaign.output().ok()?).ok()?;
     let ManifestDocument { version, files, .. } = &documents.manifest;
@@ -119,7 +122,8 @@ pub fn current(campaign: &Campaign, file: &str) -> Option<Documents> {
         return None;
     }
     let import: ImportDocument = documents.json("import.json").ok()?;
-    unchanged(campaign, &import.sources).is_ok().then_some(documents)
+    let whole = files.keys().all(|name| documents.bytes(name).is_ok());
+    (whole && unchanged(campaign, &import.sources).is_ok()).then_some(documents)
 }
 
 /// An error if an input holds other bytes by now.

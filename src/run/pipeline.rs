@@ -1,10 +1,11 @@
 //! The hallway: every stage is a function from the documents before it to the document after it.
 
+use crate::base::folder::Durability;
 use crate::base::message::{Message, Problems, Result};
 use crate::campaign::Campaign;
 use crate::document::{CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument};
 use crate::export;
-use crate::report::{self, Faces};
+use crate::report::{self, Faces, Report};
 use crate::run::check::{Prepared, check};
 use crate::run::output::Output;
 use crate::run::summary::summary;
@@ -31,8 +32,12 @@ pub struct Outcome {
     pub identified: Option<Identified>,
     /// Characteristics of ISO 9283, where the campaign tests any.
     pub tested: Characteristics,
-    /// The report, which decides whether everything is met.
-    pub faces: Faces,
+    /// Whether every limit is met, and the result can be that of a robot.
+    pub met: bool,
+    /// The report, where it was wanted.
+    pub faces: Option<Faces>,
+    /// What the campaign states about itself.
+    pub summary: CampaignSummary,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
     /// Files written, in order.
@@ -51,20 +56,18 @@ pub struct Evaluated {
     pub identified: Option<Identified>,
     /// Characteristics of ISO 9283, where the campaign tests any.
     pub tested: Characteristics,
-    /// The report, which decides whether everything is met.
-    pub faces: Faces,
 }
 
 /// Runs a campaign from its exports to the report. Nothing is written before all of it is computed.
 /// Where a stage fails, the warnings of those before it come first: they may say why.
 pub fn run(campaign: &Campaign) -> Result<Outcome> {
-    run_for(campaign, Wanted::Reports)
+    run_for(campaign, Wanted::Reports, Durability::Now)
 }
 
-/// [`run`] for all of its files or some.
-pub fn run_for(campaign: &Campaign, wanted: Wanted) -> Result<Outcome> {
+/// [`run`] for all of its files or some, which are on the disk at once or later.
+pub fn run_for(campaign: &Campaign, wanted: Wanted, durability: Durability) -> Result<Outcome> {
     let out = Output::new(campaign.output()?);
-    write(campaign, wanted, evaluate(campaign)?, out)
+    write(campaign, wanted, durability, evaluate(campaign)?, out)
 }
 
 /// The same, and nothing is written.
@@ -108,26 +111,28 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Evaluated>
         geometric = geometric::calibrate(campaign, robot.as_ref(), measured, found)?;
     }
 
-    // report, from the documents alone
     let summary = summary(campaign, presentation);
-    let report = report::Report {
-        campaign: &summary,
-        import: &gathered.document,
-        features: &features,
-        frames: &frames,
-        identified: identified.as_ref().map(|found| report::Identified {
-            parameters: &found.parameters,
-            accuracy: &found.accuracy,
-            errors: &found.errors,
-            geometric: geometric.as_ref(),
-        }),
-        tested: &tested,
-    };
-    let faces = Faces::campaign(&report)?;
-    Ok(Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested, faces })
+    Ok(Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested })
 }
 
 impl Evaluated {
+    /// Its report, from the documents alone.
+    pub fn report(&self) -> Report<'_> {
+        Report {
+            campaign: &self.summary,
+            import: &self.gathered.document,
+            features: &self.features,
+            frames: &self.frames,
+            identified: self.identified.as_ref().map(|found| report::Identified {
+                parameters: &found.parameters,
+                accuracy: &found.accuracy,
+                errors: &found.errors,
+                geometric: self.geometric.as_ref(),
+            }),
+            tested: &self.tested,
+        }
+    }
+
     /// Everything that the report warns of.
     pub fn messages(&self) -> impl Iterator<Item = &Message> {
         let messages = self.gathered.document.messages.iter();
@@ -138,9 +143,17 @@ impl Evaluated {
 }
 
 /// Writes every document, the report and the files for controllers.
-fn write(campaign: &Campaign, wanted: Wanted, found: Evaluated, mut out: Output) -> Result<Outcome> {
+fn write(
+    campaign: &Campaign,
+    wanted: Wanted,
+    durability: Durability,
+    found: Evaluated,
+    mut out: Output,
+) -> Result<Outcome> {
     let messages = found.messages().cloned().collect();
-    let Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested, faces } = found;
+    let met = found.report().is_met();
+    let faces = (wanted == Wanted::Reports).then(|| Faces::campaign(&found.report())).transpose()?;
+    let Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested } = found;
     out.gathered(campaign, &gathered)?;
     out.json("campaign.json", &summary)?;
     out.json("import.json", &gathered.document)?;
@@ -157,11 +170,11 @@ fn write(campaign: &Campaign, wanted: Wanted, found: Evaluated, mut out: Output)
             out.bytes(exporter.file_name(), exporter.write(&found.parameters)?);
         }
     }
-    if wanted == Wanted::Reports {
+    if let Some(faces) = &faces {
         out.reports(faces.files()?);
     }
-    let written = out.write(campaign, &gathered.document.sources)?;
-    Ok(Outcome { written, identified, tested, faces, messages })
+    let written = out.write(campaign, &gathered.document.sources, durability)?;
+    Ok(Outcome { written, identified, tested, met, faces, summary, messages })
 }
 
 /// The controller formats that the campaign names, or all of them.

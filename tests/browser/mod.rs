@@ -25,11 +25,12 @@ fn reports_are_shown_and_printed_as_they_are_meant() {
         return;
     }
     let reports = all();
-    let checks: [(&str, Check); 5] = [
+    let checks: [(&str, Check); 6] = [
         ("widths", nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen),
         ("requests", a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing),
         ("marks", marks_answer_to_the_pointer_and_to_the_keyboard),
         ("switch", before_and_after_are_switched_without_a_script),
+        ("batch", the_page_over_all_campaigns_is_sorted_filtered_and_drawn),
         ("print", printing_cuts_no_figure_and_no_row),
     ];
     for (name, check) in checks {
@@ -38,8 +39,34 @@ fn reports_are_shown_and_printed_as_they_are_meant() {
     }
 }
 
+fn the_page_over_all_campaigns_is_sorted_filtered_and_drawn(browser: &mut Browser, reports: &Pages) {
+    browser.open(&reports.batch);
+    let robots = "[...document.querySelectorAll('#campaigns tbody tr')].map(row => row.cells[1].textContent)";
+    let all = list(&browser.evaluate(robots));
+    assert_eq!(all.len(), 3);
+    let sorted = |down: bool| {
+        let mut sorted = all.clone();
+        sorted.sort();
+        if down {
+            sorted.reverse();
+        }
+        sorted
+    };
+    let click = "document.querySelectorAll('#campaigns thead button')[1].click(); ";
+    assert_eq!(list(&browser.evaluate(&format!("{click}{robots}"))), sorted(false));
+    assert_eq!(list(&browser.evaluate(&format!("{click}{robots}"))), sorted(true));
+    let marks = "document.querySelectorAll('#trend circle').length";
+    assert_eq!(browser.evaluate(marks), 1, "one campaign has AP and RP");
+    let choose = "document.getElementById('quantity').value = '2'; \
+        document.getElementById('quantity').dispatchEvent(new Event('change')); ";
+    assert_eq!(browser.evaluate(&format!("{choose}{marks}")), 2, "two campaigns have a root mean square");
+    let filter = "document.getElementById('filter').value = 'campaign/no such'; \
+        document.getElementById('filter').dispatchEvent(new Event('input')); ";
+    assert_eq!(list(&browser.evaluate(&format!("{filter}{robots}"))), Vec::<String>::new());
+}
+
 fn nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen(browser: &mut Browser, reports: &Pages) {
-    for page in reports.pages.iter().chain([&reports.comparison]) {
+    for page in reports.pages.iter().chain([&reports.comparison, &reports.batch]) {
         for (width, height) in [(390, 844), (1024, 768), (1920, 1080)] {
             browser.size(width, height);
             browser.open(page);
@@ -50,7 +77,7 @@ fn nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen(browser: &mut Browser
 }
 
 fn a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing(browser: &mut Browser, reports: &Pages) {
-    for page in reports.pages.iter().chain([&reports.comparison]) {
+    for page in reports.pages.iter().chain([&reports.comparison, &reports.batch]) {
         browser.open(page);
         // whatever a name might start is given the time to do so
         browser.evaluate("new Promise(done => setTimeout(done, 200))");
@@ -58,7 +85,7 @@ fn a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing(browser: &mut
         let beside: Vec<_> = browser.requests.iter().filter(|r| **r != itself && !r.starts_with("data:")).collect();
         assert!(beside.is_empty(), "{}: {beside:?}", page.display());
         let strange = browser.evaluate(
-            "[window.owned, document.scripts.length, document.querySelectorAll('img:not(.logo), iframe, object, link, a[href^=http]').length]",
+            "[window.owned, [...document.scripts].filter(s => s.type != 'application/json').length, document.querySelectorAll('img:not(.logo), iframe, object, link, a[href^=http]').length]",
         );
         assert_eq!(strange, json!([null, 1, 0]), "{}", page.display());
     }

@@ -9,6 +9,8 @@ pub struct Pages {
     pub pages: Vec<PathBuf>,
     /// A comparison, which has no marks of poses to point at.
     pub comparison: PathBuf,
+    /// The page over three campaigns.
+    pub batch: PathBuf,
     pub folder: tempfile::TempDir,
 }
 
@@ -47,7 +49,12 @@ pub fn all() -> Pages {
     let campaigns = [sound.path(), scratch.path()];
     let [a, b] = campaigns.each_ref().map(|path| path.as_os_str());
     etalon(&["compare".as_ref(), a, b, "--language".as_ref(), "de".as_ref(), "--report".as_ref(), page.as_os_str()]);
-    Pages { pages, comparison: page, folder }
+    let tested = copy_sample("pose-test");
+    let c = tested.path();
+    let to = folder.path().as_os_str();
+    etalon(&["batch".as_ref(), a, b, c.as_os_str(), "--to".as_ref(), to, "--language".as_ref(), "fr".as_ref()]);
+    let batch = folder.path().join("batch.html");
+    Pages { pages, comparison: page, batch, folder }
 }
 
 fn etalon(arguments: &[&std::ffi::OsStr]) {

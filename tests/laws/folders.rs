@@ -407,8 +407,18 @@ fn a_batch_runs_what_has_changed_and_goes_on_where_one_fails() {
     let (code, document, _) = batch(&["list.txt", "--documents", "--json"]);
     assert_eq!((code, computed(&document)), (Some(2), vec![false; 4]));
     assert_eq!(std::fs::read(folder.path().join("batch.parquet")).unwrap(), bytes);
+    // a power cut cut off what was not synced yet
+    std::fs::write(folder.path().join("a/out/residuals.parquet"), b"PAR1").unwrap();
+    assert_eq!(computed(&batch(&["list.txt", "--documents", "--json"]).1), [true, false, false, false]);
+    assert_eq!(files(&folder.path().join("a/out")), a);
+    assert_eq!(std::fs::read(folder.path().join("batch.parquet")).unwrap(), bytes);
+    let page = std::fs::read_to_string(folder.path().join("batch.html")).unwrap();
+    assert!(page.contains("4 campaigns of 1 robots") && page.contains("1 done, 1 with limits not met, 1 failed"));
+    assert!(!page.contains("report.html\""), "a link to a report that is not there");
     // with reports, and after a change of one
     assert_eq!(computed(&batch(&["a", "b", "--json"]).1), [true, true]);
+    let page = std::fs::read_to_string(folder.path().join("batch.html")).unwrap();
+    assert!(page.contains("href=\"b&#x2f;out&#x2f;report.html\""), "{page}");
     let robot = folder.path().join("b/robot.toml");
     std::fs::write(&robot, std::fs::read_to_string(&robot).unwrap() + "\n").unwrap();
     let (code, document, _) = batch(&["a", "b", "--json"]);
@@ -416,6 +426,34 @@ fn a_batch_runs_what_has_changed_and_goes_on_where_one_fails() {
     assert_eq!(batch(&["a"]).0, Some(0));
     let (code, _, said) = batch(&["a", "./a", "a"]);
     assert!(code == Some(2) && said.contains("`a` is named twice"), "{said}");
+}
+
+#[test]
+fn a_batch_of_many_campaigns_ends_on_the_stack_and_in_the_memory_of_a_few() {
+    let folder = tempfile::tempdir().unwrap();
+    let scratch = copy_sample("prexyt-cmm");
+    let names: Vec<String> = (0..100).map(|i| format!("c{i}")).collect();
+    for name in &names {
+        let campaign = folder.path().join(name);
+        std::fs::create_dir_all(campaign.join("exports")).unwrap();
+        for file in ["campaign.toml", "robot.toml", "encoders.csv", "exports/world.txt", "exports/poses.txt"] {
+            std::fs::copy(scratch.path().join(file), campaign.join(file)).unwrap();
+        }
+    }
+    std::fs::write(folder.path().join("list.txt"), names.join("\n")).unwrap();
+    for threads in ["1", "2"] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_etalon"));
+        command.args(["batch", "list.txt", "--documents", "--json"]).env("RAYON_NUM_THREADS", threads);
+        let output = command.current_dir(folder.path()).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{said}"));
+        assert_eq!((output.status.code(), &document["done"]), (Some(0), &100.into()), "{said}");
+        let first = files(&folder.path().join("c0/out"));
+        for name in &names {
+            assert_eq!(files(&folder.path().join(name).join("out")), first, "{name}");
+            std::fs::remove_dir_all(folder.path().join(name).join("out")).unwrap();
+        }
+    }
 }
 
 #[cfg(unix)]

@@ -7,6 +7,7 @@
 use etalon::base::message::Problems;
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
+use etalon::report::Faces;
 use etalon::run::pipeline;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -165,7 +166,9 @@ fn run(files: &Files) -> Result<Outcome, Problems> {
         }
     }
     let warnings = found.messages().map(|m| numberless(&m.what)).collect();
-    Ok(Outcome { met: found.faces.is_met(), warnings, results, held })
+    // the report is made from whatever was found
+    let faces = Faces::campaign(&found.report())?;
+    Ok(Outcome { met: faces.is_met(), warnings, results, held })
 }
 
 impl Sample {

@@ -54,11 +54,18 @@ pub(in crate::report) fn verdict(identified: Option<&Identified>, tested: &Chara
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
     Verdict {
         class,
-        met: within && proven(tested) && identified.is_none_or(|i| i.parameters.is_plausible()),
+        met: met(identified, tested),
         sentences,
         about: about.unwrap_or_default(),
         headlines: set.map_or_else(Vec::new, |set| headlines(set, words)).into_iter().chain(tool).collect(),
     }
+}
+
+/// Whether every limit is met and proven, and the result can be that of a robot.
+pub(in crate::report) fn met(identified: Option<&Identified>, tested: &Characteristics) -> bool {
+    limits(identified, tested).iter().all(|l| l.met)
+        && proven(tested)
+        && identified.is_none_or(|i| i.parameters.is_plausible())
 }
 
 /// Of a test without a campaign.

@@ -1,0 +1,313 @@
+//! The page over all campaigns of a batch: a table to sort and filter, trends, and what is unlike the rest. Its rows are data that a
+//! script draws, as ten thousand of them are no page; without a script it shows the worst as a plain table.
+
+use super::html;
+use super::number::significant;
+use super::words::Words;
+use crate::base::message::one_line;
+use crate::base::statistics::median;
+use crate::document::{BatchDocument, BatchEnd, BatchEntry, BatchFigures, Presentation};
+use serde::Serialize;
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::Write;
+use std::path::{Component, Path};
+
+/// Rows of the plain table.
+const WORST: usize = 200;
+/// Campaigns of one robot, below which all robots are compared.
+const FEWEST: usize = 8;
+/// Modified z-score of an outlier (B. Iglewicz and D. C. Hoaglin, How to Detect and Handle Outliers, ASQC, 1993, 3.5).
+const OUTLIER: f64 = 3.5;
+/// Median absolute deviation of a normal distribution, in standard deviations.
+const MAD_NORMAL: f64 = 0.674_490;
+/// Characters of a message.
+const LONGEST: usize = 300;
+/// Where the template has the data, which are longer than what a template engine should hold.
+const DATA: &str = "{data}";
+
+/// What the template fills in.
+#[derive(Serialize)]
+struct Page<'a> {
+    version: &'static str,
+    title: String,
+    subtitle: String,
+    class: &'static str,
+    headings: Vec<String>,
+    worst: Vec<Plain<'a>>,
+    left_out: usize,
+}
+
+/// A row of the plain table.
+#[derive(Serialize)]
+struct Plain<'a> {
+    campaign: &'a str,
+    report: Option<&'a str>,
+    robot: &'a str,
+    date: &'a str,
+    ended: String,
+    figures: Vec<Figure>,
+    message: &'a str,
+}
+
+#[derive(Clone, Default, Serialize)]
+struct Figure {
+    shown: String,
+    outlier: bool,
+}
+
+/// A campaign as the page has it.
+struct Row<'a> {
+    entry: &'a BatchEntry,
+    report: Option<String>,
+    message: String,
+    /// a value and its modified z-score by quantity
+    figures: Vec<Option<(f64, f64)>>,
+}
+
+/// Writes the page that is going to be in `folder`.
+///
+/// # Errors
+/// If a template does not work, or the page cannot be written.
+pub fn write(
+    document: &BatchDocument,
+    figures: &BatchFigures,
+    folder: &Path,
+    presentation: &Presentation,
+    into: &mut impl Write,
+) -> anyhow::Result<()> {
+    let words = Words::of(presentation.language)?;
+    let rows = rows(document, figures, folder);
+    let page = html::batch(&contents(document, figures, &rows, &words), presentation, &words)?;
+    let (before, after) = page.rsplit_once(DATA).unwrap_or((&page, ""));
+    into.write_all(before.as_bytes())?;
+    let quantities: Vec<Value> = figures.quantities.iter().map(|q| json!([named(&q.name, &words), q.unit])).collect();
+    write!(into, "{{\"quantities\":{},\"rows\":[", script_safe(&quantities)?)?;
+    for (i, row) in rows.iter().enumerate() {
+        let entry = row.entry;
+        let values: Vec<_> = row.figures.iter().map(|f| f.map(|(v, _)| significant(v, 5))).collect();
+        let outliers: Vec<_> = (0..values.len()).filter(|&k| row.is_outlier(k)).collect();
+        let data = json!([
+            entry.campaign,
+            row.report,
+            entry.robot,
+            entry.date,
+            ended(entry.ended, &words),
+            row.message,
+            values,
+            outliers,
+            row.badness(),
+        ]);
+        write!(into, "{}{}", if i > 0 { ",\n" } else { "" }, script_safe(&data)?)?;
+    }
+    write!(into, "]}}{after}")?;
+    Ok(())
+}
+
+/// JSON that ends no script.
+fn script_safe<T: Serialize>(data: &T) -> serde_json::Result<String> {
+    Ok(serde_json::to_string(data)?.replace('<', "\\u003c"))
+}
+
+fn ended(end: BatchEnd, words: &Words) -> String {
+    match end {
+        BatchEnd::Done => words.say("done"),
+        BatchEnd::NotMet => words.say("limits not met"),
+        BatchEnd::Failed => words.say("failed"),
+        BatchEnd::Skipped => words.say("skipped"),
+    }
+}
+
+/// A quantity word by word: "validation position max".
+fn named(quantity: &str, words: &Words) -> String {
+    quantity.split(' ').map(|word| words.say(word)).collect::<Vec<_>>().join(" ")
+}
+
+impl Row<'_> {
+    fn is_outlier(&self, quantity: usize) -> bool {
+        self.figures[quantity].is_some_and(|(_, score)| score > OUTLIER)
+    }
+
+    /// Failed first, then limits not met, then by the greatest outlier.
+    fn badness(&self) -> f64 {
+        let end = match self.entry.ended {
+            BatchEnd::Failed => 2e9,
+            BatchEnd::NotMet => 1e9,
+            BatchEnd::Done | BatchEnd::Skipped => 0.0,
+        };
+        // in steps that JSON spells shortly
+        end + self.figures.iter().flatten().map(|f| f.1.min(1e6)).fold(0.0, f64::max).round()
+    }
+}
+
+fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, folder: &Path) -> Vec<Row<'a>> {
+    let quantities = figures.quantities.len();
+    let row = |(entry, values): (&'a BatchEntry, &Vec<(usize, f64)>)| {
+        let mut figures = vec![None; quantities];
+        values.iter().for_each(|&(quantity, value)| figures[quantity] = Some((value, 0.0)));
+        let report = entry.output.as_ref().map(|output| Path::new(output).join("report.html"));
+        let message = entry.message.as_deref().map(one_line).unwrap_or_default();
+        Row {
+            entry,
+            report: report.filter(|path| path.is_file()).map(|path| link(folder, &path)),
+            message: message.chars().take(LONGEST).collect(),
+            figures,
+        }
+    };
+    let mut rows: Vec<Row> = document.campaigns.iter().zip(&figures.values).map(row).collect();
+    let mut by_robot: BTreeMap<Option<&str>, Vec<usize>> = BTreeMap::new();
+    for (i, row) in rows.iter().enumerate().filter(|(_, row)| row.figures.iter().any(Option::is_some)) {
+        by_robot.entry(row.entry.robot.as_deref()).or_default().push(i);
+    }
+    let (many, few): (Vec<_>, Vec<_>) = by_robot.into_values().partition(|group| group.len() >= FEWEST);
+    for group in many.into_iter().chain([few.concat()]) {
+        (0..quantities).for_each(|quantity| score(&mut rows, &group, quantity));
+    }
+    rows
+}
+
+/// Fills in the modified z-scores of a quantity in a group of campaigns.
+fn score(rows: &mut [Row], group: &[usize], quantity: usize) {
+    let values = || group.iter().filter_map(|&i| Some(rows[i].figures[quantity]?.0));
+    let Some(middle) = median(values()).filter(|_| values().count() >= FEWEST) else { return };
+    let Some(mad) = median(values().map(|v| (v - middle).abs())).filter(|mad| *mad > 0.0) else { return };
+    for &i in group {
+        if let Some((value, score)) = &mut rows[i].figures[quantity] {
+            *score = MAD_NORMAL * (*value - middle).abs() / mad;
+        }
+    }
+}
+
+fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row], words: &Words) -> Page<'a> {
+    let BatchDocument { done, not_met, failed, skipped, campaigns, .. } = document;
+    let mut worst: Vec<&Row> = rows.iter().collect();
+    worst.sort_by(|a, b| b.badness().total_cmp(&a.badness()));
+    worst.truncate(WORST);
+    let robots: BTreeSet<_> = campaigns.iter().filter_map(|c| c.robot.as_ref()).collect();
+    let figure = |row: &Row, quantity: usize| Figure {
+        shown: row.figures[quantity].map_or_else(String::new, |(value, _)| significant(value, 5)),
+        outlier: row.is_outlier(quantity),
+    };
+    let plain = |row: &&'a Row| Plain {
+        campaign: &row.entry.campaign,
+        report: row.report.as_deref(),
+        robot: row.entry.robot.as_deref().unwrap_or_default(),
+        date: row.entry.date.as_deref().unwrap_or_default(),
+        ended: ended(row.entry.ended, words),
+        figures: (0..row.figures.len()).map(|quantity| figure(row, quantity)).collect(),
+        message: &row.message,
+    };
+    Page {
+        version: env!("CARGO_PKG_VERSION"),
+        title: words.fill("{0} campaigns of {1} robots", &[&campaigns.len(), &robots.len()]),
+        subtitle: words.fill(
+            "{0} done, {1} with limits not met, {2} failed, {3} skipped",
+            &[done, not_met, failed, skipped],
+        ),
+        class: if failed + not_met > 0 { "bad" } else { "good" },
+        headings: figures.quantities.iter().map(|q| format!("{} [{}]", named(&q.name, words), q.unit)).collect(),
+        worst: worst.iter().map(plain).collect(),
+        left_out: rows.len().saturating_sub(WORST),
+    }
+}
+
+/// The address of a file for a page in `folder`.
+fn link(folder: &Path, file: &Path) -> String {
+    let whole = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let (folder, file) = (whole(folder), whole(file));
+    let common = folder.components().zip(file.components()).take_while(|(a, b)| a == b).count();
+    let up = folder.components().skip(common).map(|_| "..".to_owned());
+    let down = file.components().skip(common).map(|part| match part {
+        Component::Normal(name) => encoded(&name.to_string_lossy()),
+        other => other.as_os_str().to_string_lossy().into_owned(),
+    });
+    up.chain(down).collect::<Vec<_>>().join("/")
+}
+
+/// A name in an address (RFC 3986, 2.1 and 2.3).
+fn encoded(name: &str) -> String {
+    let byte = |b: u8| match b {
+        b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' => char::from(b).to_string(),
+        _ => format!("%{b:02X}"),
+    };
+    name.bytes().map(byte).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Language;
+
+    /// A hundred campaigns of two robots, one of them unlike the rest, one that failed; names that want to be markup.
+    fn batch() -> (BatchDocument, BatchFigures) {
+        let mut figures = BatchFigures::default();
+        let campaigns = (0..100).map(|i| {
+            let ended = if i == 7 { BatchEnd::Failed } else { BatchEnd::Done };
+            let value = if i == 42 { 9.0 } else { f64::from(i % 10) / 100.0 };
+            figures.add([("validation position max", "mm", value)].into_iter().filter(|_| i != 7));
+            BatchEntry {
+                campaign: format!("c{i}</script><b>"),
+                robot: Some(format!("R{}", i % 2)),
+                date: Some(format!("2026-01-{:02}", i % 28 + 1)),
+                ended,
+                message: (i == 7).then(|| "error: <i>no</i>\nsecond line".to_owned()),
+                ..BatchEntry::default()
+            }
+        });
+        (BatchDocument::new(campaigns.collect()), figures)
+    }
+
+    fn page(document: &BatchDocument, figures: &BatchFigures, language: Language) -> String {
+        let mut bytes = Vec::new();
+        let presentation = Presentation { language, ..Presentation::default() };
+        write(document, figures, Path::new("."), &presentation, &mut bytes).unwrap();
+        String::from_utf8(bytes).unwrap()
+    }
+
+    #[test]
+    fn the_page_has_every_campaign_as_data_and_the_worst_as_a_table() {
+        let (document, figures) = batch();
+        let page = page(&document, &figures, Language::En);
+        let data = page.split("id=\"data\">").nth(1).unwrap().split("</script>").next().unwrap();
+        let data: Value = serde_json::from_str(data).unwrap();
+        let rows = data["rows"].as_array().unwrap();
+        assert_eq!(rows.len(), 100);
+        assert_eq!(rows[42][0], "c42</script><b>");
+        let outliers: Vec<usize> = (0..100).filter(|&i| rows[i][7] == json!([0])).collect();
+        assert_eq!(outliers, [42]);
+        // the plain table has the failed one first, then the outlier, and no markup of names
+        let plain = page.split("<tbody>").nth(1).unwrap();
+        let first = plain.split("</tr>").next().unwrap();
+        assert!(first.contains("c7&lt;") && first.contains("failed") && first.contains("&lt;i&gt;no"), "{first}");
+        let second = plain.split("</tr>").nth(1).unwrap();
+        assert!(second.contains("c42&lt;") && second.contains("outlier"), "{second}");
+        assert!(!page.contains("<i>") && !page.contains("src=\"http"), "markup or an address");
+        assert!(page.contains("100 campaigns of 2 robots") && page.contains("99 done, 0 with limits not met, 1 failed"));
+    }
+
+    #[test]
+    fn ten_thousand_campaigns_are_a_page_of_some_megabytes() {
+        let mut figures = BatchFigures::default();
+        let names: Vec<String> = (0..30).map(|k| format!("quantity {k}")).collect();
+        let campaigns = (0..10_000u32).map(|i| {
+            figures.add(names.iter().zip(0u32..).map(|(name, k)| (&**name, "mm", f64::from(i * 31 + k).sin())));
+            BatchEntry { campaign: format!("campaigns/{i}"), ended: BatchEnd::Done, ..BatchEntry::default() }
+        });
+        let document = BatchDocument::new(campaigns.collect());
+        let page = page(&document, &figures, Language::De);
+        assert!(page.len() < 5_000_000, "{}", page.len());
+        assert_eq!(page.matches("<tr>").count(), 1 + WORST);
+        assert!(page.contains("9800"), "how many are left out");
+    }
+
+    #[test]
+    fn addresses_are_relative_and_encoded() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir_all(at("a b#/out")).unwrap();
+        std::fs::create_dir_all(at("pages/x")).unwrap();
+        std::fs::write(at("a b#/out/report.html"), "").unwrap();
+        assert_eq!(link(&at("pages/x"), &at("a b#/out/report.html")), "../../a%20b%23/out/report.html");
+        assert_eq!(link(folder.path(), &at("a b#/out/report.html")), "a%20b%23/out/report.html");
+    }
+}

@@ -1,0 +1,127 @@
+// Sorts, filters and draws the campaigns of a batch from the data of the page.
+(function () {
+  "use strict";
+  var data = JSON.parse(document.getElementById("data").textContent), rows = data.rows, quantities = data.quantities;
+  var CAMPAIGN = 0, REPORT = 1, ROBOT = 2, DATE = 3, ENDED = 4, MESSAGE = 5, VALUES = 6, OUTLIERS = 7, BADNESS = 8;
+  var COLOURS = ["#1f5fa8", "#f0a020", "#1d6b3a", "#8a3fa0", "#a3201d", "#2a8f9e", "#7a5a2a", "#5b6672"], STEP = 200, DAY = 864e5;
+  var get = function (id) { return document.getElementById(id); };
+  var table = get("campaigns"), body = table.tBodies[0], filter = get("filter"), choice = get("quantity"), trend = get("trend");
+  var heads = Array.from(table.tHead.rows[0].cells), shown = STEP, chosen = [], sorted = { column: -1, down: true };
+  var robots = Array.from(new Set(rows.map(function (row) { return row[ROBOT] || ""; })));
+
+  function element(name, parent, text, attributes) {
+    var made = name.startsWith("svg:") ? document.createElementNS("http://www.w3.org/2000/svg", name.slice(4)) : document.createElement(name);
+    if (text !== null && text !== undefined) made.textContent = text;
+    Object.keys(attributes || {}).forEach(function (key) { made.setAttribute(key, attributes[key]); });
+    if (parent) parent.appendChild(made);
+    return made;
+  }
+  function cell(row, column) {
+    var last = heads.length - 1;
+    if (column < 0) return row[BADNESS];
+    if (column < 4) return row[[CAMPAIGN, ROBOT, DATE, ENDED][column]];
+    return column === last ? row[MESSAGE] : row[VALUES][column - 4];
+  }
+  function compare(a, b) {
+    var x = cell(a, sorted.column), y = cell(b, sorted.column), sign = sorted.down ? -1 : 1;
+    var none = function (v) { return v === null || v === undefined || v === ""; };
+    // what is missing is last, whichever way
+    if (none(x) || none(y)) return none(x) - none(y);
+    if (sorted.column < 0 || (sorted.column >= 4 && sorted.column < heads.length - 1)) return sign * (x - y);
+    return sign * String(x).localeCompare(String(y), undefined, { numeric: true });
+  }
+  function drawTable() {
+    body.textContent = "";
+    chosen.slice(0, shown).forEach(function (row) {
+      var line = element("tr", body), head = element("th", line);
+      element("bdi", row[REPORT] ? element("a", head, null, { href: row[REPORT] }) : head, row[CAMPAIGN]);
+      element("bdi", element("td", line), row[ROBOT]);
+      element("td", line, row[DATE]);
+      element("td", line, row[ENDED]);
+      row[VALUES].forEach(function (value, k) {
+        element("td", line, value, { class: "num" + (row[OUTLIERS].indexOf(k) < 0 ? "" : " outlier") });
+      });
+      element("td", line, row[MESSAGE], { class: "long" });
+    });
+    get("more").hidden = chosen.length <= shown;
+    get("count").textContent = get("count").dataset.text.replace("{0}", chosen.length).replace("{1}", rows.length);
+  }
+  function ticks(low, high) {
+    var step = Math.pow(10, Math.floor(Math.log10(high - low || 1))), all = [];
+    step = [step / 5, step / 2, step, 2 * step].find(function (s) { return (high - low) / s <= 6; });
+    for (var at = Math.ceil(low / step) * step; at <= high + step / 1e6; at += step) all.push(Number(at.toPrecision(12)));
+    return all;
+  }
+  function drawTrend() {
+    var k = Number(choice.value), points = [], dated;
+    trend.textContent = "";
+    trend.hidden = !quantities.length;
+    rows.forEach(function (row, i) { row.index = i + 1; });
+    points = chosen.filter(function (row) { return row[VALUES][k] !== null && isFinite(row[VALUES][k]); });
+    dated = points.some(function (row) { return Date.parse((row[DATE] || "").slice(0, 10)); });
+    if (dated) points = points.filter(function (row) { return Date.parse((row[DATE] || "").slice(0, 10)); });
+    if (!points.length) return;
+    var x = function (row) { return dated ? Date.parse(row[DATE].slice(0, 10)) / DAY : row.index; };
+    var y = function (row) { return Number(row[VALUES][k]); };
+    var range = function (of) {
+      var all = points.map(of), low = all.reduce(function (a, b) { return Math.min(a, b); }), high = all.reduce(function (a, b) { return Math.max(a, b); });
+      return low < high ? [low, high] : [low - 0.5, high + 0.5];
+    };
+    var W = 900, H = 320, left = 80, bottom = 40, xs = range(x), ys = range(y);
+    var px = function (v) { return left + (W - left - 20) * (v - xs[0]) / (xs[1] - xs[0]); };
+    var py = function (v) { return H - bottom - (H - bottom - 20) * (v - ys[0]) / (ys[1] - ys[0]); };
+    var label = quantities[k][0] + " [" + quantities[k][1] + "]";
+    var svg = element("svg:svg", trend, null, { viewBox: "0 0 " + W + " " + H, role: "img", "aria-label": label });
+    ticks(ys[0], ys[1]).forEach(function (v) {
+      element("svg:path", svg, null, { class: "grid", d: "M" + left + " " + py(v) + "H" + (W - 20) });
+      element("svg:text", svg, v, { x: left - 6, y: py(v) + 4, class: "end" });
+    });
+    ticks(xs[0], xs[1]).forEach(function (v) {
+      var text = dated ? new Date(v * DAY).toISOString().slice(0, 10) : v;
+      if (v === Math.round(v)) element("svg:text", svg, text, { x: px(v), y: H - bottom + 18, class: "mid" });
+    });
+    element("svg:text", svg, label, { x: left, y: 12 });
+    element("svg:text", svg, dated ? trend.dataset.date : trend.dataset.order, { x: W - 20, y: H - 6, class: "end" });
+    points.forEach(function (row) {
+      var unlike = row[OUTLIERS].indexOf(k) >= 0, colour = COLOURS[robots.indexOf(row[ROBOT] || "") % COLOURS.length];
+      var mark = element("svg:circle", svg, null, { cx: px(x(row)).toFixed(1), cy: py(y(row)).toFixed(1), r: unlike ? 5 : 3, fill: colour });
+      if (unlike) mark.setAttribute("class", "unlike");
+      element("svg:title", mark, [row[CAMPAIGN], row[ROBOT], row[DATE], row[VALUES][k]].filter(Boolean).join(", "));
+    });
+    var legend = element("figcaption", trend);
+    robots.slice(0, COLOURS.length).forEach(function (robot, i) {
+      element("span", legend, "● ").style.color = COLOURS[i];
+      element("bdi", legend, robot + "  ");
+    });
+    if (robots.length > COLOURS.length) element("span", legend, "…");
+  }
+  function draw() {
+    var asked = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
+    chosen = rows.filter(function (row) {
+      var text = [row[CAMPAIGN], row[ROBOT], row[DATE], row[ENDED], row[MESSAGE]].join(" ").toLowerCase();
+      return asked.every(function (word) { return text.indexOf(word) >= 0; });
+    }).sort(compare);
+    shown = STEP;
+    drawTable();
+    drawTrend();
+  }
+
+  heads.forEach(function (head, column) {
+    var button = element("button", null, head.textContent, { type: "button" });
+    head.textContent = "";
+    head.appendChild(button);
+    button.addEventListener("click", function () {
+      sorted = { column: column, down: sorted.column === column && !sorted.down };
+      heads.forEach(function (other) { other.removeAttribute("aria-sort"); });
+      head.setAttribute("aria-sort", sorted.down ? "descending" : "ascending");
+      draw();
+    });
+  });
+  quantities.forEach(function (q, k) { element("option", choice, q[0] + " [" + q[1] + "]", { value: k }); });
+  choice.addEventListener("change", drawTrend);
+  filter.addEventListener("input", draw);
+  get("more").addEventListener("click", function () { shown += STEP; drawTable(); });
+  document.querySelector(".controls").hidden = false;
+  if (get("left-out")) get("left-out").hidden = true;
+  draw();
+})();
