@@ -1,6 +1,7 @@
 //! Messages: what is wrong, where, what was expected, and a hint.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// Whether the work can go on.
@@ -175,6 +176,15 @@ fn other_unit(wrong: &str, name: &str) -> Option<String> {
     (stem == other && from.0 != to.0 && from.2 == to.2).then(|| format!("1 {} is {factor} {}", from.0, to.0))
 }
 
+/// Lines of a file that a message may be repeated in before one takes the place of the others.
+const LISTED: usize = 3;
+
+/// A message without what differs from row to row: names between backticks, and numbers.
+fn shape(what: &str) -> String {
+    let outside = what.split('`').step_by(2).collect::<Vec<_>>().join("`");
+    outside.chars().filter(|c| !c.is_ascii_digit() && *c != '.').collect()
+}
+
 /// `1 row`, `2 rows`.
 pub fn count(n: usize, noun: &str) -> String {
     let plural = if noun.ends_with("ss") { "es" } else { "s" };
@@ -269,16 +279,43 @@ impl Problems {
         result.map_err(|more| self.0.extend(more.0)).ok()
     }
 
-    /// The same messages about this file and its text, where they name no other file: the line that they name is shown.
-    pub fn in_text(mut self, file: &str, text: &str) -> Self {
-        for message in &mut self.0 {
+    /// The same messages, with one in place of those that are repeated in more than three lines of a file: the first, with the next
+    /// two lines and how many more there are. Names and numbers in a message may differ.
+    pub fn grouped(self) -> Self {
+        let mut lines: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
+        let key = |message: &Message| {
+            let place = message.place.as_ref()?;
+            Some(((place.file.clone(), shape(&message.what)), place.line?))
+        };
+        for (key, line) in self.0.iter().filter_map(key) {
+            lines.entry(key).or_default().push(line);
+        }
+        lines.retain(|_, lines| lines.len() > LISTED);
+        let mut messages = self.0;
+        messages.retain_mut(|message| {
+            let Some((key, _)) = key(message) else { return true };
+            let Some(lines) = lines.get_mut(&key) else { return true };
+            // the first takes the lines of the rest
+            let [_, second, third, rest @ ..] = &std::mem::take(lines)[..] else { return false };
+            let more = count(rest.len(), "more row");
+            message.what.push_str(&format!("; also in lines {second}, {third} and {more}"));
+            true
+        });
+        Self(messages)
+    }
+
+    /// The same messages, [`grouped`](Self::grouped), about this file and its text, where they name no other file: the line that they
+    /// name is shown.
+    pub fn in_text(self, file: &str, text: &str) -> Self {
+        let mut grouped = self.grouped();
+        for message in &mut grouped.0 {
             let place = message.place.get_or_insert_default();
             if place.file.is_empty() || (place.file == file && place.text.is_none()) {
                 let shown = |line: usize| text.lines().nth(line.saturating_sub(1)).unwrap_or("");
                 **place = place.line.map_or_else(|| Place::file(file), |line| Place::line(file, line, shown(line)));
             }
         }
-        self
+        grouped
     }
 
     /// The same messages, at this place where they have none.
@@ -298,7 +335,7 @@ impl From<Message> for Problems {
 
 impl fmt::Display for Problems {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, message) in self.0.iter().enumerate() {
+        for (i, message) in self.clone().grouped().0.iter().enumerate() {
             if i > 0 {
                 f.write_str("\n\n")?;
             }
@@ -325,6 +362,24 @@ mod tests {
             .hint_names("robto", ["robot", "name"]);
         let text = "error: unknown key `robto`\n  --> campaign.toml:2:1\n    2 | robto = 1\n      | ^^^^^\n\nhint: did you mean `robot`?";
         assert_eq!(message.to_string(), text);
+    }
+
+    #[test]
+    fn a_message_that_every_row_repeats_is_one_with_its_count() {
+        let row = |line: usize| {
+            Message::error(format!("`v{line}` is not a number")).at(Place::line("a.csv", line, format!("v{line}")))
+        };
+        let other = Message::error("`a.csv` has 12000 rows");
+        let all = |rows: usize| Problems((2..2 + rows).map(row).chain([other.clone(), other.clone()]).collect()).grouped();
+        assert_eq!(all(3).0.len(), 3 + 2);
+        let grouped = all(11_993);
+        assert_eq!(grouped.0.len(), 1 + 2);
+        assert_eq!(grouped.0[0].what, "`v2` is not a number; also in lines 3, 4 and 11990 more rows");
+        assert_eq!(grouped.clone().grouped().0, grouped.0);
+        assert!(all(4).to_string().contains("also in lines 3, 4 and 1 more row\n"));
+        // another file, another message
+        let elsewhere = |line: usize| Message::error("is not a number").at(Place::line("b.csv", line, ""));
+        assert_eq!(Problems((1..3).map(elsewhere).chain((1..4).map(row)).collect()).grouped().0.len(), 5);
     }
 
     #[test]

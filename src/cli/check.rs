@@ -1,7 +1,7 @@
 //! `etalon check`
 
 use super::{Verdict, print, print_with, remark};
-use crate::base::message::{Message, Problems, printable};
+use crate::base::message::{Problems, printable};
 use crate::campaign::Campaign;
 use crate::document::{CheckDocument, ImportDocument};
 use crate::run::check::everything;
@@ -22,8 +22,8 @@ impl Check {
         let (imported, problems) = find(&self.campaign);
         if self.json {
             let (messages, sources) = imported.map(|i| (i.messages, i.sources)).unwrap_or_default();
-            let messages: Vec<Message> = problems.0.into_iter().chain(messages).collect();
-            let document = CheckDocument::new(self.campaign.display().to_string(), &messages, sources);
+            let messages = Problems(problems.0.into_iter().chain(messages).collect()).grouped();
+            let document = CheckDocument::new(self.campaign.display().to_string(), &messages.0, sources);
             let verdict = if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun };
             return print_with(crate::document::to_json(&document)?, verdict);
         }

@@ -188,3 +188,31 @@ fn values_that_mean_nothing_are_refused() {
         assert_eq!(etalon(&scratch, "check").0, Some(0), "{good}");
     }
 }
+
+#[test]
+fn what_every_row_repeats_is_one_error_with_its_count() {
+    let quote = |row: &str| row.replacen(',', "\"x,", 1).replacen("", "\"", 1);
+    let letters = |row: &str| format!("{row}e");
+    let cases: [(&str, usize, &dyn Fn(&str) -> String, &str); 3] = [
+        ("encoders.csv", 1, &quote, "there is text behind a closing quote"),
+        ("encoders.csv", 1, &letters, "is not a number"),
+        ("exports/poses.txt", 0, &letters, "is not a number"),
+    ];
+    for (file, header, change, what) in cases {
+        let scratch = copy_sample("prexyt-cmm");
+        let text = std::fs::read_to_string(scratch.path().join(file)).unwrap();
+        let mut rows: Vec<String> = text.lines().map(str::to_owned).collect();
+        rows.iter_mut().skip(header).for_each(|row| *row = change(row));
+        std::fs::write(scratch.path().join(file), rows.join("\n") + "\n").unwrap();
+        let (second, third, more) = (header + 2, header + 3, rows.len() - header - 3);
+        let count = format!("{what}; also in lines {second}, {third} and {more} more rows");
+        for command in ["check", "run"] {
+            let said = ends(&scratch, command, 2, &[&count]);
+            assert_eq!(said.matches(what).count(), 1, "{file}: {said}");
+        }
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"));
+        let answer = command.args(["check", "campaign", "--json"]).current_dir(scratch.root()).output().unwrap().stdout;
+        let answer = String::from_utf8(answer).unwrap();
+        assert!(answer.contains(&count) && answer.matches(what).count() == 1, "{answer}");
+    }
+}

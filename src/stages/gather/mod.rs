@@ -100,7 +100,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         schema: "etalon/import/1".to_owned(),
         campaign: campaign.file.name.clone(),
         sources,
-        messages,
+        messages: Problems(messages).grouped().0,
         unmatched: Vec::new(),
     };
     (Gathered { points: columns.points, logs, document }, problems)
