@@ -7,6 +7,7 @@
 # make bench   compare with a peer, side by side in the same run (needs Python with numpy and scipy)
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
+# make test-slurm run campaigns on a Slurm cluster of two nodes on this machine, and kill one (needs root, slurm-wlm and munge)
 # make samples make the synthetic samples again from their truth
 # make help    this text
 SHELL := /bin/bash
@@ -26,7 +27,7 @@ SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test bench bench-fit bench-import samples help clean FORCE
+.PHONY: all report compare test test-slurm bench bench-fit bench-import samples help clean FORCE
 
 # how the run of a campaign ended: NAME.status, or NAME.failed where it is to be tried again
 ENDED := $(abspath $(CARGO_TARGET_DIR))/campaigns
@@ -92,6 +93,9 @@ bench-fit:
 	else echo "Ceres is not installed (libceres-dev of Debian): left out"; fi
 	CARGO_TARGET_DIR=$(SHARED) CERES_FIT=$(SHARED)/ceres_fit PYTHON=$(SHARED)/venv/bin/python \
 	    cargo run --release --locked --manifest-path benches/fit/Cargo.toml
+
+test-slurm: $(ETALON)
+	tests/cluster/slurm.sh $(ETALON)
 
 samples: $(ETALON)
 	for name in $(SYNTHETIC); do $(ETALON) simulate samples/$$name; done

@@ -58,8 +58,10 @@
     trend.hidden = !quantities.length;
     rows.forEach(function (row, i) { row.index = i + 1; });
     points = chosen.filter(function (row) { return row[VALUES][k] !== null && isFinite(row[VALUES][k]); });
-    dated = points.some(function (row) { return Date.parse((row[DATE] || "").slice(0, 10)); });
-    if (dated) points = points.filter(function (row) { return Date.parse((row[DATE] || "").slice(0, 10)); });
+    // by date where more than half have one
+    var withDate = points.filter(function (row) { return Date.parse((row[DATE] || "").slice(0, 10)); });
+    dated = 2 * withDate.length > points.length;
+    if (dated) points = withDate;
     if (!points.length) return;
     var x = function (row) { return dated ? Date.parse(row[DATE].slice(0, 10)) / DAY : row.index; };
     var y = function (row) { return Number(row[VALUES][k]); };
