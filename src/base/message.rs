@@ -370,7 +370,8 @@ mod tests {
             Message::error(format!("`v{line}` is not a number")).at(Place::line("a.csv", line, format!("v{line}")))
         };
         let other = Message::error("`a.csv` has 12000 rows");
-        let all = |rows: usize| Problems((2..2 + rows).map(row).chain([other.clone(), other.clone()]).collect()).grouped();
+        let all =
+            |rows: usize| Problems((2..2 + rows).map(row).chain([other.clone(), other.clone()]).collect()).grouped();
         assert_eq!(all(3).0.len(), 3 + 2);
         let grouped = all(11_993);
         assert_eq!(grouped.0.len(), 1 + 2);

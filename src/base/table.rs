@@ -4,8 +4,8 @@ use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use polars::prelude::*;
-use serde::Serialize;
 use polars_io::parquet::write::BatchedWriter;
+use serde::Serialize;
 use std::io::{Cursor, Write};
 
 /// Columns of the coordinates, in millimetres.

@@ -52,8 +52,7 @@ impl Batch {
             }
         };
         let table = self.to.join("batch.parquet");
-        let Batched { document, figures } =
-            files::write_by(&table, |file| Ok(batch(&campaigns, wanted, file, said)?))?;
+        let Batched { document, figures } = files::write_by(&table, |file| Ok(batch(&campaigns, wanted, file, said)?))?;
         let page = self.to.join("batch.html");
         files::write_by(&page, |file| report::batch::write(&document, &figures, &self.to, &presentation, file))?;
         let verdict = match (document.failed, document.not_met) {

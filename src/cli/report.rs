@@ -4,8 +4,8 @@ use super::{Verdict, print_written};
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
 use crate::document::{Language, Presentation};
-use crate::report::{self, Faces};
 use crate::report::branding;
+use crate::report::{self, Faces};
 use crate::run::documents::{self, Documents};
 use std::path::{Path, PathBuf};
 

@@ -200,10 +200,8 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
     Page {
         version: env!("CARGO_PKG_VERSION"),
         title: words.fill("{0} campaigns of {1} robots", &[&campaigns.len(), &robots.len()]),
-        subtitle: words.fill(
-            "{0} done, {1} with limits not met, {2} failed, {3} skipped",
-            &[done, not_met, failed, skipped],
-        ),
+        subtitle: words
+            .fill("{0} done, {1} with limits not met, {2} failed, {3} skipped", &[done, not_met, failed, skipped]),
         class: if failed + not_met > 0 { "bad" } else { "good" },
         headings: figures.quantities.iter().map(|q| format!("{} [{}]", named(&q.name, words), q.unit)).collect(),
         worst: worst.iter().map(plain).collect(),
@@ -282,7 +280,9 @@ mod tests {
         let second = plain.split("</tr>").nth(1).unwrap();
         assert!(second.contains("c42&lt;") && second.contains("outlier"), "{second}");
         assert!(!page.contains("<i>") && !page.contains("src=\"http"), "markup or an address");
-        assert!(page.contains("100 campaigns of 2 robots") && page.contains("99 done, 0 with limits not met, 1 failed"));
+        assert!(
+            page.contains("100 campaigns of 2 robots") && page.contains("99 done, 0 with limits not met, 1 failed")
+        );
     }
 
     #[test]

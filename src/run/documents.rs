@@ -1,7 +1,7 @@
 //! The output folder of a run as others read it: every document is what that run wrote, or the folder is refused.
 
-use crate::base::message::{Message, Place, Result};
 use crate::base::folder::{self, Durability};
+use crate::base::message::{Message, Place, Result};
 use crate::base::{files, table};
 use crate::document::to_json;
 use crate::document::{

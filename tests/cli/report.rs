@@ -15,8 +15,16 @@ fn the_report_is_made_again_as_the_campaign_dresses_it_and_as_the_command_does()
     let entries = std::fs::read_dir(scratch.path().join("own")).unwrap();
     let mut templates: Vec<_> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     templates.sort();
-    let built_in =
-        ["batch.html", "blocks.html", "head.html", "picture.css", "report.html", "report.typ", "signatures.html", "style.html"];
+    let built_in = [
+        "batch.html",
+        "blocks.html",
+        "head.html",
+        "picture.css",
+        "report.html",
+        "report.typ",
+        "signatures.html",
+        "style.html",
+    ];
     assert_eq!(templates, built_in);
     let signatures = scratch.path().join("own/signatures.html");
     std::fs::write(&signatures, "<p>Sealed: {{ \"Tested by\"|t }}</p>\n").unwrap();
