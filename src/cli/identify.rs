@@ -68,7 +68,7 @@ impl Identify {
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             common_uncertainty_mm: self.common_uncertainty_um.map(|u| u / 1000.0),
             hold: self.hold,
-            rigid: Vec::new(),
+            ..Settings::default()
         };
         let before = fit_frames(robot.as_ref(), &observations, &settings)?;
         let mut found = identify_from(robot.as_ref(), &observations, &settings, &before)?;

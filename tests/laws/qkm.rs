@@ -3,7 +3,7 @@
 
 use crate::support::arms::serial;
 use etalon::base::pose::{minus, norm};
-use etalon::math::identify::{Observation, ResidualKind, RigidPart, Settings, fit_frames, identify_from};
+use etalon::math::identify::{Observation, RigidPart, Settings, fit_frames, identify_from};
 use etalon::math::robots::{Robot, Serial};
 
 /// Nominal geometry by the README of the set.
@@ -42,13 +42,7 @@ fn observations() -> Option<Vec<Observation>> {
 }
 
 fn settings(rigid: Vec<RigidPart>) -> Settings {
-    Settings {
-        kind: ResidualKind::Targets,
-        standard_uncertainty_mm: Some(0.01),
-        common_uncertainty_mm: None,
-        hold: Vec::new(),
-        rigid,
-    }
+    Settings { standard_uncertainty_mm: Some(0.01), rigid, ..Settings::default() }
 }
 
 fn plate() -> Option<RigidPart> {

@@ -6,9 +6,7 @@ use etalon::base::message::Severity;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::Campaign;
-use etalon::math::identify::{
-    Identification, Observation, ResidualKind, RigidPart, Settings, fit_frames, identify_from,
-};
+use etalon::math::identify::{Identification, Observation, RigidPart, Settings, fit_frames, identify_from};
 use etalon::math::robots::{Robot, Role, Serial};
 use etalon::run::pipeline;
 
@@ -68,11 +66,10 @@ impl Bench {
 
     fn identify(&self, rigid: Vec<RigidPart>) -> Identification {
         let settings = Settings {
-            kind: ResidualKind::Targets,
             standard_uncertainty_mm: Some(U_MM),
-            common_uncertainty_mm: None,
             hold: vec!["gain_*".to_owned()],
             rigid,
+            ..Settings::default()
         };
         let before = fit_frames(&self.robot, &self.observations, &settings).unwrap();
         identify_from(&self.robot, &self.observations, &settings, &before).unwrap()

@@ -263,7 +263,7 @@ fn robust(
                 standard_uncertainty_mm: Some((OF_MEDIAN * best.0).max(LEAST_MM)),
                 common_uncertainty_mm: None,
                 hold: Vec::new(),
-                rigid: settings.rigid.clone(),
+                ..settings.clone()
             };
             let problem = Residuals::new(robot, observations, &scaled, free, &best.1).ok()?;
             let x: Vec<f64> = free.iter().map(|&i| best.1[i]).collect();

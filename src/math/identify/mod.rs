@@ -2,7 +2,9 @@
 
 mod chi_square;
 mod clusters;
+mod condition;
 mod diagnosis;
+mod fixtures;
 mod frame_error;
 mod identifiability;
 mod logs;
@@ -19,6 +21,8 @@ mod tool;
 mod uncertainty;
 
 pub use chi_square::exceeds as chi_square_exceeds;
+use condition::tied_to_world;
+pub use condition::{Condition, Fixture, Kind, Known, Rotation};
 pub use diagnosis::{OUTLIER, Reading, RobustFit};
 pub use frame_error::FrameError;
 pub use identifiability::{Group, RANK_TOLERANCE};
@@ -53,6 +57,10 @@ pub struct Settings {
     pub hold: Vec<String>,
     /// Rigid parts that carry targets, with their stated shapes. Residuals of targets only.
     pub rigid: Vec<RigidPart>,
+    /// What else was observed of targets. Residuals of targets of a robot with a free base only.
+    pub conditions: Vec<Condition>,
+    /// What is known of the points to which these refer.
+    pub known: Vec<Known>,
 }
 
 impl Settings {
@@ -140,8 +148,11 @@ impl Identification {
 /// group the one that is last in the model's list is held at its nominal value, so that base and targets, which
 /// come first, take up what is not separately identifiable from them.
 pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
-    let wanted = wanted_parameters(robot, observations, settings)?;
-    let start = start::start(robot, observations, &wanted)?;
+    let start = match settings.conditions[..] {
+        [] => start::start(robot, observations, settings, &wanted_parameters(robot, observations, settings)?)?,
+        // what conditions refer to is found in closed form one by one: together it comes near enough
+        _ => fit_frames(robot, observations, settings)?,
+    };
     identify_from(robot, observations, settings, &start)
 }
 
@@ -165,7 +176,9 @@ pub fn identify_in_frames(
 ) -> Result<Identification> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
-    uncertainty::with_uncertainty(robot, (observations, frames), settings, &wanted, found)
+    let mut found = uncertainty::with_uncertainty(robot, (observations, frames), settings, &wanted, found)?;
+    found.warnings.extend(condition::without_length(robot, observations, settings, &found.status));
+    Ok(found)
 }
 
 /// Parameters of the nominal robot with only base and targets fitted, wherever they are: what accuracy is before a
@@ -176,12 +189,12 @@ pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Se
     if frames.is_empty() {
         return Ok(robot.nominal());
     }
-    let start = start::start(robot, observations, &frames)?;
+    let start = start::start(robot, observations, settings, &frames)?;
     Ok(solve_identifiable(robot, observations, settings, &frames, &start)?.values)
 }
 
 fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
-    if observations.is_empty() {
+    if observations.is_empty() && settings.conditions.is_empty() {
         return Err(Message::error("there are no observations to identify from").into());
     }
     if settings.kind == ResidualKind::Pose && settings.standard_uncertainty_mm.is_none() {
@@ -199,6 +212,7 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
         .hint("state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets")
         .into());
     }
+    condition::check(robot, settings)?;
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in &settings.hold {
         if !names().any(|name| matches_pattern(pattern, name)) {
@@ -208,7 +222,13 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
     }
     let held = |name: &str| settings.hold.iter().any(|pattern| matches_pattern(pattern, name));
     let unseen = unseen_by(robot, settings.kind);
-    Ok((0..robot.parameters().len()).filter(|&i| !held(&robot.parameters()[i].name) && unseen != Some(i)).collect())
+    // nothing is measured in a world: that of the robot's base is the only one
+    let bases = robot.free_base().is_none() || tied_to_world(observations, settings);
+    let fixed = |i: usize| {
+        let p = &robot.parameters()[i];
+        held(&p.name) || unseen == Some(i) || !bases && p.role == Role::Base
+    };
+    Ok((0..robot.parameters().len()).filter(|&i| !fixed(i)).collect())
 }
 
 /// The parameter that residuals of this kind do not show: of a pose, the distance of its two targets.

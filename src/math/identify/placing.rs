@@ -16,12 +16,14 @@ const REFINED: usize = 4;
 /// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by millimetres.
 pub(super) const UNEXPLAINED: f64 = 0.1;
 /// Coordinates of targets, unweighted.
-pub(super) const PLAIN: Settings = Settings {
+pub(super) static PLAIN: Settings = Settings {
     kind: ResidualKind::Targets,
     standard_uncertainty_mm: None,
     common_uncertainty_mm: None,
     hold: Vec::new(),
     rigid: Vec::new(),
+    conditions: Vec::new(),
+    known: Vec::new(),
 };
 
 /// At most `count` of the observations, spread over all.

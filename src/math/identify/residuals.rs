@@ -1,12 +1,13 @@
 //! Residuals between model and measurement, as a least-squares problem in the free parameters.
 
+use super::condition::{Condition, Known};
 use super::rigid_part::{At, Shape};
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
-use crate::math::robots::{Platform, Robot};
+use crate::math::robots::{FreeBase, Platform, Robot};
 use crate::math::solve::{Problem, Solution};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -35,8 +36,12 @@ pub(super) struct Residuals<'a> {
     platform: Option<&'a dyn Platform>,
     /// what makes residuals independent that are not
     common: Option<Common>,
-    /// stated shapes of rigid parts, whose rows come last
+    /// what else was observed: its rows come behind those of the observations
+    conditions: &'a [Condition],
+    /// stated shapes of rigid parts, whose rows come behind what is measured
     shapes: Vec<Shape>,
+    /// what is known of fixed points, whose rows come last
+    known: &'a [Known],
     /// residuals are divided by this
     pub unit: f64,
     /// standard deviation of a residual so divided, as the instrument states it
@@ -49,7 +54,7 @@ impl<'a> Residuals<'a> {
     pub fn new(
         robot: &'a dyn Robot,
         observations: &'a [Observation],
-        settings: &Settings,
+        settings: &'a Settings,
         free: &[usize],
         values: &[f64],
     ) -> Result<Self> {
@@ -74,6 +79,8 @@ impl<'a> Residuals<'a> {
             observations,
             platform,
             common: Common::new(observations, settings, robot.dimension()),
+            conditions: &settings.conditions,
+            known: &settings.known,
             shapes: match platform {
                 None => settings.rigid.iter().filter_map(|part| Shape::new(robot, part)).collect(),
                 Some(_) => Vec::new(),
@@ -85,9 +92,23 @@ impl<'a> Residuals<'a> {
         })
     }
 
-    /// Residuals of measured coordinates: those of stated shapes come behind them.
-    pub fn measured_count(&self) -> usize {
+    /// Residuals of measured coordinates: those of conditions come behind them.
+    fn coordinate_count(&self) -> usize {
         self.rows.iter().sum()
+    }
+
+    /// Residuals of coordinates and conditions: those of stated shapes and known points come behind them.
+    pub fn measured_count(&self) -> usize {
+        self.coordinate_count() + self.conditions.iter().map(|c| c.kind.rows()).sum::<usize>()
+    }
+
+    /// What makes lengths in [`Self::unit`] of the measured residuals; `None` for angles.
+    pub fn sizes(&self) -> impl Iterator<Item = Option<f64>> {
+        let of = |c: &Condition| {
+            let size = (!c.kind.is_angle()).then_some(c.standard_uncertainty / self.unit);
+            std::iter::repeat_n(size, c.kind.rows())
+        };
+        std::iter::repeat_n(Some(1.0), self.coordinate_count()).chain(self.conditions.iter().flat_map(of))
     }
 
     /// The stated shapes, each with its first row.
@@ -119,9 +140,21 @@ impl<'a> Residuals<'a> {
         self.stated_noise.unwrap_or(0.0).max(solution.map_or(0.0, shown))
     }
 
+    /// Pose, cycle and joints of everything that was observed, with the number of its residuals.
+    fn seen(&self) -> impl Iterator<Item = Seen<'_>> {
+        let of = |(o, &rows): (&'a Observation, &usize)| Seen { pose: o.pose, cycle: o.cycle, joints: &o.joints, rows };
+        let conditions = self.conditions.iter().map(|c| Seen {
+            pose: c.pose,
+            cycle: c.cycle,
+            joints: &c.joints,
+            rows: c.kind.rows(),
+        });
+        self.observations.iter().zip(&self.rows).map(of).chain(conditions)
+    }
+
     /// The pose of each residual.
     pub fn poses(&self) -> Vec<PoseName> {
-        self.observations.iter().zip(&self.rows).flat_map(|(o, &rows)| std::iter::repeat_n(o.pose, rows)).collect()
+        self.seen().flat_map(|s| std::iter::repeat_n(s.pose, s.rows)).collect()
     }
 
     /// What the errors of each residual belong to: its reading where that is common to several, or else its pose, or, of poses at
@@ -131,19 +164,19 @@ impl<'a> Residuals<'a> {
             return common.numbers(self.measured_count());
         }
         let regions = self.regions(count);
-        let of = |o: &Observation| regions.get(&o.pose).map_or(o.pose, |&region| (region as i64).into());
-        self.observations.iter().zip(&self.rows).flat_map(|(o, &rows)| std::iter::repeat_n(of(o), rows)).collect()
+        let of = |pose: PoseName| regions.get(&pose).map_or(pose, |&region| (region as i64).into());
+        self.seen().flat_map(|s| std::iter::repeat_n(of(s.pose), s.rows)).collect()
     }
 
     /// Poses, whatever their repeats.
     pub fn pose_count(&self) -> usize {
-        self.observations.iter().map(|o| o.pose).collect::<BTreeSet<PoseName>>().len()
+        self.seen().map(|s| s.pose).collect::<BTreeSet<PoseName>>().len()
     }
 
     /// The region of each pose: the joints' ranges, cut in halves of equally many poses along the widest joint until there are
     /// `count` parts; empty where poses are fewer than twice as many.
     fn regions(&self, count: usize) -> BTreeMap<PoseName, usize> {
-        let poses: BTreeMap<PoseName, &[f64]> = self.observations.iter().map(|o| (o.pose, &o.joints[..])).collect();
+        let poses: BTreeMap<PoseName, &[f64]> = self.seen().map(|s| (s.pose, s.joints)).collect();
         let n = self.robot.joints().len();
         if poses.len() < 2 * count || count < 2 {
             return BTreeMap::new();
@@ -173,7 +206,7 @@ impl<'a> Residuals<'a> {
 
     /// The robot with all parameters `values`, wherever it is.
     pub fn at<'v>(&'v self, values: &'v [f64]) -> At<'v> {
-        let joints = self.observations.first().map_or(&[][..], |o| &o.joints);
+        let joints = self.seen().next().map_or(&[][..], |s| s.joints);
         At { robot: self.robot, values, free: &self.free, joints }
     }
 
@@ -182,14 +215,63 @@ impl<'a> Residuals<'a> {
         self.common.is_some()
     }
 
-    /// Pose and cycle of each observation, with the number of its residuals.
+    /// Pose and cycle of each observation and condition, with the number of its residuals.
     pub fn blocks(&self) -> impl Iterator<Item = ((PoseName, i64), usize)> {
-        self.observations.iter().zip(&self.rows).map(|(o, &rows)| ((o.pose, o.cycle), rows)).filter(|block| block.1 > 0)
+        self.seen().map(|s| ((s.pose, s.cycle), s.rows)).filter(|block| block.1 > 0)
     }
 
-    /// Observations that bring at least one residual: poses, each as often as it was repeated.
+    /// Poses that bring at least one residual, each as often as it was repeated.
     pub fn observation_count(&self) -> usize {
-        self.rows.iter().filter(|&&rows| rows > 0).count()
+        let coordinates = self.rows.iter().filter(|&&rows| rows > 0).count();
+        if self.conditions.is_empty() {
+            return coordinates;
+        }
+        self.blocks().map(|block| block.0).collect::<BTreeSet<_>>().len()
+    }
+
+    /// Residuals or, by `width`, derivatives of the conditions, over chunks of them.
+    fn of_conditions(&self, all: &[f64], out: &mut [f64], width: usize, write: impl Fn(&Met, &mut [f64]) + Sync) {
+        let mut parts = Vec::new();
+        let mut out = out;
+        for conditions in self.conditions.chunks(CHUNK) {
+            let rows: usize = conditions.iter().map(|c| c.kind.rows()).sum();
+            let (part, rest) = out.split_at_mut(rows * width);
+            out = rest;
+            parts.push((conditions, part));
+        }
+        let arm = self.robot.free_base();
+        parts.into_par_iter().for_each(|(conditions, mut out)| {
+            for condition in conditions {
+                let position = self.robot.position(all, &condition.joints, condition.target);
+                let (here, rest) = out.split_at_mut(condition.kind.rows() * width);
+                write(&Met { condition, arm, position }, here);
+                out = rest;
+            }
+        });
+    }
+
+    /// Derivatives of the conditions by the free parameters.
+    fn condition_jacobian(&self, all: &[f64], out: &mut [f64]) {
+        let (n, targets) = (all.len(), self.robot.targets().len());
+        self.of_conditions(all, out, self.free.len(), |met, out| {
+            let mut moved = vec![0.0; 3 * targets * n];
+            self.robot.jacobian(all, &met.condition.joints, &mut moved);
+            let mut full = vec![0.0; met.condition.kind.rows() * n];
+            let own = &moved[3 * met.condition.target * n..][..3 * n];
+            met.condition.jacobian(met.arm, all, met.position, own, &mut full);
+            for (row, out) in full.chunks_exact(n).zip(out.chunks_exact_mut(self.free.len())) {
+                self.free.iter().zip(out).for_each(|(&i, out)| *out = row[i]);
+            }
+        });
+    }
+
+    /// What is known of fixed points, each with its first row.
+    pub fn known(&self) -> impl Iterator<Item = (usize, &Known)> {
+        let mut row = self.measured_count() + self.shapes.iter().map(Shape::rows).sum::<usize>();
+        self.known.iter().map(move |known| {
+            row += known.rows();
+            (row - known.rows(), known)
+        })
     }
 
     /// Cuts `out` (`width` numbers a row) into the parts of each chunk of observations.
@@ -247,12 +329,22 @@ impl<'a> Residuals<'a> {
         if let Some(common) = &self.common {
             common.whiten(&mut rows, 6);
         }
+        for c in self.conditions {
+            // an orientation that turns by w is observed w less; other conditions are met in the robot's own world
+            let turned = c.kind.is_angle() && pose.is_none_or(|key| key == (c.pose, c.cycle));
+            let one = if turned { 1.0 / c.standard_uncertainty } else { 0.0 };
+            let row = |i: usize| (0..6).map(move |k| if k == 3 + i { one } else { 0.0 });
+            rows.extend((0..c.kind.rows()).flat_map(row));
+        }
         rows
     }
 
     /// Residuals as observed, not whitened.
     pub fn plain_residuals(&self, x: &[f64], r: &mut [f64]) {
         let all = self.all(x);
+        self.of_conditions(&all, &mut r[self.coordinate_count()..], 1, |met, out| {
+            met.condition.residuals(met.arm, &all, met.position, out);
+        });
         let dimension = self.robot.dimension();
         self.chunks(r, 1).into_par_iter().for_each(|(observations, mut r)| {
             let mut predicted = vec![0.0; dimension * self.robot.targets().len()];
@@ -282,6 +374,7 @@ impl<'a> Residuals<'a> {
     pub fn plain_jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
         let all = self.all(x);
         let (n, free, dimension) = (all.len(), &self.free, self.robot.dimension());
+        self.condition_jacobian(&all, &mut jacobian[self.coordinate_count() * free.len()..]);
         self.chunks(jacobian, free.len()).into_par_iter().for_each(|(observations, mut out)| {
             let mut full = vec![0.0; dimension * self.robot.targets().len() * n];
             let take = |rows: &[f64], out: &mut [f64]| {
@@ -313,6 +406,21 @@ impl<'a> Residuals<'a> {
     }
 }
 
+/// What was observed at a pose.
+struct Seen<'a> {
+    pose: PoseName,
+    cycle: i64,
+    joints: &'a [f64],
+    rows: usize,
+}
+
+/// A condition, with the robot's arm and the place of the target at present.
+struct Met<'a> {
+    condition: &'a Condition,
+    arm: Option<&'a dyn FreeBase>,
+    position: Vector,
+}
+
 /// Both targets in the plane, where both were measured.
 fn both(o: &Observation) -> Option<[[f64; 2]; 2]> {
     match o.targets[..] {
@@ -327,7 +435,7 @@ impl Problem for Residuals<'_> {
     }
 
     fn prior_count(&self) -> usize {
-        self.shapes.iter().map(Shape::rows).sum()
+        self.shapes.iter().map(Shape::rows).sum::<usize>() + self.known.iter().map(Known::rows).sum::<usize>()
     }
 
     fn residuals(&self, x: &[f64], r: &mut [f64]) {
@@ -339,6 +447,9 @@ impl Problem for Residuals<'_> {
         for (row, shape) in self.shapes() {
             shape.residuals(&self.at(&all), &mut r[row..][..shape.rows()]);
         }
+        for (row, known) in self.known() {
+            known.residuals(&all, &mut r[row..][..known.rows()]);
+        }
     }
 
     fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
@@ -349,6 +460,9 @@ impl Problem for Residuals<'_> {
         let (n, all) = (self.free.len(), self.all(x));
         for (row, shape) in self.shapes() {
             shape.jacobian(&self.at(&all), &mut jacobian[row * n..][..shape.rows() * n]);
+        }
+        for (row, known) in self.known() {
+            known.jacobian(&all, &self.free, &mut jacobian[row * n..][..known.rows() * n]);
         }
     }
 }

@@ -5,7 +5,7 @@ use super::identifiability::{Analysis, Group};
 use super::residuals::Residuals;
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
-use crate::math::robots::{Quantity, Robot};
+use crate::math::robots::{Quantity, Robot, Role};
 use crate::math::solve::{self, Options, Prior, Solution, WithPriors};
 use std::f64::consts::TAU;
 
@@ -62,9 +62,9 @@ pub(super) fn solve_identifiable(
         found.shape_weight = weight;
         found.iterations += before;
     }
-    // a whole turn more or less is the same robot: the angle nearest to nominal is taken
+    // a whole turn more or less is the same robot: the angle nearest to nominal is taken (a rotation vector is not an angle)
     for (value, p) in found.values.iter_mut().zip(robot.parameters()) {
-        if p.quantity == Quantity::Angle {
+        if p.quantity == Quantity::Angle && p.role != Role::Target {
             *value -= ((*value - p.nominal) / TAU).round() * TAU;
         }
     }
@@ -114,7 +114,7 @@ fn rounds(
             return Err(diagnose_failure(robot, observations, settings, asked, &start, solution.termination));
         }
         wanted.retain(|&i| useless.iter().all(|g| g.held != i));
-        let all = Residuals::new(robot, observations, settings, &wanted, &values)?;
+        let all = Residuals::new(robot, observations, settings, &by_rank(robot, &wanted), &values)?;
         let (new, redundant): (Vec<Group>, Vec<Group>) = Analysis::at(&all, &values, all.noise(Some(&solution)))
             .groups
             .into_iter()
@@ -130,6 +130,16 @@ fn rounds(
     Err(Message::error("which parameters are separately identifiable changes from step to step")
         .hint("hold parameters in [identify], or measure more poses")
         .into())
+}
+
+/// Parameters of an arm in the order in which they take up what is not separately identifiable: fixtures and mountings, which come
+/// last in its list, before its own.
+fn by_rank(robot: &dyn Robot, wanted: &[usize]) -> Vec<usize> {
+    let mut order = wanted.to_vec();
+    if robot.free_base().is_some() {
+        order.sort_by_key(|&i| robot.parameters()[i].role == Role::Robot);
+    }
+    order
 }
 
 fn without(wanted: &[usize], held: &[usize]) -> Vec<usize> {
@@ -152,7 +162,7 @@ fn anchored(
     wanted: &[usize],
     start: &[f64],
 ) -> Result<(Vec<f64>, Vec<Group>)> {
-    let all = Residuals::new(robot, observations, settings, wanted, start)?;
+    let all = Residuals::new(robot, observations, settings, &by_rank(robot, wanted), start)?;
     let analysis = Analysis::at(&all, start, 0.0);
     let free = without(wanted, &held_by(&analysis.groups));
     if free.is_empty() {

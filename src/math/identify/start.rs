@@ -1,18 +1,40 @@
 //! Starting values: a tracker may be anywhere, so base and targets of an arm are found, not assumed.
 
-use super::Observation;
+use super::fixtures::place_fixtures;
 use super::placing::{Placed, UNEXPLAINED, place, spread_mm, spread_over};
 use super::set_up::explain;
+use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
-use crate::math::robots::{Robot, Role};
+use crate::math::robots::{FreeBase, Robot, Role};
 
 const SUBSET: usize = 24;
 
-/// Starting values of all parameters: nominal, for robots with a free base with those of base and targets that are `wanted` found
-/// from the observations.
-pub(super) fn start(robot: &dyn Robot, observations: &[Observation], wanted: &[usize]) -> Result<Vec<f64>> {
+/// Starting values of all parameters: nominal, for robots with a free base with those of base, targets and fixtures that are `wanted`
+/// found from what was observed.
+pub(super) fn start(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+) -> Result<Vec<f64>> {
     let nominal = robot.nominal();
     let Some(arm) = robot.free_base() else { return Ok(nominal) };
+    let has_points = observations.iter().any(|o| o.targets.iter().any(Option::is_some));
+    let mut values = if has_points { by_points(robot, arm, observations, wanted)? } else { nominal };
+    if !settings.conditions.is_empty() {
+        place_fixtures(arm, observations, settings, wanted, &mut values);
+    }
+    Ok(values)
+}
+
+/// The same from positions of targets alone.
+fn by_points(
+    robot: &dyn Robot,
+    arm: &dyn FreeBase,
+    observations: &[Observation],
+    wanted: &[usize],
+) -> Result<Vec<f64>> {
+    let nominal = robot.nominal();
     let places: Vec<usize> = wanted.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
     let subset = spread_over(observations, SUBSET);
     let Placed { rms_mm, mut values } = place(robot, arm, &subset, &nominal, &places)?.ok_or_else(|| {

@@ -92,6 +92,7 @@ pub(super) fn with_uncertainty(
 
     let mut plain = vec![0.0; problem.measured_count()];
     problem.plain_residuals(&solution.x, &mut plain);
+    let lengths: Vec<f64> = plain.iter().zip(problem.sizes()).filter_map(|(r, size)| Some(r * size?)).collect();
     let factor = solution.factor.as_ref();
     let observed = factor.and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance.as_deref()));
     let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
@@ -118,8 +119,8 @@ pub(super) fn with_uncertainty(
         groups,
         weak,
         observability,
-        rms: (plain.iter().map(|r| r * r).sum::<f64>() / plain.len().max(1) as f64).sqrt() * problem.unit,
-        max: plain.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
+        rms: (lengths.iter().map(|r| r * r).sum::<f64>() / lengths.len().max(1) as f64).sqrt() * problem.unit,
+        max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
         degrees_of_freedom: dof,
         chi_square,
         shape_weight,
@@ -202,12 +203,13 @@ fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Opt
     let from = if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose };
     let clusters = ByCluster::new(&problem.clusters(count), solution, jacobian).filter(ByCluster::is_usable)?;
     let mut covariance = clusters.covariance.clone();
-    // a stated shape is one reading: its rows have the variance that is stated, not the scatter of one
+    // a stated shape or place is one reading: its rows have the variance that is stated, not the scatter of one
     let n = solution.x.len();
-    for (row, shape) in problem.shapes() {
-        let rows = DMatrix::from_row_slice(shape.rows(), n, &jacobian[row * n..][..shape.rows() * n]);
+    let shapes = problem.shapes().map(|(row, shape)| (row, shape.rows(), shape.variance()));
+    for (row, count, variance) in shapes.chain(problem.known().map(|(row, known)| (row, known.rows(), 1.0))) {
+        let rows = DMatrix::from_row_slice(count, n, &jacobian[row * n..][..count * n]);
         let step = DMatrix::from_row_slice(n, n, &solution.covariance()?) * rows.transpose();
-        let more = &step * step.transpose() * shape.variance();
+        let more = &step * step.transpose() * variance;
         covariance.iter_mut().zip(more.iter()).for_each(|(c, more)| *c += more);
     }
     let degrees = clusters.degrees_of_freedom.clone();
@@ -308,7 +310,8 @@ fn noise(
         Some(noise.cholesky()?.unpack())
     };
     let shapes = problem.shapes().map(|(_, s)| Some(DMatrix::identity(s.rows(), s.rows()) * s.variance().sqrt()));
-    problem.blocks().enumerate().map(root).chain(shapes).collect()
+    let known = problem.known().map(|(_, known)| Some(DMatrix::identity(known.rows(), known.rows())));
+    problem.blocks().enumerate().map(root).chain(shapes).chain(known).collect()
 }
 
 /// Covariance of unweighted residuals with noise V = L Lᵀ, given by L: A⁻¹ (Σ Jᵀ V J) A⁻¹ with A = JᵀJ; and the least chi-square that

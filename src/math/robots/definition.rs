@@ -41,6 +41,8 @@ pub enum Role {
     Base,
     /// Places of the targets on the moving part.
     Target,
+    /// What targets touch or are measured from: points and planes that are fixed in the world.
+    Fixture,
     /// Geometry, joint offsets, gains and compliance of the robot itself.
     Robot,
 }

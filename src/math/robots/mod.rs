@@ -257,4 +257,7 @@ pub trait FreeBase: Robot {
 
     /// Whether two of them turn about nearly the same axis there.
     fn base_is_singular(&self, angles: Vector) -> bool;
+
+    /// Writes by how much the flange turns with each parameter: rotation vectors in the world (rad), 3 rows of all parameters.
+    fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
 }

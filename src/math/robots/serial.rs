@@ -496,6 +496,20 @@ impl FreeBase for Serial {
     fn target_place(&self, target: usize) -> usize {
         6 + 3 * target
     }
+    fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let n = parameters.len();
+        out.fill(0.0);
+        let loads = self.loads(joints);
+        let state = State { joints, loads: &loads };
+        let mut axes = Vec::with_capacity(self.elements.len());
+        chain::trace(&self.elements, parameters, state, &mut axes);
+        for (element, &axis) in self.elements.iter().zip(&axes) {
+            let turn = element.angular_velocity(axis);
+            for (parameter, coefficient) in element.coefficients(state) {
+                (0..3).for_each(|i| out[i * n + parameter] += turn[i] * coefficient);
+            }
+        }
+    }
     fn base_angles(&self, rotation: &Pose) -> Vector {
         match self.base {
             BaseAngles::Successive { .. } => rotation.rpy_rad(),

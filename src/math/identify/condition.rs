@@ -1,0 +1,386 @@
+//! Conditions: what else than its position was observed of a target, at a pose or of fixed points alone.
+//!
+//! A condition is an equation between the place of a target, which the robot gives, and things that are fixed in the world: the
+//! orientation of a body, a socket, a point from which a distance is measured, a plane. Of these the robot's list of parameters
+//! has the unknowns behind its own ([`Fixtures`]).
+
+use super::{Observation, ResidualKind, Settings, Status};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, dot, minus, norm, unit};
+use crate::math::robots::{FreeBase, Parameter, Quantity, Robot, Role};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+
+/// An orientation: rows of a rotation matrix.
+pub type Rotation = [Vector; 3];
+
+/// What was observed of a target at a pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condition {
+    /// Number of the pose.
+    pub pose: i64,
+    /// Number of the repeat.
+    pub cycle: i64,
+    /// Joint values in mm or rad, in the robot's order.
+    pub joints: Vec<f64>,
+    /// Index of the target.
+    pub target: usize,
+    /// What was observed.
+    pub kind: Kind,
+    /// Standard uncertainty of each of its residuals, mm or rad.
+    pub standard_uncertainty: f64,
+}
+
+/// Kinds of conditions, with the indices of the first of the parameters of what they refer to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// The body that carries the target is oriented so in the world; three parameters are the rotation vector that turns the flange
+    /// to the body. Residuals: the rotation vector from the observed orientation to the model's, rad.
+    Orientation {
+        /// Body in the world.
+        world_r_body: Rotation,
+        /// First parameter of the rotation vector.
+        mounting: usize,
+    },
+    /// Distance to a fixed point. Residual: mm.
+    Distance {
+        /// First of the three coordinates of the point.
+        to: usize,
+        /// The distance.
+        distance_mm: f64,
+    },
+    /// The target lies in a socket. Residuals: the three coordinates of the target less those of the socket, mm.
+    Contact {
+        /// First of the three coordinates of the socket.
+        socket: usize,
+    },
+    /// The target touches a plane, its centre `offset_mm` along the normal from it: the radius of a ball. Residual: mm.
+    Plane {
+        /// First of the three parameters of the plane: two slopes, and where it meets its axis.
+        plane: usize,
+        /// The axis of the world, 0, 1 or 2, that is nearest to its normal.
+        axis: usize,
+        /// Distance of the target from the plane, positive along the axis.
+        offset_mm: f64,
+    },
+}
+
+/// What is known of fixed points beside the observations of targets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Known {
+    /// Their place in the world.
+    Place {
+        /// First of the three coordinates of the point.
+        point: usize,
+        /// The place, mm.
+        place_mm: Vector,
+        /// Standard uncertainty of a coordinate, mm.
+        standard_uncertainty_mm: f64,
+    },
+    /// Their distance from each other.
+    Distance {
+        /// First coordinate of one point.
+        from: usize,
+        /// First coordinate of the other.
+        to: usize,
+        /// The distance.
+        distance_mm: f64,
+        /// Its standard uncertainty.
+        standard_uncertainty_mm: f64,
+    },
+}
+
+impl Kind {
+    /// Number of residuals.
+    pub fn rows(&self) -> usize {
+        match self {
+            Self::Orientation { .. } | Self::Contact { .. } => 3,
+            Self::Distance { .. } | Self::Plane { .. } => 1,
+        }
+    }
+
+    /// Whether residuals are angles.
+    pub fn is_angle(&self) -> bool {
+        matches!(self, Self::Orientation { .. })
+    }
+}
+
+/// Coordinates of the point whose first parameter is `first`.
+pub(super) fn point(values: &[f64], first: usize) -> Vector {
+    [values[first], values[first + 1], values[first + 2]]
+}
+
+fn rotation(vector: Vector) -> Rotation3<f64> {
+    Rotation3::from_scaled_axis(Vector3::from(vector))
+}
+
+/// The rotation vector of a rotation, by its quaternion: exact near zero, where the trace is not.
+fn rotation_vector(turn: &Rotation3<f64>) -> Vector3<f64> {
+    UnitQuaternion::from_rotation_matrix(turn).scaled_axis()
+}
+
+fn of_rows(rows: &Rotation) -> Rotation3<f64> {
+    Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| rows[i][j]))
+}
+
+/// Left Jacobian of the rotation vector `w`: how a rotation turns, as a rotation vector before it, when `w` changes (Chirikjian 2012,
+/// eq. 10.86).
+fn left_jacobian(w: &Vector3<f64>) -> Matrix3<f64> {
+    let (angle, k) = (w.norm(), w.cross_matrix());
+    let (a, b) = match angle < 1e-4 {
+        true => (0.5 - angle.powi(2) / 24.0, 1.0 / 6.0 - angle.powi(2) / 120.0),
+        false => ((1.0 - angle.cos()) / angle.powi(2), (angle - angle.sin()) / angle.powi(3)),
+    };
+    Matrix3::identity() + k * a + k * k * b
+}
+
+/// The plane of its three parameters: a normal (towards its axis, not of length one), and where it meets the axis.
+fn plane(values: &[f64], first: usize, axis: usize) -> (Vector, Vector) {
+    let mut normal = [0.0; 3];
+    normal[axis] = 1.0;
+    normal[(axis + 1) % 3] = -values[first].tan();
+    normal[(axis + 2) % 3] = -values[first + 1].tan();
+    let mut foot = [0.0; 3];
+    foot[axis] = values[first + 2];
+    (normal, foot)
+}
+
+impl Condition {
+    /// Writes its residuals over their standard uncertainties; `position` is that of the target at `values`.
+    pub(super) fn residuals(&self, arm: Option<&dyn FreeBase>, values: &[f64], position: Vector, out: &mut [f64]) {
+        match self.kind {
+            Kind::Orientation { world_r_body, mounting } => {
+                let turned = arm.map_or_else(Vector3::zeros, |arm| {
+                    let flange = of_rows(&arm.flange(values, &self.joints).rotation);
+                    rotation_vector(&(flange * rotation(point(values, mounting)) * of_rows(&world_r_body).inverse()))
+                });
+                out.copy_from_slice(turned.as_slice());
+            }
+            Kind::Distance { to, distance_mm } => out[0] = norm(minus(position, point(values, to))) - distance_mm,
+            Kind::Contact { socket } => out.copy_from_slice(&minus(position, point(values, socket))),
+            Kind::Plane { plane: first, axis, offset_mm } => {
+                let (normal, foot) = plane(values, first, axis);
+                out[0] = dot(normal, minus(position, foot)) / norm(normal) - offset_mm;
+            }
+        }
+        out.iter_mut().for_each(|r| *r /= self.standard_uncertainty);
+    }
+
+    /// Writes their derivatives by all parameters, row by row; `moved` has those of the target's position, three rows.
+    pub(super) fn jacobian(
+        &self,
+        arm: Option<&dyn FreeBase>,
+        values: &[f64],
+        position: Vector,
+        moved: &[f64],
+        out: &mut [f64],
+    ) {
+        let n = values.len();
+        out.fill(0.0);
+        match self.kind {
+            Kind::Orientation { mounting, .. } => {
+                let Some(arm) = arm else { return };
+                let mut left = [0.0; 3];
+                self.residuals(Some(arm), values, position, &mut left);
+                let left = Vector3::from(left) * self.standard_uncertainty;
+                let back = left_jacobian(&left).try_inverse().unwrap_or_else(Matrix3::identity);
+                let mut turns = vec![0.0; 3 * n];
+                arm.flange_turns(values, &self.joints, &mut turns);
+                let flange = of_rows(&arm.flange(values, &self.joints).rotation);
+                let own = flange.matrix() * left_jacobian(&Vector3::from(point(values, mounting)));
+                for j in 0..n {
+                    let mut turn = Vector3::new(turns[j], turns[n + j], turns[2 * n + j]);
+                    if (mounting..mounting + 3).contains(&j) {
+                        turn += own.column(j - mounting);
+                    }
+                    let turn = back * turn;
+                    (0..3).for_each(|i| out[i * n + j] = turn[i]);
+                }
+            }
+            Kind::Distance { to, .. } => {
+                let along = unit(minus(position, point(values, to))).unwrap_or_default();
+                (0..n).for_each(|j| out[j] = (0..3).map(|i| along[i] * moved[i * n + j]).sum());
+                (0..3).for_each(|i| out[to + i] -= along[i]);
+            }
+            Kind::Contact { socket } => {
+                out.copy_from_slice(moved);
+                (0..3).for_each(|i| out[i * n + socket + i] -= 1.0);
+            }
+            Kind::Plane { plane: first, axis, .. } => {
+                let (normal, foot) = plane(values, first, axis);
+                let (length, lever) = (norm(normal), minus(position, foot));
+                (0..n).for_each(|j| out[j] = (0..3).map(|i| normal[i] * moved[i * n + j]).sum::<f64>() / length);
+                for k in 0..2 {
+                    let i = (axis + 1 + k) % 3;
+                    // of dot(normal, lever) / length by the component i of the normal, and of that by the slope
+                    let by_component = lever[i] / length - dot(normal, lever) * normal[i] / length.powi(3);
+                    out[first + k] -= by_component * (1.0 + values[first + k].tan().powi(2));
+                }
+                out[first + 2] -= normal[axis] / length;
+            }
+        }
+        out.iter_mut().for_each(|d| *d /= self.standard_uncertainty);
+    }
+}
+
+impl Known {
+    /// Number of rows.
+    pub(super) fn rows(&self) -> usize {
+        match self {
+            Self::Place { .. } => 3,
+            Self::Distance { .. } => 1,
+        }
+    }
+
+    /// Writes its residuals at all parameters.
+    pub(super) fn residuals(&self, values: &[f64], out: &mut [f64]) {
+        match *self {
+            Self::Place { point: at, place_mm, standard_uncertainty_mm } => {
+                out.copy_from_slice(&minus(point(values, at), place_mm).map(|v| v / standard_uncertainty_mm));
+            }
+            Self::Distance { from, to, distance_mm, standard_uncertainty_mm } => {
+                out[0] = (norm(minus(point(values, to), point(values, from))) - distance_mm) / standard_uncertainty_mm;
+            }
+        }
+    }
+
+    /// Writes their derivatives by the `free` of the parameters, row by row.
+    pub(super) fn jacobian(&self, values: &[f64], free: &[usize], out: &mut [f64]) {
+        out.fill(0.0);
+        for (column, &parameter) in free.iter().enumerate() {
+            match *self {
+                Self::Place { point: at, standard_uncertainty_mm, .. } => {
+                    if (at..at + 3).contains(&parameter) {
+                        out[(parameter - at) * free.len() + column] = 1.0 / standard_uncertainty_mm;
+                    }
+                }
+                Self::Distance { from, to, standard_uncertainty_mm, .. } => {
+                    let along = unit(minus(point(values, to), point(values, from))).unwrap_or_default();
+                    if (to..to + 3).contains(&parameter) {
+                        out[column] += along[parameter - to] / standard_uncertainty_mm;
+                    }
+                    if (from..from + 3).contains(&parameter) {
+                        out[column] -= along[parameter - from] / standard_uncertainty_mm;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What conditions add to the parameters of a robot, by name.
+#[derive(Clone, Copy, Debug)]
+pub enum Fixture<'a> {
+    /// A point that is fixed in the world: a socket, the end of a ball bar. Parameters `NAME_x`, `NAME_y`, `NAME_z`.
+    Point(&'a str),
+    /// The orientation on the flange of the body that carries a target: `TARGET_rx`, `TARGET_ry`, `TARGET_rz`, a rotation vector.
+    Mounting(&'a str),
+    /// A plane with its normal near axis 0, 1 or 2 of the world: for the z axis `NAME_slope_x`, `NAME_slope_y`, `NAME_z`: angles of its
+    /// traces in the planes through z, and where it meets z. Cyclic for the others.
+    Plane(&'a str, usize),
+}
+
+impl Fixture<'_> {
+    /// Adds the three parameters to those of `robot`, where it does not have them yet, and gives the index of the first.
+    pub fn add_to(self, robot: &mut dyn Robot) -> usize {
+        const AXES: [&str; 3] = ["x", "y", "z"];
+        use Quantity::{Angle, Length};
+        let names = match self {
+            Self::Point(name) => AXES.map(|axis| (format!("{name}_{axis}"), Length, Role::Fixture)),
+            Self::Mounting(target) => AXES.map(|axis| (format!("{target}_r{axis}"), Angle, Role::Target)),
+            Self::Plane(name, axis) => {
+                let slope = |k: usize| (format!("{name}_slope_{}", AXES[(axis + k) % 3]), Angle, Role::Fixture);
+                [slope(1), slope(2), (format!("{name}_{}", AXES[axis]), Length, Role::Fixture)]
+            }
+        };
+        if let Some(first) = robot.index(&names[0].0) {
+            return first;
+        }
+        let all = &mut robot.definition_mut().parameters;
+        all.extend(names.into_iter().map(|(name, quantity, role)| Parameter {
+            tolerance: f64::INFINITY,
+            ..Parameter::new(name, quantity, role, 0.0)
+        }));
+        all.len() - 3
+    }
+}
+
+/// Whether anything is measured in a world that is not the robot's own base frame.
+pub(super) fn tied_to_world(observations: &[Observation], settings: &Settings) -> bool {
+    observations.iter().any(|o| o.targets.iter().any(Option::is_some))
+        || settings.conditions.iter().any(|c| c.kind.is_angle())
+        || settings.known.iter().any(|k| matches!(k, Known::Place { .. }))
+}
+
+/// A warning where nothing that was observed contains a length: a robot of twice the size fits as well.
+pub(super) fn without_length(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    status: &[Status],
+) -> Option<Message> {
+    let contains = |c: &Condition| match c.kind {
+        Kind::Distance { .. } => true,
+        Kind::Plane { offset_mm, .. } => offset_mm != 0.0,
+        Kind::Orientation { .. } | Kind::Contact { .. } => false,
+    };
+    // one place alone is an origin, not a length
+    let places = settings.known.iter().filter(|k| matches!(k, Known::Place { .. })).count();
+    let has_length = observations.iter().any(|o| o.targets.iter().any(Option::is_some))
+        || settings.conditions.iter().any(contains)
+        || places > 1
+        || settings.known.iter().any(|k| matches!(k, Known::Distance { .. }));
+    if has_length {
+        return None;
+    }
+    let held = robot.parameters().iter().zip(status).filter(|(p, s)| {
+        p.quantity == Quantity::Length && p.role == Role::Robot && **s != Status::Identified && p.nominal != 0.0
+    });
+    let lengths: Vec<String> = held.map(|(p, _)| format!("`{}` = {} mm", p.name, p.nominal)).collect();
+    let what = "nothing that was observed contains a length: the scale of the robot is that of its nominal lengths";
+    let message = Message::warning(match lengths.is_empty() {
+        true => what.to_owned(),
+        false => format!("{what} that are held, {}", lengths.join(", ")),
+    });
+    Some(message.hint("measure a distance: between two sockets, to a fixed point, or the position of a target"))
+}
+
+/// An error where conditions are for another robot or other residuals.
+pub(super) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
+    if settings.conditions.is_empty() && settings.known.is_empty() {
+        return Ok(());
+    }
+    if robot.free_base().is_none() {
+        let what =
+            format!("orientations, distances, contacts and planes are for arms in space, not for `{}`", robot.model());
+        return Err(Message::error(what).hint("give positions of its targets: rows of kind `point`").into());
+    }
+    if settings.kind == ResidualKind::Pose || settings.common_uncertainty_mm.is_some() {
+        let what =
+            "orientations, distances, contacts and planes go with residuals of targets, without a common uncertainty";
+        return Err(Message::error(what).into());
+    }
+    if settings.standard_uncertainty_mm.is_none() {
+        return Err(Message::error("observations of several kinds need the standard uncertainty of a coordinate")
+            .hint("state it (--standard-uncertainty-um)")
+            .into());
+    }
+    Ok(())
+}
+
+/// Mean of rotations: the one that minimises the sum of squares of the chordal distances (Moakher 2002).
+pub(super) fn mean_rotation(all: impl Iterator<Item = Rotation>) -> Option<Vector> {
+    let sum = all.fold(Matrix3::zeros(), |sum, r| sum + of_rows(&r).into_inner());
+    let svd = sum.svd(true, true);
+    let (u, v_t) = (svd.u?, svd.v_t?);
+    let mut turn = u * v_t;
+    if turn.determinant() < 0.0 {
+        turn = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, -1.0)) * v_t;
+    }
+    Some(rotation_vector(&Rotation3::from_matrix_unchecked(turn)).into())
+}
+
+/// The product of one rotation's inverse and another.
+pub(super) fn between(from: &Rotation, to: &Rotation) -> Rotation {
+    let product = of_rows(from).inverse() * of_rows(to);
+    std::array::from_fn(|i| std::array::from_fn(|j| product[(i, j)]))
+}

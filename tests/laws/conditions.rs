@@ -1,0 +1,291 @@
+//! Conditions: orientations, distances, contacts and planes give the robot back, alone and together, with intervals that hold.
+
+use crate::support::arms::{SIX_AXES, serial};
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Vector, minus, norm};
+use etalon::math::identify::{
+    Condition, Fixture, Identification, Kind, Known, Observation, Rotation, Settings, Status, fit_frames, identify_from,
+};
+use etalon::math::robots::{FreeBase, Robot, Role, Serial};
+use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
+use rayon::prelude::*;
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+/// Standard uncertainties of the simulated measurements.
+const U_MM: f64 = 0.05;
+const U_RAD: f64 = 2e-4;
+/// Sockets in the base frame, in front of the arm.
+const SOCKETS: [Vector; 4] =
+    [[330.0, -140.0, 210.0], [420.0, 160.0, 260.0], [300.0, 60.0, 420.0], [450.0, -30.0, 330.0]];
+/// Ends of a ball bar.
+const ENDS: [Vector; 3] = [[700.0, 300.0, 100.0], [600.0, -500.0, 50.0], [-650.0, 200.0, 90.0]];
+
+/// A simulated campaign of a six-axis arm, with errors of half a millimetre and a few milliradians, and a ball.
+struct Campaign {
+    robot: Serial,
+    truth: Vec<f64>,
+    observations: Vec<Observation>,
+    settings: Settings,
+    noise: Noise,
+    /// Errors of the measurements over their standard uncertainties: 0 or 1.
+    errors: f64,
+}
+
+impl Campaign {
+    fn new(mut noise: Noise, errors: f64) -> Self {
+        let robot = serial(&SIX_AXES, &["ball"], &[]);
+        // what a base and a single ball take up
+        let absorbed = ["alpha_1", "a_1", "theta_1", "d_1", "theta_6", "d_6"];
+        let of = |p: &etalon::math::robots::Parameter| {
+            let error = match (p.role, p.name.split('_').next().unwrap()) {
+                (Role::Base, _) => 0.0,
+                (Role::Target, _) => 60.0 + noise.uniform(20.0),
+                _ if absorbed.contains(&&p.name[..]) => 0.0,
+                (_, "a" | "d") => noise.uniform(0.5),
+                (_, "gain") => noise.uniform(1e-3),
+                _ => noise.uniform(3e-3),
+            };
+            p.nominal + error
+        };
+        let truth = robot.parameters().iter().map(of).collect();
+        let settings = Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() };
+        Self { robot, truth, observations: Vec::new(), settings, noise, errors }
+    }
+
+    /// The same with its base somewhere in the world.
+    fn anywhere(mut self) -> Self {
+        for (i, range) in [2000.0, 2000.0, 2000.0, 3.0, 1.2, 3.0].into_iter().enumerate() {
+            self.truth[i] = self.noise.uniform(range);
+        }
+        self
+    }
+
+    fn error(&mut self, standard_uncertainty: f64) -> f64 {
+        self.errors * self.noise.gaussian(standard_uncertainty)
+    }
+
+    fn fixture(&mut self, fixture: Fixture, values: Vector) -> usize {
+        let first = fixture.add_to(&mut self.robot);
+        self.truth.truncate(first);
+        self.truth.extend(values);
+        first
+    }
+
+    fn joints(&mut self) -> Vec<f64> {
+        [2.8, 1.0, 1.0, 2.6, 1.9, 3.0].map(|range| self.noise.uniform(range)).to_vec()
+    }
+
+    fn at(&self, joints: &[f64]) -> Vector {
+        self.robot.position(&self.truth, joints, 0)
+    }
+
+    /// Random joints at which all of `left` of the ball's place is zero: Newton's steps of least norm.
+    fn joints_where(&mut self, left: impl Fn(Vector) -> Vec<f64>) -> Vec<f64> {
+        loop {
+            let mut q = self.joints();
+            for _ in 0..40 {
+                let now = left(self.at(&q));
+                if now.iter().all(|v| v.abs() < 1e-11) && q.iter().all(|q| q.abs() < 3.2) {
+                    return q;
+                }
+                let by = |j: usize, h: f64| {
+                    let mut moved = q.clone();
+                    moved[j] += h;
+                    left(self.at(&moved))
+                };
+                let a = DMatrix::from_fn(now.len(), q.len(), |i, j| (by(j, 1e-5)[i] - by(j, -1e-5)[i]) / 2e-5);
+                let Some(inverse) = (&a * a.transpose()).try_inverse() else { break };
+                let step = a.transpose() * inverse * DVector::from_vec(now);
+                let shorten = (0.3 / step.amax()).min(1.0);
+                q.iter_mut().zip(step.iter()).for_each(|(q, s)| *q -= shorten * s);
+            }
+        }
+    }
+
+    fn observe(&mut self, joints: Vec<f64>, kind: Kind, standard_uncertainty: f64) {
+        let pose = self.settings.conditions.len() as i64 + 1;
+        self.settings.conditions.push(Condition { pose, cycle: 1, joints, target: 0, kind, standard_uncertainty });
+    }
+
+    /// Positions and orientations of a body.
+    fn poses(mut self, count: usize) -> Self {
+        let turn = [0.4, -1.1, 2.2];
+        let mounting = self.fixture(Fixture::Mounting("ball"), turn);
+        for _ in 0..count {
+            let joints = self.joints();
+            let seen = self.at(&joints).map(|v| v + self.error(U_MM));
+            let off = Vector3::from([0; 3].map(|_| self.error(U_RAD)));
+            let flange = turn_of(&self.robot.flange(&self.truth, &joints).rotation);
+            let body = Rotation3::from_scaled_axis(off) * flange * Rotation3::from_scaled_axis(Vector3::from(turn));
+            let pose = self.settings.conditions.len() as i64 + 1;
+            self.observations.push(Observation { pose, cycle: 1, joints: joints.clone(), targets: vec![Some(seen)] });
+            self.observe(joints, Kind::Orientation { world_r_body: rows_of(&body), mounting }, U_RAD);
+        }
+        self
+    }
+
+    /// Contacts with sockets.
+    fn contacts(mut self, sockets: usize, count: usize) -> Self {
+        for (k, place) in SOCKETS[..sockets].iter().enumerate() {
+            let socket = self.fixture(Fixture::Point(["s1", "s2", "s3", "s4"][k]), *place);
+            for _ in 0..count {
+                let there = place.map(|v| v + self.error(U_MM));
+                let joints = self.joints_where(|p| minus(p, there).to_vec());
+                self.observe(joints, Kind::Contact { socket }, U_MM);
+            }
+        }
+        self
+    }
+
+    /// First parameters of sockets.
+    fn sockets(&self) -> Vec<usize> {
+        ["s1_x", "s2_x", "s3_x", "s4_x"].iter().filter_map(|name| self.robot.index(name)).collect()
+    }
+
+    /// Distances of all sockets from each other.
+    fn with_lengths(mut self) -> Self {
+        let (sockets, standard_uncertainty_mm) = (self.sockets(), 0.004);
+        for (k, &to) in sockets.iter().enumerate() {
+            for (i, &from) in sockets[..k].iter().enumerate() {
+                let distance_mm = norm(minus(SOCKETS[k], SOCKETS[i])) + self.error(standard_uncertainty_mm);
+                self.settings.known.push(Known::Distance { from, to, distance_mm, standard_uncertainty_mm });
+            }
+        }
+        self
+    }
+
+    /// Places of the sockets in a world in which the base is shifted and turned.
+    fn with_places(mut self) -> Self {
+        let moved = Rotation3::from_scaled_axis(Vector3::new(0.3, -0.5, 1.2));
+        for (i, v) in [1500.0, -300.0, 250.0]
+            .into_iter()
+            .chain(etalon::base::pose::Pose { rotation: rows_of(&moved), translation_mm: [0.0; 3] }.rpy_rad())
+            .enumerate()
+        {
+            self.truth[i] = v;
+        }
+        for (k, point) in self.sockets().into_iter().enumerate() {
+            let true_mm = moved * Vector3::from(SOCKETS[k]) + Vector3::new(1500.0, -300.0, 250.0);
+            self.truth[point..point + 3].copy_from_slice(true_mm.as_slice());
+            let place_mm = [0, 1, 2].map(|i| true_mm[i] + self.error(0.004));
+            self.settings.known.push(Known::Place { point, place_mm, standard_uncertainty_mm: 0.004 });
+        }
+        self
+    }
+
+    fn distances(mut self, count: usize) -> Self {
+        for (k, end) in ENDS.iter().enumerate() {
+            let to = self.fixture(Fixture::Point(["e1", "e2", "e3"][k]), *end);
+            for _ in 0..count {
+                let joints = self.joints();
+                let distance_mm = norm(minus(self.at(&joints), *end)) + self.error(U_MM);
+                self.observe(joints, Kind::Distance { to, distance_mm }, U_MM);
+            }
+        }
+        self
+    }
+
+    /// Touches of a table, a wall and a slope, by a ball of 25.4 mm.
+    fn planes(mut self, count: usize) -> Self {
+        let all =
+            [("table", 2, [0.02, -0.03, 120.0]), ("wall", 0, [0.05, 0.01, 430.0]), ("slope", 1, [0.3, 0.5, 250.0])];
+        for (name, axis, values) in all {
+            let plane = self.fixture(Fixture::Plane(name, axis), values);
+            for _ in 0..count {
+                let error = self.error(U_MM);
+                let joints = self.joints_where(|p| {
+                    let slopes = [values[0].tan(), values[1].tan()];
+                    let traces = slopes[0] * p[(axis + 1) % 3] + slopes[1] * p[(axis + 2) % 3];
+                    let length = (1.0 + slopes[0].powi(2) + slopes[1].powi(2)).sqrt();
+                    vec![(p[axis] - values[2] - traces) / length - 12.7 - error]
+                });
+                self.observe(joints, Kind::Plane { plane, axis, offset_mm: 12.7 }, U_MM);
+            }
+        }
+        self
+    }
+
+    fn identify(&self) -> Identification {
+        let before = fit_frames(&self.robot, &self.observations, &self.settings).unwrap_or_else(|e| panic!("{e:?}"));
+        identify_from(&self.robot, &self.observations, &self.settings, &before).unwrap_or_else(|e| panic!("{e:?}"))
+    }
+
+    fn names(&self, of: impl Fn(usize) -> bool) -> Vec<&str> {
+        let all = self.robot.parameters().iter().enumerate();
+        all.filter(|(i, _)| of(*i)).map(|(_, p)| p.name.as_str()).collect()
+    }
+}
+
+fn turn_of(rows: &Rotation) -> Rotation3<f64> {
+    Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| rows[i][j]))
+}
+
+fn rows_of(turn: &Rotation3<f64>) -> Rotation {
+    std::array::from_fn(|i| std::array::from_fn(|j| turn[(i, j)]))
+}
+
+/// Half width of a 95 % interval in standard uncertainties, which have these degrees of freedom or are stated.
+fn quantile(degrees: Option<f64>) -> f64 {
+    degrees.map_or(1.959_964, |degrees| StudentsT::new(0.0, 1.0, degrees).unwrap().inverse_cdf(0.975))
+}
+
+/// Every kind, by name.
+fn campaign(kind: &str, seed: u64, trial: u64, errors: f64) -> Campaign {
+    let new = Campaign::new(Noise::new(seed, trial), errors);
+    match kind {
+        "pose" => new.anywhere().poses(60),
+        "contact, lengths" => new.contacts(4, 20).with_lengths(),
+        "contact, places" => new.contacts(4, 20).with_places(),
+        "distance" => new.distances(50),
+        // planes alone give no scale: the nominal length of a link does
+        "plane" => new.planes(60).distances(8),
+        "all" => new.anywhere().poses(20).contacts(3, 8).distances(10).planes(10),
+        other => panic!("{other}"),
+    }
+}
+
+/// Draws a kind; their mean chi-square over degrees of freedom, and the share of 95 % intervals that hold.
+fn draws() -> u64 {
+    std::env::var("ETALON_DRAWS").map_or(100, |n| n.parse().unwrap())
+}
+
+#[test]
+fn intervals_of_every_kind_hold() {
+    for kind in KINDS {
+        let draws = draws();
+        let one = |trial: u64| {
+            let campaign = campaign(kind, 78, trial, 1.0);
+            let found = campaign.identify();
+            let chi_square = found.chi_square.unwrap() / found.degrees_of_freedom as f64;
+            let holds = |&i: &usize| {
+                let u = found.standard_uncertainty(i).unwrap();
+                let degrees = found.degrees_of_freedom(i);
+                (found.values[i] - campaign.truth[i]).abs() < quantile(degrees) * u
+            };
+            let held = found.free.iter().filter(|i| holds(i)).count();
+            (chi_square, held as f64 / found.free.len() as f64)
+        };
+        let all: Vec<(f64, f64)> = (0..draws).into_par_iter().map(one).collect();
+        let mean = |of: fn(&(f64, f64)) -> f64| all.iter().map(of).sum::<f64>() / draws as f64;
+        let (chi_square, held) = (mean(|d| d.0), mean(|d| d.1));
+        println!("{kind}: chi-square {chi_square:.3}, {:.1} % of intervals hold", 100.0 * held);
+        assert!((chi_square - 1.0).abs() < 0.05, "{kind}: chi-square {chi_square}");
+        assert!((held - 0.95).abs() < 0.015, "{kind}: {held}");
+    }
+}
+
+const KINDS: [&str; 5] = ["pose", "contact, lengths", "contact, places", "distance", "plane"];
+
+#[test]
+fn without_noise_every_kind_gives_the_truth() {
+    for kind in KINDS.into_iter().chain(["all"]) {
+        let campaign = campaign(kind, 77, 0, 0.0);
+        let found = campaign.identify();
+        let held = campaign.names(|i| found.status[i] == Status::NotIdentifiable);
+        println!("{kind}: {} identified, held {held:?}, rms {:.1e} mm", found.free.len(), found.rms);
+        for &i in &found.free {
+            let off = (found.values[i] - campaign.truth[i]).abs();
+            assert!(off < 1e-7, "{kind}: {} is off by {off:e}", campaign.robot.parameters()[i].name);
+        }
+    }
+}
