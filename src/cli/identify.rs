@@ -6,9 +6,10 @@ use crate::base::files;
 use crate::base::message::{Message, Problems};
 use crate::campaign::read_robot;
 use crate::document::to_json;
-use crate::math::identify::{Observation, ResidualKind, Settings, fit_frames, identify_from};
+use crate::math::identify::{ResidualKind, Settings, fit_frames, identify_from};
 use crate::report::Faces;
 use crate::stages::evaluate::{self, Sets};
+use crate::stages::kinds::{self, Uncertainties};
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
@@ -23,7 +24,8 @@ pub struct Identify {
     /// Robot file
     #[arg(long)]
     robot: PathBuf,
-    /// Observations: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] and one column per joint with its unit
+    /// Observations: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] and one column per joint with its unit; with the column
+    /// `kind` also poses, distances, contacts and planes (docs/observations.md)
     #[arg(long)]
     observations: PathBuf,
     /// Standard uncertainty (k = 1) of one measured coordinate in micrometres; without it, it is taken from the residuals
@@ -33,6 +35,9 @@ pub struct Identify {
     /// coordinates: a ball measured once and touched in several working modes. The other is then that of the contact
     #[arg(long, value_name = "UM", requires = "standard_uncertainty_um")]
     common_uncertainty_um: Option<f64>,
+    /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, where the table has no `urot_deg`
+    #[arg(long, value_name = "DEG")]
+    rotation_uncertainty_deg: Option<f64>,
     /// Compare poses as in eq. 3.26 instead of targets (planar robots)
     #[arg(long)]
     pose_residuals: bool,
@@ -59,17 +64,22 @@ impl Identify {
         let robot_file = read_robot(&self.robot)?;
         let observed = TableFile::read(&self.observations)?;
         let here = |problems: Problems| observed.place(problems);
-        let robot = robot_file.build(&observed.targets()?).map_err(here)?;
+        let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
         let mut messages = Vec::new();
-        let observations = Observation::from_table(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
-        messages.extend(stale(robot.as_ref(), &observations));
-        let settings = Settings {
+        let mut settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             common_uncertainty_mm: self.common_uncertainty_um.map(|u| u / 1000.0),
             hold: self.hold,
             ..Settings::default()
         };
+        let without = Uncertainties {
+            length_mm: settings.standard_uncertainty_mm,
+            rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
+        };
+        let observations =
+            kinds::observed(robot.as_mut(), &observed.table, without, &mut settings, &mut messages).map_err(here)?;
+        messages.extend(stale(robot.as_ref(), &observations));
         let before = fit_frames(robot.as_ref(), &observations, &settings)?;
         let mut found = identify_from(robot.as_ref(), &observations, &settings, &before)?;
         found.warnings.splice(0..0, messages);

@@ -8,6 +8,7 @@ pub mod geometric;
 pub mod identification;
 pub mod iso9283;
 pub mod join;
+pub mod kinds;
 pub(crate) mod labelled_points;
 pub mod parameters;
 pub mod plausible;

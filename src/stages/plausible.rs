@@ -45,7 +45,7 @@ pub fn plausibility(
     errors: &[PointError],
 ) -> Vec<Message> {
     let mut messages = implausible(robot, &found.values, errors);
-    messages.extend(undetermined(robot, observations, found));
+    messages.extend(undetermined(robot, observations, settings, found));
     let far = far_before(robot, observations, settings, before, errors);
     let misfit = match found.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.degrees_of_freedom),
@@ -74,11 +74,17 @@ pub fn plausibility(
 }
 
 /// An error where the poses give no more coordinates than parameters are identified: nothing is left that could contradict them.
-fn undetermined(robot: &dyn Robot, observations: &[Observation], found: &Identification) -> Option<Message> {
+fn undetermined(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+) -> Option<Message> {
     let targets =
         |o: &Observation| (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).map(|k| (o.pose, k)).collect();
     let distinct: BTreeSet<(PoseName, usize)> = observations.iter().flat_map(|o| -> Vec<_> { targets(o) }).collect();
-    let coordinates = robot.dimension() * distinct.len();
+    let conditions: usize = settings.conditions.iter().map(|c| c.kind.rows()).sum();
+    let coordinates = robot.dimension() * distinct.len() + conditions;
     (coordinates <= found.free.len()).then(|| {
         let what = format!(
             "{} of the calibration poses determine {}, and none is left to check them",

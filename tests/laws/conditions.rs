@@ -10,6 +10,7 @@ use etalon::math::robots::{FreeBase, Robot, Role, Serial};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
+use std::process::Command;
 
 /// Standard uncertainties of the simulated measurements.
 const U_MM: f64 = 0.05;
@@ -239,7 +240,7 @@ fn campaign(kind: &str, seed: u64, trial: u64, errors: f64) -> Campaign {
         "distance" => new.distances(50),
         // planes alone give no scale: the nominal length of a link does
         "plane" => new.planes(60).distances(8),
-        "all" => new.anywhere().poses(20).contacts(3, 8).distances(10).planes(10),
+        "all" => new.poses(20).contacts(3, 8).distances(10).planes(10),
         other => panic!("{other}"),
     }
 }
@@ -287,5 +288,125 @@ fn without_noise_every_kind_gives_the_truth() {
             let off = (found.values[i] - campaign.truth[i]).abs();
             assert!(off < 1e-7, "{kind}: {} is off by {off:e}", campaign.robot.parameters()[i].name);
         }
+    }
+}
+
+const ROBOT: &str = r#"model = "serial"
+joint = [
+    { alpha_deg = 0, a_mm = 0, theta_deg = 0, d_mm = 290 },
+    { alpha_deg = -90, a_mm = 0, theta_deg = -90, d_mm = 0 },
+    { alpha_deg = 0, a_mm = 270, theta_deg = 0, d_mm = 0 },
+    { alpha_deg = -90, a_mm = 70, theta_deg = 0, d_mm = 302 },
+    { alpha_deg = 90, a_mm = 0, theta_deg = 0, d_mm = 0 },
+    { alpha_deg = -90, a_mm = 0, theta_deg = 180, d_mm = 72 },
+]
+"#;
+
+const HEADER: &str = "kind,pose,cycle,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,distance_mm,other,socket,\
+                      plane,axis,offset_mm,u_mm,urot_deg";
+
+impl Campaign {
+    /// The campaign as a table of observations; what is not stated is empty.
+    fn table(&self) -> String {
+        let names: Vec<&str> = self.robot.parameters().iter().map(|p| p.name.as_str()).collect();
+        let fixture = |first: usize| names[first].rsplit_once("_slope").or(names[first].rsplit_once('_')).unwrap().0;
+        let mut rows = vec![HEADER.to_owned()];
+        let mut row = |cells: &[(&str, String)]| {
+            let cell = |column: &str| cells.iter().find(|c| c.0 == column).map_or("", |c| c.1.as_str());
+            rows.push(HEADER.split(',').map(cell).collect::<Vec<_>>().join(","));
+        };
+        for c in &self.settings.conditions {
+            let mut cells = vec![
+                ("pose", c.pose.to_string()),
+                ("cycle", c.cycle.to_string()),
+                ("target", "ball".to_owned()),
+                ("u_mm", c.standard_uncertainty.to_string()),
+            ];
+            let columns = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"];
+            cells.extend(columns.into_iter().zip(&c.joints).map(|(name, q)| (name, q.to_degrees().to_string())));
+            let texts: Vec<(&str, String)> = match c.kind {
+                Kind::Orientation { world_r_body, .. } => {
+                    let at = self.observations.iter().find(|o| o.pose == c.pose).unwrap().targets[0].unwrap();
+                    let q = nalgebra::UnitQuaternion::from_rotation_matrix(&turn_of(&world_r_body));
+                    let place = ["x_mm", "y_mm", "z_mm"].into_iter().zip(at.map(|v| v.to_string()));
+                    let turn = ["qw", "qx", "qy", "qz"].into_iter().zip([q.w, q.i, q.j, q.k].map(|v| v.to_string()));
+                    let u = ("urot_deg", c.standard_uncertainty.to_degrees().to_string());
+                    [("kind", "pose".to_owned()), u].into_iter().chain(place).chain(turn).collect()
+                }
+                Kind::Distance { to, distance_mm } => vec![
+                    ("kind", "distance".to_owned()),
+                    ("other", fixture(to).to_owned()),
+                    ("distance_mm", distance_mm.to_string()),
+                ],
+                Kind::Contact { socket } => {
+                    vec![("kind", "contact".to_owned()), ("socket", fixture(socket).to_owned())]
+                }
+                Kind::Plane { plane, axis, offset_mm } => vec![
+                    ("kind", "plane".to_owned()),
+                    ("plane", fixture(plane).to_owned()),
+                    ("axis", ["x", "y", "z"][axis].to_owned()),
+                    ("offset_mm", offset_mm.to_string()),
+                ],
+            };
+            cells.extend(texts);
+            row(&cells);
+        }
+        for known in &self.settings.known {
+            match *known {
+                Known::Place { point, place_mm, standard_uncertainty_mm } => {
+                    let place = ["x_mm", "y_mm", "z_mm"].into_iter().zip(place_mm.map(|v| v.to_string()));
+                    let mut cells = vec![
+                        ("kind", "point".to_owned()),
+                        ("target", fixture(point).to_owned()),
+                        ("u_mm", standard_uncertainty_mm.to_string()),
+                    ];
+                    cells.extend(place);
+                    row(&cells);
+                }
+                Known::Distance { from, to, distance_mm, standard_uncertainty_mm } => row(&[
+                    ("kind", "distance".to_owned()),
+                    ("target", fixture(from).to_owned()),
+                    ("other", fixture(to).to_owned()),
+                    ("distance_mm", distance_mm.to_string()),
+                    ("u_mm", standard_uncertainty_mm.to_string()),
+                ]),
+            }
+        }
+        rows.join("\n") + "\n"
+    }
+}
+
+/// What `etalon identify` makes of a table.
+fn identified(table: &str, more: &[&str]) -> std::process::Output {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), ROBOT).unwrap();
+    std::fs::write(folder.path().join("observations.csv"), table).unwrap();
+    let command = ["identify", "--robot", "robot.toml", "--observations", "observations.csv"];
+    Command::new(env!("CARGO_BIN_EXE_etalon")).current_dir(folder.path()).args(command).args(more).output().unwrap()
+}
+
+#[test]
+fn a_table_of_every_kind_identifies_as_its_conditions_do() {
+    for kind in KINDS {
+        let campaign = campaign(kind, 79, 0, 1.0);
+        let found = campaign.identify();
+        let output = identified(&campaign.table(), &["--standard-uncertainty-um", "50", "--json"]);
+        let document: serde_json::Value =
+            serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{kind}: {e} {output:?}"));
+        let parameters = document["parameters"].as_array().unwrap();
+        for &i in &found.free {
+            let p = &campaign.robot.parameters()[i];
+            let entry = parameters
+                .iter()
+                .find(|entry| entry["name"] == p.name.as_str())
+                .unwrap_or_else(|| panic!("{kind}: {}", p.name));
+            let u = p.quantity.outward(found.standard_uncertainty(i).unwrap());
+            let off = entry["value"].as_f64().unwrap() - p.quantity.outward(found.values[i]);
+            assert!(off.abs() < 1e-6 * u, "{kind}: {} is off by {off:e}, u {u:e}", p.name);
+            let ratio = entry["standard_uncertainty"].as_f64().unwrap() / u;
+            assert!((ratio - 1.0).abs() < 1e-6, "{kind}: {}", p.name);
+        }
+        println!("{kind}: {:?} {}", output.status.code(), document["messages"]);
+        assert_eq!(output.status.code(), Some(0), "{kind}: {}", String::from_utf8_lossy(&output.stderr));
     }
 }

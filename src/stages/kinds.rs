@@ -1,0 +1,339 @@
+//! Tables of observations of several kinds: positions, poses, distances, contacts and planes, a row each.
+//!
+//! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
+
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pose::Vector;
+use crate::base::table;
+use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Rotation, Settings, joint_column};
+use crate::math::robots::Robot;
+use nalgebra::{Quaternion, UnitQuaternion};
+use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
+
+/// Kinds of rows.
+const KINDS: [&str; 5] = ["point", "pose", "distance", "contact", "plane"];
+/// Columns of an orientation: the quaternion that turns vectors of the body to the world.
+const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
+/// How far a quaternion of a measurement may be from length one: it has a few decimals.
+const LENGTH_ONE: f64 = 1e-3;
+/// Axes of the world.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Standard uncertainties of rows that state none.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Uncertainties {
+    /// Of a coordinate, a distance, a contact, mm.
+    pub length_mm: Option<f64>,
+    /// Of a rotation about any axis, rad.
+    pub rotation_rad: Option<f64>,
+}
+
+/// The names in the column `target` that are on the robot, each once, in their order: those of rows with a pose.
+pub fn targets(observations: &DataFrame) -> Result<Vec<String>> {
+    let mut targets: Vec<String> = Vec::new();
+    let fixed = fixed_rows(observations)?;
+    for (name, _) in table::texts(observations, "target")?.into_iter().zip(fixed).filter(|(_, fixed)| !fixed) {
+        if !targets.contains(&name) {
+            targets.push(name);
+        }
+    }
+    Ok(targets)
+}
+
+/// Rows without a pose.
+fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
+    let Ok(poses) = observations.column("pose") else { return Ok(vec![false; observations.height()]) };
+    Ok(poses.is_null().iter().map(|null| null == Some(true)).collect())
+}
+
+/// Observations of `robot` from a table of any kinds; what they refer to is added to its parameters, and what is not the position of
+/// a target to `settings`. What was taken from the measurement is in `messages`.
+pub fn observed(
+    robot: &mut dyn Robot,
+    observations: &DataFrame,
+    without: Uncertainties,
+    settings: &mut Settings,
+    messages: &mut Vec<Message>,
+) -> Result<Vec<Observation>> {
+    let of_kinds = |name: &str| observations.column(name).is_ok();
+    if !of_kinds("kind") && !QUATERNION.into_iter().any(of_kinds) && !fixed_rows(observations)?.contains(&true) {
+        return Observation::from_table(robot, observations, messages);
+    }
+    let rows = Rows::new(robot, observations, without)?;
+    let mut problems = Problems::default();
+    for row in 0..observations.height() {
+        if let Err(more) = rows.condition(row, robot, settings) {
+            problems.0.extend(more.at(&rows.place(row)).0);
+        }
+    }
+    problems.check()?;
+    let has_position: BooleanChunked = BooleanChunked::from_iter_values(
+        "position".into(),
+        (0..observations.height()).map(|row| rows.has_position(row)),
+    );
+    if !has_position.any() {
+        return Ok(Vec::new());
+    }
+    Observation::from_table(robot, &observations.filter(&has_position)?, messages)
+}
+
+/// The columns of a table of several kinds.
+struct Rows {
+    kinds: Vec<String>,
+    fixed: Vec<bool>,
+    poses: Vec<Option<i64>>,
+    cycles: Vec<i64>,
+    targets: Vec<String>,
+    robot_targets: Vec<String>,
+    xyz: Vec<Vector>,
+    quaternions: Option<Vec<[f64; 4]>>,
+    joints: Vec<Vec<f64>>,
+    sockets: Vec<String>,
+    others: Vec<String>,
+    planes: Vec<String>,
+    axes: Vec<String>,
+    distances_mm: Vec<f64>,
+    offsets_mm: Vec<f64>,
+    u_mm: Vec<f64>,
+    u_rotation_rad: Vec<f64>,
+    lines: Vec<i64>,
+    without: Uncertainties,
+}
+
+impl Rows {
+    fn new(robot: &dyn Robot, observations: &DataFrame, without: Uncertainties) -> Result<Self> {
+        let height = observations.height();
+        let has = |name: &str| observations.column(name).is_ok();
+        let numbers = |name: &str, default: f64| match has(name) {
+            true => table::numbers(observations, name),
+            false => Ok(vec![default; height]),
+        };
+        let texts = |name: &str| match has(name) {
+            true => table::texts(observations, name),
+            false => Ok(vec![String::new(); height]),
+        };
+        let given = QUATERNION.iter().filter(|name| has(name)).count();
+        if !matches!(given, 0 | 4) {
+            let missing: Vec<&str> = QUATERNION.into_iter().filter(|name| !has(name)).collect();
+            let message = Message::error(format!("an orientation lacks {}", missing.join(", ")));
+            return Err(message.at(header()).expected("qw, qx, qy, qz: body in world").into());
+        }
+        let quaternions = match given {
+            4 => {
+                let columns = QUATERNION.map(|name| table::numbers(observations, name));
+                let [w, x, y, z] = columns;
+                let (w, x, y, z) = (w?, x?, y?, z?);
+                Some((0..height).map(|i| [w[i], x[i], y[i], z[i]]).collect())
+            }
+            _ => None,
+        };
+        let mut joints = Vec::new();
+        for joint in robot.joints() {
+            let (column, factor) = joint_column(joint, observations)?;
+            joints.push(table::numbers(observations, &column)?.into_iter().map(|v| factor * v).collect::<Vec<f64>>());
+        }
+        let coordinates = table::XYZ.map(|name| numbers(name, f64::NAN));
+        let [x, y, z] = coordinates;
+        let (x, y, z) = (x?, y?, z?);
+        let column = if has("u_mm") { "u_mm" } else { "ux_mm" };
+        Ok(Self {
+            kinds: texts("kind")?,
+            fixed: fixed_rows(observations)?,
+            poses: table::optional_integers(observations, "pose")?,
+            cycles: if has("cycle") {
+                table::optional_integers(observations, "cycle")?.into_iter().map(|c| c.unwrap_or(1)).collect()
+            } else {
+                vec![1; height]
+            },
+            targets: table::texts(observations, "target")?,
+            robot_targets: robot.targets().to_vec(),
+            xyz: (0..height).map(|i| [x[i], y[i], z[i]]).collect(),
+            quaternions,
+            joints: (0..height).map(|row| joints.iter().map(|j| j[row]).collect()).collect(),
+            sockets: texts("socket")?,
+            others: texts("other")?,
+            planes: texts("plane")?,
+            axes: texts("axis")?,
+            distances_mm: numbers("distance_mm", f64::NAN)?,
+            offsets_mm: numbers("offset_mm", 0.0)?,
+            u_mm: numbers(column, f64::NAN)?,
+            u_rotation_rad: numbers("urot_deg", f64::NAN)?.into_iter().map(f64::to_radians).collect(),
+            lines: if has("line") { table::integers(observations, "line")? } else { Vec::new() },
+            without,
+        })
+    }
+
+    fn place(&self, row: usize) -> Place {
+        Place { line: self.lines.get(row).map(|line| *line as usize), ..Place::default() }
+    }
+
+    /// The kind of a row: a point with an orientation is a pose.
+    fn kind(&self, row: usize) -> &str {
+        let turned = || self.quaternions.as_ref().is_some_and(|q| q[row].iter().any(|v| !v.is_nan()));
+        match self.kinds[row].as_str() {
+            "" if turned() => "pose",
+            "" => "point",
+            kind => kind,
+        }
+    }
+
+    fn has_position(&self, row: usize) -> bool {
+        !self.fixed[row] && matches!(self.kind(row), "point" | "pose") && self.xyz[row].iter().any(|v| !v.is_nan())
+    }
+
+    /// Adds what a row states to `settings`, unless it is the position of a target alone.
+    fn condition(&self, row: usize, robot: &mut dyn Robot, settings: &mut Settings) -> Result<()> {
+        let kind = self.kind(row);
+        if !KINDS.contains(&kind) {
+            return Err(Message::error(format!("`{kind}` is not a kind of observation"))
+                .hint_names(kind, KINDS)
+                .into());
+        }
+        if self.fixed[row] {
+            settings.known.push(self.known(row, kind, robot)?);
+            return Ok(());
+        }
+        let kind = match kind {
+            "pose" => {
+                let mounting = Fixture::Mounting(&self.targets[row]).add_to(robot);
+                Kind::Orientation { world_r_body: self.orientation(row)?, mounting }
+            }
+            "distance" => {
+                let to = self.fixture(row, "other", &self.others, robot)?;
+                Kind::Distance { to, distance_mm: self.distance(row)? }
+            }
+            "contact" => Kind::Contact { socket: self.fixture(row, "socket", &self.sockets, robot)? },
+            "plane" => {
+                let name = named("plane", &self.planes[row])?;
+                let axis = AXES.iter().position(|axis| *axis == self.axes[row]).ok_or_else(|| {
+                    let what = format!("the plane `{name}` needs the axis of the world that is nearest to its normal");
+                    Message::error(what).expected("x, y or z in the column `axis`: z for a table, x or y for a wall")
+                })?;
+                let offset_mm = self.offsets_mm[row];
+                if !offset_mm.is_finite() {
+                    return Err(Message::error("`offset_mm` is missing or not a number")
+                        .expected("how far the target is from the plane along that axis: the radius of a ball, or 0")
+                        .into());
+                }
+                Kind::Plane { plane: Fixture::Plane(name, axis).add_to(robot), axis, offset_mm }
+            }
+            _ => return Ok(()),
+        };
+        let stated = if kind.is_angle() { self.u_rotation_rad[row] } else { self.u_mm[row] };
+        let default = if kind.is_angle() { self.without.rotation_rad } else { self.without.length_mm };
+        let standard_uncertainty = Some(stated).filter(|u| !u.is_nan()).or(default);
+        let joints = self.joints[row].clone();
+        if joints.iter().any(|q| !q.is_finite()) {
+            return Err(Message::error("a joint value is missing or not a number").into());
+        }
+        settings.conditions.push(Condition {
+            pose: self.poses[row].unwrap_or_default(),
+            cycle: self.cycles[row],
+            joints,
+            target: self.target(row)?,
+            standard_uncertainty: positive(standard_uncertainty, kind.is_angle())?,
+            kind,
+        });
+        Ok(())
+    }
+
+    fn target(&self, row: usize) -> Result<usize> {
+        let name = &self.targets[row];
+        let found = self.robot_targets.iter().position(|target| target == name);
+        Ok(found.ok_or_else(|| Message::error(format!("`{name}` is not a target of this robot")))?)
+    }
+
+    /// What a row without a pose states of fixed points.
+    fn known(&self, row: usize, kind: &str, robot: &mut dyn Robot) -> Result<Known> {
+        let name = named("target", &self.targets[row])?;
+        self.is_fixed_name(name)?;
+        let standard_uncertainty_mm = Some(self.u_mm[row]).filter(|u| !u.is_nan()).or(self.without.length_mm);
+        let standard_uncertainty_mm = positive(standard_uncertainty_mm, false)?;
+        let point = Fixture::Point(name).add_to(robot);
+        match kind {
+            "point" if self.xyz[row].iter().all(|v| v.is_finite()) => {
+                Ok(Known::Place { point, place_mm: self.xyz[row], standard_uncertainty_mm })
+            }
+            "point" => Err(Message::error(format!("the place of `{name}` is missing or not a number")).into()),
+            "distance" => {
+                let to = self.fixture(row, "other", &self.others, robot)?;
+                if to == point {
+                    return Err(Message::error(format!("a distance from `{name}` to itself")).into());
+                }
+                Ok(Known::Distance { from: point, to, distance_mm: self.distance(row)?, standard_uncertainty_mm })
+            }
+            kind => Err(Message::error(format!("a row of kind `{kind}` has no pose"))
+                .hint("rows without a pose state places (`point`) and distances (`distance`) of fixed points")
+                .into()),
+        }
+    }
+
+    fn distance(&self, row: usize) -> Result<f64> {
+        let d = self.distances_mm[row];
+        match d.is_finite() && d > 0.0 {
+            true => Ok(d),
+            false => {
+                Err(Message::error("`distance_mm` is missing or not a length").expected("a length above 0").into())
+            }
+        }
+    }
+
+    /// The first parameter of the fixed point that a column names.
+    fn fixture(&self, row: usize, column: &str, names: &[String], robot: &mut dyn Robot) -> Result<usize> {
+        let name = named(column, &names[row])?;
+        self.is_fixed_name(name)?;
+        Ok(Fixture::Point(name).add_to(robot))
+    }
+
+    fn is_fixed_name(&self, name: &str) -> Result<()> {
+        match self.robot_targets.iter().any(|target| target == name) || name == "base" {
+            true => Err(Message::error(format!("`{name}` is a target on the robot, not a fixed point"))
+                .hint("give fixed points names of their own; rows about them alone have no pose")
+                .into()),
+            false => Ok(()),
+        }
+    }
+
+    fn orientation(&self, row: usize) -> Result<Rotation> {
+        let [w, x, y, z] = self.quaternions.as_ref().map_or([f64::NAN; 4], |all| all[row]);
+        let quaternion = Quaternion::new(w, x, y, z);
+        let length = quaternion.norm();
+        if length.is_nan() {
+            let message = Message::error("the orientation is missing or not a number");
+            return Err(message.expected("qw, qx, qy, qz: body in world").into());
+        }
+        if (length - 1.0).abs() > LENGTH_ONE {
+            return Err(Message::error(format!("the quaternion has the length {length:.4}"))
+                .expected("1: qw, qx, qy, qz, the scalar first")
+                .hint("check the columns, and that these are not angles")
+                .into());
+        }
+        let turn = UnitQuaternion::from_quaternion(quaternion).to_rotation_matrix();
+        Ok(std::array::from_fn(|i| std::array::from_fn(|j| turn[(i, j)])))
+    }
+}
+
+fn header() -> Place {
+    Place { line: Some(1), ..Place::default() }
+}
+
+fn named<'a>(column: &str, name: &'a str) -> Result<&'a str> {
+    match name.is_empty() {
+        true => Err(Message::error(format!("the column `{column}` is empty or missing")).into()),
+        false => Ok(name),
+    }
+}
+
+fn positive(standard_uncertainty: Option<f64>, is_angle: bool) -> Result<f64> {
+    let (column, option) = match is_angle {
+        true => ("urot_deg", "--rotation-uncertainty-deg"),
+        false => ("u_mm", "--standard-uncertainty-um"),
+    };
+    match standard_uncertainty {
+        Some(u) if u > 0.0 && u.is_finite() => Ok(u),
+        Some(u) => Err(Message::error(format!("`{column}` = {u} is not a standard uncertainty")).into()),
+        None => Err(Message::error("the row has no standard uncertainty")
+            .hint(format!("state {option}, or a column `{column}`"))
+            .into()),
+    }
+}
