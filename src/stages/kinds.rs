@@ -3,11 +3,11 @@
 //! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
 
 use crate::base::message::{Message, Place, Problems, Result};
-use crate::base::pose::Vector;
+use crate::base::pose::{Pose, Vector};
+use crate::base::pose_name::PoseName;
 use crate::base::table;
-use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Rotation, Settings, joint_column};
+use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Settings, joint_column};
 use crate::math::robots::Robot;
-use nalgebra::{Quaternion, UnitQuaternion};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 
 /// Kinds of rows.
@@ -81,7 +81,8 @@ pub fn observed(
 struct Rows {
     kinds: Vec<String>,
     fixed: Vec<bool>,
-    poses: Vec<Option<i64>>,
+    /// empty cells are named 0: of rows about fixed points alone
+    poses: Vec<PoseName>,
     cycles: Vec<i64>,
     targets: Vec<String>,
     robot_targets: Vec<String>,
@@ -139,7 +140,7 @@ impl Rows {
         Ok(Self {
             kinds: texts("kind")?,
             fixed: fixed_rows(observations)?,
-            poses: table::optional_integers(observations, "pose")?,
+            poses: poses(observations)?,
             cycles: if has("cycle") {
                 table::optional_integers(observations, "cycle")?.into_iter().map(|c| c.unwrap_or(1)).collect()
             } else {
@@ -196,7 +197,7 @@ impl Rows {
         let kind = match kind {
             "pose" => {
                 let mounting = Fixture::Mounting(&self.targets[row]).add_to(robot);
-                Kind::Orientation { world_r_body: self.orientation(row)?, mounting }
+                Kind::Orientation { world_T_body: self.orientation(row)?, mounting }
             }
             "distance" => {
                 let to = self.fixture(row, "other", &self.others, robot)?;
@@ -227,7 +228,7 @@ impl Rows {
             return Err(Message::error("a joint value is missing or not a number").into());
         }
         settings.conditions.push(Condition {
-            pose: self.poses[row].unwrap_or_default(),
+            pose: self.poses[row],
             cycle: self.cycles[row],
             joints,
             target: self.target(row)?,
@@ -294,10 +295,9 @@ impl Rows {
         }
     }
 
-    fn orientation(&self, row: usize) -> Result<Rotation> {
+    fn orientation(&self, row: usize) -> Result<Pose> {
         let [w, x, y, z] = self.quaternions.as_ref().map_or([f64::NAN; 4], |all| all[row]);
-        let quaternion = Quaternion::new(w, x, y, z);
-        let length = quaternion.norm();
+        let length = (w * w + x * x + y * y + z * z).sqrt();
         if length.is_nan() {
             let message = Message::error("the orientation is missing or not a number");
             return Err(message.expected("qw, qx, qy, qz: body in world").into());
@@ -308,9 +308,17 @@ impl Rows {
                 .hint("check the columns, and that these are not angles")
                 .into());
         }
-        let turn = UnitQuaternion::from_quaternion(quaternion).to_rotation_matrix();
-        Ok(std::array::from_fn(|i| std::array::from_fn(|j| turn[(i, j)])))
+        Ok(Pose::from_quaternion([w, x, y, z]))
     }
+}
+
+/// The names of poses; 0 where there is none.
+fn poses(observations: &DataFrame) -> Result<Vec<PoseName>> {
+    let name = |name: String| match name.as_str() {
+        "" => Ok(PoseName::from(0)),
+        name => PoseName::new(name).map_err(Problems::from),
+    };
+    table::texts(observations, "pose")?.into_iter().map(name).collect()
 }
 
 fn header() -> Place {

@@ -5,6 +5,7 @@ mod check;
 mod files;
 mod follow_up;
 mod fuzz;
+mod kinds;
 mod logs;
 mod qif;
 mod readers;

@@ -2,9 +2,10 @@
 
 use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::noise::Noise;
-use etalon::base::pose::{Vector, minus, norm};
+use etalon::base::pose::{Pose, Vector, minus, norm};
+use etalon::base::pose_name::PoseName;
 use etalon::math::identify::{
-    Condition, Fixture, Identification, Kind, Known, Observation, Rotation, Settings, Status, fit_frames, identify_from,
+    Condition, Fixture, Identification, Kind, Known, Observation, Settings, Status, fit_frames, identify_from,
 };
 use etalon::math::robots::{FreeBase, Robot, Role, Serial};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
@@ -104,7 +105,7 @@ impl Campaign {
     }
 
     fn observe(&mut self, joints: Vec<f64>, kind: Kind, standard_uncertainty: f64) {
-        let pose = self.settings.conditions.len() as i64 + 1;
+        let pose = PoseName::from(self.settings.conditions.len() as i64 + 1);
         self.settings.conditions.push(Condition { pose, cycle: 1, joints, target: 0, kind, standard_uncertainty });
     }
 
@@ -116,11 +117,11 @@ impl Campaign {
             let joints = self.joints();
             let seen = self.at(&joints).map(|v| v + self.error(U_MM));
             let off = Vector3::from([0; 3].map(|_| self.error(U_RAD)));
-            let flange = turn_of(&self.robot.flange(&self.truth, &joints).rotation);
+            let flange = turn_of(&self.robot.flange(&self.truth, &joints));
             let body = Rotation3::from_scaled_axis(off) * flange * Rotation3::from_scaled_axis(Vector3::from(turn));
-            let pose = self.settings.conditions.len() as i64 + 1;
+            let pose = PoseName::from(self.settings.conditions.len() as i64 + 1);
             self.observations.push(Observation { pose, cycle: 1, joints: joints.clone(), targets: vec![Some(seen)] });
-            self.observe(joints, Kind::Orientation { world_r_body: rows_of(&body), mounting }, U_RAD);
+            self.observe(joints, Kind::Orientation { world_T_body: pose_of(&body), mounting }, U_RAD);
         }
         self
     }
@@ -158,11 +159,7 @@ impl Campaign {
     /// Places of the sockets in a world in which the base is shifted and turned.
     fn with_places(mut self) -> Self {
         let moved = Rotation3::from_scaled_axis(Vector3::new(0.3, -0.5, 1.2));
-        for (i, v) in [1500.0, -300.0, 250.0]
-            .into_iter()
-            .chain(etalon::base::pose::Pose { rotation: rows_of(&moved), translation_mm: [0.0; 3] }.rpy_rad())
-            .enumerate()
-        {
+        for (i, v) in [1500.0, -300.0, 250.0].into_iter().chain(pose_of(&moved).rpy_rad()).enumerate() {
             self.truth[i] = v;
         }
         for (k, point) in self.sockets().into_iter().enumerate() {
@@ -217,12 +214,13 @@ impl Campaign {
     }
 }
 
-fn turn_of(rows: &Rotation) -> Rotation3<f64> {
-    Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| rows[i][j]))
+/// A rotation by nalgebra, which the program does not use for it.
+fn turn_of(pose: &Pose) -> Rotation3<f64> {
+    Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| pose.rotation[i][j]))
 }
 
-fn rows_of(turn: &Rotation3<f64>) -> Rotation {
-    std::array::from_fn(|i| std::array::from_fn(|j| turn[(i, j)]))
+fn pose_of(turn: &Rotation3<f64>) -> Pose {
+    Pose { rotation: std::array::from_fn(|i| std::array::from_fn(|j| turn[(i, j)])), translation_mm: [0.0; 3] }
 }
 
 /// Half width of a 95 % interval in standard uncertainties, which have these degrees of freedom or are stated.
@@ -325,11 +323,11 @@ impl Campaign {
             let columns = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"];
             cells.extend(columns.into_iter().zip(&c.joints).map(|(name, q)| (name, q.to_degrees().to_string())));
             let texts: Vec<(&str, String)> = match c.kind {
-                Kind::Orientation { world_r_body, .. } => {
+                Kind::Orientation { world_T_body, .. } => {
                     let at = self.observations.iter().find(|o| o.pose == c.pose).unwrap().targets[0].unwrap();
-                    let q = nalgebra::UnitQuaternion::from_rotation_matrix(&turn_of(&world_r_body));
+                    let q = world_T_body.quaternion();
                     let place = ["x_mm", "y_mm", "z_mm"].into_iter().zip(at.map(|v| v.to_string()));
-                    let turn = ["qw", "qx", "qy", "qz"].into_iter().zip([q.w, q.i, q.j, q.k].map(|v| v.to_string()));
+                    let turn = ["qw", "qx", "qy", "qz"].into_iter().zip(q.map(|v| v.to_string()));
                     let u = ("urot_deg", c.standard_uncertainty.to_degrees().to_string());
                     [("kind", "pose".to_owned()), u].into_iter().chain(place).chain(turn).collect()
                 }

@@ -6,18 +6,16 @@
 
 use super::{Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
-use crate::base::pose::{Vector, dot, minus, norm, unit};
+use crate::base::pose::{Pose, Vector, dot, minus, norm, turning_axes, unit};
+use crate::base::pose_name::PoseName;
 use crate::math::robots::{FreeBase, Parameter, Quantity, Robot, Role};
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
-
-/// An orientation: rows of a rotation matrix.
-pub type Rotation = [Vector; 3];
+use nalgebra::{Matrix3, Vector3};
 
 /// What was observed of a target at a pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
-    /// Number of the pose.
-    pub pose: i64,
+    /// Name of the pose.
+    pub pose: PoseName,
     /// Number of the repeat.
     pub cycle: i64,
     /// Joint values in mm or rad, in the robot's order.
@@ -36,8 +34,8 @@ pub enum Kind {
     /// The body that carries the target is oriented so in the world; three parameters are the rotation vector that turns the flange
     /// to the body. Residuals: the rotation vector from the observed orientation to the model's, rad.
     Orientation {
-        /// Body in the world.
-        world_r_body: Rotation,
+        /// The body in the world, by its rotation alone.
+        world_T_body: Pose,
         /// First parameter of the rotation vector.
         mounting: usize,
     },
@@ -109,30 +107,6 @@ pub(super) fn point(values: &[f64], first: usize) -> Vector {
     [values[first], values[first + 1], values[first + 2]]
 }
 
-fn rotation(vector: Vector) -> Rotation3<f64> {
-    Rotation3::from_scaled_axis(Vector3::from(vector))
-}
-
-/// The rotation vector of a rotation, by its quaternion: exact near zero, where the trace is not.
-fn rotation_vector(turn: &Rotation3<f64>) -> Vector3<f64> {
-    UnitQuaternion::from_rotation_matrix(turn).scaled_axis()
-}
-
-fn of_rows(rows: &Rotation) -> Rotation3<f64> {
-    Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| rows[i][j]))
-}
-
-/// Left Jacobian of the rotation vector `w`: how a rotation turns, as a rotation vector before it, when `w` changes (Chirikjian 2012,
-/// eq. 10.86).
-fn left_jacobian(w: &Vector3<f64>) -> Matrix3<f64> {
-    let (angle, k) = (w.norm(), w.cross_matrix());
-    let (a, b) = match angle < 1e-4 {
-        true => (0.5 - angle.powi(2) / 24.0, 1.0 / 6.0 - angle.powi(2) / 120.0),
-        false => ((1.0 - angle.cos()) / angle.powi(2), (angle - angle.sin()) / angle.powi(3)),
-    };
-    Matrix3::identity() + k * a + k * k * b
-}
-
 /// The plane of its three parameters: a normal (towards its axis, not of length one), and where it meets the axis.
 fn plane(values: &[f64], first: usize, axis: usize) -> (Vector, Vector) {
     let mut normal = [0.0; 3];
@@ -148,12 +122,13 @@ impl Condition {
     /// Writes its residuals over their standard uncertainties; `position` is that of the target at `values`.
     pub(super) fn residuals(&self, arm: Option<&dyn FreeBase>, values: &[f64], position: Vector, out: &mut [f64]) {
         match self.kind {
-            Kind::Orientation { world_r_body, mounting } => {
-                let turned = arm.map_or_else(Vector3::zeros, |arm| {
-                    let flange = of_rows(&arm.flange(values, &self.joints).rotation);
-                    rotation_vector(&(flange * rotation(point(values, mounting)) * of_rows(&world_r_body).inverse()))
+            Kind::Orientation { world_T_body, mounting } => {
+                let turned = arm.map(|arm| {
+                    let body =
+                        arm.flange(values, &self.joints).then(&Pose::from_rotation_vector(point(values, mounting)));
+                    body.then(&world_T_body.inverse()).rotation_vector_rad()
                 });
-                out.copy_from_slice(turned.as_slice());
+                out.copy_from_slice(&turned.unwrap_or_default());
             }
             Kind::Distance { to, distance_mm } => out[0] = norm(minus(position, point(values, to))) - distance_mm,
             Kind::Contact { socket } => out.copy_from_slice(&minus(position, point(values, socket))),
@@ -181,18 +156,17 @@ impl Condition {
                 let Some(arm) = arm else { return };
                 let mut left = [0.0; 3];
                 self.residuals(Some(arm), values, position, &mut left);
-                let left = Vector3::from(left) * self.standard_uncertainty;
-                let back = left_jacobian(&left).try_inverse().unwrap_or_else(Matrix3::identity);
+                let axes = turning_axes(left.map(|v| v * self.standard_uncertainty));
+                let back = Matrix3::from_fn(|i, k| axes[k][i]).try_inverse().unwrap_or_else(Matrix3::identity);
                 let mut turns = vec![0.0; 3 * n];
                 arm.flange_turns(values, &self.joints, &mut turns);
-                let flange = of_rows(&arm.flange(values, &self.joints).rotation);
-                let own = flange.matrix() * left_jacobian(&Vector3::from(point(values, mounting)));
+                let flange = arm.flange(values, &self.joints);
+                for (k, axis) in turning_axes(point(values, mounting)).into_iter().enumerate() {
+                    let axis = flange.rotate(axis);
+                    (0..3).for_each(|i| turns[i * n + mounting + k] += axis[i]);
+                }
                 for j in 0..n {
-                    let mut turn = Vector3::new(turns[j], turns[n + j], turns[2 * n + j]);
-                    if (mounting..mounting + 3).contains(&j) {
-                        turn += own.column(j - mounting);
-                    }
-                    let turn = back * turn;
+                    let turn = back * Vector3::new(turns[j], turns[n + j], turns[2 * n + j]);
                     (0..3).for_each(|i| out[i * n + j] = turn[i]);
                 }
             }
@@ -365,22 +339,4 @@ pub(super) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
             .into());
     }
     Ok(())
-}
-
-/// Mean of rotations: the one that minimises the sum of squares of the chordal distances (Moakher 2002).
-pub(super) fn mean_rotation(all: impl Iterator<Item = Rotation>) -> Option<Vector> {
-    let sum = all.fold(Matrix3::zeros(), |sum, r| sum + of_rows(&r).into_inner());
-    let svd = sum.svd(true, true);
-    let (u, v_t) = (svd.u?, svd.v_t?);
-    let mut turn = u * v_t;
-    if turn.determinant() < 0.0 {
-        turn = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, -1.0)) * v_t;
-    }
-    Some(rotation_vector(&Rotation3::from_matrix_unchecked(turn)).into())
-}
-
-/// The product of one rotation's inverse and another.
-pub(super) fn between(from: &Rotation, to: &Rotation) -> Rotation {
-    let product = of_rows(from).inverse() * of_rows(to);
-    std::array::from_fn(|i| std::array::from_fn(|j| product[(i, j)]))
 }

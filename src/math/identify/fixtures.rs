@@ -1,7 +1,7 @@
 //! Starting values of what conditions refer to: sockets, fixed points, planes and the orientations of bodies, each in closed form
 //! at the present base and joints.
 
-use super::condition::{Condition, Kind, Known, between, mean_rotation, point};
+use super::condition::{Condition, Kind, Known, point};
 use super::{Observation, Settings};
 use crate::base::pose::{Pose, Vector, centroid, dot, minus};
 use crate::math::fit::rotation_onto;
@@ -24,7 +24,11 @@ pub(super) fn place_fixtures(
     let seen: BTreeSet<usize> =
         observations.iter().flat_map(|o| (0..o.targets.len()).filter(|&k| o.targets[k].is_some())).collect();
     let known = places(&settings.known);
-    let free_base = seen.is_empty() && (0..6).all(|i| wanted.contains(&i));
+    let free_base = seen.is_empty() && !known.is_empty() && (0..6).all(|i| wanted.contains(&i));
+    if free_base {
+        values[..3].fill(0.0);
+        values[3..6].copy_from_slice(&arm.base_angles(&Pose::identity()));
+    }
     for (&first, place_mm) in known.iter().filter(|_| !free_base) {
         values[first..first + 3].copy_from_slice(place_mm);
     }
@@ -40,8 +44,8 @@ pub(super) fn place_fixtures(
     let unknown: BTreeSet<usize> =
         targets.iter().filter(unseen).copied().chain(sockets.filter(|s| wanted.contains(s))).collect();
     meet(arm, &contacts, &unknown.into_iter().collect::<Vec<_>>(), values);
-    if free_base && !known.is_empty() {
-        move_base(&known, values);
+    if free_base {
+        move_base(arm, &known, values);
     }
     mount(arm, &settings.conditions, wanted, values);
     let with_contact: BTreeSet<usize> = contacts
@@ -101,18 +105,16 @@ fn meet(arm: &dyn FreeBase, contacts: &[&Condition], unknown: &[usize], values: 
     }
 }
 
-/// The base where the sockets come to their known places; all fixtures move with it.
-fn move_base(known: &BTreeMap<usize, Vector>, values: &mut [f64]) {
+/// The base, which is at the world's origin, where the sockets come to their known places.
+fn move_base(arm: &dyn FreeBase, known: &BTreeMap<usize, Vector>, values: &mut [f64]) {
     let pairs: Vec<(Vector, Vector)> = known.iter().map(|(&first, &place)| (point(values, first), place)).collect();
     let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().copied().unzip();
     let (Some(here), Some(there)) = (centroid(&from), centroid(&to)) else { return };
     let rotation = rotation_onto(pairs.iter().map(|(p, q)| (minus(*p, here), minus(*q, there))));
     let turn = Pose { rotation, translation_mm: [0.0; 3] };
     let moved = Pose { translation_mm: minus(there, turn.rotate(here)), ..turn };
-    let base = Pose::from_xyz_rpy(point(values, 0), point(values, 3));
-    let base = moved.then(&base);
-    values[..3].copy_from_slice(&base.translation_mm);
-    values[3..6].copy_from_slice(&base.rpy_rad());
+    values[..3].copy_from_slice(&moved.translation_mm);
+    values[3..6].copy_from_slice(&arm.base_angles(&moved));
     for (&first, place) in known {
         values[first..first + 3].copy_from_slice(place);
     }
@@ -120,17 +122,18 @@ fn move_base(known: &BTreeMap<usize, Vector>, values: &mut [f64]) {
 
 /// Orientations of bodies on the flange: the mean of what their observed orientations show.
 fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usize], values: &mut [f64]) {
-    let mut bodies: BTreeMap<usize, Vec<[Vector; 3]>> = BTreeMap::new();
+    let mut bodies: BTreeMap<usize, Vec<(Vector, Vector)>> = BTreeMap::new();
     for c in conditions {
-        if let Kind::Orientation { world_r_body, mounting } = c.kind {
-            let flange = arm.flange(values, &c.joints).rotation;
-            bodies.entry(mounting).or_default().push(between(&flange, &world_r_body));
+        if let Kind::Orientation { world_T_body, mounting } = c.kind {
+            let body = arm.flange(values, &c.joints).inverse().then(&world_T_body);
+            let axes = (0..3).map(|k| (Pose::identity().axis(k), body.axis(k)));
+            bodies.entry(mounting).or_default().extend(axes);
         }
     }
     for (mounting, all) in bodies.into_iter().filter(|body| wanted.contains(&body.0)) {
-        if let Some(mean) = mean_rotation(all.into_iter()) {
-            values[mounting..mounting + 3].copy_from_slice(&mean);
-        }
+        // the least sum of squares of the chordal distances (Moakher 2002)
+        let mean = Pose { rotation: rotation_onto(all.into_iter()), translation_mm: [0.0; 3] };
+        values[mounting..mounting + 3].copy_from_slice(&mean.rotation_vector_rad());
     }
 }
 

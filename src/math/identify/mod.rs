@@ -22,7 +22,7 @@ mod uncertainty;
 
 pub use chi_square::exceeds as chi_square_exceeds;
 use condition::tied_to_world;
-pub use condition::{Condition, Fixture, Kind, Known, Rotation};
+pub use condition::{Condition, Fixture, Kind, Known};
 pub use diagnosis::{OUTLIER, Reading, RobustFit};
 pub use frame_error::FrameError;
 pub use identifiability::{Group, RANK_TOLERANCE};

@@ -512,7 +512,7 @@ impl FreeBase for Serial {
     }
     fn base_angles(&self, rotation: &Pose) -> Vector {
         match self.base {
-            BaseAngles::Successive { .. } => rotation.rpy_rad(),
+            BaseAngles::Successive { turn_y_rad } => Pose::identity().turn_y(-turn_y_rad).then(rotation).rpy_rad(),
             BaseAngles::Vector => rotation.rotation_vector_rad(),
         }
     }
