@@ -8,6 +8,7 @@ mod robot_file;
 mod selection;
 mod toml_file;
 mod types;
+mod urdf;
 
 pub use geometric::*;
 pub use iso9283::*;
@@ -42,8 +43,6 @@ pub struct Campaign {
     pub path: String,
     /// Its text.
     pub text: String,
-    /// Text of the robot file.
-    pub robot_text: String,
     /// What identifies both files.
     pub stamps: [Stamp; 2],
     /// What of `campaign.toml` did not read.
@@ -80,19 +79,19 @@ impl Campaign {
         let read = paths::resolve(&folder, file.robot.get_ref())
             .map_err(Problems::from)
             .and_then(|path| Ok((path.display().to_string(), files::read_statement(&path)?)));
-        let (robot, more, (robot_text, robot_stamp)) = match read {
+        let (robot, more, robot_stamp) = match read {
             // reported with the campaign
-            _ if unread.affects(&["robot"]) => (None, Problems::default(), Default::default()),
-            Ok((robot_name, robot_text)) => {
-                let (robot, more) = RobotFile::recover(&robot_name, &robot_text.0);
-                (robot, more, robot_text)
+            _ if unread.affects(&["robot"]) => (None, Problems::default(), Stamp::default()),
+            Ok((robot_name, (text, stamp))) => {
+                let (robot, more) = RobotFile::recover(&robot_name, &text);
+                (robot, more, stamp)
             }
             Err(more) => (None, more.at(&here), Default::default()),
         };
         problems.0.extend(more.0);
         let robot = robot.unwrap_or_else(RobotFile::unreadable);
         let stamps = [stamp, robot_stamp];
-        Ok((Some(Self { file, robot, folder, path: name, text, robot_text, stamps, unread }), problems))
+        Ok((Some(Self { file, robot, folder, path: name, text, stamps, unread }), problems))
     }
 
     /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.
@@ -111,6 +110,14 @@ impl Campaign {
     /// Folder for the documents.
     pub fn output(&self) -> Result<PathBuf> {
         self.resolve(&self.file.output)
+    }
+
+    /// The file that describes the robot beside robot.toml, as a path from the campaign's folder, and what identifies it.
+    pub fn robot_description(&self) -> Option<(String, &Stamp)> {
+        let (file, stamp) = self.robot.description_file()?;
+        let robot = self.file.robot.get_ref();
+        let folder = robot.rsplit_once('/').map(|(folder, _)| format!("{folder}/")).unwrap_or_default();
+        Some((if file.starts_with('$') { file.to_owned() } else { folder + file }, stamp))
     }
 
     /// Whether parameters are identified, even if `[identify]` itself does not read; a campaign may be a test by ISO 9283 alone.

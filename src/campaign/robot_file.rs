@@ -1,14 +1,17 @@
 //! `robot.toml`: the keys of every model, and those of its own model, which that model reads.
 
 use super::toml_file::{self, Recovered, UnreadKeys};
+use super::{paths, urdf};
+use crate::base::files::{self, Stamp};
 use crate::base::message::{Message, Place, Problems, Result};
-use crate::math::robots::{Definition, Description, MODELS, Model, Parameter, Quantity, Robot, Role, Source};
+use crate::math::robots::{Definition, Description, MODELS, Model, Parameter, Quantity, Robot, Role, Source, Tree};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, de};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -26,6 +29,17 @@ pub struct RobotFile {
     source: (String, String),
     /// What of the file did not read.
     unread: UnreadKeys,
+    /// The file that describes the robot.
+    beside: Option<Beside>,
+}
+
+/// A file that robot.toml names.
+#[derive(Clone, Debug)]
+struct Beside {
+    /// As the user named it.
+    name: String,
+    text: String,
+    stamp: Stamp,
 }
 
 /// `robot.toml`.
@@ -126,6 +140,7 @@ fn read(root: Spanned<DeTable<'_>>) -> std::result::Result<RobotFile, toml::de::
         description,
         source: Default::default(),
         unread: UnreadKeys::default(),
+        beside: None,
     })
 }
 
@@ -140,6 +155,12 @@ impl Source for RobotFile {
     fn place(&self, path: &[&str]) -> Place {
         self.stated(path).unwrap_or_else(|| Place::file(self.source.0.as_str()))
     }
+
+    fn tree(&self) -> Result<Tree> {
+        // a file that does not read is reported already
+        let Some(Beside { name, text, .. }) = &self.beside else { return Err(Problems::default()) };
+        urdf::read(name, text)
+    }
 }
 
 impl RobotFile {
@@ -148,7 +169,31 @@ impl RobotFile {
         let own = MODELS.into_iter().flat_map(|model| model.keys.iter().filter_map(|path| path.first().copied()));
         let top: Vec<&str> = COMMON.into_iter().chain(own).collect();
         let Recovered { value, problems, unread } = toml_file::recover_with(name, text, &top, read);
-        (value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), unread, ..robot }), problems)
+        let mut problems = problems;
+        let mut robot = value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), unread, ..robot });
+        if let Some(robot) = &mut robot {
+            robot.beside = problems.keep(robot.read_description()).flatten();
+        }
+        (robot, problems)
+    }
+
+    /// Reads the file that describes the robot, where there is one.
+    fn read_description(&self) -> Result<Option<Beside>> {
+        let Some(file) = self.description.as_ref().and_then(|(_, description)| description.file()) else { return Ok(None) };
+        if self.unread.affects_entry("file") {
+            return Ok(None);
+        }
+        let folder = Path::new(&self.source.0).parent().unwrap_or(Path::new(""));
+        let path = paths::resolve(folder, file).map_err(Problems::from);
+        let read = path.and_then(|path| Ok((path.display().to_string(), files::read_statement(&path)?)));
+        let (name, (text, stamp)) = read.map_err(|problems| problems.at(&self.place(&["file"])))?;
+        Ok(Some(Beside { name, text, stamp }))
+    }
+
+    /// The file that describes the robot, as robot.toml names it, and what identifies it.
+    pub fn description_file(&self) -> Option<(&str, &Stamp)> {
+        let file = self.description.as_ref().and_then(|(_, description)| description.file())?;
+        Some((file, &self.beside.as_ref()?.stamp))
     }
 
     /// Stands for a file that does not read, of which no robot can be built; the problems are reported already.
@@ -160,6 +205,7 @@ impl RobotFile {
             description: None,
             source: Default::default(),
             unread: UnreadKeys::default(),
+            beside: None,
         }
     }
 

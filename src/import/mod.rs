@@ -15,7 +15,7 @@ mod points;
 mod propose;
 pub mod tables;
 mod workbook;
-mod xml;
+pub(crate) mod xml;
 
 pub use cloud::{Cloud, cloud};
 pub use export::Export;

@@ -13,7 +13,7 @@ const MOST_ELEMENTS: usize = 1 << 22;
 const LONGEST_LINE: usize = 200;
 
 /// The elements of a file that are of interest, in document order.
-pub(super) struct Tree<'a> {
+pub(crate) struct Tree<'a> {
     file: &'a str,
     text: &'a str,
     /// Where each line begins: places are found at once, however many are asked for.
@@ -34,7 +34,7 @@ struct Element<'a> {
 
 /// One element of a [`Tree`].
 #[derive(Clone, Copy)]
-pub(super) struct Node<'t, 'a> {
+pub(crate) struct Node<'t, 'a> {
     tree: &'t Tree<'a>,
     index: usize,
 }

@@ -13,6 +13,7 @@ mod recovery;
 mod set_up;
 mod together;
 mod traps;
+mod urdf;
 
 use crate::support::scratch::{copy_sample, ends, etalon};
 

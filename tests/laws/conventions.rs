@@ -1,5 +1,5 @@
-//! One robot in every convention: modified and standard Denavit-Hartenberg parameters, screw axes. Identified from the same data, each
-//! leaves the same errors.
+//! One robot in every convention: modified and standard Denavit-Hartenberg parameters, screw axes, URDF. Identified from the same data,
+//! each leaves the same errors.
 
 use crate::support::arms::SIX_AXES;
 use crate::support::scratch::{Scratch, copy_sample};
@@ -39,11 +39,37 @@ pub fn robot_toml(convention: &str, effects: &str) -> String {
     text + &joints
 }
 
-const CONVENTIONS: [&str; 3] = ["mdh", "dh", "poe"];
-const EFFECTS: &str = "bending = [2, 3]\ncoupling = [[5, 4], [6, 4], [6, 5]]";
+/// The six axes as a URDF with joints q1 ... q6.
+fn urdf() -> String {
+    let mut text = "<robot name=\"arm\">\n<link name=\"l0\"/>\n".to_owned();
+    let mut origin = Pose::identity();
+    for (i, [alpha, a, theta, d]) in SIX_AXES.into_iter().enumerate() {
+        origin = origin.turn_x(alpha.to_radians()).shift(0, a);
+        let _ = writeln!(text, "<link name=\"l{}\"/>\n<joint name=\"q{}\" type=\"revolute\">", i + 1, i + 1);
+        let _ = writeln!(text, "<parent link=\"l{i}\"/><child link=\"l{}\"/>\n<axis xyz=\"0 0 2\"/>", i + 1);
+        let _ = writeln!(text, "{}\n</joint>", xml_origin(&origin));
+        origin = Pose::identity().turn_z(theta.to_radians()).shift(2, d);
+    }
+    let _ = writeln!(text, "<link name=\"flange\"/>\n<joint name=\"end\" type=\"fixed\">{}", xml_origin(&origin));
+    text + "<parent link=\"l6\"/><child link=\"flange\"/></joint>\n</robot>\n"
+}
+
+fn xml_origin(pose: &Pose) -> String {
+    let text = |v: [f64; 3]| v.map(|v| format!("{v:?}")).join(" ");
+    format!("<origin xyz=\"{}\" rpy=\"{}\"/>", text(pose.translation_mm.map(|mm| mm / 1000.0)), text(pose.rpy_rad()))
+}
+
+/// Effects, and the conventions in which they are the same: a URDF bends under its masses, the others under the directions of their links.
+const CASES: [(&str, &[&str]); 2] = [
+    ("bending = [2, 3]\ncoupling = [[5, 4], [6, 4], [6, 5]]", &["mdh", "dh", "poe"]),
+    ("coupling = [[5, 4], [6, 4], [6, 5]]", &["mdh", "urdf"]),
+];
+const EFFECTS: &str = CASES[0].0;
 
 fn robot(convention: &str, effects: &str) -> Box<dyn Robot> {
-    let scratch = Scratch::with(&[("robot.toml", &robot_toml(convention, effects))]);
+    let urdf_toml = format!("model = \"urdf\"\nfile = \"arm.urdf\"\nbase_link = \"l0\"\ntool_link = \"flange\"\n{effects}\n");
+    let toml = if convention == "urdf" { urdf_toml } else { robot_toml(convention, effects) };
+    let scratch = Scratch::with(&[("robot.toml", &toml), ("arm.urdf", &urdf())]);
     let robot = read_robot(&scratch.path().join("robot.toml")).unwrap();
     robot.build(&["a", "b", "c"].map(str::to_owned)).unwrap()
 }
@@ -57,50 +83,53 @@ fn misses(robot: &dyn Robot, values: &[f64], observations: &[Observation]) -> Ve
     observations.iter().flat_map(of).collect()
 }
 
-/// A truth, identified in every convention from noisy measurements, with the base in any orientation.
+/// A truth, identified in every convention from noisy measurements.
 #[test]
 fn conventions_identify_the_same_robot() {
-    let all = CONVENTIONS.map(|convention| robot(convention, EFFECTS));
-    let mut noise = Noise::new(31, 0);
-    let mut truth: Vec<f64> = all[0].parameters().iter().map(|p| p.nominal).collect();
-    for (value, p) in truth.iter_mut().zip(all[0].parameters()) {
-        *value += match p.name.as_str() {
-            "base_x" | "base_y" | "base_z" => noise.uniform(2000.0),
-            "base_rx" | "base_rz" => noise.uniform(3.0),
-            name if name.starts_with("base") => noise.uniform(1.2),
-            name if name.starts_with("a_") || name.starts_with("d_") => noise.uniform(0.5),
-            name if ["a_", "b_", "c_"].iter().any(|target| name.starts_with(target)) => noise.uniform(100.0),
-            name if name.starts_with("gain") => noise.uniform(1e-3),
-            _ => noise.uniform(2e-3),
+    for (effects, conventions) in CASES {
+        let all: Vec<Box<dyn Robot>> = conventions.iter().map(|convention| robot(convention, effects)).collect();
+        let mut noise = Noise::new(31, 0);
+        let mut truth: Vec<f64> = all[0].nominal();
+        for (value, p) in truth.iter_mut().zip(all[0].parameters()) {
+            *value += match p.name.as_str() {
+                "base_x" | "base_y" | "base_z" => noise.uniform(2000.0),
+                "base_rx" | "base_rz" => noise.uniform(3.0),
+                name if name.starts_with("base") => noise.uniform(1.2),
+                name if ["a_x", "a_y", "a_z", "b_", "c_"].iter().any(|target| name.starts_with(target)) => noise.uniform(100.0),
+                name if name.starts_with("a_") || name.starts_with("d_") => noise.uniform(0.5),
+                name if name.starts_with("gain") => noise.uniform(1e-3),
+                _ => noise.uniform(2e-3),
+            };
+        }
+        let observe = |i: usize, noise: &mut Noise| {
+            let joints: Vec<f64> = [2.8, 1.3, 1.2, 2.6, 1.9, 3.0].map(|range| noise.uniform(range)).to_vec();
+            let seen = |k| Some(all[0].position(&truth, &joints, k).map(|v| v + noise.gaussian(0.05)));
+            let targets = (0..3).map(seen).collect();
+            Observation { pose: (i as i64).into(), cycle: 1, joints, targets }
         };
-    }
-    let observe = |i: usize, noise: &mut Noise| {
-        let joints: Vec<f64> = [2.8, 1.3, 1.2, 2.6, 1.9, 3.0].map(|range| noise.uniform(range)).to_vec();
-        let seen = |k| Some(all[0].position(&truth, &joints, k).map(|v| v + noise.gaussian(0.05)));
-        let targets = (0..3).map(seen).collect();
-        Observation { pose: (i as i64).into(), cycle: 1, joints, targets }
-    };
-    let observations: Vec<Observation> = (0..70).map(|i| observe(i, &mut noise)).collect();
-    let settings = Settings { standard_uncertainty_mm: Some(0.05), ..Settings::default() };
-    let errors = |robot: &dyn Robot| {
-        let found = identify(robot, &observations, &settings).unwrap();
-        (misses(robot, &found.values, &observations), found.free.len())
-    };
-    let expected = errors(all[0].as_ref());
-    assert_eq!(expected.1, 6 + 9 + 24 - 6 + 6 + 3 + 3);
-    for (robot, convention) in all.iter().zip(CONVENTIONS).skip(1) {
-        let found = errors(robot.as_ref());
-        let off = found.0.iter().zip(&expected.0).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        println!("{convention}: {} parameters, errors differ by {off:.1e} mm", found.1);
-        assert_eq!(found.1, expected.1, "{convention}");
-        assert!(off < 1e-9, "{convention}: {off}");
+        let observations: Vec<Observation> = (0..70).map(|i| observe(i, &mut noise)).collect();
+        let settings = Settings { standard_uncertainty_mm: Some(0.05), ..Settings::default() };
+        let errors = |robot: &dyn Robot| {
+            let found = identify(robot, &observations, &settings).unwrap();
+            (misses(robot, &found.values, &observations), found.free.len())
+        };
+        let expected = errors(all[0].as_ref());
+        // base, targets, four for each axis, what base and targets take up of them, gains, coupling, bending
+        assert_eq!(expected.1, 6 + 9 + 24 - 6 + 6 + 3 + if effects == EFFECTS { 3 } else { 0 });
+        for (robot, convention) in all.iter().zip(conventions).skip(1) {
+            let found = errors(robot.as_ref());
+            let off = found.0.iter().zip(&expected.0).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            println!("{convention}: {} parameters, errors differ by {off:.1e} mm", found.1);
+            assert_eq!(found.1, expected.1, "{convention}");
+            assert!(off < 1e-9, "{convention}: {off}");
+        }
     }
 }
 
 /// At nominal values all are the same robot, and its Jacobian is the derivative, whatever the orientation of the base.
 #[test]
 fn conventions_describe_the_same_robot() {
-    let all = CONVENTIONS.map(|convention| robot(convention, EFFECTS));
+    let all = ["mdh", "dh", "poe", "urdf"].map(|convention| robot(convention, if convention == "urdf" { "" } else { EFFECTS }));
     let mut noise = Noise::new(31, 1);
     for _ in 0..20 {
         let joints: Vec<f64> = (0..6).map(|_| noise.uniform(3.0)).collect();
@@ -141,7 +170,7 @@ fn conventions_describe_the_same_robot() {
 /// The base may be in any orientation where its angles are a rotation vector.
 #[test]
 fn an_upright_base_is_not_singular_in_other_conventions() {
-    for convention in ["dh", "poe"] {
+    for convention in ["dh", "poe", "urdf"] {
         let robot = robot(convention, "");
         for (trial, upright) in
             [[0.0, std::f64::consts::FRAC_PI_2, 0.0], [0.0, 0.0, std::f64::consts::PI]].into_iter().enumerate()
@@ -170,17 +199,35 @@ fn conventions_leave_the_same_errors_on_a_real_arm() {
     if crate::reference_data("robots/irb120_faro_ets").is_none() {
         return;
     }
-    let mut expected: Option<[f64; 6]> = None;
-    for convention in CONVENTIONS {
-        let scratch = copy_sample("abb-irb120");
-        std::fs::write(scratch.path().join("robot.toml"), robot_toml(convention, EFFECTS)).unwrap();
-        let found = pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).expect("evaluated");
-        let set = &found.identified.as_ref().unwrap().accuracy.sets[1].errors[0];
-        let (before, after) = (set.before, set.after);
-        let errors = [before.mean, before.rms, before.max, after.mean, after.rms, after.max];
-        println!("{convention}: {errors:?}");
-        let expected = expected.get_or_insert(errors);
-        let off = errors.iter().zip(expected).map(|(a, b)| (a - *b).abs()).fold(0.0, f64::max);
-        assert!(off < 1e-9, "{convention}: {off:e} mm");
+    for (effects, conventions) in CASES {
+        let mut expected: Option<[f64; 6]> = None;
+        for &convention in conventions {
+            let scratch = copy_sample("abb-irb120");
+            let file = "$ETALON_REFERENCE/robots/irb120_faro_ets/irb120_model.urdf";
+            let toml = match convention {
+                "urdf" => {
+                    (1..=6).for_each(|i| scratch.replace("campaign.toml", &format!("q{i}_deg"), &format!("joint_{i}_deg")));
+                    format!("model = \"urdf\"\nfile = \"{file}\"\nbase_link = \"base_link\"\ntool_link = \"tool0\"\n{effects}\n")
+                }
+                _ => robot_toml(convention, effects),
+            };
+            std::fs::write(scratch.path().join("robot.toml"), toml).unwrap();
+            let found = pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).expect("evaluated");
+            let set = &found.identified.as_ref().unwrap().accuracy.sets[1].errors[0];
+            let (before, after) = (set.before, set.after);
+            let errors = [before.mean, before.rms, before.max, after.mean, after.rms, after.max];
+            println!("{convention}: {errors:?}");
+            let expected = expected.get_or_insert(errors);
+            let off = errors.iter().zip(expected).map(|(a, b)| (a - *b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-9, "{convention}: {off:e} mm");
+        }
     }
+}
+
+#[test]
+fn metres_of_a_urdf_joint_read_as_millimetres_are_named() {
+    let scratch = copy_sample("column-arm");
+    scratch.replace("campaign.toml", "lift_m = ", "lift_mm = ");
+    let problems = pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).err().expect("refused").to_string();
+    assert!(problems.contains("with `lift` in metres instead of millimetres"), "{problems}");
 }

@@ -2,6 +2,7 @@
 mod enclosing;
 mod exports;
 mod exports_table;
+mod hilti;
 mod irb120;
 mod iso9283;
 mod iso9283_streams;

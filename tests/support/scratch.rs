@@ -69,6 +69,7 @@ pub fn copy_sample(name: &str) -> Scratch {
         "exports/motion.csv",
         "path.csv",
         "commanded.csv",
+        "arm.urdf",
     ] {
         if from.join(file).exists() {
             std::fs::copy(from.join(file), scratch.path().join(file)).unwrap();

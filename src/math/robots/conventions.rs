@@ -481,10 +481,8 @@ impl Serial {
         for (i, screw) in screws.iter().enumerate() {
             let at = Pose { translation_mm: screw.point_mm, ..Pose::identity() };
             arm.place(at);
-            let errors = arm.screw(screw.direction, Drive::of_number(i + 1, screw.prismatic));
-            for (motion, parameter) in errors.into_iter().rev() {
-                arm.push_back(motion, parameter);
-            }
+            let errors = arm.screw(screw.direction, Drive::of_number(i + 1, screw.prismatic), false);
+            errors.iter().rev().for_each(|error| arm.push_back(error));
             arm.place(at.inverse());
         }
         arm.place(*home);
@@ -495,6 +493,6 @@ impl Serial {
 impl Drive {
     /// Of joint q`number`.
     fn of_number(number: usize, prismatic: bool) -> Self {
-        Self { label: number.to_string(), joint: number - 1, factor: 1.0, offset: 0.0, prismatic }
+        Self { label: number.to_string(), name: format!("q{number}"), joint: number - 1, factor: 1.0, offset: 0.0, prismatic }
     }
 }

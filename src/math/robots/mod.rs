@@ -10,12 +10,14 @@ mod definition;
 mod five_bar;
 mod prexyt;
 mod serial;
+mod urdf;
 
 pub use conventions::SerialJoint;
 pub use definition::{Definition, Joint, Parameter, Quantity, Role};
 pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
 pub use prexyt::Prexyt;
 pub use serial::Serial;
+pub use urdf::{Link, Mimic, Tree, TreeJoint};
 
 use crate::base::message::{Place, Result};
 use crate::base::pose::{Pose, Vector};
@@ -27,7 +29,8 @@ use toml::Spanned;
 use toml::de::{DeTable, Deserializer};
 
 /// All models.
-pub const MODELS: [&Model; 4] = [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &conventions::MODEL];
+pub const MODELS: [&Model; 5] =
+    [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &conventions::MODEL, &urdf::MODEL];
 
 /// Reads the keys of a table that are a model's own.
 pub type ReadKeys = fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>;
@@ -66,6 +69,11 @@ pub trait Description: Debug + Send + Sync {
         false
     }
 
+    /// The file that describes the robot, beside robot.toml, where there is one.
+    fn file(&self) -> Option<&str> {
+        None
+    }
+
     /// The robot, with these targets where the model has none of its own.
     fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>>;
 }
@@ -74,6 +82,9 @@ pub trait Description: Debug + Send + Sync {
 pub trait Source {
     /// Where the value of a key is, by the keys that lead to it.
     fn place(&self, path: &[&str]) -> Place;
+
+    /// Links and joints of the file that [`Description::file`] names.
+    fn tree(&self) -> Result<Tree>;
 }
 
 /// A robot whose targets are seen by a measuring system.

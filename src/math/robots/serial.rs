@@ -9,11 +9,6 @@ use crate::base::scalar::Scalar;
 use crate::math::solve;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Standard gravity, m/s² (ISO 80000-3).
-const GRAVITY: f64 = 9.806_65;
-/// N mm in a kN m.
-const N_MM: f64 = 1e6;
-
 /// What base_rx, base_ry and base_rz are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum BaseAngles {
@@ -23,7 +18,7 @@ pub(super) enum BaseAngles {
     Vector,
 }
 
-/// Mass of what a joint carries up to the next one, and its centre in the frame behind the joint.
+/// Mass of what a joint carries up to the next one, and its centre in the frame that it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Body {
     pub mass_kg: f64,
@@ -33,8 +28,10 @@ pub(super) struct Body {
 /// What a joint is called and what moves it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Drive {
-    /// Its number or name, as parameters bear it.
+    /// Its number or name, as gains bear it.
     pub label: String,
+    /// Its name, as its errors bear it.
+    pub name: String,
     /// Index of the joint whose value moves it by factor · value + offset.
     pub joint: usize,
     pub factor: f64,
@@ -61,6 +58,8 @@ struct Axis {
     at: usize,
     /// Elements up to the frame behind it, whose z axis is that of the joint.
     frame: usize,
+    /// From the frame of the joint to that frame.
+    aligned: Pose,
     body: Body,
 }
 
@@ -69,8 +68,21 @@ struct Axis {
 enum Load {
     /// The weight of a link about a joint, as a fraction of the largest: 1 when the link is level. Axes by their numbers.
     Link { axis: usize, link: usize },
-    /// The moment of all masses beyond an axis about a direction of the frame behind it, in kN m.
-    Moment { axis: usize, about: Vector },
+    /// The moment of all masses beyond an axis about a direction of the frame that it moves, as a fraction of the largest: 1 when the
+    /// arm is stretched out level.
+    Moment { axis: usize, about: Vector, largest_kg_mm: f64 },
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A small error of an axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SmallError {
+    pub motion: Motion,
+    /// None where another axis has the same error.
+    pub parameter: Option<usize>,
+    /// Its element.
+    pub element: usize,
 }
 
 /// Collects the motions and parameters of a chain; base and targets come first.
@@ -102,12 +114,12 @@ impl ArmBuilder {
             moved: Vec::new(),
         };
         for (quantity, turn) in [(Quantity::Length, ""), (Quantity::Angle, "r")] {
-            for axis in ["x", "y", "z"] {
+            for axis in AXES {
                 arm.parameter(format!("base_{turn}{axis}"), quantity, Role::Base, 0.0);
             }
         }
         for target in targets {
-            for axis in ["x", "y", "z"] {
+            for axis in AXES {
                 arm.parameter(format!("{target}_{axis}"), Quantity::Length, Role::Target, 0.0);
             }
         }
@@ -143,10 +155,11 @@ impl ArmBuilder {
         self.elements.push(Element { motion, constant, terms });
     }
 
-    /// Adds a motion against a parameter.
-    pub fn push_back(&mut self, motion: Motion, parameter: usize) {
-        let terms = vec![Term { parameter, coefficient: Coefficient::Constant(-1.0) }];
-        self.elements.push(Element { motion, constant: 0.0, terms });
+    /// Adds the motion against a small error.
+    pub fn push_back(&mut self, error: &SmallError) {
+        let term = |parameter| Term { parameter, coefficient: Coefficient::Constant(-1.0) };
+        let terms = error.parameter.map(term).into_iter().collect();
+        self.elements.push(Element { motion: error.motion, constant: 0.0, terms });
     }
 
     /// Adds a constant place; two in a row are one.
@@ -158,13 +171,19 @@ impl ArmBuilder {
         }
     }
 
-    /// Lets a joint move the last element, where its value comes before or behind the other terms; gives the number of the axis.
-    pub fn drive(&mut self, drive: Drive, first: bool) -> usize {
+    /// Lets a joint move the last element, where its value comes before or behind the other terms.
+    pub fn drive(&mut self, drive: Drive, first: bool) {
         let element = self.elements.len() - 1;
         let at = if first { 0 } else { self.elements[element].terms.len() };
-        self.axes.push(Axis { drive, element, at, frame: element + 1, body: Body::default() });
+        self.axes.push(Axis {
+            drive,
+            element,
+            at,
+            frame: element + 1,
+            aligned: Pose::identity(),
+            body: Body::default(),
+        });
         self.moved.push(Vec::new());
-        self.axes.len() - 1
     }
 
     /// The frame behind the last axis is that of the chain so far.
@@ -175,9 +194,16 @@ impl ArmBuilder {
         }
     }
 
-    /// What an axis carries up to the next one.
-    pub fn carry(&mut self, axis: usize, body: Body) {
-        self.axes[axis].body = body;
+    /// What the last axis carries up to the next one.
+    pub fn carry(&mut self, body: Body) {
+        if let Some(axis) = self.axes.last_mut() {
+            axis.body = body;
+        }
+    }
+
+    /// Whether an axis or one beyond it carries a mass.
+    pub fn is_loaded(&self, axis: usize) -> bool {
+        self.axes[axis..].iter().any(|axis| axis.body.mass_kg > 0.0)
     }
 
     /// A gain of each axis.
@@ -200,13 +226,27 @@ impl ArmBuilder {
         }
     }
 
-    /// Bending of an axis about `about`, in the frame behind it, under all masses beyond it: the angle under 1 kN m moves `element`, or
-    /// the axis itself.
-    pub fn bending_by_masses(&mut self, axis: usize, name: String, about: Vector, element: Option<usize>) {
-        let term = self.load(name, Load::Moment { axis, about });
-        match element {
-            Some(element) => self.elements[element].terms.push(term),
-            None => self.moved[axis].push(term),
+    /// Bending of an axis under all masses beyond it, as the angle under their largest moment: about itself where it turns, about the
+    /// axes of its small rotations where it slides.
+    pub fn bending_by_masses(&mut self, axis: usize, errors: &[SmallError]) {
+        let Drive { ref label, prismatic, .. } = self.axes[axis].drive;
+        let label = label.clone();
+        let length = |e: &Element| if let Motion::Fixed(place) = e.motion { norm(place.translation_mm) } else { 0.0 };
+        let stretched = |k: usize| -> f64 {
+            let between = &self.elements[self.axes[axis].element..self.axes[k].element];
+            between.iter().map(length).sum::<f64>() + norm(self.axes[k].body.center_mm)
+        };
+        let largest_kg_mm = (axis..self.axes.len()).map(|k| self.axes[k].body.mass_kg * stretched(k)).sum();
+        if !prismatic {
+            let about = self.axes[axis].aligned.axis(2);
+            let term = self.load(format!("compliance_{label}"), Load::Moment { axis, about, largest_kg_mm });
+            return self.moved[axis].push(term);
+        }
+        for error in errors {
+            let Motion::Turn(k) = error.motion else { continue };
+            let name = format!("compliance_{label}_r{}", AXES[k]);
+            let term = self.load(name, Load::Moment { axis, about: Pose::identity().axis(k), largest_kg_mm });
+            self.elements[error.element].terms.push(term);
         }
     }
 
@@ -231,27 +271,30 @@ impl ArmBuilder {
 
     /// An axis of this direction in the frame so far, with its small errors before it: two rotations, and two translations where it turns,
     /// all transversal to the axis, about and along the coordinate axes that are furthest from it. They are complete and minimal: what
-    /// is along the axis is a motion of the axes or targets behind it. Gives the motions of the errors and their parameters.
-    pub fn screw(&mut self, direction: Vector, drive: Drive) -> Vec<(Motion, usize)> {
+    /// is along the axis is a motion of the axes or targets behind it. 
+    ///
+    /// An axis that follows one before it, along which it slides by the same joint, has none of its own.
+    pub fn screw(&mut self, direction: Vector, drive: Drive, follows: bool) -> Vec<SmallError> {
         let size = |k: usize| direction[k].abs();
         let along = (0..3).fold(2, |best, k| if size(k) > size(best) { k } else { best });
         let across: Vec<usize> = (0..3).filter(|&k| k != along).collect();
-        let label =
-            if drive.label.starts_with(|c: char| c.is_ascii_digit()) { "q" } else { "" }.to_owned() + &drive.label;
         let mut errors = Vec::new();
         for (turn, quantity) in [(false, Quantity::Length), (true, Quantity::Angle)] {
             for &k in across.iter().filter(|_| turn || !drive.prismatic) {
-                let name = format!("{label}_{}{}", if turn { "r" } else { "" }, ["x", "y", "z"][k]);
-                let parameter = self.parameter(name, quantity, Role::Robot, 0.0);
+                let name = format!("{}_{}{}", drive.name, if turn { "r" } else { "" }, AXES[k]);
+                let parameter = (!follows).then(|| self.parameter(name, quantity, Role::Robot, 0.0));
                 let motion = if turn { Motion::Turn(k) } else { Motion::Shift(k) };
-                self.push(motion, 0.0, &[parameter]);
-                errors.push((motion, parameter));
+                self.push(motion, 0.0, parameter.as_slice());
+                errors.push(SmallError { motion, parameter, element: self.elements.len() - 1 });
             }
         }
         let aligned = z_to(direction);
         self.place(aligned);
         self.push(if drive.prismatic { Motion::Shift(2) } else { Motion::Turn(2) }, 0.0, &[]);
         self.drive(drive, false);
+        if let Some(axis) = self.axes.last_mut() {
+            axis.aligned = aligned;
+        }
         self.place(aligned.inverse());
         errors
     }
@@ -266,7 +309,7 @@ impl ArmBuilder {
         self.build("serial", names.collect(), effects.gravity)
     }
 
-    /// Names of parameters that are there twice, in this case of a target and a joint.
+    /// The name of a parameter that is there twice.
     pub fn doubled(&self) -> Option<&str> {
         let names = || self.parameters.iter().map(|p| p.name.as_str());
         names().enumerate().find(|(i, name)| names().take(*i).any(|n| n == *name)).map(|(_, name)| name)
@@ -363,14 +406,15 @@ impl Serial {
                 let along = unit(minus(next.translation_mm, frames[link].translation_mm)).unwrap_or_default();
                 dot(frames[axis].axis(2), cross(along, self.gravity))
             }
-            Load::Moment { axis, about } => {
-                let pivot = frames[axis].translation_mm;
-                let beyond = frames.iter().zip(&self.axes).skip(axis);
-                let moment = |(frame, a): (&Pose, &Axis)| {
-                    let lever = minus(frame.apply(a.body.center_mm), pivot);
-                    a.body.mass_kg * GRAVITY / N_MM * dot(frames[axis].rotate(about), cross(lever, self.gravity))
+            Load::Moment { axis, about, largest_kg_mm } => {
+                let in_joint = |k: usize, v: Vector| self.axes[k].aligned.inverse().rotate(v);
+                let (pivot, about) = (frames[axis].translation_mm, frames[axis].rotate(in_joint(axis, about)));
+                let beyond = frames.iter().zip(&self.axes).enumerate().skip(axis);
+                let moment = |(k, (frame, a)): (usize, (&Pose, &Axis))| {
+                    let lever = minus(frame.apply(in_joint(k, a.body.center_mm)), pivot);
+                    a.body.mass_kg * dot(about, cross(lever, self.gravity))
                 };
-                beyond.map(moment).sum()
+                beyond.map(moment).sum::<f64>() / largest_kg_mm
             }
         };
         self.loads.iter().map(size).collect()

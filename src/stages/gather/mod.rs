@@ -45,6 +45,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         statement("campaign", campaign.file_name(), &campaign.stamps[0]),
         statement("robot", campaign.file.robot.get_ref(), &campaign.stamps[1]),
     ];
+    sources.extend(campaign.robot_description().map(|(file, stamp)| statement("robot", &file, stamp)));
     let mut columns = PointColumns::default();
     let mut frames = Vec::new();
     let exports = &campaign.file.exports;

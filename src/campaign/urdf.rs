@@ -1,0 +1,143 @@
+//! URDF files: links and joints of a robot, in metres and radians. What the program does not need is passed over.
+
+use crate::base::message::{Message, Problems, Result};
+use crate::base::pose::{Pose, Vector};
+use crate::import::xml::{Node, Tree as Xml};
+use crate::math::robots::{Link, Mimic, Tree, TreeJoint};
+use std::f64::consts::TAU;
+
+/// Elements that say nothing of kinematics and masses.
+const SKIPPED: [&str; 7] = ["visual", "collision", "transmission", "gazebo", "material", "sensor", "ros2_control"];
+
+/// Links and joints of a file.
+pub(super) fn read(file: &str, text: &str) -> Result<Tree> {
+    let xml = Xml::read(file, text, |name| SKIPPED.contains(&name))?;
+    if let Some(at) = text.find("<xacro:") {
+        return Err(xacro(xml.error(at, "the file holds macros of xacro, which are not expanded"), file).into());
+    }
+    let root = xml.root().filter(|root| root.name() == "robot");
+    let Some(root) = root else {
+        return Err(xml.error(0, "the file is not a URDF").expected("the element <robot>").into());
+    };
+    let mut problems = Problems::default();
+    let mut tree = Tree::default();
+    for node in root.children() {
+        match node.name() {
+            "link" => tree.links.extend(problems.keep(link(node, file))),
+            "joint" => tree.joints.extend(problems.keep(joint(node, file))),
+            _ => {}
+        }
+    }
+    for (i, joint) in tree.joints.iter().enumerate() {
+        let error = |what: String| Message::error(what).at(joint.place.clone());
+        if tree.joints[..i].iter().any(|other| other.name == joint.name) {
+            problems.0.push(error(format!("there are two joints `{}`", joint.name)).hint("rename one of them"));
+        }
+        for link in [&joint.parent, &joint.child] {
+            if tree.links.iter().all(|l| l.name != *link) {
+                let message = error(format!("joint `{}` names the link `{link}`, which the file does not have", joint.name));
+                problems.0.push(message.hint_names(link, tree.links.iter().map(|l| l.name.as_str())));
+            }
+        }
+    }
+    problems.check().map(|_| tree)
+}
+
+/// An error about macros, with the command that expands them.
+fn xacro(message: Message, file: &str) -> Message {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    let name = name.strip_suffix(".xacro").unwrap_or(name);
+    let name = name.strip_suffix(".urdf").unwrap_or(name);
+    message.hint(format!("expand it: xacro {name}.urdf.xacro > {name}.urdf"))
+}
+
+fn link(node: Node, file: &str) -> Result<Link> {
+    let inertial = node.child("inertial");
+    let mass = inertial.and_then(|inertial| inertial.child("mass"));
+    let mass_kg = mass.map_or(Ok(0.0), |mass| number(mass, "value", file, 0.0))?;
+    let center_mm = inertial.map_or(Ok(Pose::identity()), |inertial| origin(inertial, file))?.translation_mm;
+    Ok(Link { name: text(node, "name")?, mass_kg, center_mm })
+}
+
+fn joint(node: Node, file: &str) -> Result<TreeJoint> {
+    let name = text(node, "name")?;
+    let of = |child: &str| {
+        let missing = || node.error(format!("joint `{name}` has no <{child} link=\"...\"/>"));
+        text(node.child(child).ok_or_else(missing)?, "link")
+    };
+    let axis = node.child("axis").map_or(Ok([1.0, 0.0, 0.0]), |axis| vector(axis, "xyz", file, [1.0, 0.0, 0.0]));
+    let kind = text(node, "type")?;
+    // those of a continuous joint are of its effort alone
+    let limited = ["revolute", "prismatic"].contains(&kind.as_str());
+    let limits = node.child("limit").filter(|_| limited).map(|limit| -> Result<[f64; 2]> {
+        let [lower, upper] = [number(limit, "lower", file, 0.0)?, number(limit, "upper", file, 0.0)?];
+        if lower > upper {
+            return Err(limit.error(format!("the limits of joint `{name}` are exchanged: {lower} to {upper}")).into());
+        }
+        Ok([lower, upper])
+    });
+    let mimic = node.child("mimic").map(|mimic| -> Result<Mimic> {
+        Ok(Mimic {
+            joint: text(mimic, "joint")?,
+            multiplier: number(mimic, "multiplier", file, 1.0)?,
+            offset: number(mimic, "offset", file, 0.0)?,
+        })
+    });
+    Ok(TreeJoint {
+        place: node.place(),
+        kind,
+        parent: of("parent")?,
+        child: of("child")?,
+        origin: origin(node, file)?,
+        axis: axis?,
+        limits: limits.transpose()?,
+        mimic: mimic.transpose()?,
+        name,
+    })
+}
+
+/// The pose that `<origin xyz rpy>` of an element states, in mm.
+fn origin(node: Node, file: &str) -> Result<Pose> {
+    let Some(origin) = node.child("origin") else { return Ok(Pose::identity()) };
+    let [xyz, rpy] = [vector(origin, "xyz", file, [0.0; 3])?, vector(origin, "rpy", file, [0.0; 3])?];
+    if rpy.iter().any(|angle| angle.abs() > TAU + 1e-3) {
+        let message = origin.error("angles of `rpy` beyond a full turn");
+        return Err(message.hint("angles of a URDF are radians: 90 degrees are 1.5707963267948966").into());
+    }
+    Ok(Pose::from_xyz_rpy(xyz.map(|m| 1000.0 * m), rpy))
+}
+
+fn text(node: Node, name: &str) -> Result<String> {
+    let value = node.attribute(name).filter(|value| !value.trim().is_empty());
+    Ok(value.ok_or_else(|| node.error(format!("<{}> has no `{name}`", node.name())))?.into_owned())
+}
+
+/// Numbers of an attribute, separated by blanks.
+fn numbers(node: Node, name: &str, file: &str) -> Result<Option<Vec<f64>>> {
+    let Some(value) = node.attribute(name) else { return Ok(None) };
+    let number = |word: &str| {
+        let wrong = node.error(format!("`{name}`: `{word}` is not a number"));
+        let wrong = if word.contains('$') { xacro(wrong, file) } else { wrong };
+        word.parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(|| Problems::from(wrong))
+    };
+    value.split_ascii_whitespace().map(number).collect::<Result<_>>().map(Some)
+}
+
+fn number(node: Node, name: &str, file: &str, absent: f64) -> Result<f64> {
+    match numbers(node, name, file)?.as_deref() {
+        None => Ok(absent),
+        Some([value]) => Ok(*value),
+        Some(_) => Err(node.error(format!("`{name}` is not one number")).into()),
+    }
+}
+
+fn vector(node: Node, name: &str, file: &str, absent: Vector) -> Result<Vector> {
+    match numbers(node, name, file)?.as_deref() {
+        None => Ok(absent),
+        Some([x, y, z]) => Ok([*x, *y, *z]),
+        Some(all) => {
+            let message = node.error(format!("`{name}` has {} numbers", all.len()));
+            Err(message.expected("three, separated by blanks").into())
+        }
+    }
+}
