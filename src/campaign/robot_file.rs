@@ -179,7 +179,9 @@ impl RobotFile {
 
     /// Reads the file that describes the robot, where there is one.
     fn read_description(&self) -> Result<Option<Beside>> {
-        let Some(file) = self.description.as_ref().and_then(|(_, description)| description.file()) else { return Ok(None) };
+        let Some(file) = self.description.as_ref().and_then(|(_, description)| description.file()) else {
+            return Ok(None);
+        };
         if self.unread.affects_entry("file") {
             return Ok(None);
         }

@@ -35,7 +35,8 @@ pub(super) fn read(file: &str, text: &str) -> Result<Tree> {
         }
         for link in [&joint.parent, &joint.child] {
             if tree.links.iter().all(|l| l.name != *link) {
-                let message = error(format!("joint `{}` names the link `{link}`, which the file does not have", joint.name));
+                let message =
+                    error(format!("joint `{}` names the link `{link}`, which the file does not have", joint.name));
                 problems.0.push(message.hint_names(link, tree.links.iter().map(|l| l.name.as_str())));
             }
         }

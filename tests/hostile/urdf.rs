@@ -7,24 +7,52 @@ use crate::support::scratch::copy_sample;
 fn wrong_urdf_files_are_refused_by_name() {
     let upper = "<mimic joint=\"lift\" multiplier=\"0.5\" offset=\"0.01\"/>";
     for (from, to, parts) in [
-        ("<link name=\"tool\">", "<link name=\"tools\">", vec!["names the link `tool`", "arm.urdf:113", "did you mean `tools`"]),
+        (
+            "<link name=\"tool\">",
+            "<link name=\"tools\">",
+            vec!["names the link `tool`", "arm.urdf:113", "did you mean `tools`"],
+        ),
         ("<child link=\"tool\"/>", "", vec!["joint `flange_to_tool` has no <child", "arm.urdf:113"]),
-        ("<parent link=\"base_link\"/>", "<parent link=\"tool\"/>", vec!["form a loop", "arm.urdf:", "a URDF is a tree"]),
+        (
+            "<parent link=\"base_link\"/>",
+            "<parent link=\"tool\"/>",
+            vec!["form a loop", "arm.urdf:", "a URDF is a tree"],
+        ),
         ("<parent link=\"shoulder_link\"/>", "<parent link=\"flange\"/>", vec!["form a loop"]),
-        ("<child link=\"wrist_1_link\"/>", "<child link=\"flange\"/>", vec!["link `flange` has two parents", "`wrist_2_link`"]),
+        (
+            "<child link=\"wrist_1_link\"/>",
+            "<child link=\"flange\"/>",
+            vec!["link `flange` has two parents", "`wrist_2_link`"],
+        ),
         (upper, "<mimic joint=\"lifts\"/>", vec!["mimics `lifts`", "did you mean `lift`"]),
         (upper, "<mimic joint=\"column_upper_joint\"/>", vec!["`column_upper_joint` mimics itself"]),
-        ("<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 0 0\"/>", vec!["the axis of joint `wrist_2` has no direction", "arm.urdf:"]),
+        (
+            "<axis xyz=\"0 1 1\"/>",
+            "<axis xyz=\"0 0 0\"/>",
+            vec!["the axis of joint `wrist_2` has no direction", "arm.urdf:"],
+        ),
         ("<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 1\"/>", vec!["`xyz` has 2 numbers", "three"]),
-        ("xyz=\"0 -0.1 0.4\"", "xyz=\"0 -100 400\"", vec!["412 m from its parent", "divide those of this file by 1000"]),
+        (
+            "xyz=\"0 -0.1 0.4\"",
+            "xyz=\"0 -100 400\"",
+            vec!["412 m from its parent", "divide those of this file by 1000"],
+        ),
         ("rpy=\"0.1 0 0\"", "rpy=\"90 0 0\"", vec!["beyond a full turn", "radians"]),
         ("xyz=\"0 0 0.36\"", "xyz=\"0 0 O.36\"", vec!["`O.36` is not a number", "arm.urdf:"]),
         ("xyz=\"0 0 0.36\"", "xyz=\"0 0 ${length}\"", vec!["xacro arm.urdf.xacro > arm.urdf"]),
-        ("<link name=\"wrist_2_link\">", "<xacro:arm/><link name=\"wrist_2_link\">", vec!["macros of xacro", "xacro arm.urdf.xacro > arm.urdf"]),
+        (
+            "<link name=\"wrist_2_link\">",
+            "<xacro:arm/><link name=\"wrist_2_link\">",
+            vec!["macros of xacro", "xacro arm.urdf.xacro > arm.urdf"],
+        ),
         ("name=\"wrist_1\" type=\"revolute\"", "name=\"wrist_1\" type=\"planar\"", vec!["joint `wrist_1` is planar"]),
         ("name=\"wrist_1\" type", "name=\"elbow\" type", vec!["there are two joints `elbow`"]),
         ("name=\"elbow\" type", "name=\"elbo\" type", vec!["no joint `elbow`"]),
-        ("lower=\"-2.6\" upper=\"2.6\"", "lower=\"2.6\" upper=\"-2.6\"", vec!["the limits of joint `elbow` are exchanged"]),
+        (
+            "lower=\"-2.6\" upper=\"2.6\"",
+            "lower=\"2.6\" upper=\"-2.6\"",
+            vec!["the limits of joint `elbow` are exchanged"],
+        ),
         ("<robot name=\"column_arm\">", "<sdf>", vec!["arm.urdf"]),
     ] {
         let scratch = copy_sample("column-arm");
@@ -37,8 +65,16 @@ fn wrong_urdf_files_are_refused_by_name() {
 fn what_robot_toml_states_of_a_urdf_is_checked() {
     for (from, to, parts) in [
         ("file = \"arm.urdf\"", "file = \"arms.urdf\"", vec!["arms.urdf", "robot.toml:3"]),
-        ("base_link = \"base_link\"", "base_link = \"base_lnk\"", vec!["has no link `base_lnk`", "`base_link`", "robot.toml:4"]),
-        ("base_link = \"base_link\"", "base_link = \"column_height\"", vec!["no joints lead from `column_height` to `tool`"]),
+        (
+            "base_link = \"base_link\"",
+            "base_link = \"base_lnk\"",
+            vec!["has no link `base_lnk`", "`base_link`", "robot.toml:4"],
+        ),
+        (
+            "base_link = \"base_link\"",
+            "base_link = \"column_height\"",
+            vec!["no joints lead from `column_height` to `tool`"],
+        ),
         ("\"elbow\"]", "\"elbo\"]", vec!["there is no joint `elbo`", "robot.toml:6"]),
         ("\"elbow\"]", "9]", vec!["there is no joint 9"]),
         ("model = \"urdf\"", "model = \"serial\"", vec!["`file` means nothing for this model"]),

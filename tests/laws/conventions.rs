@@ -67,7 +67,8 @@ const CASES: [(&str, &[&str]); 2] = [
 const EFFECTS: &str = CASES[0].0;
 
 fn robot(convention: &str, effects: &str) -> Box<dyn Robot> {
-    let urdf_toml = format!("model = \"urdf\"\nfile = \"arm.urdf\"\nbase_link = \"l0\"\ntool_link = \"flange\"\n{effects}\n");
+    let urdf_toml =
+        format!("model = \"urdf\"\nfile = \"arm.urdf\"\nbase_link = \"l0\"\ntool_link = \"flange\"\n{effects}\n");
     let toml = if convention == "urdf" { urdf_toml } else { robot_toml(convention, effects) };
     let scratch = Scratch::with(&[("robot.toml", &toml), ("arm.urdf", &urdf())]);
     let robot = read_robot(&scratch.path().join("robot.toml")).unwrap();
@@ -95,7 +96,9 @@ fn conventions_identify_the_same_robot() {
                 "base_x" | "base_y" | "base_z" => noise.uniform(2000.0),
                 "base_rx" | "base_rz" => noise.uniform(3.0),
                 name if name.starts_with("base") => noise.uniform(1.2),
-                name if ["a_x", "a_y", "a_z", "b_", "c_"].iter().any(|target| name.starts_with(target)) => noise.uniform(100.0),
+                name if ["a_x", "a_y", "a_z", "b_", "c_"].iter().any(|target| name.starts_with(target)) => {
+                    noise.uniform(100.0)
+                }
                 name if name.starts_with("a_") || name.starts_with("d_") => noise.uniform(0.5),
                 name if name.starts_with("gain") => noise.uniform(1e-3),
                 _ => noise.uniform(2e-3),
@@ -129,7 +132,8 @@ fn conventions_identify_the_same_robot() {
 /// At nominal values all are the same robot, and its Jacobian is the derivative, whatever the orientation of the base.
 #[test]
 fn conventions_describe_the_same_robot() {
-    let all = ["mdh", "dh", "poe", "urdf"].map(|convention| robot(convention, if convention == "urdf" { "" } else { EFFECTS }));
+    let all = ["mdh", "dh", "poe", "urdf"]
+        .map(|convention| robot(convention, if convention == "urdf" { "" } else { EFFECTS }));
     let mut noise = Noise::new(31, 1);
     for _ in 0..20 {
         let joints: Vec<f64> = (0..6).map(|_| noise.uniform(3.0)).collect();
@@ -206,8 +210,12 @@ fn conventions_leave_the_same_errors_on_a_real_arm() {
             let file = "$ETALON_REFERENCE/robots/irb120_faro_ets/irb120_model.urdf";
             let toml = match convention {
                 "urdf" => {
-                    (1..=6).for_each(|i| scratch.replace("campaign.toml", &format!("q{i}_deg"), &format!("joint_{i}_deg")));
-                    format!("model = \"urdf\"\nfile = \"{file}\"\nbase_link = \"base_link\"\ntool_link = \"tool0\"\n{effects}\n")
+                    (1..=6).for_each(|i| {
+                        scratch.replace("campaign.toml", &format!("q{i}_deg"), &format!("joint_{i}_deg"))
+                    });
+                    format!(
+                        "model = \"urdf\"\nfile = \"{file}\"\nbase_link = \"base_link\"\ntool_link = \"tool0\"\n{effects}\n"
+                    )
                 }
                 _ => robot_toml(convention, effects),
             };
@@ -228,6 +236,7 @@ fn conventions_leave_the_same_errors_on_a_real_arm() {
 fn metres_of_a_urdf_joint_read_as_millimetres_are_named() {
     let scratch = copy_sample("column-arm");
     scratch.replace("campaign.toml", "lift_m = ", "lift_mm = ");
-    let problems = pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).err().expect("refused").to_string();
+    let problems =
+        pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).err().expect("refused").to_string();
     assert!(problems.contains("with `lift` in metres instead of millimetres"), "{problems}");
 }

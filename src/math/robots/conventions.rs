@@ -493,6 +493,13 @@ impl Serial {
 impl Drive {
     /// Of joint q`number`.
     fn of_number(number: usize, prismatic: bool) -> Self {
-        Self { label: number.to_string(), name: format!("q{number}"), joint: number - 1, factor: 1.0, offset: 0.0, prismatic }
+        Self {
+            label: number.to_string(),
+            name: format!("q{number}"),
+            joint: number - 1,
+            factor: 1.0,
+            offset: 0.0,
+            prismatic,
+        }
     }
 }

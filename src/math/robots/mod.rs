@@ -29,8 +29,7 @@ use toml::Spanned;
 use toml::de::{DeTable, Deserializer};
 
 /// All models.
-pub const MODELS: [&Model; 5] =
-    [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &conventions::MODEL, &urdf::MODEL];
+pub const MODELS: [&Model; 5] = [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &conventions::MODEL, &urdf::MODEL];
 
 /// Reads the keys of a table that are a model's own.
 pub type ReadKeys = fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>;

@@ -271,7 +271,7 @@ impl ArmBuilder {
 
     /// An axis of this direction in the frame so far, with its small errors before it: two rotations, and two translations where it turns,
     /// all transversal to the axis, about and along the coordinate axes that are furthest from it. They are complete and minimal: what
-    /// is along the axis is a motion of the axes or targets behind it. 
+    /// is along the axis is a motion of the axes or targets behind it.
     ///
     /// An axis that follows one before it, along which it slides by the same joint, has none of its own.
     pub fn screw(&mut self, direction: Vector, drive: Drive, follows: bool) -> Vec<SmallError> {
