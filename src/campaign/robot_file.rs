@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer, de};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -190,6 +190,11 @@ impl RobotFile {
         let read = path.and_then(|path| Ok((path.display().to_string(), files::read_statement(&path)?)));
         let (name, (text, stamp)) = read.map_err(|problems| problems.at(&self.place(&["file"])))?;
         Ok(Some(Beside { name, text, stamp }))
+    }
+
+    /// Path of the file that describes the robot, where there is one.
+    pub fn description_path(&self) -> Option<PathBuf> {
+        Some(PathBuf::from(&self.beside.as_ref()?.name))
     }
 
     /// The file that describes the robot, as robot.toml names it, and what identifies it.

@@ -87,7 +87,8 @@ impl Identify {
         let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
         let messages = plausibility(robot.as_ref(), &sets.calibration, &settings, &before, &found, &errors);
         found.warnings.splice(0..0, messages);
-        let inputs = files::sha256_of([&self.robot, &self.observations])?;
+        let described = robot_file.description_path();
+        let inputs = files::sha256_of([&self.robot, &self.observations].into_iter().chain(&described))?;
         let document = parameters_document(robot.as_ref(), &settings, &before, &found, &inputs);
         let faces = Faces::identification(&document);
         if self.json {

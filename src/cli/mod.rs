@@ -13,6 +13,7 @@ mod formats;
 mod identify;
 mod init;
 mod iso9283;
+mod kinematics;
 mod plan;
 mod report;
 mod run;
@@ -54,6 +55,7 @@ enum Command {
     Run(run::Run),
     Batch(batch::Batch),
     Identify(identify::Identify),
+    Kinematics(kinematics::Kinematics),
     Plan(plan::Plan),
     Iso9283(Box<iso9283::Iso9283>),
     Report(report::Report),
@@ -87,6 +89,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Run(command) => command.run(),
         Command::Batch(command) => command.run(),
         Command::Identify(command) => command.run(),
+        Command::Kinematics(command) => command.run(),
         Command::Plan(command) => command.run(),
         Command::Iso9283(command) => command.run(),
         Command::Report(command) => command.run(),

@@ -22,6 +22,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("iso9283-plan", schema::<Iso9283PlanDocument>()),
         ("iso9283-stream", schema::<Iso9283StreamDocument>()),
         ("iso9283-streams", schema::<Iso9283StreamsDocument>()),
+        ("kinematics", schema::<KinematicsDocument>()),
         ("manifest", schema::<ManifestDocument>()),
         ("parameters", schema::<ParametersDocument>()),
         ("plan", schema::<PlanDocument>()),

@@ -6,6 +6,7 @@ mod five_bar;
 mod iso9283;
 mod iso9283_campaign;
 mod iso9283_poses;
+mod kinematics;
 mod plan;
 mod report;
 mod reports;

@@ -3,8 +3,10 @@
 //!
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
-use super::{Definition, Description, Joint, Model, Parameter, Quantity, Robot, Role, Source};
+use super::{Definition, Description, Joint, Kinematics, Model, PlanarPose, Parameter, Quantity, Robot, Role, Source};
+use super::{in_plane, in_space};
 use crate::base::message::Result;
+use crate::base::pose::Pose;
 use crate::base::pose::Vector;
 use crate::base::scalar::{Dual, Scalar, duals};
 use schemars::JsonSchema;
@@ -332,6 +334,24 @@ fn segment_distance(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
     to(c, a, b).min(to(d, a, b)).min(to(a, c, d)).min(to(b, c, d))
 }
 
+impl Kinematics for FiveBar {
+    /// The tool has no orientation: that of the base.
+    fn tool_pose(&self, p: &[f64], joints: &[f64]) -> Option<Pose> {
+        let assembly = joints.get(2).copied().unwrap_or(1.0);
+        let [x_mm, y_mm] = FiveBar::direct(self, p, [joints[0], joints[1]], assembly).e;
+        in_space(PlanarPose { x_mm, y_mm, theta_rad: 0.0 })
+    }
+    fn all_joints(&self, p: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
+        let Some(PlanarPose { x_mm, y_mm, .. }) = in_plane(pose) else { return Vec::new() };
+        let e = [x_mm, y_mm];
+        let way = |branches: [f64; 2]| {
+            let q = FiveBar::inverse(self, p, e, branches);
+            q.iter().all(|v| v.is_finite()).then(|| vec![q[0], q[1], self.assembly_at(p, q, e)])
+        };
+        WORKING_MODES.into_iter().filter_map(way).collect()
+    }
+}
+
 impl Robot for FiveBar {
     fn definition(&self) -> &Definition {
         &self.definition
@@ -347,6 +367,9 @@ impl Robot for FiveBar {
         for (row, value) in out.chunks_exact_mut(PARAMETERS).zip(tool) {
             row.copy_from_slice(&value.gradient);
         }
+    }
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        Some(self)
     }
     fn has_assembly_modes(&self) -> bool {
         true

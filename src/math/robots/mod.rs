@@ -163,6 +163,11 @@ pub trait Robot: Send + Sync {
         None
     }
 
+    /// Robots whose tool has a pose in the base frame that joints can be found for.
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        None
+    }
+
     /// The robot that the same numbers describe in another convention of the field, and its name.
     fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
         Vec::new()
@@ -192,6 +197,55 @@ pub trait Robot: Send + Sync {
         p[..d].copy_from_slice(&all[target * d..][..d]);
         p
     }
+}
+
+/// Direct and inverse kinematics of a whole pose: that of flange, platform or tool in the base frame. Poses of planar robots lie in
+/// the plane z = 0.
+pub trait Kinematics: Robot {
+    /// The pose at joint values; `None` where the robot cannot be there.
+    fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose>;
+
+    /// Joint values (and the assembly mode behind them) of the ways to a pose, whatever their limits. Angles are in (−π, π], or where a
+    /// limit allows them.
+    fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>>;
+
+    /// Of the ways that no limit forbids, the one that is nearest to the joint values `near`; an angle may have made turns. The error is
+    /// what forbids the nearest.
+    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> std::result::Result<Vec<f64>, String> {
+        nearest(self, parameters, self.all_joints(parameters, pose), near)
+    }
+}
+
+/// Of `all` ways that no limit forbids the nearest one.
+fn nearest<R: Robot + ?Sized>(
+    robot: &R,
+    parameters: &[f64],
+    mut all: Vec<Vec<f64>>,
+    near: &[f64],
+) -> std::result::Result<Vec<f64>, String> {
+    let distance = |q: &Vec<f64>| q.iter().zip(near).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+    all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let violation = |q: &Vec<f64>| robot.limit_violation(parameters, q);
+    let why = all.first().and_then(violation);
+    let within = all.into_iter().find(|q| violation(q).is_none());
+    within.ok_or_else(|| why.unwrap_or_else(|| "out of reach".to_owned()))
+}
+
+/// A pose that lies this near to the plane is in it, mm or without unit.
+const PLANAR: f64 = 1e-6;
+
+/// The pose of a planar robot; `None` where it is not in the plane.
+fn in_plane(pose: &Pose) -> Option<PlanarPose> {
+    let ([x_mm, y_mm, z_mm], r) = (pose.translation_mm, &pose.rotation);
+    let tilted = z_mm.abs() > PLANAR || 1.0 - r[2][2] > PLANAR;
+    (!tilted).then(|| PlanarPose { x_mm, y_mm, theta_rad: r[1][0].atan2(r[0][0]) })
+}
+
+/// A pose in the plane as one in space.
+fn in_space(pose: PlanarPose) -> Option<Pose> {
+    let flat = Pose { translation_mm: [pose.x_mm, pose.y_mm, 0.0], ..Pose::identity() };
+    let pose = flat.turn_z(pose.theta_rad);
+    pose.rotation.as_flattened().iter().chain(&pose.translation_mm).all(|v| v.is_finite()).then_some(pose)
 }
 
 /// Position (mm) and orientation (rad) in the plane.

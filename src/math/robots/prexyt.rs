@@ -3,13 +3,14 @@
 //! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
 //! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
 
-use super::{
-    Definition, Description, Joint, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot, Role, Source,
-};
+use super::{Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot, Role, Source};
+use super::{in_plane, in_space};
 use crate::base::message::Result;
+use crate::base::pose::Pose;
 use crate::base::scalar::{Dual, Scalar, constants, duals};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::f64::consts::FRAC_PI_2;
 
 const PARAMETERS: usize = 16;
 /// Names, quantities, roles and nominal values (thesis, table 3.3; l_kl is twice the nominal x_C).
@@ -205,6 +206,9 @@ impl Robot for Prexyt {
     fn platform(&self) -> Option<&dyn Platform> {
         Some(self)
     }
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        Some(self)
+    }
     fn rail_table(&self) -> Option<&dyn RailTable> {
         Some(self)
     }
@@ -212,6 +216,18 @@ impl Robot for Prexyt {
         // d and x_c act along x and x': only different |theta| separate them
         (names.contains(&"x_c") && (names.contains(&"d") || names.contains(&"d1")))
             .then_some("measure poses with different |theta|, e.g. 0 and the largest the table reaches")
+    }
+}
+
+impl Kinematics for Prexyt {
+    fn tool_pose(&self, p: &[f64], joints: &[f64]) -> Option<Pose> {
+        in_space(self.direct(p, joints))
+    }
+    fn all_joints(&self, p: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
+        // tan θ knows no half turns: the platform turns by less than a right angle (eq. 3.8)
+        let pose = in_plane(pose).filter(|pose| pose.theta_rad.abs() < FRAC_PI_2);
+        let joints = pose.map(|pose| self.inverse(p, pose).to_vec());
+        joints.filter(|q| q.iter().all(|v| v.is_finite())).into_iter().collect()
     }
 }
 

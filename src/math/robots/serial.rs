@@ -3,7 +3,9 @@
 //! A convention pushes its motions and parameters into an [`ArmBuilder`]; gains, coupling and bending are the same for all.
 
 use super::chain::{self, Coefficient, Element, Motion, State, Term};
-use super::{Definition, FreeBase, Joint, Parameter, Quantity, Robot, Role};
+use super::nearest;
+use super::{Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role};
+use crate::base::noise::Noise;
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use crate::base::scalar::Scalar;
 use crate::math::solve;
@@ -420,6 +422,25 @@ impl Serial {
         self.loads.iter().map(size).collect()
     }
 
+    /// Pose of the base in the world.
+    fn base_pose(&self, parameters: &[f64]) -> Pose {
+        chain::end(&self.elements[..self.based], parameters, State { joints: &[], loads: &[] })
+    }
+
+    /// The same angles, with the turns that bring each nearest to `near` within its limits.
+    fn within_limits(&self, mut joints: Vec<f64>, near: &[f64]) -> Vec<f64> {
+        let all = joints.iter_mut().zip(near).zip(self.joints().iter().zip(&self.limits));
+        for ((q, near), (joint, limit)) in all {
+            if joint.quantity == Quantity::Angle {
+                let nearest = *q - ((*q - near) / TAU).round() * TAU;
+                let inside = |v: &f64| limit.is_none_or(|[lower, upper]| (lower..=upper).contains(v));
+                let turned = [nearest, nearest - TAU, nearest + TAU].into_iter().find(inside);
+                *q = turned.unwrap_or(nearest);
+            }
+        }
+        joints
+    }
+
     /// Direct kinematics: pose of the flange in the world.
     pub fn direct(&self, parameters: &[f64], q: &[f64]) -> Pose {
         chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads(q) })
@@ -530,6 +551,69 @@ impl Robot for Serial {
     }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)
+    }
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        Some(self)
+    }
+}
+
+/// Starts from which all ways to a pose are searched, at least, and without a new one before the search ends.
+const STARTS: usize = 96;
+/// Starts at most.
+const MOST_STARTS: usize = 1024;
+/// Joint values (rad, mm) nearer than this are the same way.
+const SAME: f64 = 1e-6;
+const SEARCH_SEED: u64 = 19;
+/// A way that is this near (rad, mm) to where it is looked for is the nearest.
+const NEAR: f64 = 0.5;
+/// Range of a sliding joint without limits, mm.
+const UNLIMITED_MM: [f64; 2] = [-1000.0, 1000.0];
+
+impl Kinematics for Serial {
+    fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
+        let pose = self.base_pose(parameters).inverse().then(&self.direct(parameters, joints));
+        pose.translation_mm.iter().all(|v| v.is_finite()).then_some(pose)
+    }
+
+    /// Found by a search from many starts (Newton's method), whatever the arm: none with more joints than a pose has freedoms.
+    fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
+        let (mut all, mut noise, mut without_new) = (Vec::<Vec<f64>>::new(), Noise::new(SEARCH_SEED, 0), 0);
+        let place = self.base_pose(parameters).then(pose);
+        for start in 0..if self.joints().len() > 6 { 0 } else { MOST_STARTS } {
+            if without_new >= STARTS {
+                break;
+            }
+            let range = |(joint, limit): (&Joint, &Option<[f64; 2]>)| match joint.quantity {
+                Quantity::Length => limit.unwrap_or(UNLIMITED_MM),
+                _ => [-PI, PI],
+            };
+            let draw = |[lower, upper]: [f64; 2]| 0.5 * (lower + upper) + noise.uniform(0.5 * (upper - lower));
+            let ranges = self.joints().iter().zip(&self.limits).map(range);
+            let drawn: Vec<f64> = ranges.map(draw).collect();
+            let from = if start == 0 { vec![0.0; drawn.len()] } else { drawn };
+            without_new += 1;
+            let Some(found) = self.inverse(parameters, &place, &from) else { continue };
+            let found = self.within_limits(found, &vec![0.0; from.len()]);
+            if all.iter().all(|other| found.iter().zip(other).any(|(a, b)| (a - b).abs() > SAME)) {
+                all.push(found);
+                without_new = 0;
+            }
+        }
+        all.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+        all
+    }
+
+    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
+        let place = self.base_pose(parameters).then(pose);
+        // the branch that the start is on, or, where that leads nowhere, any
+        let along = self.inverse(parameters, &place, near).map(|q| self.within_limits(q, near));
+        let way = along.filter(|q| self.limit_violation(parameters, q).is_none());
+        if let Some(way) = way.filter(|q| q.iter().zip(near).all(|(a, b)| (a - b).abs() < NEAR)) {
+            return Ok(way);
+        }
+        let along = self.inverse(parameters, &place, near);
+        let all = self.all_joints(parameters, pose).into_iter().chain(along);
+        nearest(self, parameters, all.map(|q| self.within_limits(q, near)).collect(), near)
     }
 }
 

@@ -1,0 +1,260 @@
+//! `etalon kinematics`
+
+use super::{Verdict, print_with, remark};
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pose::Pose;
+use crate::base::table::{self, ASSEMBLY, XYZ};
+use crate::campaign::read_robot;
+use crate::document::{KinematicsDocument, KinematicsEntry, UnreachablePose, to_json};
+use crate::math::identify::{joint_column, stated_modes};
+use crate::math::robots::{Kinematics as Arm, Robot, Role};
+use crate::run::documents::read_parameters;
+use crate::stages::table_file::TableFile;
+use std::path::{Path, PathBuf};
+
+const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
+/// How far a quaternion may be from length one: it has a few decimals.
+const LENGTH_ONE: f64 = 1e-3;
+
+/// Poses of the tool from joint values, or joint values from poses
+///
+/// Poses are those of flange, tool link, platform or tool in the robot's base frame.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Tables:
+  direct   pose and the joints (q1_deg or q1_rad, lift_m ...); assembly (+1 or -1) of a five-bar
+  inverse  pose, x_mm, y_mm, z_mm, qw, qx, qy, qz; joints of a row are where its --nearest solution is looked for
+
+Exit code 1 where a pose is out of reach: the others are in the answer.")]
+pub struct Kinematics {
+    /// Which way
+    #[arg(value_enum)]
+    direction: Direction,
+    /// Table of joint values or poses (CSV)
+    table: PathBuf,
+    /// robot.toml
+    #[arg(long, value_name = "FILE")]
+    robot: PathBuf,
+    /// Identified parameters; nominal ones without
+    #[arg(long, value_name = "FILE")]
+    parameters: Option<PathBuf>,
+    /// One solution a pose: the nearest to the joints of its row, or of the row before
+    #[arg(long)]
+    nearest: bool,
+    /// Print the answer as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Direction {
+    /// Joint values to poses
+    Direct,
+    /// Poses to joint values
+    Inverse,
+}
+
+impl Kinematics {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        // the model needs a target; its place is not that of the tool
+        let mut robot = read_robot(&self.robot)?.build(&["tool".to_owned()])?;
+        if let Some(path) = &self.parameters {
+            identified(robot.as_mut(), path)?;
+        }
+        let arm = robot.kinematics().ok_or_else(|| {
+            Problems::from(Message::error(format!("`{}` has no kinematics of a whole pose", robot.model())))
+        })?;
+        let file = TableFile::read(&self.table)?;
+        let joints: Vec<String> = arm.joints().iter().map(|joint| joint.column()).collect();
+        let modes = arm.has_assembly_modes().then(|| ASSEMBLY.to_owned());
+        let mut document = KinematicsDocument {
+            schema: "etalon/kinematics/1".to_owned(),
+            robot: arm.model().to_owned(),
+            joints: joints.into_iter().chain(modes).collect(),
+            poses: Vec::new(),
+            unreachable: Vec::new(),
+        };
+        match self.direction {
+            Direction::Direct => direct(arm, &file, &mut document),
+            Direction::Inverse => self.inverse(arm, &file, &mut document),
+        }
+        .map_err(|problems| file.place(problems))?;
+        let said = |u: &UnreachablePose| Message::warning(format!("pose {}: {}", u.pose, u.reason));
+        remark(&document.unreachable.iter().map(said).collect::<Vec<_>>());
+        let verdict = Verdict::of(document.unreachable.is_empty());
+        let inverse = self.direction == Direction::Inverse;
+        let answer = if self.json { to_json(&document)? } else { csv(&document, inverse).into_bytes() };
+        print_with(answer, verdict)
+    }
+
+    fn inverse(&self, arm: &dyn Arm, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
+        let nominal = arm.nominal();
+        if !self.nearest && arm.joints().len() > 6 {
+            let message = Message::error(format!("{} joints reach a pose in infinitely many ways", arm.joints().len()));
+            return Err(message.hint("ask for one: --nearest").into());
+        }
+        let starts = starts(arm, file)?;
+        let mut last = vec![0.0; arm.joints().len()];
+        for (row, pose) in poses(arm, file)?.into_iter().enumerate() {
+            let name = table::poses(&file.table)?[row];
+            let mut found = Vec::new();
+            let reason = if self.nearest {
+                let near = starts.as_ref().map_or(&last, |starts| &starts[row]);
+                arm.nearest_joints(&nominal, &pose, near).map(|q| found.push(q)).err()
+            } else {
+                let all = arm.all_joints(&nominal, &pose);
+                let forbidden = all.iter().find_map(|q| arm.limit_violation(&nominal, q));
+                found.extend(all.into_iter().filter(|q| arm.limit_violation(&nominal, q).is_none()));
+                found.is_empty().then(|| forbidden.unwrap_or_else(|| "out of reach".to_owned()))
+            };
+            document.unreachable.extend(reason.map(|reason| UnreachablePose { pose: name, reason }));
+            for joints in found {
+                last.copy_from_slice(&joints[..arm.joints().len()]);
+                document.poses.push(entry(arm, name, &joints, &pose));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Takes the parameters of a run for nominal ones.
+fn identified(robot: &mut dyn Robot, path: &Path) -> Result<()> {
+    let document = read_parameters(path)?;
+    let mut values = robot.nominal();
+    let mut missing = Vec::new();
+    for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| p.role == Role::Robot) {
+        match document.parameters.iter().find(|entry| entry.name == p.name && entry.unit == p.quantity.unit()) {
+            Some(entry) => *value = p.quantity.inward(entry.value),
+            None => missing.push(format!("`{}`", p.name)),
+        }
+    }
+    if document.robot != robot.model() || !missing.is_empty() {
+        let what = format!("the parameters of `{}` are not those of this robot (`{}`)", document.robot, robot.model());
+        let message = Message::error(what).at(Place::file(path.display().to_string()));
+        let hint = if missing.is_empty() { String::new() } else { format!("they lack {}", missing.join(", ")) };
+        return Err(message.hint(hint + "; name the robot.toml that they were identified with").into());
+    }
+    robot.definition_mut().set_nominal(&values);
+    Ok(())
+}
+
+/// Joint values of a table, row by row, in rad and mm, with the assembly mode behind them.
+fn joint_values(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Vec<f64>>> {
+    let columns: Vec<(String, f64)> =
+        arm.joints().iter().map(|joint| joint_column(joint, &file.table)).collect::<Result<_>>()?;
+    table::require(&file.table, &columns.iter().map(|c| c.0.clone()).collect::<Vec<_>>())?;
+    let mut rows = vec![Vec::new(); file.table.height()];
+    for (column, factor) in columns {
+        for (row, value) in rows.iter_mut().zip(table::numbers(&file.table, &column)?) {
+            row.push(factor * value);
+        }
+    }
+    if arm.has_assembly_modes() {
+        table::require(&file.table, &[ASSEMBLY.to_owned()])?;
+        for (row, mode) in rows.iter_mut().zip(stated_modes(arm, &file.table)?) {
+            row.push(mode.unwrap_or(f64::NAN));
+        }
+    }
+    complete(file, &rows)?;
+    Ok(rows)
+}
+
+/// Every value must be a number.
+fn complete(file: &TableFile, rows: &[Vec<f64>]) -> Result<()> {
+    let lines = table::integers(&file.table, "line")?;
+    let odd = rows.iter().zip(lines).filter(|(row, _)| row.iter().any(|v| !v.is_finite()));
+    let message = |(_, line): (&Vec<f64>, i64)| {
+        let place = Place { line: Some(line as usize), ..Place::default() };
+        Message::error("a value is missing or not a number").at(place)
+    };
+    Problems(odd.map(message).collect()).check().map(|_| ())
+}
+
+/// Where solutions are looked for: the joints of the table, where it has them.
+fn starts(arm: &dyn Arm, file: &TableFile) -> Result<Option<Vec<Vec<f64>>>> {
+    let has = arm.joints().iter().any(|joint| {
+        file.table.get_column_names().iter().any(|name| joint.factor(name).is_some())
+    });
+    has.then(|| joint_values(arm, file)).transpose()
+}
+
+/// The poses of a table.
+fn poses(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Pose>> {
+    let planar = arm.dimension() == 2;
+    let has = |name: &str| file.table.column(name).is_ok();
+    let needed: &[&str] = if planar { &XYZ[..2] } else { &XYZ };
+    let turned = QUATERNION.iter().any(|name| has(name)) || arm.platform().is_some() || !planar;
+    let quaternion: &[&str] = if turned { &QUATERNION } else { &[] };
+    let needed: Vec<String> = needed.iter().chain(quaternion).map(|name| (*name).to_owned()).collect();
+    table::require(&file.table, &needed)?;
+    let xyz = table::coordinates(&file.table)?;
+    let mut columns = Vec::new();
+    for name in quaternion {
+        columns.push(table::numbers(&file.table, name)?);
+    }
+    let number = |(i, at): (usize, &[f64; 3])| {
+        at.iter().copied().chain(columns.iter().map(|column| column[i])).collect::<Vec<f64>>()
+    };
+    let rows: Vec<Vec<f64>> = xyz.iter().enumerate().map(number).collect();
+    complete(file, &rows)?;
+    let lines = table::integers(&file.table, "line")?;
+    let mut problems = Problems::default();
+    let pose = |(row, line): (&Vec<f64>, i64)| {
+        let q = [3, 4, 5, 6].map(|i| row.get(i).copied().unwrap_or(if i == 3 { 1.0 } else { 0.0 }));
+        let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
+        if (length - 1.0).abs() > LENGTH_ONE {
+            let place = Place { line: Some(line as usize), ..Place::default() };
+            let message = Message::error(format!("the quaternion has the length {length:.4}")).at(place);
+            problems.0.push(message.expected("1: qw, qx, qy, qz of a rotation"));
+        }
+        Pose { translation_mm: [row[0], row[1], row[2]], ..Pose::from_quaternion(q) }
+    };
+    let poses = rows.iter().zip(lines).map(pose).collect();
+    problems.check().map(|_| poses)
+}
+
+fn direct(arm: &dyn Arm, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
+    let nominal = arm.nominal();
+    let names = table::poses(&file.table)?;
+    for (pose, joints) in names.into_iter().zip(joint_values(arm, file)?) {
+        match arm.tool_pose(&nominal, &joints) {
+            Some(at) => {
+                document.poses.push(entry(arm, pose, &joints, &at));
+                let reason = arm.limit_violation(&nominal, &joints);
+                document.unreachable.extend(reason.map(|reason| UnreachablePose { pose, reason }));
+            }
+            None => {
+                let reason = "the robot cannot be where the joints put it".to_owned();
+                document.unreachable.push(UnreachablePose { pose, reason });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn entry(arm: &dyn Arm, pose: crate::base::pose_name::PoseName, joints: &[f64], at: &Pose) -> KinematicsEntry {
+    let outward = arm.joints().iter().zip(joints).map(|(joint, &q)| joint.quantity.outward(q));
+    let joints = outward.chain(joints.get(arm.joints().len()).copied()).collect();
+    KinematicsEntry { pose, joints, xyz_mm: at.translation_mm, quaternion: at.quaternion() }
+}
+
+/// The answer as a table: poses, or joint values.
+fn csv(document: &KinematicsDocument, inverse: bool) -> String {
+    let mut out = "pose".to_owned();
+    let columns: Vec<&str> = match inverse {
+        true => document.joints.iter().map(String::as_str).collect(),
+        false => XYZ.iter().chain(&QUATERNION).copied().collect(),
+    };
+    columns.iter().for_each(|name| out += &format!(",{name}"));
+    out.push('\n');
+    for row in &document.poses {
+        let values: Vec<f64> = match inverse {
+            true => row.joints.clone(),
+            false => row.xyz_mm.iter().chain(&row.quaternion).copied().collect(),
+        };
+        let name = row.pose.to_string();
+        out += &if name.contains([',', '"', '\n']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name };
+        values.iter().for_each(|v| out += &format!(",{v:?}"));
+        out.push('\n');
+    }
+    out
+}

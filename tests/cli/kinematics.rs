@@ -1,0 +1,149 @@
+//! `etalon kinematics`: joint values to poses and back, for every model.
+
+use super::{etalon, text};
+use std::path::{Path, PathBuf};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The answer to a table, its exit code and what stderr says.
+fn kinematics(direction: &str, robot: &Path, table: &str, more: &[&str]) -> (String, Option<i32>, String) {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("table.csv"), table).unwrap();
+    let robot = robot.display().to_string();
+    let output = etalon(folder.path(), &[&["kinematics", direction, "table.csv", "--robot", &robot], more].concat());
+    (text(&output.stdout), output.status.code(), text(&output.stderr))
+}
+
+/// Names and numbers of the rows of a table behind their first column.
+fn rows(csv: &str) -> Vec<(String, Vec<f64>)> {
+    let row = |line: &str| {
+        let mut fields = line.split(',');
+        (fields.next().unwrap().to_owned(), fields.map(|v| v.parse().unwrap()).collect())
+    };
+    csv.lines().skip(1).map(row).collect()
+}
+
+/// Columns of one table behind those of another, row by row.
+fn beside(poses: &str, joints: &str) -> String {
+    let line = |(pose, joints): (&str, &str)| format!("{pose},{}\n", joints.split_once(',').unwrap().1);
+    poses.lines().zip(joints.lines()).map(line).collect()
+}
+
+/// Robots with joint values, and how many ways lead to the first pose where that is known.
+fn cases() -> Vec<(PathBuf, &'static str, usize)> {
+    vec![
+        (root().join("samples/prexyt-cmm/robot.toml"), "pose,rho1_mm,rho2_mm,rho3_mm\nhome,85,150,170\n2,20,30,240.5\n", 1),
+        // four working modes, of which limits leave some
+        (
+            root().join("samples/dextar/robot.toml"),
+            "pose,theta1_deg,theta2_deg,assembly\n1,54.36,153.77,-1\nP2,21.404438,27.373336,1\n",
+            0,
+        ),
+        // a spherical wrist: eight ways (Pieper 1968)
+        (
+            root().join("samples/abb-irb120/robot.toml"),
+            "pose,q1_deg,q2_rad,q3_deg,q4_deg,q5_deg,q6_deg\n1,20,0.3,-15,40,35,-70\n2,-40,-0.2,20,-60,50,10\n",
+            8,
+        ),
+        (root().join("docs/keys/robot-serial-dh.toml"), "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,20,-70,60,-50,40,30\n", 8),
+    ]
+}
+
+#[test]
+fn joints_to_poses_and_back() {
+    for (robot, table, ways) in cases() {
+        let (poses, code, said) = kinematics("direct", &robot, table, &[]);
+        assert_eq!(code, Some(0), "{said}");
+        assert!(poses.starts_with("pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n"), "{poses}");
+        let (back, code, said) = kinematics("inverse", &robot, &poses, &[]);
+        assert_eq!(code, Some(0), "{said}");
+        let first = rows(&poses)[0].0.clone();
+        let found = rows(&back).into_iter().filter(|(pose, _)| *pose == first).count();
+        assert!(ways == 0 || found == ways, "{}: {found} ways\n{back}", robot.display());
+        // each of them leads to the pose again
+        let (again, code, said) = kinematics("direct", &robot, &back, &[]);
+        assert_eq!(code, Some(0), "{said}");
+        let (poses_of, all) = (rows(&poses), rows(&again));
+        for (name, at) in &all {
+            let (_, wanted) = poses_of.iter().find(|(pose, _)| pose == name).unwrap();
+            let off = at.iter().zip(wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-9, "{}: pose {name} is off by {off}", robot.display());
+        }
+        // and the nearest to the joints that it came from are these
+        let radians = table.contains("q2_rad");
+        let (nearest, code, said) = kinematics("inverse", &robot, &beside(&poses, table), &["--nearest"]);
+        assert_eq!(code, Some(0), "{said}");
+        for ((_, found), (_, stated)) in rows(&nearest).iter().zip(rows(table)) {
+            for (i, (a, b)) in found.iter().zip(stated).enumerate() {
+                let b = if radians && i == 1 { b.to_degrees() } else { b };
+                assert!((a - b).abs() < 1e-9, "{}: {nearest}", robot.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn an_arm_of_seven_joints_needs_a_start() {
+    let robot = root().join("samples/column-arm/robot.toml");
+    let table = "pose,lift_m,shoulder_pan_rad,shoulder_lift_rad,elbow_rad,wrist_1_rad,wrist_2_rad,wrist_3_rad\n\
+                 a,0.3,0.5,-0.7,-1.6,-0.1,2.5,-2.1\nb,0.31,0.52,-0.7,-1.61,-0.1,2.5,-2.1\n";
+    let (poses, code, said) = kinematics("direct", &robot, table, &[]);
+    assert_eq!(code, Some(0), "{said}");
+    let (_, code, said) = kinematics("inverse", &robot, &poses, &[]);
+    assert!(code == Some(2) && said.contains("infinitely many") && said.contains("--nearest"), "{said}");
+    let (nearest, code, said) = kinematics("inverse", &robot, &beside(&poses, table), &["--nearest", "--json"]);
+    assert_eq!(code, Some(0), "{said}");
+    let document: etalon::document::KinematicsDocument = serde_json::from_str(&nearest).unwrap();
+    assert_eq!(document.joints[..2], ["lift_mm", "shoulder_pan_deg"]);
+    assert!((document.poses[0].joints[0] - 300.0).abs() < 1e-9, "{nearest}");
+    // beyond a limit of the URDF
+    let high = table.replace("a,0.3,", "a,0.9,");
+    let (_, code, said) = kinematics("direct", &robot, &high, &[]);
+    assert!(code == Some(1) && said.contains("pose a: lift = 900 mm, its limits are 0 and 800 mm"), "{said}");
+}
+
+#[test]
+fn identified_parameters_are_used_and_those_of_another_robot_refused() {
+    let robot = root().join("samples/prexyt-cmm/robot.toml");
+    // a run of the sample
+    let scratch = crate::support::scratch::copy_sample("prexyt-cmm");
+    assert!(etalon(&scratch.path(), &["run", ".", "--json"]).status.code() != Some(2));
+    let parameters = scratch.path().join("out/parameters.json").display().to_string();
+    let joints = "pose,rho1_mm,rho2_mm,rho3_mm\n1,85,150,170\n";
+    let (nominal, ..) = kinematics("direct", &robot, joints, &[]);
+    let (found, code, said) = kinematics("direct", &robot, joints, &["--parameters", &parameters]);
+    assert_eq!(code, Some(0), "{said}");
+    let off = (rows(&nominal)[0].1[0] - rows(&found)[0].1[0]).abs();
+    assert!(off > 1e-3 && off < 10.0, "{off}");
+    let arm = root().join("samples/abb-irb120/robot.toml");
+    let joints = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,1,2,3,4,5,6\n";
+    let (_, code, said) = kinematics("direct", &arm, joints, &["--parameters", &parameters]);
+    assert!(code == Some(2) && said.contains("are not those of this robot"), "{said}");
+}
+
+#[test]
+fn tables_that_do_not_fit_are_refused_by_name() {
+    let arm = root().join("samples/abb-irb120/robot.toml");
+    let xyt = root().join("samples/prexyt-cmm/robot.toml");
+    let bars = root().join("samples/dextar/robot.toml");
+    let pose = "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
+    let all = [
+        ("direct", &arm, "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg\n1,1,2,3,4,5\n".to_owned(), 2, "no column `q6_deg`"),
+        ("direct", &arm, "pose,q1_deg,q2_mm,q3_deg,q4_deg,q5_deg,q6_deg\n1,1,2,3,4,5,6\n".to_owned(), 2, "no column `q2_deg`"),
+        ("direct", &xyt, "pose,rho1_mm,rho2_mm,rho3_mm\n1,1,2,\n".to_owned(), 2, "a value is missing"),
+        ("direct", &bars, "pose,theta1_deg,theta2_deg\n1,54.36,153.77\n".to_owned(), 2, "no column `assembly`"),
+        ("inverse", &arm, format!("{pose}1,300,0,500,1,1,0,0\n"), 2, "the quaternion has the length 1.41"),
+        ("inverse", &arm, "pose,x_mm,y_mm,z_mm\n1,300,0,500\n".to_owned(), 2, "no column `qw`"),
+        ("inverse", &arm, "pose,x_m,y_m,z_m,qw,qx,qy,qz\n1,0.3,0,0.5,1,0,0,0\n".to_owned(), 2, "no column `x_mm`"),
+        ("inverse", &arm, format!("{pose}far,3000,0,500,1,0,0,0\n"), 1, "pose far: out of reach"),
+        ("inverse", &xyt, format!("{pose}up,200,150,10,1,0,0,0\n"), 1, "pose up: out of reach"),
+        ("inverse", &xyt, format!("{pose}1,900,150,0,1,0,0,0\n"), 1, "its travel is"),
+        ("inverse", &bars, format!("{pose}1,900,150,0,1,0,0,0\n"), 1, "pose 1: out of reach"),
+    ];
+    for (direction, robot, table, expected, part) in all {
+        let (_, code, said) = kinematics(direction, robot, &table, &[]);
+        assert!(code == Some(expected) && said.contains(part), "{table}: {code:?} {said}");
+    }
+}
