@@ -171,9 +171,8 @@ fn complete(file: &TableFile, rows: &[Vec<f64>]) -> Result<()> {
 
 /// Where solutions are looked for: the joints of the table, where it has them.
 fn starts(arm: &dyn Arm, file: &TableFile) -> Result<Option<Vec<Vec<f64>>>> {
-    let has = arm.joints().iter().any(|joint| {
-        file.table.get_column_names().iter().any(|name| joint.factor(name).is_some())
-    });
+    let has =
+        arm.joints().iter().any(|joint| file.table.get_column_names().iter().any(|name| joint.factor(name).is_some()));
     has.then(|| joint_values(arm, file)).transpose()
 }
 

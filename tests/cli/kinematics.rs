@@ -34,7 +34,11 @@ fn beside(poses: &str, joints: &str) -> String {
 /// Robots with joint values, and how many ways lead to the first pose where that is known.
 fn cases() -> Vec<(PathBuf, &'static str, usize)> {
     vec![
-        (root().join("samples/prexyt-cmm/robot.toml"), "pose,rho1_mm,rho2_mm,rho3_mm\nhome,85,150,170\n2,20,30,240.5\n", 1),
+        (
+            root().join("samples/prexyt-cmm/robot.toml"),
+            "pose,rho1_mm,rho2_mm,rho3_mm\nhome,85,150,170\n2,20,30,240.5\n",
+            1,
+        ),
         // four working modes, of which limits leave some
         (
             root().join("samples/dextar/robot.toml"),
@@ -47,7 +51,11 @@ fn cases() -> Vec<(PathBuf, &'static str, usize)> {
             "pose,q1_deg,q2_rad,q3_deg,q4_deg,q5_deg,q6_deg\n1,20,0.3,-15,40,35,-70\n2,-40,-0.2,20,-60,50,10\n",
             8,
         ),
-        (root().join("docs/keys/robot-serial-dh.toml"), "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,20,-70,60,-50,40,30\n", 8),
+        (
+            root().join("docs/keys/robot-serial-dh.toml"),
+            "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,20,-70,60,-50,40,30\n",
+            8,
+        ),
     ]
 }
 
@@ -131,7 +139,13 @@ fn tables_that_do_not_fit_are_refused_by_name() {
     let pose = "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
     let all = [
         ("direct", &arm, "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg\n1,1,2,3,4,5\n".to_owned(), 2, "no column `q6_deg`"),
-        ("direct", &arm, "pose,q1_deg,q2_mm,q3_deg,q4_deg,q5_deg,q6_deg\n1,1,2,3,4,5,6\n".to_owned(), 2, "no column `q2_deg`"),
+        (
+            "direct",
+            &arm,
+            "pose,q1_deg,q2_mm,q3_deg,q4_deg,q5_deg,q6_deg\n1,1,2,3,4,5,6\n".to_owned(),
+            2,
+            "no column `q2_deg`",
+        ),
         ("direct", &xyt, "pose,rho1_mm,rho2_mm,rho3_mm\n1,1,2,\n".to_owned(), 2, "a value is missing"),
         ("direct", &bars, "pose,theta1_deg,theta2_deg\n1,54.36,153.77\n".to_owned(), 2, "no column `assembly`"),
         ("inverse", &arm, format!("{pose}1,300,0,500,1,1,0,0\n"), 2, "the quaternion has the length 1.41"),

@@ -3,7 +3,7 @@
 //!
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
-use super::{Definition, Description, Joint, Kinematics, Model, PlanarPose, Parameter, Quantity, Robot, Role, Source};
+use super::{Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role, Source};
 use super::{in_plane, in_space};
 use crate::base::message::Result;
 use crate::base::pose::Pose;

@@ -3,7 +3,10 @@
 //! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
 //! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
 
-use super::{Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot, Role, Source};
+use super::{
+    Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot,
+    Role, Source,
+};
 use super::{in_plane, in_space};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
