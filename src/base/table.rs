@@ -4,7 +4,7 @@ use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use polars::prelude::*;
-use polars_io::parquet::write::BatchedWriter;
+use polars_io::parquet::write::{BatchedWriter, ParquetCompression};
 use serde::Serialize;
 use std::io::{Cursor, Write};
 
@@ -139,10 +139,15 @@ pub fn to_csv(table: &DataFrame) -> Result<Vec<u8>> {
     writer.into_inner().map_err(|e| failed(e.to_string()))
 }
 
+/// A writer of so many rows: for fewer than that, waking other threads and setting up zstd take longer than the rows.
+fn writer<W: Write>(into: W, rows: usize) -> ParquetWriter<W> {
+    ParquetWriter::new(into).with_compression(ParquetCompression::Snappy).set_parallel(rows > 100_000)
+}
+
 /// The table as Parquet.
 pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    ParquetWriter::new(&mut bytes).finish(table)?;
+    writer(&mut bytes, table.height()).finish(table)?;
     Ok(bytes)
 }
 
@@ -152,7 +157,7 @@ pub struct RowGroups<W: Write + Send>(BatchedWriter<W>);
 impl<W: Write + Send> RowGroups<W> {
     /// A table with the columns of `like`.
     pub fn new(into: W, like: &DataFrame) -> Result<Self> {
-        Ok(Self(ParquetWriter::new(into).batched(like.schema())?))
+        Ok(Self(writer(into, 0).batched(like.schema())?))
     }
 
     /// Adds the rows of a table.

@@ -9,7 +9,7 @@ use crate::base::pose_name::PoseName;
 use serde::{Serialize, Serializer};
 
 /// Rows of a table that a page shows; the workbook and the documents have all.
-const ROWS: usize = 500;
+pub(super) const ROWS: usize = 500;
 /// Characters of a text that takes a share of the width that other columns leave.
 const LONG: usize = 22;
 

@@ -1,5 +1,6 @@
 //! Random damage to sound files of every format: no reader may panic, or take long. `ETALON_FUZZ_SECONDS` says for how long
-//! each reader is run (a fraction of a second without it), and `ETALON_FUZZ_ONLY` which, by a part of its name; the seed of a
+//! each reader is run (a fraction of a second without it), `ETALON_FUZZ_SEED` the seed, and `ETALON_FUZZ_ONLY` which, by a part of its
+//! name; the seed of a
 //! run is printed with what failed.
 
 use super::{logs, qif, readers};
@@ -105,18 +106,19 @@ fn run(name: &str, texts: &[&String], read: impl Fn(&str)) {
         return;
     }
     let (start, mut runs) = (Instant::now(), 0u64);
+    let seed = std::env::var("ETALON_FUZZ_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(2026);
     while start.elapsed() < duration() {
-        let mut noise = Noise::new(2026, runs);
+        let mut noise = Noise::new(seed, runs);
         let text = damaged(texts[below(&mut noise, texts.len())], texts[below(&mut noise, texts.len())], &mut noise);
         let elapsed = || {
             let before = Instant::now();
             let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| read(&text)));
-            assert!(outcome.is_ok(), "{name}: trial {runs} panics on {text:?}");
+            assert!(outcome.is_ok(), "{name}: trial {runs} of seed {seed} panics on {text:?}");
             before.elapsed().as_secs_f64()
         };
         // a busy machine may make one reading slow, not several
         let slow = elapsed() > 1.0 && (0..5).all(|_| elapsed() > 1.0);
-        assert!(!slow, "{name}: trial {runs} takes over a second for {text:?}");
+        assert!(!slow, "{name}: trial {runs} of seed {seed} takes over a second for {text:?}");
         runs += 1;
     }
     println!("{name}: {runs} damaged files in {:.1} s", start.elapsed().as_secs_f64());

@@ -7,23 +7,28 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-fn run(scratch: &Scratch) {
+pub fn run(scratch: &Scratch) {
     let (code, said) = etalon(scratch, "run");
     assert!(matches!(code, Some(0 | 1)), "{said}");
 }
 
 /// Names and bytes of the files of a folder.
-fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().map(|entry| entry.unwrap());
     let file = |path: PathBuf| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(path).unwrap());
     entries.filter(|entry| entry.path().is_file()).map(|entry| file(entry.path())).collect()
 }
 
 /// Hidden files and folders beside the output folder: what a stopped run may leave.
-fn litter(scratch: &Scratch) -> Vec<String> {
+pub fn litter(scratch: &Scratch) -> Vec<String> {
     let entries = std::fs::read_dir(scratch.path()).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
     names.filter(|name| name.starts_with('.')).collect()
+}
+
+/// How often a run is stopped or set beside another one: `ETALON_STOPS`.
+fn stops(otherwise: u32) -> u32 {
+    std::env::var("ETALON_STOPS").ok().and_then(|n| n.parse().ok()).unwrap_or(otherwise)
 }
 
 #[test]
@@ -306,7 +311,7 @@ fn a_killed_run_leaves_the_earlier_folder_or_the_new_one_and_the_next_clears_the
     run(&scratch);
     let whole = begun.elapsed();
     let mut found = [0, 0];
-    let rounds = std::env::var("ETALON_STOPS").ok().and_then(|n| n.parse().ok()).unwrap_or(16u32);
+    let rounds = stops(16);
     for i in 0..rounds {
         let (from, to) = if i % 2 == 0 { ("2.5", "2") } else { ("2", "2.5") };
         scratch.replace("campaign.toml", &format!("coverage_factor = {from}\n"), &format!("coverage_factor = {to}\n"));
@@ -337,7 +342,7 @@ fn a_killed_run_leaves_the_earlier_folder_or_the_new_one_and_the_next_clears_the
 #[test]
 fn two_runs_at_once_end_with_the_files_of_one() {
     let scratch = copy_sample("prexyt-cmm");
-    for i in 0..6 {
+    for i in 0..stops(6) {
         let children: Vec<_> = (0..2)
             .map(|_| {
                 let mut command = Command::new(env!("CARGO_BIN_EXE_etalon"));

@@ -8,6 +8,8 @@ mod compare;
 mod conditions;
 mod conventions;
 mod coverage;
+#[cfg(unix)]
+mod faults;
 mod fits;
 mod fits_covariances;
 mod fits_hostile;

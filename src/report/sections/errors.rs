@@ -2,7 +2,7 @@
 
 use crate::base::pose_name::PoseName;
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, PointError, Statistics};
-use crate::report::model::{Block, Columns, Section, Table, Text, shown};
+use crate::report::model::{Block, Columns, ROWS, Section, Table, Text, shown};
 use crate::report::number::{self, Shown};
 use crate::report::plots::points::{self, after_mm, before_mm};
 use crate::report::plots::{arrows, by_pose, histogram, map};
@@ -57,7 +57,11 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     }
     let table = poses(errors, words);
     if !table.is_empty() {
-        section.push(Block::Aside { title: words.say("Errors of each pose"), blocks: vec![Block::Table(table)] });
+        let title = match table.rows.len() > ROWS {
+            true => words.say("Errors of each pose, the largest first"),
+            false => words.say("Errors of each pose"),
+        };
+        section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
     }
     section.push(Block::Table(residuals(errors, words)));
     section.on_terminal().whole()
@@ -153,13 +157,17 @@ impl OfPose<'_> {
     }
 }
 
-/// Mean and largest error of every pose.
+/// Mean and largest error of every pose; of more than a page shows, the largest first.
 fn poses(errors: &[PointError], words: &Words) -> Table {
     let mut by_pose: BTreeMap<(&str, PoseName), Vec<&PointError>> = BTreeMap::new();
     for p in errors {
         by_pose.entry((&p.set, p.pose)).or_default().push(p);
     }
-    let rows: Vec<OfPose> = by_pose.into_iter().map(|((set, pose), errors)| OfPose { set, pose, errors }).collect();
+    let mut rows: Vec<OfPose> = by_pose.into_iter().map(|((set, pose), errors)| OfPose { set, pose, errors }).collect();
+    if rows.len() > ROWS {
+        let largest = |row: &OfPose| row.largest(|p| Some(after_mm(p))).unwrap_or(0.0);
+        rows.sort_by(|a, b| largest(b).total_cmp(&largest(a)));
+    }
     let largest = errors.iter().flat_map(|p| [before_mm(p), after_mm(p)]).fold(0.0, f64::max);
     let Shown { unit, factor } = number::shown("mm", largest);
     let length = move |v: Option<f64>| shown(v, |v| number::significant(v * factor, 3));
@@ -253,10 +261,13 @@ mod tests {
     fn a_pose_has_the_largest_of_its_errors_and_long_tables_are_cut() {
         let two = [point(1, [0.0; 3], [0.3, 0.0, 0.0], [0.02, 0.0, 0.0]), point(1, [0.0; 3], [0.2; 3], [0.01; 3])];
         assert_eq!(page_of(&poses(&two, &Words::default())), [["1", "calibration", "2", "346", "20.0"]]);
-        let many: Vec<_> = (0..600).map(|i| point(i, [0.0; 3], [0.1; 3], [0.01; 3])).collect();
+        let many: Vec<_> =
+            (0..600u32).map(|i| point(i64::from(i), [0.0; 3], [0.1; 3], [1e-5 * f64::from(i); 3])).collect();
         let table = poses(&many, &Words::default());
         let page = serde_json::to_value(&table).unwrap();
         assert_eq!((table.rows.len(), page_of(&table).len(), page["left_out"].as_u64()), (600, 500, Some(100)));
+        let [first, last] = [0, 499].map(|i: usize| page_of(&table)[i][0].clone());
+        assert_eq!((first.as_str(), last.as_str()), ("599", "100"), "the largest are shown");
         assert!(poses(&[], &Words::default()).is_empty());
     }
 }
