@@ -5,12 +5,11 @@ use super::text_format::{TextFormat, word};
 use super::{Verdict, print, remark, say};
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
-use crate::base::table;
 use crate::document::{FitDocument, to_json};
 use crate::import;
 use crate::import::Format;
 use crate::import::format::Unit;
-use crate::math::fit::{self, CircleMethod, Element, Probe, Settings, Side};
+use crate::math::fit::{self, CircleMethod, Element, PackedPoints, Probe, Settings, Side, Source};
 use crate::stages::qif_fit::{ProbeStated, refit};
 use std::path::PathBuf;
 
@@ -59,7 +58,7 @@ pub struct Fit {
 impl Fit {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let (documents, qif) = match self.plain()? {
-            Some(points) => (vec![self.fit("", &points)?], false),
+            Some(points) => (vec![self.fit("", Source::from(&points))?], false),
             None => {
                 let texts = self.texts()?;
                 let qif = texts.iter().any(|(_, text)| import::qif::is_xml(text));
@@ -118,7 +117,7 @@ impl Fit {
         if groups.is_empty() {
             groups.push((String::new(), Vec::new()));
         }
-        groups.iter().map(|(label, points)| self.fit(label, points)).collect()
+        groups.iter().map(|(label, points)| self.fit(label, Source::from(points))).collect()
     }
 
     /// The measured features of QIF files; one that cannot be fitted is reported and left out.
@@ -208,15 +207,15 @@ impl Fit {
     }
 
     /// The points of all files, if all are plain tables and no label matters.
-    fn plain(&self) -> Result<Option<Vec<Vector>>, Problems> {
+    fn plain(&self) -> Result<Option<PackedPoints>, Problems> {
         if self.by_label || self.all_features() || self.text.stated_unit()?.is_none() {
             return Ok(None);
         }
         let (unit, format) = (self.text.unit()?, self.format()?);
-        let mut all = Vec::new();
+        let mut all = PackedPoints::default();
         for path in self.files.iter() {
-            match import::cloud(path, &format, unit) {
-                Ok(Some(cloud)) => all.extend(table::coordinates(&cloud.table)?),
+            match import::packed_points(path, &format, unit) {
+                Ok(Some(points)) => all.append(points),
                 _ => return Ok(None),
             }
         }
@@ -228,7 +227,8 @@ impl Fit {
         self.format.as_deref().map_or_else(|| self.text.format(), |name| word("--format", name))
     }
 
-    fn fit(&self, label: &str, points: &[Vector]) -> Result<FitDocument, Problems> {
+    fn fit(&self, label: &str, points: Source) -> Result<FitDocument, Problems> {
+        let all = || (0..points.len()).map(|i| points.at(i)).collect::<Vec<Vector>>();
         let label = (!label.is_empty()).then(|| label.to_owned());
         if self.element.starts_with("enclosing-") && self.probe()?.is_some() {
             let message = Message::error(format!("{} is not compensated for a probe", self.element));
@@ -240,17 +240,18 @@ impl Fit {
                 Err(message.hint("leave --minimum-zone out, or fit a circle2d").into())
             }
             "enclosing-circle" => {
-                let plane: Vec<[f64; 2]> = points.iter().map(|p| [p[0], p[1]]).collect();
+                let plane: Vec<[f64; 2]> = all().iter().map(|p| [p[0], p[1]]).collect();
                 let flat: Vec<Vector> = plane.iter().map(|p| [p[0], p[1], 0.0]).collect();
                 Ok(FitDocument::enclosing("enclosing-circle", label, &flat, &fit::enclosing_circle(&plane)?))
             }
             "enclosing-sphere" => {
-                Ok(FitDocument::enclosing("enclosing-sphere", label, points, &fit::enclosing_sphere(points)?))
+                let points = all();
+                Ok(FitDocument::enclosing("enclosing-sphere", label, &points, &fit::enclosing_sphere(&points)?))
             }
             name => {
                 let element: Element = name.parse()?;
                 if self.minimum_zone {
-                    return Ok(FitDocument::minimum_zone(label, &fit::minimum_zone(element, points)?));
+                    return Ok(FitDocument::minimum_zone(label, &fit::minimum_zone(element, &all())?));
                 }
                 Ok(FitDocument::new(label, &fit::element(element, points, &self.settings(self.probe()?))?))
             }

@@ -6,6 +6,7 @@ use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
 use crate::import::format::Unit;
+use crate::math::fit::PackedPoints;
 use indexmap::IndexSet;
 use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
 use rayon::prelude::*;
@@ -31,6 +32,7 @@ struct Part {
     /// Each once, ended by a line feed.
     labels: String,
     label: Vec<u32>,
+    /// In the unit of the file.
     xyz: [Vec<f64>; 3],
     /// All rows look like two angles and a distance.
     angles: bool,
@@ -42,20 +44,44 @@ struct Part {
 /// # Errors
 /// If the file cannot be read.
 pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> {
+    let in_mm = |mut part: Part| {
+        part.xyz.iter_mut().flatten().for_each(|value| *value *= unit.in_mm());
+        part
+    };
+    read(path, format, unit, in_mm)?.map(together).transpose()
+}
+
+/// The same without labels, in half the memory.
+///
+/// # Errors
+/// If the file cannot be read.
+pub fn packed_points(path: &Path, format: &Format, unit: Unit) -> Result<Option<PackedPoints>> {
+    let parts = read(path, format, unit, |part| PackedPoints::of(&part.xyz, unit.in_mm()))?;
+    Ok(parts.map(|parts| {
+        let mut all = PackedPoints::default();
+        parts.into_iter().for_each(|part| all.append(part));
+        all
+    }))
+}
+
+/// What `made` makes of the rows of each block.
+fn read<T: Send>(path: &Path, format: &Format, unit: Unit, made: impl Fn(Part) -> T + Sync) -> Result<Option<Vec<T>>> {
     let fail = |e: std::io::Error| Problems::from(Message::error(format!("cannot read `{}`: {e}", path.display())));
     let size = files::open(path).and_then(|file| file.metadata()).map_err(fail)?.len();
     let mut start = Vec::new();
     files::open(path).and_then(|file| file.take(LONGEST_LINE as u64).read_to_end(&mut start)).map_err(fail)?;
     let Some(plain) = format.plain(&start) else { return Ok(None) };
-    let parts: std::io::Result<Vec<Option<Part>>> = (0..size.div_ceil(BLOCK))
-        .into_par_iter()
-        .map_init(Vec::new, |bytes, k| plain.part(path, unit.in_mm(), k * BLOCK, size, bytes))
-        .collect();
-    let Some(parts) = parts.map_err(fail)?.into_iter().collect::<Option<Vec<Part>>>() else { return Ok(None) };
-    if plain.may_be_angles && parts.iter().all(|part| part.angles) {
+    let part = |bytes: &mut Vec<u8>, k: u64| {
+        let part = plain.part(path, unit.in_mm(), k * BLOCK, size, bytes)?;
+        Ok(part.map(|part| (part.angles, made(part))))
+    };
+    let parts: std::io::Result<Vec<Option<(bool, T)>>> =
+        (0..size.div_ceil(BLOCK)).into_par_iter().map_init(Vec::new, part).collect();
+    let Some(parts) = parts.map_err(fail)?.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
+    if plain.may_be_angles && parts.iter().all(|(angles, _)| *angles) {
         return Ok(None);
     }
-    Ok(Some(together(parts)?))
+    Ok(Some(parts.into_iter().map(|(_, made)| made).collect()))
 }
 
 /// The parts one after the other, without copying their coordinates.
@@ -146,7 +172,7 @@ impl Plain {
             part.label.push(before.1);
             part.angles &= xyz[0].abs() <= std::f64::consts::TAU && xyz[2] * in_mm > 100.0;
             for (column, value) in part.xyz.iter_mut().zip(xyz) {
-                column.push(value * in_mm);
+                column.push(value);
             }
             at = line.at;
         }

@@ -17,7 +17,7 @@ pub mod tables;
 mod workbook;
 pub(crate) mod xml;
 
-pub use cloud::{Cloud, cloud};
+pub use cloud::{Cloud, cloud, packed_points};
 pub use export::Export;
 pub(crate) use export::{Named as LabelNames, Pattern as LabelPattern};
 pub use formats::{Format, qif};

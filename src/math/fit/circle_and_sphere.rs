@@ -63,8 +63,12 @@ impl Surface<3, 1> for Disc {
 /// NIST's reference pairs and most CMM software fit the plane, project the points onto it and fit the circle there.
 /// The full orthogonal distance to the curve differs: by 0.9 µrad in the normal on NIST's own set 25.
 pub fn circle3d(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    circle3d_of(points.into(), settings)
+}
+
+pub(super) fn circle3d_of(points: Source, settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Circle3d)?;
-    let cloud = Cloud::new(Element::Circle3d, Source::Space(points.into()), settings)?;
+    let cloud = Cloud::new(Element::Circle3d, points, settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
     let heights = Residuals::of(&cloud, |q| [along(q, normal)]);
     let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), heights.squares);
@@ -155,8 +159,12 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
 ///
 /// Orthogonal distance (Shakarji 1998, 3.3) from Taubin's start.
 pub fn sphere(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    sphere_of(points.into(), settings)
+}
+
+pub(super) fn sphere_of(points: Source, settings: &Settings) -> Result<Fit> {
     settings.check(Element::Sphere)?;
-    let cloud = Cloud::new(Element::Sphere, Source::Space(points.into()), settings)?;
+    let cloud = Cloud::new(Element::Sphere, points, settings)?;
     let (start, radius) = taubin::<4>(&cloud.thinned(SAMPLE).points().collect::<Vec<_>>());
     let held = settings.held_radius_mm().map(|r| r / cloud.scale_mm);
     let start = [start[0], start[1], start[2], held.unwrap_or(radius)];

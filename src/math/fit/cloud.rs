@@ -9,6 +9,7 @@
 
 use super::element::{Element, Settings, refuse};
 use super::f64x8::{F64x8, LANES, Points, along};
+use super::packed::PackedPoints;
 use crate::base::message::Result;
 use crate::base::pose::{Vector, cross, dot, unit};
 use crate::math::solve::symmetric_eigen;
@@ -72,24 +73,55 @@ impl<A: Gather, B: Gather> Gather for (A, B) {
 }
 
 /// Where the coordinates of points lie.
-#[derive(Clone)]
-pub(super) enum Source<'a> {
+#[derive(Clone, Debug)]
+pub enum Source<'a> {
+    /// In space, in millimetres.
     Space(Cow<'a, [Vector]>),
+    /// In a plane, in millimetres.
     Plane(&'a [[f64; 2]]),
+    /// In space, in half the memory.
+    Packed(&'a PackedPoints),
+}
+
+impl<'a> From<&'a [Vector]> for Source<'a> {
+    fn from(points: &'a [Vector]) -> Self {
+        Self::Space(points.into())
+    }
+}
+
+impl<'a> From<&'a Vec<Vector>> for Source<'a> {
+    fn from(points: &'a Vec<Vector>) -> Self {
+        Self::Space(points.into())
+    }
+}
+
+impl<'a> From<&'a PackedPoints> for Source<'a> {
+    fn from(points: &'a PackedPoints) -> Self {
+        Self::Packed(points)
+    }
 }
 
 impl Source<'_> {
-    fn len(&self) -> usize {
+    /// Number of points.
+    pub fn len(&self) -> usize {
         match self {
             Self::Space(points) => points.len(),
             Self::Plane(points) => points.len(),
+            Self::Packed(points) => points.len(),
         }
     }
 
-    fn at(&self, i: usize) -> Vector {
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Point `i`, in the plane with z = 0.
+    pub fn at(&self, i: usize) -> Vector {
         match self {
             Self::Space(points) => points[i],
             Self::Plane(points) => [points[i][0], points[i][1], 0.0],
+            Self::Packed(points) => points.at(i),
         }
     }
 }
@@ -418,6 +450,13 @@ impl Cloud<'_> {
                     #[inline(always)]
                     || self.pass(range.start, &points[range], gathered),
                 ),
+                Source::Packed(points) => {
+                    let (first, points) = (range.start, points.range(range));
+                    machine.dispatch(
+                        #[inline(always)]
+                        || self.pass(first, &points, gathered),
+                    )
+                }
             }
         };
         let blocks = self.len().div_ceil(BLOCK);

@@ -18,8 +18,12 @@ use std::f64::consts::PI;
 /// Distance to the surface, stated at the centroid and not at the apex, so that slim cones are not singular
 /// (Shakarji 1998, 3.5). The start is searched over the hemisphere of axes, the best are followed.
 pub fn cone(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    cone_of(points.into(), settings)
+}
+
+pub(super) fn cone_of(points: Source, settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Cone)?;
-    let cloud = Cloud::new(Element::Cone, Source::Space(points.into()), settings)?;
+    let cloud = Cloud::new(Element::Cone, points, settings)?;
     let free = [true, true, false, held.is_none(), held.is_none(), true, true];
     let upright = |funnel, x| Some(widening(funnel, x)).filter(|(_, x): &(Funnel, [f64; 7])| x[5] > 0.0);
     let found =

@@ -17,8 +17,12 @@ use crate::base::pose::Vector;
 /// Orthogonal distance to the axis (Shakarji 1998, 3.4). The start is searched over the hemisphere of axes with a
 /// circle for each (after Eberly, "Fitting 3D data with a cylinder", Geometric Tools 2019), the best are followed.
 pub fn cylinder(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    cylinder_of(points.into(), settings)
+}
+
+pub(super) fn cylinder_of(points: Source, settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Cylinder)?;
-    let cloud = Cloud::new(Element::Cylinder, Source::Space(points.into()), settings)?;
+    let cloud = Cloud::new(Element::Cylinder, points, settings)?;
     let radius = settings.held_radius_mm().map(|r| r / cloud.scale_mm);
     let free = [true, true, false, held.is_none(), held.is_none(), radius.is_none()];
     let found = search(

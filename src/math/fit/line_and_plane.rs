@@ -12,7 +12,7 @@ use crate::base::pose::{Vector, cross, dot, minus};
 ///
 /// The direction is the principal direction of largest spread of the centred points (Shakarji 1998, 3.1).
 pub fn line(points: &[Vector], settings: &Settings) -> Result<Fit> {
-    fit(Element::Line, Source::Space(points.into()), settings)
+    fit(Element::Line, points.into(), settings)
 }
 
 /// Fits a straight line in the plane; z of its point and direction is zero.
@@ -20,7 +20,7 @@ pub fn line2d(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
     fit(Element::Line2d, Source::Plane(points), settings)
 }
 
-fn fit(element: Element, points: Source, settings: &Settings) -> Result<Fit> {
+pub(super) fn fit(element: Element, points: Source, settings: &Settings) -> Result<Fit> {
     let held = settings.check(element)?;
     let cloud = Cloud::new(element, points, settings)?;
     let direction = from_first_to_last(&cloud, held.unwrap_or(cloud.axes[0]));
@@ -70,12 +70,16 @@ pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
 ///
 /// The normal is the principal direction of least spread of the centred points (Shakarji 1998, 3.2).
 pub fn plane(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    plane_of(points.into(), settings)
+}
+
+pub(super) fn plane_of(points: Source, settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Plane)?;
-    let cloud = Cloud::new(Element::Plane, Source::Space(points.into()), settings)?;
+    let cloud = Cloud::new(Element::Plane, points, settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
     let residuals = Residuals::of(&cloud, |q| [along(q, normal)]);
     let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), residuals.squares);
-    let degrees_of_freedom = points.len() - if held.is_some() { 1 } else { 3 };
+    let degrees_of_freedom = cloud.len() - if held.is_some() { 1 } else { 3 };
     let mut fit = Fit::new(Element::Plane, &cloud, [0.0; 3], residuals);
     fit.direction = Some(normal);
     fit.degrees_of_freedom = degrees_of_freedom;

@@ -18,6 +18,7 @@ mod enclosing;
 mod f64x8;
 mod line_and_plane;
 mod minimum_zone;
+mod packed;
 mod result;
 mod rigid;
 mod search;
@@ -25,32 +26,34 @@ mod solver;
 mod torus;
 
 pub use circle_and_sphere::{circle2d, circle3d, sphere};
+pub use cloud::Source;
 pub use cone::cone;
 pub use cylinder::cylinder;
 pub use element::{CircleMethod, Element, Probe, Settings, Side};
 pub use enclosing::{Enclosing, enclosing_circle, enclosing_sphere};
 pub use line_and_plane::{line, line2d, plane};
 pub use minimum_zone::{MinimumZone, minimum_zone};
+pub use packed::PackedPoints;
 pub use result::{Compensation, Covariance, Fit, QUANTITIES, Residuals, StandardUncertainty};
 pub use rigid::{RigidFit, rigid, rotation_onto};
 pub use torus::torus;
 
 use crate::base::message::Result;
-use crate::base::pose::Vector;
 
 /// Fits any element; of a line or circle in the plane, z of the points is not looked at.
-pub fn element(element: Element, points: &[Vector], settings: &Settings) -> Result<Fit> {
-    let flat = || points.iter().map(|p| [p[0], p[1]]).collect::<Vec<_>>();
+pub fn element<'a>(element: Element, points: impl Into<Source<'a>>, settings: &Settings) -> Result<Fit> {
+    let points = points.into();
+    let flat = || (0..points.len()).map(|i| points.at(i)).map(|[x, y, _]| [x, y]).collect::<Vec<_>>();
     match element {
         Element::Line2d => line2d(&flat(), settings),
-        Element::Line => line(points, settings),
-        Element::Plane => plane(points, settings),
+        Element::Line => line_and_plane::fit(element, points, settings),
+        Element::Plane => line_and_plane::plane_of(points, settings),
         Element::Circle2d => circle2d(&flat(), settings),
-        Element::Circle3d => circle3d(points, settings),
-        Element::Sphere => sphere(points, settings),
-        Element::Cylinder => cylinder(points, settings),
-        Element::Cone => cone(points, settings),
-        Element::Torus => torus(points, settings),
+        Element::Circle3d => circle_and_sphere::circle3d_of(points, settings),
+        Element::Sphere => circle_and_sphere::sphere_of(points, settings),
+        Element::Cylinder => cylinder::cylinder_of(points, settings),
+        Element::Cone => cone::cone_of(points, settings),
+        Element::Torus => torus::torus_of(points, settings),
     }
 }
 

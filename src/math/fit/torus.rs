@@ -18,8 +18,12 @@ use crate::math::solve::symmetric_eigen;
 /// Orthogonal distance (ISO 10360-6:2001 tests it so). The start is searched over the hemisphere of axes, for each a
 /// circle through the points seen along the axis, and a circle through them seen along the tube.
 pub fn torus(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    torus_of(points.into(), settings)
+}
+
+pub(super) fn torus_of(points: Source, settings: &Settings) -> Result<Fit> {
     let held = settings.check(Element::Torus)?;
-    let cloud = Cloud::new(Element::Torus, Source::Space(points.into()), settings)?;
+    let cloud = Cloud::new(Element::Torus, points, settings)?;
     let free = [true, true, true, held.is_none(), held.is_none(), true, true];
     let upright = |bend, x: [f64; 7]| (x[5] > 0.0 && x[6] > 0.0).then_some((bend, x));
     let found = search(&cloud, held, free, torus_along, upright, |chart| Bend { chart });
