@@ -60,10 +60,11 @@
 //!     .iter()
 //!     .enumerate()
 //!     .map(|(i, q)| Observation {
-//!         pose: i as i64,
+//!         pose: (i as i64).into(),
 //!         cycle: 1,
 //!         joints: q.to_vec(),
 //!         targets: robot.balls(&truth, q).map(|[x, y]| Some([x, y, 0.0])).to_vec(),
+//!         ..Observation::default()
 //!     })
 //!     .collect();
 //! let settings =

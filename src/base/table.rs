@@ -11,6 +11,12 @@ use std::io::{Cursor, Write};
 /// Columns of the coordinates, in millimetres.
 pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
+/// Columns of their standard uncertainties.
+pub const UNCERTAINTIES: [&str; 3] = ["ux_mm", "uy_mm", "uz_mm"];
+
+/// Columns of their covariance, in square millimetres: the upper triangle row by row.
+pub const COVARIANCES: [&str; 6] = ["cxx_mm2", "cxy_mm2", "cxz_mm2", "cyy_mm2", "cyz_mm2", "czz_mm2"];
+
 /// Columns of the angles, in degrees: rotations about the axes named in the rotation order that the user states.
 pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 

@@ -345,11 +345,15 @@ pub enum OutlierRule {
 }
 
 /// Readings that are left out of identification and validation.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Exclude {
     /// Poses: names and ranges.
-    pub poses: StatedPoses,
+    pub poses: Option<StatedPoses>,
+    /// Instead of poses, data rows of `file`, counted from 1, refused ones included: numbers and ranges.
+    pub rows: Option<StatedPoses>,
+    /// The export whose `rows` are left out.
+    pub file: Option<String>,
     /// Repeat; without it all repeats.
     pub cycle: Option<i64>,
     /// Target; without it all targets.

@@ -1,14 +1,18 @@
 //! `etalon identify`
 
 use super::table_file::TableFile;
+use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
 use crate::base::files;
-use crate::base::message::{Message, Problems};
-use crate::campaign::read_robot;
+use crate::base::message::{Message, Place, Problems, count};
+use crate::base::table::{ASSEMBLY, COVARIANCES, UNCERTAINTIES};
+use crate::campaign::{Exclude, read_robot};
 use crate::document::to_json;
-use crate::math::identify::{ResidualKind, Settings, fit_frames, identify_from};
+use crate::math::identify::{ResidualKind, Settings, fit_frames, identify_from, weigh};
+use crate::math::robots::Robot;
 use crate::report::Faces;
 use crate::stages::evaluate::{self, Sets};
+use crate::stages::exclusions::{Exclusion, exclude, excluded_rows};
 use crate::stages::kinds::{self, Uncertainties};
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
@@ -41,6 +45,14 @@ pub struct Identify {
     /// Compare poses as in eq. 3.26 instead of targets (planar robots)
     #[arg(long)]
     pose_residuals: bool,
+    /// Leave the readings of poses out, with the reason, which the result repeats: "13, home: ball loose"; may be repeated
+    #[arg(long, value_name = "POSES: REASON")]
+    exclude: Vec<String>,
+    /// Leave rows of data out, counted from 1, likewise: "17-19: beam broken"
+    #[arg(long, value_name = "ROWS: REASON")]
+    exclude_rows: Vec<String>,
+    #[command(flatten)]
+    format: TableFormat,
     /// Hold a parameter at its nominal value; `*` replaces any text; may be repeated
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
@@ -62,23 +74,27 @@ impl Identify {
             }
         }
         let robot_file = read_robot(&self.robot)?;
-        let observed = TableFile::read(&self.observations)?;
+        let mut observed = self.format.read(&self.observations)?;
+        let mut messages = self.leave_rows_out(&mut observed)?;
+        let observed = observed;
         let here = |problems: Problems| observed.place(problems);
         let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
-        let mut messages = Vec::new();
+        messages.extend(unread(robot.as_ref(), &observed));
         let mut settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             common_uncertainty_mm: self.common_uncertainty_um.map(|u| u / 1000.0),
-            hold: self.hold,
+            hold: self.hold.clone(),
             ..Settings::default()
         };
         let without = Uncertainties {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
         };
-        let observations =
+        let mut observations =
             kinds::observed(robot.as_mut(), &observed.table, without, &mut settings, &mut messages).map_err(here)?;
+        messages.extend(exclude(&self.exclusions()?, robot.as_ref(), &mut observations, &mut settings.conditions)?);
+        messages.extend(weigh(&observations, robot.dimension(), &mut settings).map_err(here)?);
         messages.extend(stale(robot.as_ref(), &observations));
         let before = fit_frames(robot.as_ref(), &observations, &settings)?;
         let mut found = identify_from(robot.as_ref(), &observations, &settings, &before)?;
@@ -97,4 +113,38 @@ impl Identify {
         remark(&document.messages);
         answer(&faces, None)
     }
+
+    /// The rules of `--exclude`.
+    fn exclusions(&self) -> Result<Vec<Exclusion>, Problems> {
+        let rule = |text: &String| {
+            let (poses, reason) = Exclusion::of_option("--exclude", text)?;
+            let rule = Exclude { poses: Some(poses), reason, ..Exclude::default() };
+            Ok(Exclusion { rule, place: Place::file("--exclude") })
+        };
+        self.exclude.iter().map(rule).collect()
+    }
+
+    /// Takes the rows of `--exclude-rows` out of the table, and names them with their reasons.
+    fn leave_rows_out(&self, observed: &mut TableFile) -> Result<Vec<Message>, Problems> {
+        let mut left_out = vec![false; observed.table.height()];
+        let mut messages = Vec::new();
+        for text in &self.exclude_rows {
+            let (rows, reason) = Exclusion::of_option("--exclude-rows", text)?;
+            let excluded = excluded_rows(&rows, &reason, 1..=left_out.len() as i64)?;
+            excluded.iter().for_each(|row| left_out[*row as usize - 1] = true);
+            let what = format!("excluded: {}, rows {rows}: {reason}", count(excluded.len(), "row"));
+            messages.push(Message::warning(what));
+        }
+        observed.leave_out(&left_out)?;
+        Ok(messages)
+    }
+}
+
+/// A warning about columns that nothing reads.
+fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message> {
+    let joints = observed.table.get_column_names().into_iter().map(|name| name.as_str());
+    let joints = joints.filter(|name| robot.joints().iter().any(|joint| joint.factor(name).is_some()));
+    let known =
+        ["pose", "cycle", "target", ASSEMBLY].into_iter().chain(UNCERTAINTIES).chain(COVARIANCES).chain(kinds::COLUMNS);
+    observed.named().unread(&known.chain(joints).collect::<Vec<_>>())
 }

@@ -1,13 +1,10 @@
 //! Options that state how a text of points is read.
 
+use super::table_file::TableFile;
 use crate::base::message::{Message, Problems};
-use crate::import::Format;
-use crate::import::format::Decimal;
-use crate::import::format::Delimiter;
-use crate::import::format::Dialect;
-use crate::import::format::Header;
-use crate::import::format::Role;
-use crate::import::format::Unit;
+use crate::import::format::{Decimal, Delimiter, Dialect, Header, Role, Unit};
+use crate::import::{Format, Marks};
+use std::path::Path;
 
 /// Unit and columns of a text.
 #[derive(Debug, clap::Args)]
@@ -59,6 +56,33 @@ impl TextFormat {
             header: Header::Rows(self.header),
             ..Dialect::default()
         }))
+    }
+}
+
+/// How a table of observations is read.
+#[derive(Debug, clap::Args)]
+pub(super) struct TableFormat {
+    /// What separates the columns: comma, semicolon, tab, bar or blank
+    #[arg(long, default_value = "comma")]
+    delimiter: String,
+    /// Decimal mark: point or comma
+    #[arg(long, default_value = "point")]
+    decimal: String,
+    /// Encoding of the characters, where no byte-order mark states it
+    #[arg(long)]
+    encoding: Option<String>,
+    /// Sheet of a workbook (.xlsx) that holds the table
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
+    sheet: Option<String>,
+}
+
+impl TableFormat {
+    /// The table in the file.
+    pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
+        let marks =
+            Marks { delimiter: word("--delimiter", &self.delimiter)?, decimal: word("--decimal", &self.decimal)? };
+        let encoding = self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()?;
+        TableFile::read_as(path, marks, encoding, self.sheet.as_deref())
     }
 }
 

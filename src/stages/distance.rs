@@ -82,7 +82,13 @@ mod tests {
     fn grid(first_mm: f64) -> Vec<Observation> {
         let joints = |i: usize| [i % 4, i / 4 % 4, i / 16].map(|k| first_mm + 10.0 * k as f64).to_vec();
         (0..64)
-            .map(|i| Observation { pose: (i as i64).into(), cycle: 1, joints: joints(i), targets: vec![None, None] })
+            .map(|i| Observation {
+                pose: (i as i64).into(),
+                cycle: 1,
+                joints: joints(i),
+                targets: vec![None, None],
+                ..Observation::default()
+            })
             .collect()
     }
 

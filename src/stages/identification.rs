@@ -2,12 +2,13 @@
 
 use crate::base::message::{Message, Problems, Result, count};
 use crate::base::pose_name::PoseName;
-use crate::campaign::{Campaign, Exclude, Identify, OutlierRule, Selection};
+use crate::campaign::{Campaign, Identify, OutlierRule, Selection};
 use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings, ToolPoint};
 use crate::math::robots::Robot;
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, Sets};
+use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::Joined;
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
@@ -42,13 +43,15 @@ pub fn identify(
 ) -> Result<Identified> {
     let mut messages = Vec::new();
     let mut observations = Observation::from_table(robot, &joined.observations[0].1, &mut messages)?;
-    messages.extend(exclude(campaign, stated, robot, &mut observations)?);
+    messages.extend(exclude(&exclusions(campaign, stated), robot, &mut observations, &mut Vec::new())?);
     messages.extend(stale(robot, &observations));
     let poses = evaluate::poses(&observations);
     check_selections(campaign, &poses)?;
     let selections = campaign.selections(stated)?;
     let mut sets = evaluate::split(&observations, &poses, &selections);
-    let settings = campaign.settings(stated);
+    let mut settings = campaign.settings(stated);
+    let weighted = identify::weigh(&observations, robot.dimension(), &mut settings);
+    messages.extend(weighted.map_err(|problems| problems.at(&campaign.place_of(&["identify", "residuals"])))?);
     let mut before = identify::fit_frames(robot, &sets.calibration, &settings)?;
     let frames = frame_errors(&frames.world);
     let mut found = identify::identify_in_frames(robot, &sets.calibration, &settings, &before, &frames)?;
@@ -63,7 +66,7 @@ pub fn identify(
     }
     for (name, table) in joined.observations.iter().skip(1) {
         let mut observations = Observation::from_table(robot, table, &mut messages)?;
-        exclude(campaign, stated, robot, &mut observations)?;
+        exclude(&exclusions(campaign, stated), robot, &mut observations, &mut Vec::new())?;
         let others = evaluate::split(&observations, &poses, &selections);
         let theirs = identify::identify(robot, &others.calibration, &settings)?;
         let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, found: &found };
@@ -113,88 +116,17 @@ pub fn preview(campaign: &Campaign, robot: &dyn Robot, joined: &Joined) -> Resul
         return Ok(Vec::new());
     };
     let mut observations = Observation::from_table(robot, table, &mut Vec::new())?;
-    exclude(campaign, stated, robot, &mut observations)?;
+    exclude(&exclusions(campaign, stated), robot, &mut observations, &mut Vec::new())?;
     let mut messages = stale(robot, &observations);
     let u_mm = campaign.settings(stated).coordinate_uncertainty_mm();
     messages.extend(identify::set_up_problem(robot, &observations, u_mm));
     Ok(messages)
 }
 
-/// Leaves out the readings that the campaign excludes, and names them with their reasons. What a rule names must have been measured,
-/// whatever other rules exclude.
-fn exclude(
-    campaign: &Campaign,
-    stated: &Identify,
-    robot: &dyn Robot,
-    observations: &mut Vec<Observation>,
-) -> Result<Vec<Message>> {
-    let (mut messages, mut problems) = (Vec::new(), Problems::default());
-    let mut excluded: BTreeSet<(usize, usize)> = BTreeSet::new();
-    for rule in &stated.exclude {
-        match readings_of(rule.get_ref(), robot, observations) {
-            Ok(readings) => {
-                let Exclude { poses, cycle, target, reason } = rule.get_ref();
-                let of = target.as_ref().map_or(String::new(), |target| format!(" of `{target}`"));
-                let cycle = cycle.map_or(String::new(), |cycle| format!(", cycle {cycle}"));
-                let poses = poses.to_string();
-                let of_poses = if poses.trim().parse::<i64>().is_ok() { "pose" } else { "poses" };
-                let readings_left_out = count(readings.len(), "reading");
-                let what = format!("excluded: {readings_left_out}{of}, {of_poses} {poses}{cycle}: {reason}");
-                messages.push(Message::warning(what));
-                excluded.extend(readings);
-            }
-            Err(message) => problems.0.push(message.at(campaign.place(rule))),
-        }
-    }
-    for &(o, target) in &excluded {
-        observations[o].targets[target] = None;
-    }
-    observations.retain(|o| o.targets.iter().any(Option::is_some));
-    if let (true, Some(first)) = (observations.is_empty(), stated.exclude.first()) {
-        problems.0.push(Message::error("the exclusions leave no reading").at(campaign.place(first)));
-    }
-    problems.check()?;
-    Ok(messages)
-}
-
-/// The readings that a rule excludes: indices of observations and of their targets.
-fn readings_of(
-    rule: &Exclude,
-    robot: &dyn Robot,
-    observations: &[Observation],
-) -> std::result::Result<Vec<(usize, usize)>, Message> {
-    let Exclude { poses, cycle, target, reason } = rule;
-    let Ok(Selection::Named(named)) = Selection::parse(poses) else {
-        let message = Message::error(format!("`{poses}` names no poses to exclude"));
-        return Err(message.expected("names and ranges like \"13, 20-22, home\""));
-    };
-    if let Some(target) = target.as_ref().filter(|target| !robot.targets().contains(target)) {
-        let message = Message::error(format!("`{target}` is not a target of this robot"));
-        return Err(message.hint_names(target, robot.targets().iter().map(String::as_str)));
-    }
-    if reason.trim().is_empty() {
-        return Err(Message::error("an exclusion needs its reason"));
-    }
-    let mut all = BTreeSet::new();
-    for named_poses in named {
-        let here = |o: &Observation| named_poses.contains(o.pose) && cycle.is_none_or(|cycle| cycle == o.cycle);
-        let observed = observations.iter().enumerate().filter(|(_, o)| here(o));
-        let named = |k: &usize| target.as_ref().is_none_or(|target| *target == robot.targets()[*k]);
-        let mut measured = observed
-            .flat_map(|(i, o)| {
-                (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).filter(named).map(move |k| (i, k))
-            })
-            .peekable();
-        if measured.peek().is_none() {
-            let what = format!(
-                "this exclusion leaves no reading out at pose {}: there is none of this pose, cycle and target",
-                named_poses.name
-            );
-            return Err(Message::error(what));
-        }
-        all.extend(measured);
-    }
-    Ok(all.into_iter().collect())
+/// What the campaign excludes, with the place of each rule.
+fn exclusions(campaign: &Campaign, stated: &Identify) -> Vec<Exclusion> {
+    let all = stated.exclude.iter();
+    all.map(|rule| Exclusion { rule: rule.get_ref().clone(), place: campaign.place(rule) }).collect()
 }
 
 /// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.

@@ -2,7 +2,7 @@
 //!
 //! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
 
-use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::{Pose, Vector};
 use crate::base::pose_name::PoseName;
 use crate::base::table;
@@ -14,6 +14,22 @@ use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 const KINDS: [&str; 5] = ["point", "pose", "distance", "contact", "plane"];
 /// Columns of an orientation: the quaternion that turns vectors of the body to the world.
 const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
+/// Columns of all kinds beside those of positions.
+pub const COLUMNS: [&str; 13] = [
+    "kind",
+    "qw",
+    "qx",
+    "qy",
+    "qz",
+    "socket",
+    "other",
+    "plane",
+    "axis",
+    "distance_mm",
+    "offset_mm",
+    "u_mm",
+    "urot_deg",
+];
 /// How far a quaternion of a measurement may be from length one: it has a few decimals.
 const LENGTH_ONE: f64 = 1e-3;
 /// Axes of the world.
@@ -40,6 +56,16 @@ pub fn targets(observations: &DataFrame) -> Result<Vec<String>> {
     Ok(targets)
 }
 
+/// Rows that give some coordinates of a target, and not all.
+fn partial_rows(robot: &dyn Robot, observations: &DataFrame) -> Result<Vec<bool>> {
+    let columns = table::XYZ[..robot.dimension()].iter().filter(|name| observations.column(name).is_ok());
+    let columns = columns.map(|name| table::numbers(observations, name)).collect::<Result<Vec<_>>>()?;
+    let given = |row: usize| columns.iter().filter(|column| !column[row].is_nan()).count();
+    // a column that is missing is a mistake
+    let whole = columns.len() == robot.dimension();
+    Ok((0..observations.height()).map(|row| whole && (1..robot.dimension()).contains(&given(row))).collect())
+}
+
 /// Rows without a pose.
 fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
     let Ok(poses) = observations.column("pose") else { return Ok(vec![false; observations.height()]) };
@@ -56,7 +82,11 @@ pub fn observed(
     messages: &mut Vec<Message>,
 ) -> Result<Vec<Observation>> {
     let of_kinds = |name: &str| observations.column(name).is_ok();
-    if !of_kinds("kind") && !QUATERNION.into_iter().any(of_kinds) && !fixed_rows(observations)?.contains(&true) {
+    if !partial_rows(robot, observations)?.contains(&true)
+        && !of_kinds("kind")
+        && !QUATERNION.into_iter().any(of_kinds)
+        && !fixed_rows(observations)?.contains(&true)
+    {
         return Observation::from_table(robot, observations, messages);
     }
     let rows = Rows::new(robot, observations, without)?;
@@ -67,6 +97,14 @@ pub fn observed(
         }
     }
     problems.check()?;
+    let partial = rows.partial.iter().filter(|partial| **partial).count();
+    if partial > 0 {
+        let what = format!(
+            "{} give one or two coordinates of their targets, which count by themselves",
+            count(partial, "row")
+        );
+        messages.push(Message::warning(what));
+    }
     let has_position: BooleanChunked = BooleanChunked::from_iter_values(
         "position".into(),
         (0..observations.height()).map(|row| rows.has_position(row)),
@@ -96,6 +134,8 @@ struct Rows {
     distances_mm: Vec<f64>,
     offsets_mm: Vec<f64>,
     u_mm: Vec<f64>,
+    u_axes_mm: [Vec<f64>; 3],
+    partial: Vec<bool>,
     u_rotation_rad: Vec<f64>,
     lines: Vec<i64>,
     without: Uncertainties,
@@ -137,6 +177,7 @@ impl Rows {
         let [x, y, z] = coordinates;
         let (x, y, z) = (x?, y?, z?);
         let column = if has("u_mm") { "u_mm" } else { "ux_mm" };
+        let [ux, uy, uz] = table::UNCERTAINTIES.map(|name| numbers(name, f64::NAN));
         Ok(Self {
             kinds: texts("kind")?,
             fixed: fixed_rows(observations)?,
@@ -158,6 +199,8 @@ impl Rows {
             distances_mm: numbers("distance_mm", f64::NAN)?,
             offsets_mm: numbers("offset_mm", 0.0)?,
             u_mm: numbers(column, f64::NAN)?,
+            u_axes_mm: [ux?, uy?, uz?],
+            partial: partial_rows(robot, observations)?,
             u_rotation_rad: numbers("urot_deg", f64::NAN)?.into_iter().map(f64::to_radians).collect(),
             lines: if has("line") { table::integers(observations, "line")? } else { Vec::new() },
             without,
@@ -179,7 +222,10 @@ impl Rows {
     }
 
     fn has_position(&self, row: usize) -> bool {
-        !self.fixed[row] && matches!(self.kind(row), "point" | "pose") && self.xyz[row].iter().any(|v| !v.is_nan())
+        !self.fixed[row]
+            && !self.partial[row]
+            && matches!(self.kind(row), "point" | "pose")
+            && self.xyz[row].iter().any(|v| !v.is_nan())
     }
 
     /// Adds what a row states to `settings`, unless it is the position of a target alone.
@@ -218,9 +264,22 @@ impl Rows {
                 }
                 Kind::Plane { plane: Fixture::Plane(name, axis).add_to(robot), axis, offset_mm }
             }
+            "point" if self.partial[row] => {
+                for axis in (0..3).filter(|&axis| !self.xyz[row][axis].is_nan()) {
+                    let kind = Kind::Coordinate { axis, at_mm: self.xyz[row][axis] };
+                    self.add(row, kind, self.u_axes_mm[axis][row], settings)?;
+                }
+                return Ok(());
+            }
             _ => return Ok(()),
         };
         let stated = if kind.is_angle() { self.u_rotation_rad[row] } else { self.u_mm[row] };
+        self.add(row, kind, stated, settings)
+    }
+
+    /// Adds a condition with the uncertainty that its row states, or that of rows that state none.
+    fn add(&self, row: usize, kind: Kind, stated: f64, settings: &mut Settings) -> Result<()> {
+        let stated = if stated.is_nan() && !kind.is_angle() { self.u_mm[row] } else { stated };
         let default = if kind.is_angle() { self.without.rotation_rad } else { self.without.length_mm };
         let standard_uncertainty = Some(stated).filter(|u| !u.is_nan()).or(default);
         let joints = self.joints[row].clone();

@@ -2,6 +2,7 @@
 
 pub mod distance;
 pub mod evaluate;
+pub mod exclusions;
 pub mod frames;
 pub mod gather;
 pub mod geometric;

@@ -290,7 +290,7 @@ mod tests {
                     Some([x, y, 0.0])
                 })
                 .to_vec();
-            Observation { pose: i.into(), cycle: 1, joints, targets }
+            Observation { pose: i.into(), cycle: 1, joints, targets, ..Observation::default() }
         };
         let observations: Vec<Observation> = (1..=40).map(pose).collect();
         let settings = Settings { standard_uncertainty_mm: Some(0.003), ..Settings::default() };

@@ -5,9 +5,10 @@ use crate::base::message::{Problems, Result};
 use crate::base::table;
 use crate::campaign::Campaign;
 use crate::document::Source;
-use crate::import;
+use crate::import::format::{Decimal, Delimiter, Dialect, Encoding};
 use crate::import::tables::coordinates::NamedTable;
-use polars::prelude::DataFrame;
+use crate::import::{self, Format, Marks};
+use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::path::Path;
 use toml::Spanned;
 
@@ -25,6 +26,15 @@ impl TableFile {
         Self::read_with(path, import::observations)
     }
 
+    /// A table with these marks, in a text of this encoding or in a sheet of a workbook.
+    pub fn read_as(path: &Path, marks: Marks, encoding: Option<Encoding>, sheet: Option<&str>) -> Result<Self> {
+        let format = Format::from(Dialect { sheet: sheet.map(str::to_owned), ..Dialect::default() });
+        // the cells of a sheet are read as a text with tabs
+        let marks = if sheet.is_some() { Marks { delimiter: Delimiter::Tab, decimal: Decimal::Point } } else { marks };
+        let text = import::text_of(path, &import::bytes_of(path)?, encoding, &format)?;
+        Self::of(path, text, |name, text| import::observations_with(name, text, marks))
+    }
+
     /// A text of another form, which `table` makes a table of, given the file's name and the text.
     pub fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         Self::of(path, files::read_text(path)?, table)
@@ -34,6 +44,15 @@ impl TableFile {
     fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         let name = path.display().to_string();
         Ok(Self { table: table(&name, &text)?, name, text })
+    }
+
+    /// Takes the rows out for which `left_out` is true.
+    pub fn leave_out(&mut self, left_out: &[bool]) -> Result<()> {
+        if left_out.contains(&true) {
+            let kept: Vec<bool> = left_out.iter().map(|out| !out).collect();
+            self.table = self.table.filter(&BooleanChunked::from_slice("kept".into(), &kept))?;
+        }
+        Ok(())
     }
 
     /// The names in the column `target`, each once, in their order.

@@ -101,10 +101,10 @@ fn mistaken_names_of_poses_are_named() {
     ends(&scratch, "check", 2, &["`P1` and `p01` differ only in capital letters", "encoders.csv:2"]);
     // other names in the log
     let scratch = named(|pose| pose.to_string(), |pose| format!("P{pose}"));
-    ends(&scratch, "check", 2, &["no measured point has a partner in log", "(the first are `1` and `P1`)"]);
+    ends(&scratch, "check", 2, &["pose `P1` of log `log` was not measured", "encoders.csv:2", "there are: 1, 10,"]);
     // a typo in the log: its pose has no partner
     let scratch = named(any, |pose| if pose == 1 { "hom".to_owned() } else { any(pose) });
     scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"P_home, A-3, 10b, 5-8\"");
     scratch.replace("campaign.toml", "validation = \"9-59\"", "validation = \"rest\"");
-    ends(&scratch, "run", 0, &["without a partner (pose, cycle): [home, 1]", "[hom, 1]"]);
+    ends(&scratch, "check", 2, &["pose `hom` of log `log` was not measured", "encoders.csv:2", "did you mean `home`"]);
 }

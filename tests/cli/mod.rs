@@ -11,6 +11,7 @@ mod plan;
 mod report;
 mod reports;
 mod streams;
+mod tables;
 
 use crate::support::scratch::copy_sample;
 use std::path::Path;

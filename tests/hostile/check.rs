@@ -7,7 +7,7 @@ use crate::support::scratch::copy_sample;
 fn unreadable_rows_hide_nothing() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("exports/poses.txt", "K_1_1 ", "K_1_1 1,5x");
-    scratch.replace("encoders.csv", "\n1,1,", "\n1,one,");
+    scratch.replace("encoders.csv", "\n1,1,0.000000", "\n1,1,one");
     scratch.replace("campaign.toml", "\"rail3_a\"]", "\"rail3_b\"]");
     scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"1001-1008\"");
     scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = -1.0");
@@ -16,7 +16,7 @@ fn unreadable_rows_hide_nothing() {
         "is not a number",
         "exports/poses.txt:1:7",
         "`one` is not a number",
-        "encoders.csv:2:3",
+        "encoders.csv:2:5",
         "no point has the label `rail3_b`",
         "`calibration` selects no pose that was measured",
         "the limit `position_max_mm` must be positive",

@@ -94,7 +94,13 @@ fn a_column_that_the_log_does_not_have() {
 
 #[test]
 fn words_in_a_log_are_reported_with_their_rows() {
-    broken("encoders.csv", "\n1,1,", "\n1,x,", &["is not a number", "encoders.csv:2"]);
+    broken("encoders.csv", "\n1,1,0.000000", "\n1,1,x", &["`x` is not a number", "encoders.csv:2"]);
+    broken(
+        "encoders.csv",
+        "\n1,1,",
+        "\n1,x,",
+        &["pose `x` of log `log` was not measured", "encoders.csv:2", "there are: 1"],
+    );
 }
 
 #[test]

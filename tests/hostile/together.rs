@@ -45,7 +45,7 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
 #[test]
 fn rules_on_rigid_parts_are_checked_beside_unreadable_rows() {
     let scratch = copy_sample("prexyt-cmm");
-    scratch.replace("encoders.csv", "\n1,1,", "\n1,x,");
+    scratch.replace("encoders.csv", "\n1,1,0.000000", "\n1,1,x");
     let rigid = "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = -0.1\n[[rigid]]\ntargets = [\"K\", \"K\"]\ntolerance_mm = 1.0\n[log]";
     scratch.replace("campaign.toml", "[log]", rigid);
     said(

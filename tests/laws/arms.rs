@@ -48,7 +48,7 @@ fn observe(robot: &dyn Robot, truth: &[f64], poses: usize, sigma_mm: f64, noise:
         let joints: Vec<f64> = robot.joints().iter().map(|q| noise.uniform(range(q))).collect();
         let mut target = |k: usize| robot.position(truth, &joints, k).map(|v| v + noise.gaussian(sigma_mm));
         let targets = (0..robot.targets().len()).map(|k| Some(target(k))).collect();
-        Observation { pose: (i as i64).into(), cycle: 1, joints, targets }
+        Observation { pose: (i as i64).into(), cycle: 1, joints, targets, ..Observation::default() }
     };
     (0..poses).map(observe).collect()
 }

@@ -25,7 +25,13 @@ fn touched(robot: &FiveBar, ball_mm: f64, contact_mm: f64, seed: u64) -> Vec<Obs
                 let stands = [p[0] + noise.gaussian(contact_mm), p[1] + noise.gaussian(contact_mm)];
                 let q = robot.inverse(&truth, robot.to_base(&truth, stands), branches);
                 let joints = vec![q[0], q[1], o.joints[2]];
-                all.push(Observation { pose: (ball as i64).into(), cycle, joints, targets: vec![Some(measured)] });
+                all.push(Observation {
+                    pose: (ball as i64).into(),
+                    cycle,
+                    joints,
+                    targets: vec![Some(measured)],
+                    ..Observation::default()
+                });
             }
         }
     }

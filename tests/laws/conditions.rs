@@ -120,7 +120,13 @@ impl Campaign {
             let flange = turn_of(&self.robot.flange(&self.truth, &joints));
             let body = Rotation3::from_scaled_axis(off) * flange * Rotation3::from_scaled_axis(Vector3::from(turn));
             let pose = PoseName::from(self.settings.conditions.len() as i64 + 1);
-            self.observations.push(Observation { pose, cycle: 1, joints: joints.clone(), targets: vec![Some(seen)] });
+            self.observations.push(Observation {
+                pose,
+                cycle: 1,
+                joints: joints.clone(),
+                targets: vec![Some(seen)],
+                ..Observation::default()
+            });
             self.observe(joints, Kind::Orientation { world_T_body: pose_of(&body), mounting }, U_RAD);
         }
         self
@@ -167,6 +173,16 @@ impl Campaign {
             self.truth[point..point + 3].copy_from_slice(true_mm.as_slice());
             let place_mm = [0, 1, 2].map(|i| true_mm[i] + self.error(0.004));
             self.settings.known.push(Known::Place { point, place_mm, standard_uncertainty_mm: 0.004 });
+        }
+        self
+    }
+
+    /// Dial gauges along the axes of the world, one at a pose.
+    fn coordinates(mut self, count: usize) -> Self {
+        for axis in (0..count).map(|i| i % 3) {
+            let joints = self.joints();
+            let at_mm = self.at(&joints)[axis] + self.error(U_MM);
+            self.observe(joints, Kind::Coordinate { axis, at_mm }, U_MM);
         }
         self
     }
@@ -236,9 +252,10 @@ fn campaign(kind: &str, seed: u64, trial: u64, errors: f64) -> Campaign {
         "contact, lengths" => new.contacts(4, 20).with_lengths(),
         "contact, places" => new.contacts(4, 20).with_places(),
         "distance" => new.distances(50),
+        "coordinate" => new.coordinates(120),
         // planes alone give no scale: the nominal length of a link does
         "plane" => new.planes(60).distances(8),
-        "all" => new.poses(20).contacts(3, 8).distances(10).planes(10),
+        "all" => new.poses(20).contacts(3, 8).distances(10).planes(10).coordinates(9),
         other => panic!("{other}"),
     }
 }
@@ -273,7 +290,7 @@ fn intervals_of_every_kind_hold() {
     }
 }
 
-const KINDS: [&str; 5] = ["pose", "contact, lengths", "contact, places", "distance", "plane"];
+const KINDS: [&str; 6] = ["pose", "contact, lengths", "contact, places", "distance", "plane", "coordinate"];
 
 #[test]
 fn without_noise_every_kind_gives_the_truth() {
@@ -318,7 +335,7 @@ impl Campaign {
                 ("pose", c.pose.to_string()),
                 ("cycle", c.cycle.to_string()),
                 ("target", "ball".to_owned()),
-                ("u_mm", c.standard_uncertainty.to_string()),
+                ("u_mm", if c.kind.is_angle() { "0.05".to_owned() } else { c.standard_uncertainty.to_string() }),
             ];
             let columns = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"];
             cells.extend(columns.into_iter().zip(&c.joints).map(|(name, q)| (name, q.to_degrees().to_string())));
@@ -331,6 +348,7 @@ impl Campaign {
                     let u = ("urot_deg", c.standard_uncertainty.to_degrees().to_string());
                     [("kind", "pose".to_owned()), u].into_iter().chain(place).chain(turn).collect()
                 }
+                Kind::Coordinate { axis, at_mm } => vec![(["x_mm", "y_mm", "z_mm"][axis], at_mm.to_string())],
                 Kind::Distance { to, distance_mm } => vec![
                     ("kind", "distance".to_owned()),
                     ("other", fixture(to).to_owned()),

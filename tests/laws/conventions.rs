@@ -108,7 +108,7 @@ fn conventions_identify_the_same_robot() {
             let joints: Vec<f64> = [2.8, 1.3, 1.2, 2.6, 1.9, 3.0].map(|range| noise.uniform(range)).to_vec();
             let seen = |k| Some(all[0].position(&truth, &joints, k).map(|v| v + noise.gaussian(0.05)));
             let targets = (0..3).map(seen).collect();
-            Observation { pose: (i as i64).into(), cycle: 1, joints, targets }
+            Observation { pose: (i as i64).into(), cycle: 1, joints, targets, ..Observation::default() }
         };
         let observations: Vec<Observation> = (0..70).map(|i| observe(i, &mut noise)).collect();
         let settings = Settings { standard_uncertainty_mm: Some(0.05), ..Settings::default() };
@@ -186,7 +186,7 @@ fn an_upright_base_is_not_singular_in_other_conventions() {
             let observe = |i: i64| {
                 let joints: Vec<f64> = (0..6).map(|_| noise.uniform(2.0)).collect();
                 let targets = (0..3).map(|k| Some(robot.position(&truth, &joints, k))).collect();
-                Observation { pose: i.into(), cycle: 1, joints, targets }
+                Observation { pose: i.into(), cycle: 1, joints, targets, ..Observation::default() }
             };
             let observations: Vec<Observation> = (0..40).map(observe).collect();
             let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };

@@ -102,7 +102,13 @@ fn one_working_mode_alone_leaves_parameters_that_are_named() {
             let q = robot.inverse(&truth, e, branches);
             let joints = vec![q[0], q[1], robot.assembly_at(&truth, q, e)];
             let measured = [p[0] + noise.gaussian(0.01), p[1] + noise.gaussian(0.01), 0.0];
-            Observation { pose: (k as i64).into(), cycle: 1, joints, targets: vec![Some(measured)] }
+            Observation {
+                pose: (k as i64).into(),
+                cycle: 1,
+                joints,
+                targets: vec![Some(measured)],
+                ..Observation::default()
+            }
         };
         let one: Vec<Observation> = SEVEN.iter().enumerate().map(&mut observe).collect();
         let found = identify(&robot, &one, &settings(0.01)).expect("identified");

@@ -36,7 +36,13 @@ fn periphery(robot: &FiveBar) -> Vec<Observation> {
         let reached = robot.inverse_all(&nominal, [p[0], p[1], 0.0]).unwrap();
         for (mode, joints) in reached.into_iter().enumerate() {
             let targets = vec![Some([p[0], p[1], 0.0])];
-            all.push(Observation { pose: (pose as i64).into(), cycle: mode as i64 + 1, joints, targets });
+            all.push(Observation {
+                pose: (pose as i64).into(),
+                cycle: mode as i64 + 1,
+                joints,
+                targets,
+                ..Observation::default()
+            });
         }
     }
     all
@@ -322,6 +328,7 @@ fn study(robot: &FiveBar, positions: &[[f64; 2]], seeds: u64) -> (f64, f64) {
             cycle: 0,
             joints,
             targets: vec![Some(at)],
+            ..Observation::default()
         }));
     }
     let trial = |seed: u64| {

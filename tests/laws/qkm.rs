@@ -36,6 +36,7 @@ fn observations() -> Option<Vec<Observation>> {
             cycle: 1,
             joints: q[..6].iter().map(|q| q.to_radians()).collect(),
             targets,
+            ..Observation::default()
         }
     };
     Some(angles.iter().zip(&points).enumerate().map(observation).collect())

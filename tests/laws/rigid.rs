@@ -51,7 +51,7 @@ impl Bench {
             let k = if i == 7 { 2 } else { i % 2 };
             let mut targets = vec![None; 3];
             targets[k] = Some(bent.position(&values, &joints, k).map(|v| v + noise.gaussian(U_MM)));
-            Observation { pose: (i as i64 + 1).into(), cycle: 1, joints, targets }
+            Observation { pose: (i as i64 + 1).into(), cycle: 1, joints, targets, ..Observation::default() }
         };
         let observations = (0..POSES).map(observe).collect();
         // as a certificate states it, in a frame of the plate's own

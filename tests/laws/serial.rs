@@ -37,7 +37,7 @@ fn observe(robot: &dyn Robot, truth: &[f64], poses: usize, noise: &mut Noise) ->
     let observe = |i: usize| {
         let joints: Vec<f64> = [2.8, 1.3, 1.2, 2.6, 1.9, 3.0].map(|range| noise.uniform(range)).to_vec();
         let targets = (0..robot.targets().len()).map(|k| Some(robot.position(truth, &joints, k))).collect();
-        Observation { pose: (i as i64).into(), cycle: 1, joints, targets }
+        Observation { pose: (i as i64).into(), cycle: 1, joints, targets, ..Observation::default() }
     };
     (0..poses).map(observe).collect()
 }
@@ -177,7 +177,13 @@ fn errors_that_neighbouring_poses_share_are_in_the_uncertainty() {
             for _ in 0..poses {
                 let joints: Vec<f64> = middle.iter().map(|q| q + noise.uniform(0.05)).collect();
                 let at = bending.position(&truth, &joints, 0).map(|v| v + noise.gaussian(0.01));
-                all.push(Observation { pose: (all.len() as i64).into(), cycle: 1, joints, targets: vec![Some(at)] });
+                all.push(Observation {
+                    pose: (all.len() as i64).into(),
+                    cycle: 1,
+                    joints,
+                    targets: vec![Some(at)],
+                    ..Observation::default()
+                });
             }
         }
         all
@@ -215,7 +221,13 @@ fn small_campaigns_whose_targets_share_errors_hold_the_truth() {
                 let joints: Vec<f64> = tracker::drawn(&mut noise).iter().map(|q| q.to_radians()).collect();
                 let stops: Vec<f64> = joints.iter().map(|q| q + noise.gaussian(stop_rad)).collect();
                 let seen = |k| Some(arm.position(&truth, &stops, k).map(|v| v + noise.gaussian(tracker::U_MM)));
-                Observation { pose: (i as i64).into(), cycle: 1, joints, targets: (0..3).map(seen).collect() }
+                Observation {
+                    pose: (i as i64).into(),
+                    cycle: 1,
+                    joints,
+                    targets: (0..3).map(seen).collect(),
+                    ..Observation::default()
+                }
             };
             let observations: Vec<Observation> = (0..POSES).map(measured).collect();
             let found = identify(&arm, &observations, &settings).unwrap();

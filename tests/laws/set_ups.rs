@@ -86,6 +86,7 @@ fn arm(name: &'static str, rows: &[[f64; 4]], targets: &[&str], poses: usize, cu
             cycle: 1,
             joints,
             targets: seen,
+            ..Observation::default()
         });
     }
     Bench { name, robot: Box::new(robot), observations, u_mm }
@@ -132,7 +133,7 @@ fn prexyt() -> Bench {
             Some([p[0] + noise.gaussian(u_mm), p[1] + noise.gaussian(u_mm), 0.0])
         };
         let targets = vec![seen(0), seen(1)];
-        observations.push(Observation { pose: (i + 1).into(), cycle: 1, joints, targets });
+        observations.push(Observation { pose: (i + 1).into(), cycle: 1, joints, targets, ..Observation::default() });
     }
     Bench { name: "PreXYT", robot: Box::new(robot), observations, u_mm }
 }

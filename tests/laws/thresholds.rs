@@ -14,7 +14,13 @@ fn level_poses(count: usize, error_mm: impl Fn(usize) -> f64) -> Vec<Observation
         let balls = robot.balls(&robot.nominal(), &q);
         let moved =
             |k: usize| Some([balls[k][0] + error_mm(4 * i + 2 * k), balls[k][1] + error_mm(4 * i + 2 * k + 1), 0.0]);
-        Observation { pose: (i as i64 + 1).into(), cycle: 1, joints: q.to_vec(), targets: vec![moved(0), moved(1)] }
+        Observation {
+            pose: (i as i64 + 1).into(),
+            cycle: 1,
+            joints: q.to_vec(),
+            targets: vec![moved(0), moved(1)],
+            ..Observation::default()
+        }
     };
     (0..count).map(observe).collect()
 }

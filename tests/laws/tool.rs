@@ -100,7 +100,13 @@ fn actual_over_predicted(
                 Some(p)
             };
             let targets = (0..robot.targets().len()).map(&mut seen).collect();
-            Observation { pose: (pose as i64).into(), cycle: 1, joints: joints.clone(), targets }
+            Observation {
+                pose: (pose as i64).into(),
+                cycle: 1,
+                joints: joints.clone(),
+                targets,
+                ..Observation::default()
+            }
         };
         let observations: Vec<Observation> = poses.iter().enumerate().map(&mut see).collect();
         let found: Identification = identify(robot, &observations, settings).unwrap();

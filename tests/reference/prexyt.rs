@@ -36,7 +36,13 @@ fn measure(robot: &Prexyt, poses: &[[f64; 3]], noise: &mut dyn FnMut() -> f64) -
     let truth = truth();
     let observe = |(i, q): (usize, &[f64; 3])| {
         let balls = robot.balls(&truth, q).map(|[x, y]| Some([x + noise(), y + noise(), 0.0]));
-        Observation { pose: (i as i64 + 1).into(), cycle: 1, joints: q.to_vec(), targets: balls.to_vec() }
+        Observation {
+            pose: (i as i64 + 1).into(),
+            cycle: 1,
+            joints: q.to_vec(),
+            targets: balls.to_vec(),
+            ..Observation::default()
+        }
     };
     poses.iter().enumerate().map(observe).collect()
 }

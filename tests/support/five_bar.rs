@@ -62,6 +62,7 @@ pub fn measure(
                 cycle: cycle as i64 + 1,
                 joints,
                 targets: vec![Some(measured)],
+                ..Observation::default()
             });
         }
     }

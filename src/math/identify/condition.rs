@@ -39,6 +39,13 @@ pub enum Kind {
         /// First parameter of the rotation vector.
         mounting: usize,
     },
+    /// One coordinate of the target in the world, as a dial gauge gives it. Residual: mm.
+    Coordinate {
+        /// 0, 1 or 2 for x, y or z.
+        axis: usize,
+        /// The coordinate.
+        at_mm: f64,
+    },
     /// Distance to a fixed point. Residual: mm.
     Distance {
         /// First of the three coordinates of the point.
@@ -92,7 +99,7 @@ impl Kind {
     pub fn rows(&self) -> usize {
         match self {
             Self::Orientation { .. } | Self::Contact { .. } => 3,
-            Self::Distance { .. } | Self::Plane { .. } => 1,
+            Self::Coordinate { .. } | Self::Distance { .. } | Self::Plane { .. } => 1,
         }
     }
 
@@ -130,6 +137,7 @@ impl Condition {
                 });
                 out.copy_from_slice(&turned.unwrap_or_default());
             }
+            Kind::Coordinate { axis, at_mm } => out[0] = position[axis] - at_mm,
             Kind::Distance { to, distance_mm } => out[0] = norm(minus(position, point(values, to))) - distance_mm,
             Kind::Contact { socket } => out.copy_from_slice(&minus(position, point(values, socket))),
             Kind::Plane { plane: first, axis, offset_mm } => {
@@ -170,6 +178,7 @@ impl Condition {
                     (0..3).for_each(|i| out[i * n + j] = turn[i]);
                 }
             }
+            Kind::Coordinate { axis, .. } => out.copy_from_slice(&moved[axis * n..][..n]),
             Kind::Distance { to, .. } => {
                 let along = unit(minus(position, point(values, to))).unwrap_or_default();
                 (0..n).for_each(|j| out[j] = (0..3).map(|i| along[i] * moved[i * n + j]).sum());
@@ -281,7 +290,7 @@ impl Fixture<'_> {
 /// Whether anything is measured in a world that is not the robot's own base frame.
 pub(super) fn tied_to_world(observations: &[Observation], settings: &Settings) -> bool {
     observations.iter().any(|o| o.targets.iter().any(Option::is_some))
-        || settings.conditions.iter().any(|c| c.kind.is_angle())
+        || settings.conditions.iter().any(|c| matches!(c.kind, Kind::Orientation { .. } | Kind::Coordinate { .. }))
         || settings.known.iter().any(|k| matches!(k, Known::Place { .. }))
 }
 
@@ -293,7 +302,7 @@ pub(super) fn without_length(
     status: &[Status],
 ) -> Option<Message> {
     let contains = |c: &Condition| match c.kind {
-        Kind::Distance { .. } => true,
+        Kind::Distance { .. } | Kind::Coordinate { .. } => true,
         Kind::Plane { offset_mm, .. } => offset_mm != 0.0,
         Kind::Orientation { .. } | Kind::Contact { .. } => false,
     };
@@ -323,7 +332,8 @@ pub(super) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
     if settings.conditions.is_empty() && settings.known.is_empty() {
         return Ok(());
     }
-    if robot.free_base().is_none() {
+    let coordinates = settings.conditions.iter().all(|c| matches!(c.kind, Kind::Coordinate { .. }));
+    if robot.free_base().is_none() && !(coordinates && settings.known.is_empty() && !robot.has_assembly_modes()) {
         let what =
             format!("orientations, distances, contacts and planes are for arms in space, not for `{}`", robot.model());
         return Err(Message::error(what).hint("give positions of its targets: rows of kind `point`").into());

@@ -11,7 +11,7 @@ use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::math::robots::{Robot, Role};
 use crate::math::solve::{self, Loss, Options, Problem, Termination};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Measured and predicted positions whose extents differ by more than this are not in the same unit.
 const SAME_UNIT: f64 = 3.0;
@@ -184,6 +184,8 @@ pub struct Reading {
     pub cycle: i64,
     /// Distance, mm.
     pub left_mm: f64,
+    /// Standard uncertainty of a coordinate that the reading states of itself, mm; 0 where it does not.
+    own_mm: f64,
 }
 
 impl RobustFit {
@@ -198,23 +200,27 @@ impl RobustFit {
         free.extend(unseen_by(robot, settings.kind).filter(|i| !found.free.contains(i)));
         let values = robust(robot, observations, settings, &free, &found.values)?;
         let scale_mm = OF_MEDIAN * median_mm(robot, observations, &values)?;
+        let scale_mm = scale_mm.max(settings.coordinate_uncertainty_mm()).max(LEAST_MM);
         let mut readings = Vec::new();
         for (observation, o) in observations.iter().enumerate() {
+            let own: BTreeMap<usize, f64> = o.uncertainties_mm(robot.dimension()).collect();
             readings.extend(o.misses(robot, &values).map(|(target, miss)| Reading {
                 observation,
                 target,
                 pose: o.pose,
                 cycle: o.cycle,
                 left_mm: norm(miss),
+                own_mm: own.get(&target).copied().unwrap_or(0.0),
             }));
         }
-        readings.sort_by(|a, b| b.left_mm.total_cmp(&a.left_mm));
-        Some(Self { readings, scale_mm: scale_mm.max(settings.coordinate_uncertainty_mm()).max(LEAST_MM) })
+        let beyond = |r: &Reading| r.left_mm / r.own_mm.max(scale_mm);
+        readings.sort_by(|a, b| beyond(b).total_cmp(&beyond(a)));
+        Some(Self { readings, scale_mm })
     }
 
     /// Readings beyond the rest, the largest first.
     pub fn outliers(&self) -> &[Reading] {
-        let beyond = self.readings.iter().take_while(|reading| reading.left_mm > OUTLIER * self.scale_mm);
+        let beyond = self.readings.iter().take_while(|r| r.left_mm > OUTLIER * r.own_mm.max(self.scale_mm));
         &self.readings[..beyond.count()]
     }
 
@@ -255,6 +261,8 @@ fn robust(
     free: &[usize],
     found: &[f64],
 ) -> Option<Vec<f64>> {
+    let unweighted = |o: &Observation| Observation { covariances_mm2: Vec::new(), ..o.clone() };
+    let observations = &observations.iter().map(unweighted).collect::<Vec<_>>();
     let start = |values: Vec<f64>| {
         let mut best = (median_mm(robot, observations, &values)?, values);
         for _ in 0..FITS {

@@ -19,6 +19,7 @@ mod solution;
 mod start;
 mod tool;
 mod uncertainty;
+mod weights;
 
 pub use chi_square::exceeds as chi_square_exceeds;
 use condition::tied_to_world;
@@ -35,6 +36,7 @@ pub use rigid_part::{Pair, RigidPart};
 pub use set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
 pub use tool::{Held, ToolError, ToolFrame, ToolPoint, held};
 pub use uncertainty::UncertaintyFrom;
+pub use weights::{Covariance, turned, weigh};
 
 use crate::base::message::{Message, Result};
 use crate::base::pattern::matches_pattern;

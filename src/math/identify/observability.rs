@@ -62,7 +62,7 @@ pub(super) fn observe(
     covariance: Option<&[f64]>,
 ) -> Option<(Observability, Vec<WeakGroup>)> {
     let n = problem.free.len();
-    let plain = problem.is_whitened().then(|| plain(problem, x));
+    let plain = (problem.is_whitened() || problem.is_weighted()).then(|| plain(problem, x));
     let (factor, scale) = plain.as_ref().map_or((factor, scale), |(factor, scale)| (factor, scale.as_slice()));
     let scaled = svd(factor);
     let unscaled = svd(&unscale(factor, scale, problem.unit));

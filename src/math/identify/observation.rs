@@ -1,5 +1,6 @@
 //! Observations: where the targets were, the joint values, and which of two assembly modes they leave.
 
+use super::weights::{Covariance, covariances};
 use crate::base::message::{Message, Place, Result};
 use crate::base::pose::{Vector, minus, norm};
 use crate::base::pose_name::PoseName;
@@ -8,7 +9,7 @@ use crate::math::robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 
 /// One pose of one cycle: joint values and the targets that were measured.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Observation {
     /// Name of the pose.
     pub pose: PoseName,
@@ -18,6 +19,8 @@ pub struct Observation {
     pub joints: Vec<f64>,
     /// Measured positions in the world in mm, in the order of the robot's targets; `None` where not measured.
     pub targets: Vec<Option<Vector>>,
+    /// Covariances of these positions in the world, where their measurement states them; empty where it does not.
+    pub covariances_mm2: Vec<Option<Covariance>>,
 }
 
 impl Observation {
@@ -43,6 +46,8 @@ impl Observation {
             joints.push(values.into_iter().map(|v| factor * v).collect::<Vec<f64>>());
         }
         let stated = stated_modes(robot, table)?;
+        let covariances = covariances(table, robot.dimension())?;
+        let weighted = covariances.iter().any(Option::is_some);
         let mut observations: Vec<Self> = Vec::new();
         let mut modes = Vec::new();
         let mut place = std::collections::BTreeMap::new();
@@ -67,12 +72,16 @@ impl Observation {
                     cycle: cycles[row],
                     joints: here.clone(),
                     targets: vec![None; robot.targets().len()],
+                    covariances_mm2: vec![None; if weighted { robot.targets().len() } else { 0 }],
                 });
                 observations.len() - 1
             });
             if observations[k].joints != here {
                 let message = Message::error(format!("{}: its rows disagree on the joint values", what()));
                 return Err(message.at(line(row)).into());
+            }
+            if weighted {
+                observations[k].covariances_mm2[target] = covariances[row];
             }
             if observations[k].targets[target].replace(xyz[row]).is_some() {
                 return Err(Message::error(format!("{}: target `{}` occurs twice", what(), names[row]))
@@ -92,6 +101,14 @@ impl Observation {
 }
 
 impl Observation {
+    /// The measured targets that state an uncertainty, by index: root mean square of the standard uncertainties of its coordinates, mm.
+    pub(super) fn uncertainties_mm(&self, dimension: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let stated = self.covariances_mm2.iter().zip(&self.targets).enumerate();
+        let measured = stated.filter_map(|(k, (covariance, at))| Some((k, (*covariance)?, (*at)?)));
+        let mean = move |c: Covariance| ((0..dimension).map(|i| c[i][i]).sum::<f64>() / dimension as f64).sqrt();
+        measured.map(move |(k, covariance, _)| (k, mean(covariance)))
+    }
+
     /// For each measured target its index, and its measured position minus where `values` put it, mm.
     pub(super) fn misses<'o>(
         &'o self,

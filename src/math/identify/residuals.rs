@@ -2,6 +2,7 @@
 
 use super::condition::{Condition, Known};
 use super::rigid_part::{At, Shape};
+use super::weights::Weights;
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
@@ -36,6 +37,8 @@ pub(super) struct Residuals<'a> {
     platform: Option<&'a dyn Platform>,
     /// what makes residuals independent that are not
     common: Option<Common>,
+    /// uncertainties that readings state of themselves
+    weights: Option<Weights>,
     /// what else was observed: its rows come behind those of the observations
     conditions: &'a [Condition],
     /// stated shapes of rigid parts, whose rows come behind what is measured
@@ -78,6 +81,8 @@ impl<'a> Residuals<'a> {
             free: free.to_vec(),
             observations,
             platform,
+            weights: Weights::new(observations, robot.dimension(), unit)
+                .filter(|_| platform.is_none() && settings.standard_uncertainty_mm.is_some()),
             common: Common::new(observations, settings, robot.dimension()),
             conditions: &settings.conditions,
             known: &settings.known,
@@ -215,6 +220,11 @@ impl<'a> Residuals<'a> {
         self.common.is_some()
     }
 
+    /// Whether some readings have a covariance of their own.
+    pub fn is_weighted(&self) -> bool {
+        self.weights.is_some()
+    }
+
     /// Pose and cycle of each observation and condition, with the number of its residuals.
     pub fn blocks(&self) -> impl Iterator<Item = ((PoseName, i64), usize)> {
         self.seen().map(|s| ((s.pose, s.cycle), s.rows)).filter(|block| block.1 > 0)
@@ -252,12 +262,12 @@ impl<'a> Residuals<'a> {
 
     /// Derivatives of the conditions by the free parameters.
     fn condition_jacobian(&self, all: &[f64], out: &mut [f64]) {
-        let (n, targets) = (all.len(), self.robot.targets().len());
+        let (n, targets, dimension) = (all.len(), self.robot.targets().len(), self.robot.dimension());
         self.of_conditions(all, out, self.free.len(), |met, out| {
-            let mut moved = vec![0.0; 3 * targets * n];
+            let mut moved = vec![0.0; dimension * targets * n];
             self.robot.jacobian(all, &met.condition.joints, &mut moved);
             let mut full = vec![0.0; met.condition.kind.rows() * n];
-            let own = &moved[3 * met.condition.target * n..][..3 * n];
+            let own = &moved[dimension * met.condition.target * n..][..dimension * n];
             met.condition.jacobian(met.arm, all, met.position, own, &mut full);
             for (row, out) in full.chunks_exact(n).zip(out.chunks_exact_mut(self.free.len())) {
                 self.free.iter().zip(out).for_each(|(&i, out)| *out = row[i]);
@@ -326,9 +336,7 @@ impl<'a> Residuals<'a> {
                 }
             }
         }
-        if let Some(common) = &self.common {
-            common.whiten(&mut rows, 6);
-        }
+        self.whiten(&mut rows, 6);
         for c in self.conditions {
             // an orientation that turns by w is observed w less; other conditions are met in the robot's own world
             let turned = c.kind.is_angle() && pose.is_none_or(|key| key == (c.pose, c.cycle));
@@ -337,6 +345,16 @@ impl<'a> Residuals<'a> {
             rows.extend((0..c.kind.rows()).flat_map(row));
         }
         rows
+    }
+
+    /// Makes rows of `width` numbers, which were divided by the unit, independent and of the same variance.
+    fn whiten(&self, rows: &mut [f64], width: usize) {
+        if let Some(common) = &self.common {
+            common.whiten(rows, width);
+        }
+        if let Some(weights) = &self.weights {
+            weights.whiten(rows, width);
+        }
     }
 
     /// Residuals as observed, not whitened.
@@ -440,9 +458,7 @@ impl Problem for Residuals<'_> {
 
     fn residuals(&self, x: &[f64], r: &mut [f64]) {
         self.plain_residuals(x, r);
-        if let Some(common) = &self.common {
-            common.whiten(r, 1);
-        }
+        self.whiten(r, 1);
         let all = self.all(x);
         for (row, shape) in self.shapes() {
             shape.residuals(&self.at(&all), &mut r[row..][..shape.rows()]);
@@ -454,9 +470,7 @@ impl Problem for Residuals<'_> {
 
     fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
         self.plain_jacobian(x, jacobian);
-        if let Some(common) = &self.common {
-            common.whiten(jacobian, self.free.len());
-        }
+        self.whiten(jacobian, self.free.len());
         let (n, all) = (self.free.len(), self.all(x));
         for (row, shape) in self.shapes() {
             shape.jacobian(&self.at(&all), &mut jacobian[row * n..][..shape.rows() * n]);

@@ -526,7 +526,7 @@ mod tests {
             let by = if i < 22 { 0.0 } else { shift_mm };
             let mut seen = |[x, y]: [f64; 2]| Some([x + by + noise.gaussian(0.003), y + noise.gaussian(0.003), 0.0]);
             let targets = robot.balls(&nominal, &joints).map(&mut seen).to_vec();
-            Observation { pose: i.into(), cycle: 1, joints, targets }
+            Observation { pose: i.into(), cycle: 1, joints, targets, ..Observation::default() }
         };
         (1..=40).map(pose).collect()
     }

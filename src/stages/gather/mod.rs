@@ -4,6 +4,7 @@
 //! does not read as stated is an error with its place, and one run reports all of them.
 
 mod blunders;
+mod excluded;
 mod mislabelling;
 mod points;
 mod rounding;
@@ -80,12 +81,14 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         }
     }
     let (logs, said) = logs(campaign, &mut sources, &mut problems);
+    let left_out = problems.keep(excluded::leave_out(campaign, &mut columns, &mut sources)).unwrap_or_default();
     problems.0.extend(columns.measured_twice(campaign));
     problems.0.extend(other_spelling(&columns.points, &logs));
     problems.0.extend(blunders::check(campaign).0);
     problems.0.extend(mislabelling::check(campaign).0);
     let mut messages = if campaign.unread.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
     messages.extend(said);
+    messages.extend(left_out);
     messages.append(&mut columns.remarks);
     messages.extend(frames_differ(&frames));
     if problems.0.is_empty() && campaign.unread.is_empty() {

@@ -6,7 +6,7 @@ use crate::base::message::{Message, Problems, Result, count};
 use crate::base::pose_name::PoseName;
 use crate::document::Unmatched;
 use crate::import::JointLog;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Indices of rows by their key: names of poses, and numbers likewise.
 type Keys = BTreeMap<Vec<PoseName>, Vec<usize>>;
@@ -30,6 +30,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
         let what = format!("log `{name}` has {} more than once: {}", count(twice.len(), "key"), twice.join("; "));
         return Err(Message::error(what).hint("add `cycle` to the key, or remove the rows that do not count").into());
     }
+    misspelt(keys, (targets, &measured), (log, &logged))?;
     let mut report = |one: &str,
                       many: &str,
                       at: &dyn Fn(usize, String, &str) -> Unmatched,
@@ -64,6 +65,37 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
         contradictions(log, pairs.clone().map(|(target, met)| (target.point, met)))?;
     }
     Ok(pairs.map(|(target, met)| Row::of(target, met)).collect())
+}
+
+/// An error where measured points and the log both have keys without a partner, and a pose among these is a text that the other does not
+/// have: a misspelling.
+fn misspelt(keys: &[&str], (targets, measured): (&[Target], &Keys), (log, logged): (&JointLog, &Keys)) -> Result<()> {
+    let alone = |here: &Keys, there: &Keys| -> Vec<(PoseName, usize)> {
+        let lone = here.iter().filter(|(key, _)| !there.contains_key(*key));
+        lone.filter_map(|(key, rows)| Some((key[0], *rows.first()?))).collect()
+    };
+    let (here, there) = (alone(measured, logged), alone(logged, measured));
+    if keys[0] != "pose" || here.is_empty() || there.is_empty() {
+        return Ok(());
+    }
+    let wrong = |alone: &[(PoseName, usize)], other: &Keys| {
+        let unknown = |pose: PoseName| pose.number().is_none() && other.keys().all(|key| key[0] != pose);
+        alone.iter().copied().find(|(pose, _)| unknown(*pose))
+    };
+    let (what, pose, place, others) = match (wrong(&there, measured), wrong(&here, logged)) {
+        (Some((pose, row)), _) => {
+            let what =
+                format!("pose `{pose}` of log `{}` was not measured, and measured poses are not in the log", log.name);
+            (what, pose, At::log(log, &log.rows[row]).place(), here)
+        }
+        (None, Some((pose, row))) => {
+            let what = format!("pose `{pose}` is not in log `{}`, and poses of the log were not measured", log.name);
+            (what, pose, At::point(targets[row].point).place(), there)
+        }
+        (None, None) => return Ok(()),
+    };
+    let names: BTreeSet<String> = others.iter().map(|(pose, _)| pose.to_string()).collect();
+    Err(Message::error(what).at(place).hint_names(&pose.to_string(), names.iter().map(String::as_str)).into())
 }
 
 /// Rows by their keys, which all must have.

@@ -47,6 +47,7 @@ pub(super) fn by_label(
             cycle: row.cycle.or(Some(1)),
             target: 0,
             world_mm: world_T_export.apply(*p),
+            covariance_mm2: None,
             assembly: row.assembly,
             joints: row.joints.clone(),
         });

@@ -13,6 +13,7 @@ use crate::base::table;
 use crate::campaign::{Campaign, ClockOffset, Join, JoinBy};
 use crate::document::{FramesDocument, Unmatched};
 use crate::import::{JointLog, LogRow, Point};
+use crate::math::identify::{Covariance, turned};
 use crate::math::robots::Robot;
 use crate::stages::gather::Gathered;
 use by_key::by_key;
@@ -46,6 +47,7 @@ struct Target<'a> {
     /// Its index among the robot's targets.
     index: usize,
     world_mm: Vector,
+    covariance_mm2: Option<Covariance>,
 }
 
 /// A target with the joint values at which it was measured.
@@ -54,6 +56,7 @@ struct Row {
     cycle: Option<i64>,
     target: usize,
     world_mm: Vector,
+    covariance_mm2: Option<Covariance>,
     assembly: Option<f64>,
     joints: Vec<f64>,
 }
@@ -66,6 +69,7 @@ impl Row {
             cycle: target.point.cycle,
             target: target.index,
             world_mm: target.world_mm,
+            covariance_mm2: target.covariance_mm2,
             assembly: met.assembly,
             joints: met.joints.clone(),
         }
@@ -220,7 +224,9 @@ fn targets_in_world<'a>(
             remarks.unmatched.push(At::point(point).unmatched(key, "its pose has no world frame"));
             continue;
         };
-        targets.push(Target { point, index, world_mm: world_T_export.apply(point.xyz_mm) });
+        let own = |u: Vector| [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { u[i] * u[i] } else { 0.0 }));
+        let covariance_mm2 = point.standard_uncertainty_mm.map(|u| turned(&own(u), &world_T_export.rotation));
+        targets.push(Target { point, index, world_mm: world_T_export.apply(point.xyz_mm), covariance_mm2 });
     }
     if !lost.is_empty() {
         remarks.messages.push(
@@ -296,6 +302,12 @@ fn tidy(mut rows: Vec<Row>, log: &JointLog, robot: &dyn Robot) -> Result<DataFra
     ];
     for (axis, name) in table::XYZ[..robot.dimension()].iter().enumerate() {
         columns.push(real(name, &|row| Some(row.world_mm[axis])));
+    }
+    if rows.iter().any(|row| row.covariance_mm2.is_some()) {
+        let elements = (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).zip(table::COVARIANCES);
+        for ((i, j), name) in elements.filter(|((_, j), _)| *j < robot.dimension()) {
+            columns.push(real(name, &|row| Some(row.covariance_mm2?[i][j])));
+        }
     }
     for joint in robot.joints().iter().map(|j| j.column()) {
         let k = log.joints.iter().position(|name| *name == joint).ok_or_else(|| {

@@ -1,0 +1,54 @@
+//! Rows of exports that a campaign leaves out by their numbers.
+
+use super::points::PointColumns;
+use crate::base::message::{Message, Problems, Result, count};
+use crate::campaign::Campaign;
+use crate::document::{Refused, Source};
+use crate::stages::exclusions::excluded_rows;
+
+/// Leaves out the rows that `[[identify.exclude]]` names: they are listed among the refused ones, with their reasons.
+pub(super) fn leave_out(
+    campaign: &Campaign,
+    columns: &mut PointColumns,
+    sources: &mut [Source],
+) -> Result<Vec<Message>> {
+    let mut problems = Problems::default();
+    for stated in campaign.file.identify.iter().flat_map(|identify| &identify.exclude) {
+        let rule = stated.get_ref();
+        let wrong = |what: String| Message::error(what).at(campaign.place(stated));
+        let (rows, file) = match (&rule.poses, &rule.rows, &rule.file) {
+            (Some(_), None, None) => continue,
+            (None, Some(rows), Some(file)) if rule.cycle.is_none() && rule.target.is_none() => (rows, file),
+            _ => {
+                let message = wrong("an exclusion names either poses or the rows of a file".to_owned());
+                problems.0.push(message.expected("`poses`, perhaps with `cycle` and `target`; or `file` and `rows`"));
+                continue;
+            }
+        };
+        let of_file = columns.points.iter().filter(|point| point.export == *file);
+        if of_file.clone().next().is_none() {
+            let names = campaign.file.exports.iter().map(|export| export.file.get_ref().as_str());
+            problems.0.push(wrong(format!("`{file}` is not an export with rows to exclude")).hint_names(file, names));
+            continue;
+        }
+        let excluded = match excluded_rows(rows, &rule.reason, of_file.map(|point| point.row)) {
+            Ok(excluded) => excluded,
+            Err(message) => {
+                problems.0.push(message.at(campaign.place(stated)));
+                continue;
+            }
+        };
+        let reason = format!("excluded: {}", rule.reason);
+        if let Some(source) = sources.iter_mut().find(|source| source.file == *file && source.kind == "export") {
+            let left_out = columns.points.iter().filter(|point| point.export == *file && excluded.contains(&point.row));
+            let refused =
+                |p: &crate::import::Point| Refused { line: p.line, text: p.text.clone(), reason: reason.clone() };
+            source.refused.extend(left_out.map(refused));
+            source.refused.sort_by_key(|refused| refused.line);
+        }
+        columns.points.retain(|point| point.export != *file || !excluded.contains(&point.row));
+        let what = format!("excluded: {} of `{file}`, rows {rows}: {}", count(excluded.len(), "row"), rule.reason);
+        problems.0.push(Message::warning(what));
+    }
+    problems.check()
+}
