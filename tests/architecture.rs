@@ -14,7 +14,7 @@ const ROOMS: [(&str, &[&str]); 13] = [
     ("campaign", &["base", "math", "iso9283", "document", "import"]),
     ("stages", &["base", "math", "iso9283", "document", "import", "campaign"]),
     ("report", &["base", "document"]),
-    ("export", &["base", "document"]),
+    ("export", &["base", "math", "document"]),
     ("compare", &["base", "math", "iso9283", "document"]),
     ("simulate", &["base", "math", "document", "import", "campaign", "stages"]),
     ("run", &["base", "math", "iso9283", "document", "import", "campaign", "stages", "report", "export"]),

@@ -192,6 +192,11 @@ impl RobotFile {
         Ok(Some(Beside { name, text, stamp }))
     }
 
+    /// The file that describes the robot, as robot.toml names it, and its text.
+    pub fn description(&self) -> Option<(&str, &str)> {
+        Some((self.description_file()?.0, self.beside.as_ref()?.text.as_str()))
+    }
+
     /// Path of the file that describes the robot, where there is one.
     pub fn description_path(&self) -> Option<PathBuf> {
         Some(PathBuf::from(&self.beside.as_ref()?.name))

@@ -3,7 +3,9 @@
 use super::{Verdict, print_written};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
-use crate::export::{self, Exporter};
+use crate::campaign::read_robot;
+use crate::document::CampaignSummary;
+use crate::export::{self, Description, Exporter, Given};
 use crate::run::documents::{Documents, read_parameters};
 use std::path::{Path, PathBuf};
 
@@ -12,9 +14,12 @@ use std::path::{Path, PathBuf};
 pub struct Export {
     /// parameters.json of a run
     parameters: PathBuf,
-    /// Format; all if none is named; may be repeated
+    /// Format: json, csv and c-header if none is named; may be repeated
     #[arg(long, value_name = "NAME")]
     format: Vec<String>,
+    /// robot.toml, for formats of one kind of robot: urdf, universal-robots
+    #[arg(long, value_name = "FILE")]
+    robot: Option<PathBuf>,
     /// Folder to write to; the one of parameters.json by default
     #[arg(long, value_name = "FOLDER")]
     to: Option<PathBuf>,
@@ -28,14 +33,29 @@ impl Export {
         let folder = self.parameters.parent().unwrap_or(Path::new("")).to_owned();
         let parameters = read_parameters(&self.parameters)?;
         let wanted =
-            if self.format.is_empty() { export::names().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
-        let to = self.to.unwrap_or(folder);
+            if self.format.is_empty() { export::usual().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
+        let to = self.to.unwrap_or_else(|| folder.clone());
         let exporter = |name: &String| {
             let wrong = || Message::error(format!("`{name}` is not a controller format"));
             export::by_name(name).ok_or_else(|| Problems::from(wrong().hint_names(name, export::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
-        let file = |e: &dyn Exporter| Ok((e.file_name().to_owned(), e.write(&parameters)?));
+        let robot_file = self.robot.as_deref().map(read_robot).transpose()?;
+        // the model needs a target; no format holds its place
+        let robot = robot_file.as_ref().map(|robot| robot.build(&["tool".to_owned()])).transpose()?;
+        let summary: Option<CampaignSummary> =
+            Documents::open(&folder).ok().and_then(|documents| documents.optional("campaign.json").transpose()).transpose()?;
+        let given = Given {
+            parameters: &parameters,
+            campaign: summary.as_ref().map(|summary| summary.name.as_str()),
+            name: robot_file.as_ref().and_then(|robot| robot.name.as_deref()),
+            robot: robot.as_deref(),
+            description: robot_file
+                .as_ref()
+                .and_then(|robot| robot.description())
+                .map(|(file, text)| Description { file, text }),
+        };
+        let file = |e: &dyn Exporter| Ok((e.file_name().to_owned(), e.write(&given)?));
         let files = exporters.into_iter().map(file).collect::<Result<Vec<_>, Problems>>()?;
         let written = match Documents::open(&to) {
             Ok(run) => run.write(files)?,

@@ -32,6 +32,11 @@ pub struct ParametersDocument {
 }
 
 impl ParametersDocument {
+    /// The identified parameters: the order of the covariance.
+    pub fn identified(&self) -> impl Iterator<Item = &ParameterEntry> {
+        self.parameters.iter().filter(|p| p.status == ParameterStatus::Identified)
+    }
+
     /// Whether names, uncertainties and covariance belong together, as every run writes them.
     ///
     /// # Errors

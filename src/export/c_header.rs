@@ -1,6 +1,6 @@
 //! Parameters as a C header, for controllers that are compiled: C99 and C++.
 
-use super::{Exporter, check, status_word};
+use super::{Exporter, Given, check, status_word};
 use crate::base::message::{Message, Result};
 use crate::document::{ParameterEntry, ParametersDocument};
 use std::collections::BTreeMap;
@@ -14,7 +14,8 @@ impl Exporter for CHeader {
         "etalon_parameters.h"
     }
 
-    fn write(&self, document: &ParametersDocument) -> Result<Vec<u8>> {
+    fn write(&self, given: &Given) -> Result<Vec<u8>> {
+        let document = given.parameters;
         check(document)?;
         let robot = identifier(&document.robot);
         let mut out = head(document, &robot);

@@ -1,8 +1,7 @@
 //! Parameters as a CSV table, for spreadsheets and small scripts.
 
-use super::{Exporter, check, status_word};
+use super::{Exporter, Given, check, status_word};
 use crate::base::message::{Message, Result};
-use crate::document::ParametersDocument;
 
 /// CSV, one parameter a row.
 pub(super) struct Csv;
@@ -14,7 +13,8 @@ impl Exporter for Csv {
         "controller.csv"
     }
 
-    fn write(&self, document: &ParametersDocument) -> Result<Vec<u8>> {
+    fn write(&self, given: &Given) -> Result<Vec<u8>> {
+        let document = given.parameters;
         check(document)?;
         let mut writer = csv::Writer::from_writer(Vec::new());
         let fail = |e: &dyn std::fmt::Display| Message::error(format!("cannot write the parameters as CSV: {e}"));

@@ -1,8 +1,8 @@
 //! `etalon/controller/1`: parameters by name, for programs that read JSON.
 
-use super::{Exporter, check};
+use super::{Exporter, Given, check};
 use crate::base::message::{Message, Result};
-use crate::document::{ParameterStatus, ParametersDocument};
+use crate::document::ParameterStatus;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -32,7 +32,8 @@ impl Exporter for Json {
         "controller.json"
     }
 
-    fn write(&self, document: &ParametersDocument) -> Result<Vec<u8>> {
+    fn write(&self, given: &Given) -> Result<Vec<u8>> {
+        let document = given.parameters;
         check(document)?;
         let parameters = document.parameters.iter().map(|p| {
             let standard_uncertainty = p.standard_uncertainty;

@@ -1,4 +1,4 @@
-//! Files that a controller loads: one format a file, each a pure function of `parameters.json`.
+//! Files that a controller loads: one format a file, each a pure function of what is [`Given`].
 //!
 //! All of them write numbers that read back bit for bit, and refuse what must not reach a machine: a value that is not
 //! a number, two parameters of one name, parameters of a solver that did not converge or that cannot be a robot.
@@ -6,14 +6,22 @@
 mod c_header;
 mod csv;
 mod json;
+mod matlab;
+mod python;
 mod targets;
 #[cfg(test)]
 mod tests;
+mod universal_robots;
+mod urdf;
 
 pub use targets::{places, targets};
 
+use crate::base::files;
 use crate::base::message::{Message, Problems, Result, Severity};
-use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
+use crate::base::pose::{Pose, Vector};
+use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument, to_json};
+use crate::math::robots::{Robot, Role};
+use c_header::comment;
 use std::collections::BTreeSet;
 
 /// One controller format.
@@ -22,11 +30,83 @@ pub trait Exporter {
     fn file_name(&self) -> &'static str;
 
     /// The bytes of the file.
-    fn write(&self, parameters: &ParametersDocument) -> Result<Vec<u8>>;
+    fn write(&self, given: &Given) -> Result<Vec<u8>>;
 }
 
-const EXPORTERS: [(&str, &dyn Exporter); 3] =
-    [("json", &json::Json), ("csv", &csv::Csv), ("c-header", &c_header::CHeader)];
+/// What is exported.
+pub struct Given<'a> {
+    /// Identified parameters.
+    pub parameters: &'a ParametersDocument,
+    /// Name of the campaign.
+    pub campaign: Option<&'a str>,
+    /// Name of the robot.
+    pub name: Option<&'a str>,
+    /// The robot with nominal parameters, for formats of its kind.
+    pub robot: Option<&'a dyn Robot>,
+    /// The file that describes it, where there is one.
+    pub description: Option<Description<'a>>,
+}
+
+/// A file that describes a robot.
+#[derive(Clone, Copy, Debug)]
+pub struct Description<'a> {
+    /// Its name.
+    pub file: &'a str,
+    /// Its text.
+    pub text: &'a str,
+}
+
+impl<'a> Given<'a> {
+    /// Parameters alone.
+    pub fn parameters(parameters: &'a ParametersDocument) -> Self {
+        Self { parameters, campaign: None, name: None, robot: None, description: None }
+    }
+
+    /// Lines that begin a file: version, campaign, robot, units and the hash of `parameters.json`, in characters that end no comment.
+    fn header(&self, units: &str) -> Result<Vec<String>> {
+        let hash = files::sha256(&to_json(self.parameters)?);
+        let mut lines = vec![format!("Written by etalon {}", self.parameters.provenance.version)];
+        lines.extend(self.campaign.map(|name| format!("campaign: {name}")));
+        lines.push(format!("robot: {}", self.name.unwrap_or(&self.parameters.robot)));
+        lines.push(format!("units: {units}"));
+        lines.push(format!("sha256 of parameters.json: {hash}"));
+        Ok(lines.iter().map(|line| comment(line)).collect())
+    }
+
+    /// The robot, and its parameters as they were identified.
+    fn robot(&self) -> Result<(&'a dyn Robot, Vec<f64>)> {
+        let robot = self.robot.ok_or_else(|| {
+            Message::error("this format needs the robot itself").hint("name its robot.toml: --robot FILE")
+        })?;
+        let mut values = robot.nominal();
+        for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| p.role == Role::Robot) {
+            let entry = self.parameters.parameters.iter().find(|entry| entry.name == p.name);
+            let missing = || {
+                let message = Message::error(format!("the parameters have no `{}`", p.name));
+                message.hint("name the robot.toml that they were identified with")
+            };
+            *value = p.quantity.inward(entry.ok_or_else(missing)?.value);
+        }
+        Ok((robot, values))
+    }
+}
+
+/// Formats of all robots come first: those that are written where none is named.
+const EXPORTERS: [(&str, &dyn Exporter); 7] = [
+    ("json", &json::Json),
+    ("csv", &csv::Csv),
+    ("c-header", &c_header::CHeader),
+    ("matlab", &matlab::Matlab),
+    ("python", &python::Python),
+    ("urdf", &urdf::Urdf),
+    ("universal-robots", &universal_robots::UniversalRobots),
+];
+const USUAL: usize = 3;
+
+/// Names of the formats that are written where none is named.
+pub fn usual() -> impl Iterator<Item = &'static str> {
+    EXPORTERS[..USUAL].iter().map(|(name, _)| *name)
+}
 
 /// The format of this name.
 pub fn by_name(name: &str) -> Option<&'static dyn Exporter> {
@@ -51,6 +131,9 @@ fn check(document: &ParametersDocument) -> Result<()> {
         problems.0.push(Message::error(what).hint("identify again before exporting"));
     }
     problems.0.extend(document.messages.iter().filter(|m| m.severity == Severity::Error).cloned());
+    if document.covariance.iter().flatten().any(|v| !v.is_finite()) {
+        problems.0.push(Message::error("the covariance holds a number that is not finite"));
+    }
     let mut seen = BTreeSet::new();
     for p in &document.parameters {
         let numbers = [Some(p.value), Some(p.nominal), p.standard_uncertainty];
@@ -72,4 +155,15 @@ fn status_word(parameter: &ParameterEntry) -> &'static str {
         ParameterStatus::Fixed => "fixed",
         ParameterStatus::NotIdentifiable => "not_identifiable",
     }
+}
+
+/// Roll, pitch and yaw, in rad, of Rz(yaw) Ry(pitch) Rx(roll). Where the pitch is a right angle only their sum or difference means
+/// anything: the yaw is then that of the rounding, and the others fit it.
+fn roll_pitch_yaw(pose: &Pose) -> Vector {
+    let r = &pose.rotation;
+    let yaw = r[1][0].atan2(r[0][0]);
+    let (sin, cos) = yaw.sin_cos();
+    let pitch = (-r[2][0]).atan2(cos * r[0][0] + sin * r[1][0]);
+    let roll = (sin * r[0][2] - cos * r[1][2]).atan2(cos * r[1][1] - sin * r[0][1]);
+    [roll, pitch, yaw]
 }

@@ -71,7 +71,7 @@ fn numbers() -> ParametersDocument {
 }
 
 fn text(name: &str, document: &ParametersDocument) -> String {
-    String::from_utf8(by_name(name).unwrap().write(document).unwrap()).unwrap()
+    String::from_utf8(by_name(name).unwrap().write(&Given::parameters(document)).unwrap()).unwrap()
 }
 
 #[test]
@@ -133,10 +133,43 @@ fn a_c_header_reads_back_bit_for_bit() {
     assert_eq!(value("ETALON_PREXYT_P1_RAD"), (-0.1f64).to_radians());
 }
 
+/// Python itself reads the module, a reader of our own the MATLAB function: whatever the names.
+#[test]
+#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
+fn matlab_and_python_read_back_bit_for_bit() {
+    let hostile = "%} ' \"\"\" # */ \n\\ \u{202e}\u{e9}";
+    let mut document = numbers();
+    document.parameters.push(parameter(hostile, "mm", 1.0));
+    document.covariance = (0..9).map(|i| (0..9).map(|j| f64::from(u8::from(i == j)) * 1e-14).collect()).collect();
+    let matlab = text("matlab", &document);
+    assert!(matlab.starts_with("function p = etalon_parameters()\n") && matlab.is_ascii());
+    for (i, number) in NUMBERS.iter().enumerate() {
+        let line = matlab.lines().find_map(|l| l.strip_prefix(&format!("p.p{i} = struct('value', "))).unwrap();
+        assert_eq!(line.split(',').next().unwrap().parse::<f64>().unwrap().to_bits(), number.to_bits());
+    }
+    // every line is a comment, or a statement that ends
+    let ends = |l: &str| l.starts_with('%') || l.ends_with(';') || l.starts_with("function") || l == "end";
+    assert!(matlab.lines().all(ends), "{matlab}");
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("etalon_parameters.py"), text("python", &document)).unwrap();
+    let script = "import etalon_parameters as e\nfor p in e.parameters.values(): print(repr(p[0]))\n\
+                  assert len(e.identified) == len(e.covariance) == 9 and list(e.parameters)[8] == e.identified[8]\n\
+                  print(ascii(e.identified[8]))";
+    let Ok(output) = Command::new("python3").args(["-B", "-c", script]).current_dir(folder.path()).output() else {
+        return println!("skipped: there is no `python3`");
+    };
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = String::from_utf8(output.stdout).unwrap();
+    for (line, number) in read.lines().zip(NUMBERS) {
+        assert_eq!(line.parse::<f64>().unwrap().to_bits(), number.to_bits());
+    }
+    assert!(read.contains("202e"), "{read}");
+}
+
 #[test]
 fn names_that_are_one_in_c_are_refused() {
     let two = document(vec![parameter("d-2", "mm", 1.0), parameter("d_2", "mm", 2.0)]);
-    let refused = by_name("c-header").unwrap().write(&two).unwrap_err().to_string();
+    let refused = by_name("c-header").unwrap().write(&Given::parameters(&two)).unwrap_err().to_string();
     assert!(refused.contains("`d-2` and `d_2` are both `ETALON_PREXYT_D_2_MM`"), "{refused}");
 }
 
@@ -149,7 +182,7 @@ fn what_must_not_reach_a_machine_is_refused() {
     let cases = [(lost, "not converged"), (nan, "`d` has a number that is not finite"), (twice, "two parameters `d`")];
     for (document, why) in cases {
         for name in names() {
-            let refused = by_name(name).unwrap().write(&document).unwrap_err().to_string();
+            let refused = by_name(name).unwrap().write(&Given::parameters(&document)).unwrap_err().to_string();
             assert!(refused.contains(why), "{name}: {refused}");
         }
     }

@@ -165,9 +165,17 @@ fn write(
     out.optional("iso9283.json", tested.poses.as_ref())?;
     out.optional("iso9283-streams.json", tested.streams.as_ref())?;
     out.optional("iso9283-compliance.json", tested.compliance.as_ref())?;
-    for exporter in exporters(campaign) {
-        if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
-            out.bytes(exporter.file_name(), exporter.write(&found.parameters)?);
+    if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
+        let robot = campaign.build_robot()?;
+        let given = export::Given {
+            parameters: &found.parameters,
+            campaign: Some(&summary.name),
+            name: summary.robot.as_deref(),
+            robot: Some(robot.as_ref()),
+            description: campaign.robot.description().map(|(file, text)| export::Description { file, text }),
+        };
+        for exporter in exporters(campaign) {
+            out.bytes(exporter.file_name(), exporter.write(&given)?);
         }
     }
     if let Some(faces) = &faces {
@@ -177,11 +185,11 @@ fn write(
     Ok(Outcome { written, identified, tested, met, faces, summary, messages })
 }
 
-/// The controller formats that the campaign names, or all of them.
+/// The controller formats that the campaign names, or the usual ones.
 fn exporters(campaign: &Campaign) -> Vec<&'static dyn export::Exporter> {
     match &campaign.file.controllers {
         Some(names) => names.iter().filter_map(|name| export::by_name(name.get_ref())).collect(),
-        None => export::names().filter_map(export::by_name).collect(),
+        None => export::usual().filter_map(export::by_name).collect(),
     }
 }
 

@@ -168,6 +168,11 @@ pub trait Robot: Send + Sync {
         None
     }
 
+    /// The joints one behind the other, of robots that are one chain.
+    fn joint_chain(&self, _parameters: &[f64]) -> Option<JointChain> {
+        None
+    }
+
     /// The robot that the same numbers describe in another convention of the field, and its name.
     fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
         Vec::new()
@@ -197,6 +202,26 @@ pub trait Robot: Send + Sync {
         p[..d].copy_from_slice(&all[target * d..][..d]);
         p
     }
+}
+
+/// Joints one behind the other, with their errors in their places and without what bends them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointChain {
+    /// From the base.
+    pub joints: Vec<ChainJoint>,
+    /// The flange in the frame of the last joint.
+    pub flange: Pose,
+}
+
+/// A joint of a chain: it turns about, or slides along, the z axis of its frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainJoint {
+    /// Its frame at joint value zero, in that of the joint before, or the base.
+    pub origin: Pose,
+    /// The joint slides.
+    pub prismatic: bool,
+    /// What the joint moves for each mm or rad of the logged value.
+    pub gain: f64,
 }
 
 /// Direct and inverse kinematics of a whole pose: that of flange, platform or tool in the base frame. Poses of planar robots lie in

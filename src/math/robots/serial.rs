@@ -4,7 +4,7 @@
 
 use super::chain::{self, Coefficient, Element, Motion, State, Term};
 use super::nearest;
-use super::{Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role};
+use super::{ChainJoint, Definition, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role};
 use crate::base::noise::Noise;
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use crate::base::scalar::Scalar;
@@ -388,20 +388,25 @@ impl Serial {
         self
     }
 
+    /// The frames behind all axes, and the flange, in the base without loads.
+    fn frames(&self, parameters: &[f64], joints: &[f64]) -> (Vec<Pose>, Pose) {
+        let state = State { joints, loads: &[] };
+        let (mut frames, mut pose) = (Vec::with_capacity(self.axes.len()), Pose::identity());
+        for (i, element) in self.elements.iter().enumerate().skip(self.based) {
+            pose = element.advance(pose, parameters, state);
+            if self.axes.get(frames.len()).is_some_and(|axis| axis.frame == i + 1) {
+                frames.push(pose);
+            }
+        }
+        (frames, pose)
+    }
+
     /// For each load its size at joint values, on nominal geometry.
     fn loads(&self, joints: &[f64]) -> Vec<f64> {
         if self.loads.is_empty() {
             return Vec::new();
         }
-        let state = State { joints, loads: &[] };
-        let nominal = self.nominal();
-        let (mut frames, mut pose) = (Vec::with_capacity(self.axes.len()), Pose::identity());
-        for (i, element) in self.elements.iter().enumerate().skip(self.based) {
-            pose = element.advance(pose, &nominal, state);
-            if self.axes.get(frames.len()).is_some_and(|axis| axis.frame == i + 1) {
-                frames.push(pose);
-            }
-        }
+        let frames = self.frames(&self.nominal(), joints).0;
         let size = |load: &Load| match *load {
             Load::Link { axis, link } => {
                 let next = frames.get(link + 1).unwrap_or(&frames[link]);
@@ -554,6 +559,22 @@ impl Robot for Serial {
     }
     fn kinematics(&self) -> Option<&dyn Kinematics> {
         Some(self)
+    }
+    fn joint_chain(&self, parameters: &[f64]) -> Option<JointChain> {
+        let zero = vec![0.0; self.joints().len()];
+        let (mut frames, flange) = self.frames(parameters, &zero);
+        frames.insert(0, Pose::identity());
+        let gain = |axis: &Axis| {
+            let gain = self.index(&format!("gain_{}", axis.drive.label)).map_or(1.0, |i| parameters[i]);
+            gain * axis.drive.factor
+        };
+        let joint = |(axis, pair): (&Axis, &[Pose])| ChainJoint {
+            origin: pair[0].inverse().then(&pair[1]),
+            prismatic: axis.drive.prismatic,
+            gain: gain(axis),
+        };
+        let joints = self.axes.iter().zip(frames.windows(2)).map(joint).collect();
+        Some(JointChain { joints, flange: frames.last()?.inverse().then(&flange) })
     }
 }
 

@@ -1,0 +1,150 @@
+//! Files for controllers of one kind of robot: what an independent reader makes of them is the identified robot.
+
+use crate::support::scratch::{Scratch, copy_sample};
+use etalon::base::pose::{Pose, minus, norm};
+use etalon::campaign::{Campaign, read_robot};
+use etalon::document::ParametersDocument;
+use etalon::math::robots::{Robot, Role};
+use std::process::Command;
+
+fn etalon(arguments: &[&str]) -> (Option<i32>, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).output().unwrap();
+    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// Parameters of a run that found these values (mm, rad, 1).
+fn parameters(scratch: &Scratch, robot: &dyn Robot, values: &[f64]) -> String {
+    let entry = |(p, value): (&etalon::math::robots::Parameter, &f64)| {
+        serde_json::json!({
+            "name": p.name, "unit": p.quantity.unit(), "nominal": p.quantity.outward(p.nominal), "before": p.quantity.outward(p.nominal),
+            "value": p.quantity.outward(*value), "standard_uncertainty": null, "degrees_of_freedom": null,
+            "status": "fixed", "confounded_with": []
+        })
+    };
+    let all: Vec<_> = robot.parameters().iter().zip(values).map(entry).collect();
+    let document = serde_json::json!({
+        "schema": "etalon/parameters/1", "robot": robot.model(), "parameters": all, "covariance": [],
+        "residuals": {
+            "kind": "targets", "count": 0, "rms": 0.0, "max": 0.0, "degrees_of_freedom": 0, "stated_standard_uncertainty_mm": null,
+            "common_standard_uncertainty_mm": null, "chi_square": null, "uncertainties_from": "instrument", "uncertainties_enlarged_by": 1.0
+        },
+        "observability": null,
+        "solver": { "method": "lm", "iterations": 1, "termination": "step_vanished", "meaning": "" },
+        "messages": [], "provenance": { "version": "0.1.0", "inputs": {}, "seed": null }
+    });
+    let _: ParametersDocument = serde_json::from_value(document.clone()).unwrap();
+    let path = scratch.path().join("found.json");
+    std::fs::write(&path, document.to_string()).unwrap();
+    path.display().to_string()
+}
+
+/// Values off by what a calibration finds; gains only of joints that `gains` names.
+fn disturbed(robot: &dyn Robot, gains: &[&str]) -> Vec<f64> {
+    let mut noise = etalon::base::noise::Noise::new(19, 1);
+    let mut value = |p: &etalon::math::robots::Parameter| match p.name.as_str() {
+        _ if p.role != Role::Robot => p.nominal,
+        name if name.starts_with("compliance") || name.starts_with("coupling") => p.nominal,
+        name if name.starts_with("gain") && !gains.contains(&name) => 1.0,
+        name if name.starts_with("gain") => 1.0 + noise.uniform(1e-3),
+        _ if p.quantity.unit() == "mm" => p.nominal + noise.uniform(2.0),
+        _ => p.nominal + noise.uniform(0.01),
+    };
+    robot.parameters().iter().map(&mut value).collect()
+}
+
+#[test]
+fn a_urdf_with_calibrated_origins_is_the_identified_robot() {
+    let scratch = copy_sample("column-arm");
+    let file = scratch.path().join("robot.toml").display().to_string();
+    let robot = Campaign::read(&scratch.path()).unwrap().robot.build(&["tool".to_owned()]).unwrap();
+    let values = disturbed(robot.as_ref(), &["gain_column_lower_joint", "gain_column_upper_joint"]);
+    let found = parameters(&scratch, robot.as_ref(), &values);
+    let out = scratch.path().join("exported");
+    let (code, said) = etalon(&["export", &found, "--format", "urdf", "--robot", &file, "--to", &out.display().to_string()]);
+    assert_eq!(code, Some(0), "{said}");
+    let text = std::fs::read_to_string(out.join("calibrated.urdf")).unwrap();
+    let original = std::fs::read_to_string(scratch.path().join("arm.urdf")).unwrap();
+    // comments are kept, and all that has no place in the kinematics
+    for part in ["<!-- the arm hangs forward from the column -->", "<mass value=\"20\"/>", "velocity=\"0.2\"", "Drawn for this sample"] {
+        assert!(text.contains(part) && original.contains(part), "{part}");
+    }
+    for part in ["Written by etalon", "units: m, rad", "sha256 of parameters.json: "] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    scratch.replace("robot.toml", "arm.urdf", "exported/calibrated.urdf");
+    let exported = read_robot(&scratch.path().join("robot.toml")).unwrap().build(&["tool".to_owned()]).unwrap();
+    let mut noise = etalon::base::noise::Noise::new(19, 2);
+    for _ in 0..50 {
+        let joints: Vec<f64> = (0..7).map(|i| if i == 0 { 400.0 + noise.uniform(390.0) } else { noise.uniform(2.0) }).collect();
+        for at in [[0.0; 3], [30.0, -40.0, 100.0]] {
+            let place = |robot: &dyn Robot, values: &[f64]| {
+                let mut values = values.to_vec();
+                values[6..9].copy_from_slice(&at);
+                robot.position(&values, &joints, 0)
+            };
+            let off = norm(minus(place(robot.as_ref(), &values), place(exported.as_ref(), &exported.nominal())));
+            assert!(off < 1e-9, "{off}");
+        }
+    }
+    // another reader: every joint, its attributes as numbers
+    let script = "import sys, xml.etree.ElementTree as E\nfor o in E.parse(sys.argv[1]).getroot().iterfind('joint/origin'):\n  \
+                  [float(v) for k in ('xyz', 'rpy') if k in o.attrib for v in o.attrib[k].split()]\nprint('read')";
+    match Command::new("python3").args(["-c", script]).arg(out.join("calibrated.urdf")).output() {
+        Ok(read) => assert!(String::from_utf8_lossy(&read.stdout).contains("read"), "{}", String::from_utf8_lossy(&read.stderr)),
+        Err(_) => println!("skipped: there is no `python3`"),
+    }
+    // gains of other joints have no place in a URDF: the file says so
+    let found = parameters(&scratch, robot.as_ref(), &disturbed(robot.as_ref(), &["gain_elbow"]));
+    scratch.replace("robot.toml", "exported/calibrated.urdf", "arm.urdf");
+    assert_eq!(etalon(&["export", &found, "--format", "urdf", "--robot", &file, "--to", &out.display().to_string()]).0, Some(0));
+    let text = std::fs::read_to_string(out.join("calibrated.urdf")).unwrap();
+    assert!(text.contains("not in this format: joint elbow moves"), "{text}");
+}
+
+#[test]
+fn a_universal_robots_calibration_is_the_identified_arm() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for file in ["docs/keys/robot-serial-dh.toml", "samples/abb-irb120/robot.toml"] {
+        let file = root.join(file);
+        let robot = read_robot(&file).unwrap().build(&["tool".to_owned()]).unwrap();
+        let values = disturbed(robot.as_ref(), &[]);
+        let scratch = Scratch::with(&[]);
+        let found = parameters(&scratch, robot.as_ref(), &values);
+        let to = scratch.path().display().to_string();
+        let (code, said) =
+            etalon(&["export", &found, "--format", "universal-robots", "--robot", &file.display().to_string(), "--to", &to]);
+        assert_eq!(code, Some(0), "{said}");
+        let text = std::fs::read_to_string(scratch.path().join("universal_robots_calibration.yaml")).unwrap();
+        assert!(text.starts_with("# Written by etalon") && text.contains("  hash: calib_"), "{text}");
+        // the frames of six joints, as `xyz` and `rpy` of a URDF
+        let numbers: Vec<f64> = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("    ")?.split_once(": ")?.1.parse().ok())
+            .collect();
+        let frames: Vec<Pose> = numbers
+            .chunks_exact(6)
+            .map(|f| Pose::from_xyz_rpy([f[0] * 1000.0, f[1] * 1000.0, f[2] * 1000.0], [f[3], f[4], f[5]]))
+            .collect();
+        assert_eq!(frames.len(), 6);
+        let reach = |q: &[f64]| frames.iter().zip(q).fold(Pose::identity(), |pose, (frame, q)| pose.then(frame).turn_z(*q));
+        // a point that the last joint carries stays at one place of the frame that the file gives it
+        let mut noise = etalon::base::noise::Noise::new(19, 3);
+        let places: Vec<[f64; 3]> = (0..20)
+            .map(|_| {
+                let q: Vec<f64> = (0..6).map(|_| noise.uniform(2.5)).collect();
+                reach(&q).inverse().apply(robot.position(&values, &q, 0))
+            })
+            .collect();
+        let off = places.iter().map(|p| norm(minus(*p, places[0]))).fold(0.0, f64::max);
+        assert!(off < 1e-9, "{off}");
+    }
+    // not for a robot of other joints
+    let scratch = copy_sample("column-arm");
+    let file = scratch.path().join("robot.toml").display().to_string();
+    let robot = read_robot(&scratch.path().join("robot.toml")).unwrap().build(&["tool".to_owned()]).unwrap();
+    let found = parameters(&scratch, robot.as_ref(), &robot.nominal());
+    let (code, said) = etalon(&["export", &found, "--format", "universal-robots", "--robot", &file]);
+    assert!(code == Some(2) && said.contains("is not an arm of six joints that turn"), "{said}");
+    let (code, said) = etalon(&["export", &found, "--format", "urdf"]);
+    assert!(code == Some(2) && said.contains("--robot FILE"), "{said}");
+}
