@@ -43,8 +43,10 @@ impl Export {
         let robot_file = self.robot.as_deref().map(read_robot).transpose()?;
         // the model needs a target; no format holds its place
         let robot = robot_file.as_ref().map(|robot| robot.build(&["tool".to_owned()])).transpose()?;
-        let summary: Option<CampaignSummary> =
-            Documents::open(&folder).ok().and_then(|documents| documents.optional("campaign.json").transpose()).transpose()?;
+        let summary: Option<CampaignSummary> = Documents::open(&folder)
+            .ok()
+            .and_then(|documents| documents.optional("campaign.json").transpose())
+            .transpose()?;
         let given = Given {
             parameters: &parameters,
             campaign: summary.as_ref().map(|summary| summary.name.as_str()),

@@ -16,7 +16,8 @@ impl Exporter for Python {
         check(given.parameters)?;
         // strings of JSON in ASCII are those of Python
         let text = |text: &str| -> Result<String> {
-            let quoted = serde_json::to_string(text).map_err(|e| Message::error(format!("a name cannot be written: {e}")))?;
+            let quoted =
+                serde_json::to_string(text).map_err(|e| Message::error(format!("a name cannot be written: {e}")))?;
             let escaped = |c: char| if c.is_ascii() { c.to_string() } else { format!("\\U{:08x}", u32::from(c)) };
             Ok(quoted.chars().map(escaped).collect())
         };

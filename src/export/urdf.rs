@@ -99,7 +99,8 @@ fn edits_of(text: &str, given: &Given, edits: &mut Vec<Edit>, left_out: &mut Vec
                             let number = |name: &str, absent: f64| {
                                 attribute(&tag, name).map_or(Some(absent), |text| text.trim().parse::<f64>().ok())
                             };
-                            let (multiplier, offset) = (gain * number("multiplier", 1.0)?, gain * number("offset", 0.0)?);
+                            let (multiplier, offset) =
+                                (gain * number("multiplier", 1.0)?, gain * number("offset", 0.0)?);
                             let end = if empty { "/" } else { "" };
                             let other = quick_xml::escape::escape(other);
                             let text = format!(
@@ -181,6 +182,10 @@ fn origin(xyz: &Option<String>, rpy: &Option<String>, errors: &[(usize, bool, f6
     }
     let ([x, y, z], [roll, pitch, yaw]) = (pose.translation_mm.map(|mm| mm / 1000.0), roll_pitch_yaw(&pose));
     let mut tag = String::new();
-    let _ = write!(tag, "<origin xyz=\"{x:?} {y:?} {z:?}\" rpy=\"{roll:?} {pitch:?} {yaw:?}\"{}>", if empty { "/" } else { "" });
+    let _ = write!(
+        tag,
+        "<origin xyz=\"{x:?} {y:?} {z:?}\" rpy=\"{roll:?} {pitch:?} {yaw:?}\"{}>",
+        if empty { "/" } else { "" }
+    );
     Some(tag)
 }

@@ -60,12 +60,18 @@ fn a_urdf_with_calibrated_origins_is_the_identified_robot() {
     let values = disturbed(robot.as_ref(), &["gain_column_lower_joint", "gain_column_upper_joint"]);
     let found = parameters(&scratch, robot.as_ref(), &values);
     let out = scratch.path().join("exported");
-    let (code, said) = etalon(&["export", &found, "--format", "urdf", "--robot", &file, "--to", &out.display().to_string()]);
+    let (code, said) =
+        etalon(&["export", &found, "--format", "urdf", "--robot", &file, "--to", &out.display().to_string()]);
     assert_eq!(code, Some(0), "{said}");
     let text = std::fs::read_to_string(out.join("calibrated.urdf")).unwrap();
     let original = std::fs::read_to_string(scratch.path().join("arm.urdf")).unwrap();
     // comments are kept, and all that has no place in the kinematics
-    for part in ["<!-- the arm hangs forward from the column -->", "<mass value=\"20\"/>", "velocity=\"0.2\"", "Drawn for this sample"] {
+    for part in [
+        "<!-- the arm hangs forward from the column -->",
+        "<mass value=\"20\"/>",
+        "velocity=\"0.2\"",
+        "Drawn for this sample",
+    ] {
         assert!(text.contains(part) && original.contains(part), "{part}");
     }
     for part in ["Written by etalon", "units: m, rad", "sha256 of parameters.json: "] {
@@ -75,7 +81,8 @@ fn a_urdf_with_calibrated_origins_is_the_identified_robot() {
     let exported = read_robot(&scratch.path().join("robot.toml")).unwrap().build(&["tool".to_owned()]).unwrap();
     let mut noise = etalon::base::noise::Noise::new(19, 2);
     for _ in 0..50 {
-        let joints: Vec<f64> = (0..7).map(|i| if i == 0 { 400.0 + noise.uniform(390.0) } else { noise.uniform(2.0) }).collect();
+        let joints: Vec<f64> =
+            (0..7).map(|i| if i == 0 { 400.0 + noise.uniform(390.0) } else { noise.uniform(2.0) }).collect();
         for at in [[0.0; 3], [30.0, -40.0, 100.0]] {
             let place = |robot: &dyn Robot, values: &[f64]| {
                 let mut values = values.to_vec();
@@ -90,13 +97,18 @@ fn a_urdf_with_calibrated_origins_is_the_identified_robot() {
     let script = "import sys, xml.etree.ElementTree as E\nfor o in E.parse(sys.argv[1]).getroot().iterfind('joint/origin'):\n  \
                   [float(v) for k in ('xyz', 'rpy') if k in o.attrib for v in o.attrib[k].split()]\nprint('read')";
     match Command::new("python3").args(["-c", script]).arg(out.join("calibrated.urdf")).output() {
-        Ok(read) => assert!(String::from_utf8_lossy(&read.stdout).contains("read"), "{}", String::from_utf8_lossy(&read.stderr)),
+        Ok(read) => {
+            assert!(String::from_utf8_lossy(&read.stdout).contains("read"), "{}", String::from_utf8_lossy(&read.stderr))
+        }
         Err(_) => println!("skipped: there is no `python3`"),
     }
     // gains of other joints have no place in a URDF: the file says so
     let found = parameters(&scratch, robot.as_ref(), &disturbed(robot.as_ref(), &["gain_elbow"]));
     scratch.replace("robot.toml", "exported/calibrated.urdf", "arm.urdf");
-    assert_eq!(etalon(&["export", &found, "--format", "urdf", "--robot", &file, "--to", &out.display().to_string()]).0, Some(0));
+    assert_eq!(
+        etalon(&["export", &found, "--format", "urdf", "--robot", &file, "--to", &out.display().to_string()]).0,
+        Some(0)
+    );
     let text = std::fs::read_to_string(out.join("calibrated.urdf")).unwrap();
     assert!(text.contains("not in this format: joint elbow moves"), "{text}");
 }
@@ -111,22 +123,29 @@ fn a_universal_robots_calibration_is_the_identified_arm() {
         let scratch = Scratch::with(&[]);
         let found = parameters(&scratch, robot.as_ref(), &values);
         let to = scratch.path().display().to_string();
-        let (code, said) =
-            etalon(&["export", &found, "--format", "universal-robots", "--robot", &file.display().to_string(), "--to", &to]);
+        let (code, said) = etalon(&[
+            "export",
+            &found,
+            "--format",
+            "universal-robots",
+            "--robot",
+            &file.display().to_string(),
+            "--to",
+            &to,
+        ]);
         assert_eq!(code, Some(0), "{said}");
         let text = std::fs::read_to_string(scratch.path().join("universal_robots_calibration.yaml")).unwrap();
         assert!(text.starts_with("# Written by etalon") && text.contains("  hash: calib_"), "{text}");
         // the frames of six joints, as `xyz` and `rpy` of a URDF
-        let numbers: Vec<f64> = text
-            .lines()
-            .filter_map(|line| line.strip_prefix("    ")?.split_once(": ")?.1.parse().ok())
-            .collect();
+        let numbers: Vec<f64> =
+            text.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": ")?.1.parse().ok()).collect();
         let frames: Vec<Pose> = numbers
             .chunks_exact(6)
             .map(|f| Pose::from_xyz_rpy([f[0] * 1000.0, f[1] * 1000.0, f[2] * 1000.0], [f[3], f[4], f[5]]))
             .collect();
         assert_eq!(frames.len(), 6);
-        let reach = |q: &[f64]| frames.iter().zip(q).fold(Pose::identity(), |pose, (frame, q)| pose.then(frame).turn_z(*q));
+        let reach =
+            |q: &[f64]| frames.iter().zip(q).fold(Pose::identity(), |pose, (frame, q)| pose.then(frame).turn_z(*q));
         // a point that the last joint carries stays at one place of the frame that the file gives it
         let mut noise = etalon::base::noise::Noise::new(19, 3);
         let places: Vec<[f64; 3]> = (0..20)
