@@ -12,6 +12,7 @@ use etalon::run::check::{Prepared, check};
 use etalon::stages::evaluate;
 use etalon::stages::frames;
 use etalon::stages::join;
+use etalon::stages::kinds::Observed;
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
@@ -31,8 +32,8 @@ fn main() {
         Observation::from_table(robot.as_ref(), &joined.observations[0].1, &mut Vec::new()).expect("observations");
     let stated = campaign.file.identify.as_ref().expect("[identify]");
     let selections = campaign.selections(stated).expect("selections");
-    let poses = evaluate::poses(&observations);
-    let sets = evaluate::split(&observations, &poses, &selections);
+    let observed = Observed { observations, settings: campaign.settings(stated) };
+    let sets = evaluate::split(&observed, &observed.poses(), &selections);
     let folder = tempfile::tempdir().expect("folder");
     let csv = folder.path().join("observations.csv");
     std::fs::write(&csv, table::to_csv(&joined.observations[0].1).expect("csv")).expect("csv");

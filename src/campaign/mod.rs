@@ -175,13 +175,18 @@ impl Campaign {
         self.place_of(&["frame", "world"])
     }
 
-    /// The robot that the campaign measured.
+    /// The robot that the campaign measured, with the targets that `[join]` names.
     pub fn build_robot(&self) -> Result<Box<dyn Robot>> {
+        self.build_robot_with(&[])
+    }
+
+    /// The same with these targets beside.
+    pub fn build_robot_with(&self, more: &[String]) -> Result<Box<dyn Robot>> {
         // an arm whose targets did not read has some, and a test needs none
         let unread = self.unread.affects(&["join", "targets"]) || !self.identifies();
-        let targets = match unread {
+        let targets: Vec<String> = match unread && more.is_empty() {
             true => vec!["target".to_owned()],
-            false => self.file.join_targets().map(|t| t.get_ref().clone()).collect(),
+            false => self.file.join_targets().map(|t| t.get_ref()).chain(more).cloned().collect(),
         };
         self.robot.build(&targets).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
     }
@@ -200,8 +205,9 @@ impl Campaign {
 fn missing_keys(text: &str) -> Vec<&'static str> {
     let stated = |key: &&str| toml_file::find(text, &[key]).is_some();
     let tests = ["repeatability", "poses", "stream", "compliance"].iter().any(stated);
-    let identifies = !tests || ["log", "join", "identify", "geometric"].iter().any(stated);
+    let identifies = !tests || ["log", "join", "identify", "geometric", "observations"].iter().any(stated);
     let needed: &[&str] = match identifies {
+        true if stated(&"observations") => &["identify"],
         true => &["export", "log", "join", "frame", "identify"],
         false if stated(&"repeatability") => &["export"],
         false => &[],

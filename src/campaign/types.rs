@@ -57,6 +57,8 @@ pub struct CampaignFile {
     pub logs: Vec<Log>,
     /// How points are joined with joint values.
     pub join: Option<Join>,
+    /// A table of observations, in place of exports, log and join.
+    pub observations: Option<ObservationsDefinition>,
     /// Elements to fit, by name.
     #[serde(default, rename = "feature")]
     pub features: BTreeMap<String, FeatureDefinition>,
@@ -107,6 +109,7 @@ impl CampaignFile {
     /// Every file of measurements, and of what they are compared with, that the campaign names.
     pub fn inputs(&self) -> impl Iterator<Item = &Spanned<String>> {
         let measured = self.exports.iter().map(|e| &e.file).chain(self.logs.iter().map(|l| &l.file));
+        let measured = measured.chain(self.observations.as_ref().map(|o| &o.file));
         let streams = self.streams.iter().flat_map(|s| [Some(&s.file), s.commanded.as_ref(), s.path.as_ref()]);
         let poses = self.poses.iter().flat_map(|p| [Some(&p.attained), Some(&p.commanded), p.reference.as_ref()]);
         let others =
@@ -129,12 +132,28 @@ pub struct Instrument {
     pub expanded_uncertainty_um: f64,
     /// Its coverage factor.
     pub coverage_factor: f64,
+    /// Expanded uncertainty of a measured orientation about any axis, with the same coverage factor.
+    pub expanded_rotation_uncertainty_deg: Option<f64>,
+}
+
+/// A table of observations: what was measured and the joint values, row by row.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ObservationsDefinition {
+    /// The table: CSV with a header.
+    #[schemars(with = "String")]
+    pub file: Spanned<String>,
 }
 
 impl Instrument {
     /// Standard uncertainty of one coordinate in millimetres.
     pub fn standard_uncertainty_mm(&self) -> f64 {
         self.expanded_uncertainty_um / self.coverage_factor / 1000.0
+    }
+
+    /// Standard uncertainty of an orientation about any axis in radians.
+    pub fn rotation_uncertainty_rad(&self) -> Option<f64> {
+        Some((self.expanded_rotation_uncertainty_deg? / self.coverage_factor).to_radians())
     }
 }
 

@@ -13,7 +13,7 @@ use crate::math::robots::Robot;
 use crate::report::Faces;
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::exclusions::{Exclusion, exclude, excluded_rows};
-use crate::stages::kinds::{self, Uncertainties};
+use crate::stages::kinds::{self, Observed, Uncertainties};
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
@@ -80,7 +80,7 @@ impl Identify {
         let here = |problems: Problems| observed.place(problems);
         let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
         messages.extend(unread(robot.as_ref(), &observed));
-        let mut settings = Settings {
+        let settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             common_uncertainty_mm: self.common_uncertainty_um.map(|u| u / 1000.0),
@@ -91,15 +91,16 @@ impl Identify {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
         };
-        let mut observations =
-            kinds::observed(robot.as_mut(), &observed.table, without, &mut settings, &mut messages).map_err(here)?;
+        let Observed { mut observations, mut settings } =
+            kinds::observed(robot.as_mut(), &observed.table, without, settings, &mut messages).map_err(here)?;
         messages.extend(exclude(&self.exclusions()?, robot.as_ref(), &mut observations, &mut settings.conditions)?);
         messages.extend(weigh(&observations, robot.dimension(), &mut settings).map_err(here)?);
         messages.extend(stale(robot.as_ref(), &observations));
         let before = fit_frames(robot.as_ref(), &observations, &settings)?;
         let mut found = identify_from(robot.as_ref(), &observations, &settings, &before)?;
         found.warnings.splice(0..0, messages);
-        let sets = Sets { calibration: observations, validation: Vec::new() };
+        let calibration_conditions = settings.conditions.clone();
+        let sets = Sets { calibration: observations, calibration_conditions, ..Sets::default() };
         let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
         let messages = plausibility(robot.as_ref(), &sets.calibration, &settings, &before, &found, &errors);
         found.warnings.splice(0..0, messages);

@@ -4,7 +4,6 @@ use super::{names, statements};
 use crate::base::message::{Problems, Result, Severity};
 use crate::base::pattern::matches_pattern;
 use crate::base::pose_name::PoseName;
-use crate::base::table;
 use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Presentation};
 use crate::import::Point;
@@ -16,6 +15,7 @@ use crate::stages::geometric;
 use crate::stages::identification::{check_selections, preview};
 use crate::stages::iso9283::{self, TestData};
 use crate::stages::join;
+use crate::stages::kinds;
 use std::collections::BTreeSet;
 
 /// A campaign whose files are read, each once.
@@ -75,21 +75,21 @@ pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
         return (found.gathered.document, found.problems);
     }
     let mut poses: BTreeSet<PoseName> = points.iter().filter_map(|p| p.pose).collect();
-    if let (Some(robot), true) = (&found.robot, found.read) {
+    if let (Some(robot), true) = (&mut found.robot, found.read) {
         match world {
             None => drop(found.problems.keep(join::counts(campaign, &found.gathered, robot.as_ref()))),
             Some(world) => {
-                let joined = join::join(campaign, &found.gathered, &world, robot.as_ref());
+                let joined = join::joined(campaign, &found.gathered, &world, robot.as_ref());
                 if let Some(joined) = found.problems.keep(joined) {
-                    let shown = found.problems.keep(preview(campaign, robot.as_ref(), &joined)).unwrap_or_default();
+                    let shown = found.problems.keep(preview(campaign, robot.as_mut(), &joined)).unwrap_or_default();
                     let (errors, warnings): (Vec<_>, Vec<_>) =
                         shown.into_iter().partition(|message| message.severity == Severity::Error);
                     found.problems.0.extend(errors);
                     found.gathered.document.messages.extend(warnings);
                     found.gathered.document.messages.extend(joined.messages);
                     let first = joined.observations.first();
-                    let first = first.and_then(|(_, table)| table::poses(table).ok());
-                    poses = first.into_iter().flatten().collect();
+                    let first = first.and_then(|(_, table)| kinds::poses(table).ok());
+                    poses = first.unwrap_or_default();
                 }
             }
         }
@@ -140,12 +140,14 @@ fn find(campaign: &Campaign) -> Found {
     }
     problems.0.extend(more.0);
     problems.0.extend(wrong.0);
-    let robot = problems.keep(campaign.build_robot());
+    let targets = gathered.observations.as_ref().map(|t| kinds::targets(&t.table).map_err(|more| t.place(more)));
+    let targets = targets.and_then(|targets| problems.keep(targets)).unwrap_or_default();
+    let robot = problems.keep(campaign.build_robot_with(&targets));
     if let Some(robot) = &robot {
         names::robot(campaign, robot.as_ref(), &mut problems);
         let before = problems.0.len();
         names::logs(campaign, robot.as_ref(), &mut problems);
-        if complete && whole(&["join"]) && campaign.identifies() {
+        if complete && whole(&["join"]) && campaign.identifies() && campaign.file.observations.is_none() {
             names::targets(campaign, robot.as_ref(), &gathered, &mut problems);
         }
         // without its joints a log cannot be joined, nor can points without their targets

@@ -81,7 +81,7 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
 
 fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Evaluated> {
     // gather: exports and logs become points and joint values
-    let Prepared { mut gathered, robot, tests, geometric: measured, presentation } = check(campaign)?;
+    let Prepared { mut gathered, mut robot, tests, geometric: measured, presentation } = check(campaign)?;
     warnings.clone_from(&gathered.document.messages);
 
     // fit: points become features
@@ -98,14 +98,14 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Evaluated>
     let (mut joined, mut identified, mut geometric) = (None, None, None);
     if let Some(stated) = &campaign.file.identify {
         // join: measurements meet joint values
-        let observed = joined.insert(join::join(campaign, &gathered, &frames, robot.as_ref())?);
+        let observed = joined.insert(join::joined(campaign, &gathered, &frames, robot.as_ref())?);
         gathered.document.messages.append(&mut observed.messages);
         gathered.document.unmatched = std::mem::take(&mut observed.unmatched);
         warnings.clone_from(&gathered.document.messages);
 
         // identify: observations become parameters, and errors before and after
         let inputs = gathered.document.inputs();
-        let found = identified.insert(identify(campaign, stated, robot.as_ref(), observed, &frames, &inputs)?);
+        let found = identified.insert(identify(campaign, stated, robot.as_mut(), observed, &frames, &inputs)?);
 
         // geometry: balls, a shaft and an arm give the same parameters without a model
         geometric = geometric::calibrate(campaign, robot.as_ref(), measured, found)?;

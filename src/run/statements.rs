@@ -82,6 +82,15 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         }
     }
     output(campaign, problems);
+    if file.observations.is_some() {
+        let beside =
+            [("export", !file.exports.is_empty()), ("log", !file.logs.is_empty()), ("join", file.join.is_some())];
+        for (key, _) in beside.iter().filter(|(_, stated)| *stated) {
+            let message = Message::error(format!("`{key}` is stated beside [observations]"));
+            let hint = "a table of observations holds what was measured and the joint values: state it, or exports, log and join";
+            problems.0.push(message.at(campaign.place_of(&[key])).hint(hint));
+        }
+    }
     if let Some(definition) = file.join.as_ref().filter(|_| !unread.affects(&["join"])) {
         join(campaign, definition, problems);
     }

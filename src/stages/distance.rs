@@ -94,7 +94,8 @@ mod tests {
 
     fn distance(validation: Vec<Observation>) -> ValidationDistance {
         let calibration = [grid(0.0), grid(0.0)].concat(); // each pose twice
-        validation_distance(&Prexyt::default(), &Sets { calibration, validation }).expect("a distance")
+        validation_distance(&Prexyt::default(), &Sets { calibration, validation, ..Sets::default() })
+            .expect("a distance")
     }
 
     /// By hand: the centre of a cell is √3/2 of its side from the nearest corner, and 3 of 4 of these are inside along each joint.
@@ -110,7 +111,7 @@ mod tests {
         let far = distance(grid(100.0));
         assert!(far.median > 7.0 * 3f64.sqrt() && far.outside == 64);
         assert!(far_or_near(&far).unwrap().what.contains("far from the calibration"));
-        let none = |validation| Sets { calibration: grid(0.0)[..1].to_vec(), validation };
+        let none = |validation| Sets { calibration: grid(0.0)[..1].to_vec(), validation, ..Sets::default() };
         assert!(validation_distance(&Prexyt::default(), &none(grid(0.0))).is_none());
     }
 }

@@ -7,8 +7,9 @@ use crate::base::table::{self, XYZ};
 use crate::campaign::{Limits, Selections};
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, PointError, Statistics};
 use crate::math::fit;
-use crate::math::identify::Observation;
+use crate::math::identify::{Condition, Observation};
 use crate::math::robots::Robot;
+use crate::stages::kinds::Observed;
 use polars::prelude::{Column, DataFrame};
 use std::collections::BTreeSet;
 
@@ -19,24 +20,32 @@ pub struct Sets {
     pub calibration: Vec<Observation>,
     /// To test on; may be empty.
     pub validation: Vec<Observation>,
-}
-
-/// The poses of these observations.
-pub fn poses(observations: &[Observation]) -> BTreeSet<PoseName> {
-    observations.iter().map(|o| o.pose).collect()
+    /// What else was observed, to identify on.
+    pub calibration_conditions: Vec<Condition>,
+    /// The same to test on.
+    pub validation_conditions: Vec<Condition>,
 }
 
 /// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log that is identified.
-pub fn split(observations: &[Observation], poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
+pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
     let index = |pose: PoseName| poses.range(..pose).count();
     let mut sets = Sets::default();
-    for o in observations {
+    for o in &observed.observations {
         let i = index(o.pose);
         if selections.calibrates(o.pose, i) {
             sets.calibration.push(o.clone());
         }
         if selections.validates(o.pose, i) {
             sets.validation.push(o.clone());
+        }
+    }
+    for c in &observed.settings.conditions {
+        let i = index(c.pose);
+        if selections.calibrates(c.pose, i) {
+            sets.calibration_conditions.push(c.clone());
+        }
+        if selections.validates(c.pose, i) {
+            sets.validation_conditions.push(c.clone());
         }
     }
     sets
@@ -69,8 +78,49 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
                 None => all.extend(target_errors(robot, o, name, before, after)),
             }
         }
+        let conditions = match name {
+            "calibration" => &sets.calibration_conditions,
+            _ => &sets.validation_conditions,
+        };
+        for condition in conditions {
+            condition_error(robot, condition, name, before, after, &mut all);
+        }
     }
     all
+}
+
+/// The error of a condition: of an orientation the angle, beside the error of the same target's position.
+fn condition_error(
+    robot: &dyn Robot,
+    condition: &Condition,
+    set: &str,
+    before: &[f64],
+    after: &[f64],
+    all: &mut Vec<PointError>,
+) {
+    let target = &robot.targets()[condition.target];
+    let (b, a) = (condition.error(robot, before), condition.error(robot, after));
+    if condition.kind.is_angle() {
+        let same = |e: &&mut PointError| {
+            e.set == set && e.pose == condition.pose && e.cycle == condition.cycle && e.target == *target
+        };
+        if let Some(error) = all.iter_mut().rev().find(same) {
+            error.before_deg = Some(norm(b).to_degrees());
+            error.after_deg = Some(norm(a).to_degrees());
+        }
+        return;
+    }
+    all.push(PointError {
+        set: set.to_owned(),
+        pose: condition.pose,
+        cycle: condition.cycle,
+        target: target.clone(),
+        at_mm: robot.position(after, &condition.joints, condition.target),
+        before_mm: b,
+        after_mm: a,
+        before_deg: None,
+        after_deg: None,
+    });
 }
 
 /// Errors of each target of a pose in space; with three or more, the rotation that is left between them.

@@ -1,6 +1,6 @@
 //! Identify: observations become parameters, and errors before and after.
 
-use crate::base::message::{Message, Problems, Result, count};
+use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose_name::PoseName;
 use crate::campaign::{Campaign, Identify, OutlierRule, Selection};
 use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
@@ -10,10 +10,12 @@ use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::Joined;
+use crate::stages::kinds::{self, Observed, Uncertainties};
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
 use crate::stages::tool::tool_accuracy;
+use polars::prelude::DataFrame;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a campaign identifies.
@@ -36,21 +38,22 @@ pub struct Identified {
 pub fn identify(
     campaign: &Campaign,
     stated: &Identify,
-    robot: &dyn Robot,
+    robot: &mut dyn Robot,
     joined: &Joined,
     frames: &FramesDocument,
     inputs: &BTreeMap<String, String>,
 ) -> Result<Identified> {
     let mut messages = Vec::new();
-    let mut observations = Observation::from_table(robot, &joined.observations[0].1, &mut messages)?;
-    messages.extend(exclude(&exclusions(campaign, stated), robot, &mut observations, &mut Vec::new())?);
-    messages.extend(stale(robot, &observations));
-    let poses = evaluate::poses(&observations);
+    let mut observed = observed(campaign, stated, robot, &joined.observations[0].1, &mut messages)?;
+    let robot: &dyn Robot = robot;
+    messages.extend(leave_out(campaign, stated, robot, &mut observed)?);
+    messages.extend(stale(robot, &observed.observations));
+    let poses = observed.poses();
     check_selections(campaign, &poses)?;
     let selections = campaign.selections(stated)?;
-    let mut sets = evaluate::split(&observations, &poses, &selections);
-    let mut settings = campaign.settings(stated);
-    let weighted = identify::weigh(&observations, robot.dimension(), &mut settings);
+    let mut sets = evaluate::split(&observed, &poses, &selections);
+    let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
+    let weighted = identify::weigh(&observed.observations, robot.dimension(), &mut settings);
     messages.extend(weighted.map_err(|problems| problems.at(&campaign.place_of(&["identify", "residuals"])))?);
     let mut before = identify::fit_frames(robot, &sets.calibration, &settings)?;
     let frames = frame_errors(&frames.world);
@@ -65,9 +68,10 @@ pub fn identify(
         }
     }
     for (name, table) in joined.observations.iter().skip(1) {
-        let mut observations = Observation::from_table(robot, table, &mut messages)?;
-        exclude(&exclusions(campaign, stated), robot, &mut observations, &mut Vec::new())?;
-        let others = evaluate::split(&observations, &poses, &selections);
+        let observations = Observation::from_table(robot, table, &mut messages)?;
+        let mut theirs = Observed { observations, settings: campaign.settings(stated) };
+        leave_out(campaign, stated, robot, &mut theirs)?;
+        let others = evaluate::split(&theirs, &poses, &selections);
         let theirs = identify::identify(robot, &others.calibration, &settings)?;
         let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, found: &found };
         let other = LogFit { name, sets: &others, found: &theirs };
@@ -109,24 +113,55 @@ fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
     world.poses.iter().filter_map(of_pose).chain(common).collect()
 }
 
+/// What was observed, and what is identified from it.
+fn observed(
+    campaign: &Campaign,
+    stated: &Identify,
+    robot: &mut dyn Robot,
+    table: &DataFrame,
+    messages: &mut Vec<Message>,
+) -> Result<Observed> {
+    let settings = campaign.settings(stated);
+    let without = Uncertainties {
+        length_mm: settings.standard_uncertainty_mm,
+        rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
+    };
+    let found = kinds::observed(robot, table, without, settings, messages);
+    let place = |problems: Problems| match &campaign.file.observations {
+        Some(stated) => problems.at(&Place::file(stated.file.get_ref())),
+        None => problems,
+    };
+    found.map_err(place)
+}
+
 /// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is
 /// nowhere near the measurements.
-pub fn preview(campaign: &Campaign, robot: &dyn Robot, joined: &Joined) -> Result<Vec<Message>> {
+pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Vec<Message>> {
     let (Some(stated), Some((_, table))) = (&campaign.file.identify, joined.observations.first()) else {
         return Ok(Vec::new());
     };
-    let mut observations = Observation::from_table(robot, table, &mut Vec::new())?;
-    exclude(&exclusions(campaign, stated), robot, &mut observations, &mut Vec::new())?;
-    let mut messages = stale(robot, &observations);
-    let u_mm = campaign.settings(stated).coordinate_uncertainty_mm();
-    messages.extend(identify::set_up_problem(robot, &observations, u_mm));
+    let mut observed = observed(campaign, stated, robot, table, &mut Vec::new())?;
+    let robot: &dyn Robot = robot;
+    leave_out(campaign, stated, robot, &mut observed)?;
+    let mut messages = stale(robot, &observed.observations);
+    if !observed.observations.is_empty() {
+        let u_mm = observed.settings.coordinate_uncertainty_mm();
+        messages.extend(identify::set_up_problem(robot, &observed.observations, u_mm));
+    }
     Ok(messages)
 }
 
-/// What the campaign excludes, with the place of each rule.
-fn exclusions(campaign: &Campaign, stated: &Identify) -> Vec<Exclusion> {
+/// Leaves out what the campaign excludes.
+fn leave_out(
+    campaign: &Campaign,
+    stated: &Identify,
+    robot: &dyn Robot,
+    observed: &mut Observed,
+) -> Result<Vec<Message>> {
     let all = stated.exclude.iter();
-    all.map(|rule| Exclusion { rule: rule.get_ref().clone(), place: campaign.place(rule) }).collect()
+    let all = all.map(|rule| Exclusion { rule: rule.get_ref().clone(), place: campaign.place(rule) });
+    let Observed { observations, settings } = observed;
+    exclude(&all.collect::<Vec<_>>(), robot, observations, &mut settings.conditions)
 }
 
 /// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.

@@ -9,6 +9,7 @@ use crate::base::table;
 use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Settings, joint_column};
 use crate::math::robots::Robot;
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
+use std::collections::BTreeSet;
 
 /// Kinds of rows.
 const KINDS: [&str; 5] = ["point", "pose", "distance", "contact", "plane"];
@@ -44,6 +45,23 @@ pub struct Uncertainties {
     pub rotation_rad: Option<f64>,
 }
 
+/// What was observed, and what is identified from it.
+#[derive(Clone, Debug)]
+pub struct Observed {
+    /// Positions of targets.
+    pub observations: Vec<Observation>,
+    /// The settings, with all conditions.
+    pub settings: Settings,
+}
+
+impl Observed {
+    /// Names of the poses.
+    pub fn poses(&self) -> BTreeSet<PoseName> {
+        let conditions = self.settings.conditions.iter().map(|c| c.pose);
+        self.observations.iter().map(|o| o.pose).chain(conditions).collect()
+    }
+}
+
 /// The names in the column `target` that are on the robot, each once, in their order: those of rows with a pose.
 pub fn targets(observations: &DataFrame) -> Result<Vec<String>> {
     let mut targets: Vec<String> = Vec::new();
@@ -66,6 +84,12 @@ fn partial_rows(robot: &dyn Robot, observations: &DataFrame) -> Result<Vec<bool>
     Ok((0..observations.height()).map(|row| whole && (1..robot.dimension()).contains(&given(row))).collect())
 }
 
+/// The poses of a table.
+pub fn poses(observations: &DataFrame) -> Result<BTreeSet<PoseName>> {
+    let named = row_poses(observations)?.into_iter().zip(fixed_rows(observations)?);
+    Ok(named.filter(|(_, fixed)| !fixed).map(|(pose, _)| pose).collect())
+}
+
 /// Rows without a pose.
 fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
     let Ok(poses) = observations.column("pose") else { return Ok(vec![false; observations.height()]) };
@@ -78,21 +102,21 @@ pub fn observed(
     robot: &mut dyn Robot,
     observations: &DataFrame,
     without: Uncertainties,
-    settings: &mut Settings,
+    mut settings: Settings,
     messages: &mut Vec<Message>,
-) -> Result<Vec<Observation>> {
+) -> Result<Observed> {
     let of_kinds = |name: &str| observations.column(name).is_ok();
     if !partial_rows(robot, observations)?.contains(&true)
         && !of_kinds("kind")
         && !QUATERNION.into_iter().any(of_kinds)
         && !fixed_rows(observations)?.contains(&true)
     {
-        return Observation::from_table(robot, observations, messages);
+        return Ok(Observed { observations: Observation::from_table(robot, observations, messages)?, settings });
     }
     let rows = Rows::new(robot, observations, without)?;
     let mut problems = Problems::default();
     for row in 0..observations.height() {
-        if let Err(more) = rows.condition(row, robot, settings) {
+        if let Err(more) = rows.condition(row, robot, &mut settings) {
             problems.0.extend(more.at(&rows.place(row)).0);
         }
     }
@@ -109,10 +133,11 @@ pub fn observed(
         "position".into(),
         (0..observations.height()).map(|row| rows.has_position(row)),
     );
-    if !has_position.any() {
-        return Ok(Vec::new());
-    }
-    Observation::from_table(robot, &observations.filter(&has_position)?, messages)
+    let observations = match has_position.any() {
+        true => Observation::from_table(robot, &observations.filter(&has_position)?, messages)?,
+        false => Vec::new(),
+    };
+    Ok(Observed { observations, settings })
 }
 
 /// The columns of a table of several kinds.
@@ -181,7 +206,7 @@ impl Rows {
         Ok(Self {
             kinds: texts("kind")?,
             fixed: fixed_rows(observations)?,
-            poses: poses(observations)?,
+            poses: row_poses(observations)?,
             cycles: if has("cycle") {
                 table::optional_integers(observations, "cycle")?.into_iter().map(|c| c.unwrap_or(1)).collect()
             } else {
@@ -371,8 +396,8 @@ impl Rows {
     }
 }
 
-/// The names of poses; 0 where there is none.
-fn poses(observations: &DataFrame) -> Result<Vec<PoseName>> {
+/// The name of the pose of each row; 0 where there is none.
+fn row_poses(observations: &DataFrame) -> Result<Vec<PoseName>> {
     let name = |name: String| match name.as_str() {
         "" => Ok(PoseName::from(0)),
         name => PoseName::new(name).map_err(Problems::from),

@@ -1,6 +1,7 @@
 //! Conditions: orientations, distances, contacts and planes give the robot back, alone and together, with intervals that hold.
 
 use crate::support::arms::{SIX_AXES, serial};
+use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::base::pose_name::PoseName;
@@ -11,6 +12,7 @@ use etalon::math::robots::{FreeBase, Robot, Role, Serial};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
+use std::path::Path;
 use std::process::Command;
 
 /// Standard uncertainties of the simulated measurements.
@@ -424,5 +426,71 @@ fn a_table_of_every_kind_identifies_as_its_conditions_do() {
         }
         println!("{kind}: {:?} {}", output.status.code(), document["messages"]);
         assert_eq!(output.status.code(), Some(0), "{kind}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+/// A copy of the sample of contacts, with other text in its table.
+fn sample(change: impl Fn(String) -> String) -> Scratch {
+    let scratch = copy_sample("contacts");
+    let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/contacts/observations.csv");
+    let table = change(std::fs::read_to_string(table).unwrap());
+    std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
+    scratch
+}
+
+/// No export, no log, no instrument but the sockets: at fresh contacts what is left is the noise of a contact.
+#[test]
+fn the_sample_of_contacts_is_what_its_readme_states() {
+    let table = campaign("contact, lengths", 80, 0, 1.0).table();
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/contacts/observations.csv");
+    if std::env::var_os("ETALON_UPDATE").is_some() {
+        std::fs::write(&file, &table).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), table, "ETALON_UPDATE=1 writes it again");
+    let scratch = sample(|table| table);
+    assert_eq!(etalon(&scratch, "check").0, Some(0));
+    let (code, said) = etalon(&scratch, "run");
+    assert_eq!(code, Some(0), "{said}");
+    let accuracy = std::fs::read(scratch.path().join("out/accuracy.json")).unwrap();
+    let accuracy: serde_json::Value = serde_json::from_slice(&accuracy).unwrap();
+    let validation = accuracy["sets"].as_array().unwrap().iter().find(|s| s["name"] == "validation").unwrap();
+    let position = validation["errors"].as_array().unwrap().iter().find(|e| e["quantity"] == "position").unwrap();
+    let (before, after) = (position["before"]["mean"].as_f64().unwrap(), position["after"]["mean"].as_f64().unwrap());
+    println!("before {before} mm, after {after} mm");
+    // the mean length of three normal errors is 1.6 of their standard deviation
+    assert!(before > 1.0 && after < 2.0 * 1.6 * U_MM, "{position}");
+}
+
+#[test]
+fn slips_in_contacts_do_not_pass() {
+    let column = |name: &str| HEADER.split(',').position(|column| column == name).unwrap();
+    let cells = |table: String, how: &dyn Fn(&mut Vec<String>)| -> String {
+        let rows = table.lines().enumerate().map(|(i, line)| {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            if i > 0 {
+                how(&mut cells);
+            }
+            cells.join(",") + "\n"
+        });
+        rows.collect()
+    };
+    let scaled = |cell: &mut String, factor: f64| {
+        if let Ok(value) = cell.parse::<f64>() {
+            *cell = (factor * value).to_string();
+        }
+    };
+    let (q2, q5, d) = (column("q2_deg"), column("q5_deg"), column("distance_mm"));
+    let slips: [(&str, &dyn Fn(&mut Vec<String>)); 4] = [
+        ("a joint reversed", &|row| scaled(&mut row[q5], -1.0)),
+        ("joints in rad", &|row| (q2 - 1..q2 + 5).for_each(|k| scaled(&mut row[k], 1.0 / 57.295_779_5))),
+        ("columns exchanged", &|row| row.swap(q2, q5)),
+        ("distances in inch", &|row| scaled(&mut row[d], 1.0 / 25.4)),
+    ];
+    for (what, how) in slips {
+        let scratch = sample(|table| cells(table, how));
+        let (code, said) = etalon(&scratch, "run");
+        println!("{what}: {code:?} {}", said.lines().next().unwrap_or_default());
+        assert!(matches!(code, Some(1 | 2)), "{what}: {code:?}\n{said}");
+        assert!(!scratch.path().join("out/parameters.h").exists(), "{what}");
     }
 }

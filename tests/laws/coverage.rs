@@ -48,8 +48,8 @@ fn one(scratch: &Scratch, seed: usize, changes: Changes) -> Found {
     simulate(&Campaign::read(&folder).expect("campaign"), &truth).expect("simulated");
     (changes.files)(scratch, &truth);
     let campaign = Campaign::read(&folder).expect("campaign");
-    let prepared = check::check(&campaign).expect("prepared");
-    let robot = prepared.robot.as_ref();
+    let mut prepared = check::check(&campaign).expect("prepared");
+    let robot = prepared.robot.as_mut();
     let planar = robot.dimension() == 2;
     let features = frames::fit_features(&campaign, &prepared.gathered.points).expect("features");
     let placed = frames::make_frames(&campaign, &prepared.gathered.points, &features, planar).expect("frames");

@@ -32,7 +32,7 @@ fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<M
     let found = || {
         let before = fit_frames(robot, observations, &settings)?;
         let found = identify_from(robot, observations, &settings, &before)?;
-        let sets = Sets { calibration: observations.to_vec(), validation: Vec::new() };
+        let sets = Sets { calibration: observations.to_vec(), ..Sets::default() };
         let errors = evaluate::errors(robot, &sets, &before, &found.values);
         let mut messages = plausibility(robot, observations, &settings, &before, &found, &errors);
         messages.extend(found.warnings);

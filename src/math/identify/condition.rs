@@ -148,6 +148,22 @@ impl Condition {
         out.iter_mut().for_each(|r| *r /= self.standard_uncertainty);
     }
 
+    /// What was observed minus what the model with `values` predicts, in the world: mm, of an orientation rad as a rotation vector. Of
+    /// a distance it lies along it, of a plane along its normal.
+    pub fn error(&self, robot: &dyn Robot, values: &[f64]) -> Vector {
+        let position = robot.position(values, &self.joints, self.target);
+        let mut left = [0.0; 3];
+        self.residuals(robot.free_base(), values, position, &mut left[..self.kind.rows()]);
+        let left = left.map(|r| -r * self.standard_uncertainty);
+        let along = |direction: Vector| unit(direction).unwrap_or_default().map(|v| v * left[0]);
+        match self.kind {
+            Kind::Orientation { .. } | Kind::Contact { .. } => left,
+            Kind::Coordinate { axis, .. } => [0, 1, 2].map(|i| if i == axis { left[0] } else { 0.0 }),
+            Kind::Distance { to, .. } => along(minus(position, point(values, to))),
+            Kind::Plane { plane: first, axis, .. } => along(plane(values, first, axis).0),
+        }
+    }
+
     /// Writes their derivatives by all parameters, row by row; `moved` has those of the target's position, three rows.
     pub(super) fn jacobian(
         &self,

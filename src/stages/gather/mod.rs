@@ -17,6 +17,7 @@ use crate::base::pose_name::two_spellings;
 use crate::campaign::Campaign;
 use crate::document::{ImportDocument, Source};
 use crate::import::{self, Export, JointLog, Log, LogRow, Point};
+use crate::stages::table_file::{CampaignTables, TableFile};
 use points::PointColumns;
 use std::collections::BTreeMap;
 
@@ -27,6 +28,8 @@ pub struct Gathered {
     pub points: Vec<Point>,
     /// Joint values of each log.
     pub logs: Vec<JointLog>,
+    /// The table of observations, where the campaign has one.
+    pub(crate) observations: Option<TableFile>,
     /// What was read and refused.
     pub document: ImportDocument,
 }
@@ -80,6 +83,12 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Err(more) => problems.0.extend(more.0),
         }
     }
+    let observations = campaign.file.observations.as_ref().and_then(|stated| {
+        let mut tables = CampaignTables { campaign, sources: Vec::new() };
+        let table = problems.keep(tables.read(&stated.file, "observations"));
+        sources.append(&mut tables.sources);
+        table
+    });
     let (logs, said) = logs(campaign, &mut sources, &mut problems);
     let left_out = problems.keep(excluded::leave_out(campaign, &mut columns, &mut sources)).unwrap_or_default();
     problems.0.extend(columns.measured_twice(campaign));
@@ -107,7 +116,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         messages: Problems(messages).grouped().0,
         unmatched: Vec::new(),
     };
-    (Gathered { points: columns.points, logs, document }, problems)
+    (Gathered { points: columns.points, logs, observations, document }, problems)
 }
 
 /// Reads what can be read of all logs: their rows, and remarks.

@@ -34,6 +34,13 @@ pub struct Joined {
     pub unmatched: Vec<Unmatched>,
 }
 
+impl Joined {
+    /// Observations that need no join: those of a table.
+    pub fn of_table(table: DataFrame) -> Self {
+        Self { observations: vec![("observations".to_owned(), table)], messages: Vec::new(), unmatched: Vec::new() }
+    }
+}
+
 /// What a join states beside its observations.
 #[derive(Default)]
 struct Remarks {
@@ -73,6 +80,14 @@ impl Row {
             assembly: met.assembly,
             joints: met.joints.clone(),
         }
+    }
+}
+
+/// The observations of a campaign: its table, or the targets of `robot` joined with every log.
+pub fn joined(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
+    match &imported.observations {
+        Some(file) => Ok(Joined::of_table(file.table.clone())),
+        None => join(campaign, imported, frames, robot),
     }
 }
 
