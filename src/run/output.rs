@@ -91,7 +91,7 @@ impl Output {
 
     /// `stem`, or `stem-name` where the campaign has several logs and this is not the first.
     fn numbered(stem: &str, name: &str, campaign: &Campaign) -> String {
-        let first = campaign.file.logs.first().is_some_and(|log| log.name == name);
+        let first = campaign.file.logs.first().is_none_or(|log| log.name == name);
         if first { stem.to_owned() } else { format!("{stem}-{name}") }
     }
 

@@ -491,6 +491,6 @@ fn slips_in_contacts_do_not_pass() {
         let (code, said) = etalon(&scratch, "run");
         println!("{what}: {code:?} {}", said.lines().next().unwrap_or_default());
         assert!(matches!(code, Some(1 | 2)), "{what}: {code:?}\n{said}");
-        assert!(!scratch.path().join("out/parameters.h").exists(), "{what}");
+        assert!(!scratch.path().join("out/etalon_parameters.h").exists(), "{what}");
     }
 }
