@@ -51,7 +51,10 @@ fn init_takes_the_robot_of_a_urdf() {
     // as it is, it lacks its files alone; with those of the sample, whose labels are these, it is calibrated
     let checked = etalon(folder.path(), &["check", "mine"]);
     let said = text(&checked.stderr);
-    assert!(checked.status.code() == Some(2) && said.matches("error: ").count() == said.matches("there is no file").count(), "{said}");
+    assert!(
+        checked.status.code() == Some(2) && said.matches("error: ").count() == said.matches("there is no file").count(),
+        "{said}"
+    );
     std::fs::create_dir(folder.path().join("mine/exports")).unwrap();
     let sample = urdf.parent().unwrap();
     std::fs::copy(sample.join("exports/poses.txt"), folder.path().join("mine/exports/poses.csv")).unwrap();
