@@ -3,6 +3,7 @@
 mod geometric;
 mod iso9283;
 mod join;
+mod mixed;
 mod paths;
 mod robot_file;
 mod selection;
@@ -23,7 +24,7 @@ use crate::base::message::{Message, Place, Problems, Result, Stated};
 use crate::document::Source;
 use crate::document::schema::schema;
 use crate::math::identify::Settings;
-use crate::math::robots::{LongestChain, Robot};
+use crate::math::robots::Robot;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -69,8 +70,10 @@ impl Campaign {
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
         let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
-        let Some(file) = value else { return Ok((None, problems)) };
-        for key in missing_keys(&text) {
+        let Some(mut file) = value else { return Ok((None, problems)) };
+        let joints = file.exports.iter().any(|export| !export.joints.is_empty());
+        problems.0.extend(file.add_joints_of_exports(Stated { name: &name, text: &text }));
+        for key in missing_keys(&text).into_iter().filter(|key| !joints || !["log", "join"].contains(key)) {
             problems.0.push(toml_file::missing(&name, &text, &(0..0), key, &[]));
             unread.add(vec![key.to_owned()]);
         }
@@ -219,12 +222,6 @@ fn missing_keys(text: &str) -> Vec<&'static str> {
 pub fn read_robot(path: &Path) -> Result<RobotFile> {
     let (robot, problems) = RobotFile::recover(&path.display().to_string(), &files::read_text(path)?);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
-}
-
-/// The chain of a URDF file with the most moving joints, and the text of the file.
-pub fn read_urdf(path: &Path) -> Result<(LongestChain, String)> {
-    let (name, text) = (path.display().to_string(), files::read_text(path)?);
-    Ok((urdf::read(&name, &text)?.longest_chain(&name)?, text))
 }
 
 /// Reads the true parameters of a simulation alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.

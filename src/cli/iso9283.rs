@@ -17,25 +17,115 @@ use stream::StreamOptions;
 
 /// Evaluate accuracy, repeatability and other characteristics by ISO 9283
 ///
-/// Tables are CSV: pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], rows in the order of recording; planar robots
-/// leave out z_mm. A column `approach` names directions of approach (without it, the previous pose), a column `robot` several
-/// robots, a column `reading` several readings of one attained pose.
-///
-/// A recorded motion (--stream) gives standstills, stabilisation, and with --path the characteristics of a path. --compliance
-/// evaluates static compliance. --plan lays out a test.
+/// `pose` evaluates attained poses, `path` a recorded motion, `compliance` a table of loads; `plan` lays out a test. Tables are CSV, as the
+/// help of each describes. Without one of these words a table of attained poses is evaluated, with --commanded.
+#[derive(Debug, clap::Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub struct Iso9283 {
+    #[command(subcommand)]
+    test: Option<Test>,
+    #[command(flatten)]
+    by_options: ByOptions,
+}
+
+/// What is tested.
+#[derive(Debug, clap::Subcommand)]
+enum Test {
+    /// Accuracy and repeatability of poses
+    ///
+    /// Tables are CSV: pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], rows in the order of recording; planar robots
+    /// leave out z_mm. A column `approach` names directions of approach (without it, the previous pose), a column `robot` several
+    /// robots, a column `reading` several readings of one attained pose.
+    Pose {
+        /// Attained poses
+        poses: PathBuf,
+        /// Commanded poses: the same columns without cycle. Without them there is repeatability alone
+        #[arg(long, value_name = "FILE")]
+        commanded: Option<PathBuf>,
+        #[command(flatten)]
+        options: PoseOptions,
+        /// Seed of the bootstrap intervals
+        #[arg(long, default_value_t = 1)]
+        seed: u64,
+        /// Print JSON: a list with one object per pose; one object for all else
+        #[arg(long)]
+        json: bool,
+    },
+    /// Recorded motion: standstills, stabilisation, and with --path the characteristics of a path
+    Path {
+        /// Recorded motion: time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], or any text whose --columns and --unit are stated
+        stream: PathBuf,
+        /// Commanded poses, at which the motion stands
+        #[arg(long, value_name = "FILE")]
+        commanded: Option<PathBuf>,
+        #[command(flatten)]
+        options: StreamOptions,
+        /// Seed of the bootstrap intervals
+        #[arg(long, default_value_t = 1)]
+        seed: u64,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Static compliance
+    Compliance {
+        /// Loads: direction,cycle,force_n,x_mm,y_mm[,z_mm]; direction +x to -z, in each cycle a row of force 0
+        table: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Lay out a test: cube, test plane, poses, paths, cycles
+    Plan {
+        #[command(flatten)]
+        options: PlanOptions,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+}
+
+/// The same by options alone.
 #[derive(Debug, clap::Args)]
 #[command(group(clap::ArgGroup::new("what").required(true).args(["poses", "stream", "compliance", "plan"])))]
-pub struct Iso9283 {
-    /// Attained poses
+struct ByOptions {
+    /// Attained poses, as `pose` evaluates them
+    #[arg(conflicts_with = "workspace_mm")]
     poses: Option<PathBuf>,
     /// Commanded poses: the same columns without cycle
-    #[arg(long, required_unless_present_any = ["stream", "compliance", "plan"])]
+    #[arg(long, value_name = "FILE")]
     commanded: Option<PathBuf>,
+    #[command(flatten)]
+    pose: PoseOptions,
+    /// Seed of the bootstrap intervals
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Print JSON: a list with one object per pose; one object for all else
+    #[arg(long)]
+    json: bool,
+    /// Static compliance, as `compliance` evaluates it
+    #[arg(long, value_name = "FILE")]
+    compliance: Option<PathBuf>,
+    /// Recorded motion, as `path` evaluates it
+    #[arg(long, value_name = "FILE")]
+    stream: Option<PathBuf>,
+    #[command(flatten)]
+    motion: StreamOptions,
+    /// Lay out a test, as `plan` does
+    #[arg(long, requires = "workspace_mm")]
+    plan: bool,
+    #[command(flatten)]
+    layout: PlanOptions,
+}
+
+/// What a test of poses is evaluated with.
+#[derive(Debug, clap::Args)]
+struct PoseOptions {
     /// Expanded uncertainty of a measured position in micrometres, for the intervals and the 25 % rule
     #[arg(long, value_name = "UM")]
     expanded_uncertainty_um: Option<f64>,
     /// Limit of AP, decided by its interval: conforming, not conforming or undecided; exit code 1 unless conforming
-    #[arg(long, value_name = "MM", requires = "poses")]
+    #[arg(long, value_name = "MM", requires_all = ["poses", "commanded"])]
     ap_limit_mm: Option<f64>,
     /// Limit of RP, decided in the same way
     #[arg(long, value_name = "MM", requires = "poses")]
@@ -50,41 +140,44 @@ pub struct Iso9283 {
     /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)": recorded, and with --reference used to compensate angles
     #[arg(long, value_name = "TEXT")]
     rotation_order: Option<String>,
-    /// Seed of the bootstrap intervals
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
     /// Distances, approaches, drift, exchangeability and coplanarity as well; with --json one object instead of a list
     #[arg(long)]
     all: bool,
-    /// Print JSON: a list with one object per pose; one object for all else
-    #[arg(long)]
-    json: bool,
-    /// Static compliance: direction,cycle,force_n,x_mm,y_mm[,z_mm]; direction +x to -z, in each cycle a row of force 0
-    #[arg(long, value_name = "FILE")]
-    compliance: Option<PathBuf>,
-    #[command(flatten)]
-    stream: StreamOptions,
-    #[command(flatten)]
-    plan: PlanOptions,
 }
 
 impl Iso9283 {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        if self.plan.plan {
-            return self.plan.run(self.json);
+        let by_options = self.by_options;
+        match self.test {
+            Some(Test::Pose { poses, commanded, options, seed, json }) => {
+                options.run(&poses, commanded.as_deref(), seed, json)
+            }
+            Some(Test::Path { stream, commanded, options, seed, json }) => {
+                options.run(&stream, commanded.as_deref(), seed, json)
+            }
+            Some(Test::Compliance { table, json }) => compliance(&table, json),
+            Some(Test::Plan { options, json }) => options.run(json),
+            None => by_options.run(),
         }
-        if let Some(table) = &self.compliance {
-            return compliance(table, self.json);
-        }
-        match (&self.stream.stream, &self.poses, &self.commanded) {
-            (Some(stream), _, commanded) => self.stream.run(stream, commanded.as_deref(), self.seed, self.json),
-            (None, Some(poses), Some(commanded)) => self.poses(poses, commanded),
+    }
+}
+
+impl ByOptions {
+    fn run(self) -> anyhow::Result<Verdict> {
+        let commanded = self.commanded.as_deref();
+        match (&self.stream, &self.compliance, &self.poses) {
+            _ if self.plan => self.layout.run(self.json),
+            (_, Some(table), _) => compliance(table, self.json),
+            (Some(stream), ..) => self.motion.run(stream, commanded, self.seed, self.json),
+            (.., Some(poses)) => self.pose.run(poses, commanded, self.seed, self.json),
             _ => Err(Problems::from(Message::error("nothing to evaluate is stated")).into()),
         }
     }
+}
 
+impl PoseOptions {
     /// Characteristics of poses.
-    fn poses(&self, poses: &Path, commanded: &Path) -> anyhow::Result<Verdict> {
+    fn run(&self, poses: &Path, commanded: Option<&Path>, seed: u64, json: bool) -> anyhow::Result<Verdict> {
         if self.expanded_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
             return Err(Problems::from(Message::error("--expanded-uncertainty-um must be positive")).into());
         }
@@ -97,23 +190,29 @@ impl Iso9283 {
             return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
         }
         let tables = PoseTables::read(poses, commanded, self.reference.as_deref())?;
-        let document = tables.test(self.rotation_order.as_deref())?.evaluate(&Settings {
+        let mut document = tables.test(self.rotation_order.as_deref())?.evaluate(&Settings {
             expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
             drift_set: self.drift_set,
             rotation_order: self.rotation_order.clone(),
-            seed: self.seed,
+            seed,
             draws: DRAWS,
             ap_limit_mm: self.ap_limit_mm,
             rp_limit_mm: self.rp_limit_mm,
         })?;
+        if commanded.is_none() {
+            let what = "no commanded poses are stated: AP is not determined, and null; RP needs none";
+            document
+                .messages
+                .push(Message::warning(what).hint("state them with --commanded for AP, distances and drift"));
+        }
         remark(&document.messages);
         let all = self.all || self.drift_set.is_some();
-        let json = match all {
+        let data = match all {
             true => to_json(&document)?,
             false => to_json(&document.poses)?,
         };
         let poses = Some(if all { document } else { document.of_poses() });
-        answer(&Faces::test(&Characteristics { poses, ..Characteristics::default() }), self.json.then_some(json))
+        answer(&Faces::test(&Characteristics { poses, ..Characteristics::default() }), json.then_some(data))
     }
 }
 

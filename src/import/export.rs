@@ -1,11 +1,12 @@
 //! `[[export]]`: a file of a measuring system, how it is to be read, and what its labels name: `{target}_{pose}_{cycle}`.
 
-use super::format::{Encoding, FromRow, Unit};
+use super::format::{Column, Encoding, FromRow, Unit};
 use super::formats::Format;
 use crate::base::message::Message;
 use crate::base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// A file of a measuring system.
@@ -25,6 +26,11 @@ pub struct Export {
     /// Pattern of the labels, with `{target}`, `{pose}` and `{cycle}`.
     #[schemars(with = "Option<String>")]
     pub label: Option<Spanned<String>>,
+    /// Columns of the joints, of a file that carries them beside the points: by the joint with its unit, as in a log. Its rows are joined
+    /// with themselves, and no [log] is needed.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, Column>")]
+    pub joints: BTreeMap<Spanned<String>, Column>,
     /// Target of all rows, where the file does not name it.
     pub target: Option<String>,
     /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for a second file of the same targets.

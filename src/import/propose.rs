@@ -165,7 +165,8 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     };
     document.reasons = reasons(best);
     document.doubts = doubts(&guesses);
-    let lines = match looks_like_a_log(best) {
+    let mixed = joints_beside_points(best);
+    let lines = match looks_like_a_log(best).filter(|_| mixed.is_none()) {
         Some(why) => {
             document.reasons.push(format!("a log: {why}"));
             document.questions.push("which joint each column is, and its unit".to_owned());
@@ -181,7 +182,11 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
             document
                 .questions
                 .push("whether the columns are x, y, z in this order, or angles and distances".to_owned());
-            export_lines(file, best)
+            if let Some(joints) = &mixed {
+                document.reasons.push(format!("the header names joints beside the points: {}", joints.join(", ")));
+                document.questions.push("which joint each column is, and its unit".to_owned());
+            }
+            export_lines(file, best) + &mixed.map_or_else(String::new, |joints| joint_lines(&joints))
         }
     };
     if let Some((kind, found)) = log {
@@ -334,9 +339,35 @@ fn export_lines(file: &str, best: &Guess) -> String {
     if roles.contains(&Role::Label) {
         out.push_str("label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n");
     } else if !roles.contains(&Role::Target) {
-        out.push_str("target = \"?\"               # which target the rows are of\npose = \"row\"               # if the number of the row is the number of the pose\n");
+        out.push_str("target = \"?\"               # which target the rows are of\n");
+    }
+    // what a column or the label states is not stated twice
+    if ![Role::Label, Role::Pose, Role::TimeS].iter().any(|role| roles.contains(role)) {
+        out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
     }
     out
+}
+
+/// The names of joints in the header of rows of points, in a text of which a campaign can read both.
+fn joints_beside_points<'g>(best: &'g Guess) -> Option<Vec<&'g str>> {
+    let roles = roles(best);
+    let points = names(best).is_some() && roles.contains(&Role::X) && roles.contains(&Role::Y);
+    let readable = best.dialect.delimiter.is_some() && best.header == 1 && best.dialect.comment.is_none();
+    let joints: Vec<(&str, &Role)> = names(best)?.into_iter().zip(&roles).filter(|(name, _)| is_joint(name)).collect();
+    // a header that names no points has their places by position
+    let beside = joints.len() >= 2 && joints.iter().all(|(_, role)| **role == Role::Skip);
+    (points && readable && beside).then(|| joints.into_iter().map(|(name, _)| name).collect())
+}
+
+/// The unit that the name of a column ends in.
+fn unit_of_name(name: &str) -> Option<&'static str> {
+    ["deg", "rad", "mm", "m"].into_iter().find(|unit| name.trim().to_lowercase().ends_with(&format!("_{unit}")))
+}
+
+fn joint_lines(joints: &[&str]) -> String {
+    let column = |(i, name): (usize, &&str)| format!("q{}_{} = {name:?}", i + 1, unit_of_name(name).unwrap_or("UNIT"));
+    let columns: Vec<String> = joints.iter().enumerate().map(column).collect();
+    format!("joints = {{ {} }}\n{JOINTS}", columns.join(", "))
 }
 
 /// Lines of a log, in a format of which more is known or none.
@@ -362,7 +393,7 @@ fn log_lines(file: &str, best: &Guess, kind: Option<LogKind>) -> String {
             .filter_map(|name| match name.trim().to_lowercase().as_str() {
                 key @ ("pose" | "cycle" | "time_s") => Some(format!("{key} = {name:?}")),
                 "run" | "repeat" => Some(format!("cycle = {name:?}")),
-                _ if is_joint(name) => Some(format!("{} = {name:?}", joint(unit_of(name)))),
+                _ if is_joint(name) => Some(format!("{} = {name:?}", joint(unit_of(name).or(unit_of_name(name))))),
                 _ => {
                     let unit = unit_of(name).filter(|unit| ["s", "ms", "ns"].contains(unit) && clock.is_none())?;
                     clock = Some(unit);
@@ -407,6 +438,22 @@ mod tests {
         assert!(text.contains("unit = \"?\"") && text.contains("# because 2 of 2 rows have 4 fields"), "{text}");
         let text = propose("p.txt", "1.25 2.5 3.5\n4.5 5.5 6.5\n").toml;
         assert!(text.contains("delimiter = \"blank\", decimal = \".\", columns = [\"x\", \"y\", \"z\"]"), "{text}");
+    }
+
+    #[test]
+    fn both_halves_of_a_mixed_file_are_proposed() {
+        let text = propose(
+            "m.csv",
+            "pose;target;x_mm;y_mm;z_mm;J1_rad;J2_rad\n1;K;1,5;2,5;3,5;0,1;0,2\n2;K;1,6;2,6;3,6;0,3;0,4\n",
+        )
+        .toml;
+        assert!(text.contains("columns = [\"pose\", \"target\", \"x\", \"y\", \"z\", \"-\", \"-\"]"), "{text}");
+        assert!(text.contains("joints = { q1_rad = \"J1_rad\", q2_rad = \"J2_rad\" }"), "{text}");
+        assert!(!text.contains("[log]") && !text.contains("pose = \"row\""), "{text}");
+        let text = propose("m.csv", "pose;x;y;z\n1;1,5;2,5;3,5\n2;1,6;2,6;3,6\n").toml;
+        assert!(text.contains("target = \"?\"") && !text.contains("pose = \"row\""), "{text}");
+        let text = propose("m.csv", "target;x;y;z\nK;1,5;2,5;3,5\nL;1,6;2,6;3,6\n").toml;
+        assert!(!text.contains("target = \"?\"") && text.contains("pose = \"row\""), "{text}");
     }
 
     #[test]

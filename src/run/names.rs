@@ -52,7 +52,9 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
         }
     }
     let rigid = file.rigid.iter().flat_map(|r| &r.targets).chain(file.fixed.iter().flat_map(|f| &f.targets));
-    for name in rigid.chain(file.join_targets()) {
+    // points that a log touches need not have the name of the robot's target
+    let joined = file.join_targets().filter(|_| file.join_by() != Some(JoinBy::Label));
+    for name in rigid.chain(joined) {
         want(name, &[&targets], "export brings the target");
     }
     if !open.is_empty() {

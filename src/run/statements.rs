@@ -101,6 +101,11 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(message.at(campaign.place(target)));
         }
     }
+    if let (Some((message, at)), false) =
+        (file.joints_stated_twice(), unread.affects(&["log"]) || unread.affects(&["join"]))
+    {
+        problems.0.push(message.at(campaign.place(at)));
+    }
     file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
 }
 

@@ -114,6 +114,10 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         let what = format!("{} decimals are more than a number has", truth.decimals);
         return Err(Message::error(what).expected(format!("0 to {MOST_DECIMALS}")).into());
     }
+    if let Some(export) = campaign.file.exports.iter().find(|export| !export.joints.is_empty()) {
+        let message = Message::error("a file with joints and points together is not simulated");
+        return Err(message.at(campaign.place(&export.file)).hint("state an export and a [log] of their own").into());
+    }
     let robot = campaign.build_robot()?;
     let placed = &truth.export_T_world;
     let scene = Scene {

@@ -6,6 +6,7 @@ pub mod dialects;
 mod features;
 mod geometric_campaign;
 mod joins;
+mod mixed;
 mod own_formats;
 mod pose_names;
 mod repeatability;

@@ -1,4 +1,4 @@
-//! `etalon iso9283 --plan`
+//! `etalon iso9283 plan`
 
 use super::super::{Verdict, print, print_written, say};
 use crate::base::files;
@@ -15,27 +15,24 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Plan of a test")]
 pub(super) struct PlanOptions {
-    /// Lay out the test: cube, test plane, poses, paths, cycles
-    #[arg(long, requires = "workspace_mm")]
-    pub plan: bool,
     /// Workspace: smallest x,y,z, then largest x,y,z; of planar robots x,y, then x,y
-    #[arg(long, value_name = "MM,...", value_delimiter = ',', allow_hyphen_values = true, requires = "plan")]
+    #[arg(long, value_name = "MM,...", value_delimiter = ',', allow_hyphen_values = true)]
     workspace_mm: Vec<f64>,
     /// Test plane: C1-C2-C7-C8 (default), C2-C3-C8-C5, C3-C4-C5-C6 or C4-C1-C6-C7
-    #[arg(long, value_name = "CORNERS", requires = "plan")]
+    #[arg(long, value_name = "CORNERS", requires = "workspace_mm")]
     test_plane: Option<String>,
     /// Commanded angles a,b,c; of planar robots c
-    #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "plan")]
+    #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "workspace_mm")]
     orientation_deg: Vec<f64>,
     /// Change of the angles along the path with reorientation, there and back
-    #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "plan")]
+    #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "workspace_mm")]
     reorientation_deg: Vec<f64>,
     /// Robot file: whether the robot reaches the places within its limits, and with which joint values; a place out of reach
     /// is exit code 1
-    #[arg(long, value_name = "FILE", requires = "plan")]
+    #[arg(long, value_name = "FILE", requires = "workspace_mm")]
     robot: Option<PathBuf>,
     /// Write each list of places as CSV, and as targets of a controller (.json, .h), and the programme, into this folder
-    #[arg(long, value_name = "FOLDER", requires = "plan")]
+    #[arg(long, value_name = "FOLDER", requires = "workspace_mm")]
     write: Option<PathBuf>,
 }
 

@@ -1,4 +1,4 @@
-//! `etalon iso9283 --stream`
+//! `etalon iso9283 path`
 
 use super::super::table_file::TableFile;
 use super::super::text_format::{TextFormat, word};
@@ -21,9 +21,6 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Recorded motion")]
 pub(super) struct StreamOptions {
-    /// Recorded motion: time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], or any text whose --columns and --unit are stated
-    #[arg(long, value_name = "FILE")]
-    pub stream: Option<PathBuf>,
     /// Format of the recording, e.g. spatialanalyzer: no columns are to be stated then, --unit and the rate are
     #[arg(long, value_name = "NAME", requires_all = ["stream", "rate_hz"], conflicts_with = "columns")]
     format: Option<String>,

@@ -323,7 +323,7 @@ impl<'de> Deserialize<'de> for Column {
 
 /// A number that is that of its row, counted from 1 over the data rows of the file, refused ones included: `row`; or so many more:
 /// `row + 100`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FromRow {
     added: i64,
 }

@@ -17,23 +17,33 @@ struct Rows {
 }
 
 /// From tables `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]` and the same without
-/// `cycle`; rows of one visit with a `reading` are averaged.
-pub fn pose_test(attained: NamedTable, commanded: NamedTable) -> Result<PoseTest> {
+/// `cycle`; rows of one visit with a `reading` are averaged. Without commanded poses there is repeatability alone.
+pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<PoseTest> {
     let mut problems = Problems::default();
     let mut read = |table: NamedTable| problems.keep(rows(table));
-    let (Some(a), Some(c)) = (read(attained), read(commanded)) else { return Err(problems) };
-    like(
-        CoordinatesOf { file: commanded.file, spatial: c.spatial, angles: &c.angles },
-        CoordinatesOf { file: attained.file, spatial: a.spatial, angles: &a.angles },
-    )?;
+    let a = read(attained);
+    let c = commanded.map(|table| (table, read(table)));
+    let (Some(a), Some(c)) = (a, c.map_or(Some(None), |(table, c)| Some(Some((table, c?))))) else {
+        return Err(problems);
+    };
     let visits = attained_poses(attained, &a)?;
     let mut poses: Vec<TestedPose> = Vec::new();
-    for (i, &pose) in c.poses.iter().enumerate() {
-        if poses.iter().any(|p| p.pose == pose) {
-            problems.0.push(commanded.at_row(Message::error(format!("pose {pose} is commanded twice")), i));
+    if let Some((commanded, c)) = &c {
+        like(
+            CoordinatesOf { file: commanded.file, spatial: c.spatial, angles: &c.angles },
+            CoordinatesOf { file: attained.file, spatial: a.spatial, angles: &a.angles },
+        )?;
+        for (i, &pose) in c.poses.iter().enumerate() {
+            if poses.iter().any(|p| p.pose == pose) {
+                problems.0.push(commanded.at_row(Message::error(format!("pose {pose} is commanded twice")), i));
+            }
+            let (commanded_mm, commanded_rad) = (Some(c.positions_mm[i]), c.angles_rad[i].clone());
+            poses.push(TestedPose { pose, commanded_mm, commanded_rad, attained: Vec::new() });
         }
-        let (commanded_mm, commanded_rad) = (Some(c.positions_mm[i]), c.angles_rad[i].clone());
-        poses.push(TestedPose { pose, commanded_mm, commanded_rad, attained: Vec::new() });
+    } else {
+        let names: BTreeSet<PoseName> = a.poses.iter().copied().collect();
+        let pose = |pose| TestedPose { pose, commanded_mm: None, commanded_rad: Vec::new(), attained: Vec::new() };
+        poses.extend(names.into_iter().map(pose));
     }
     let mut seen = BTreeSet::new();
     let several = attained.has("reading");
@@ -42,7 +52,8 @@ pub fn pose_test(attained: NamedTable, commanded: NamedTable) -> Result<PoseTest
         let first = seen.insert((*pose, visit.cycle, visit.robot.clone(), approach.clone()));
         let Some(place) = poses.iter_mut().find(|p| p.pose == *pose) else {
             let message = Message::error(format!("pose {pose} is not among the commanded poses"));
-            problems.0.push(attained.at_row(message, i).hint(format!("add it to `{}`", commanded.file)));
+            let file = commanded.map_or("", |commanded| commanded.file);
+            problems.0.push(attained.at_row(message, i).hint(format!("add it to `{file}`")));
             continue;
         };
         let same = |v: &&mut AttainedPose| {
@@ -63,7 +74,7 @@ pub fn pose_test(attained: NamedTable, commanded: NamedTable) -> Result<PoseTest
     problems.0.truncate(20);
     let mut warnings = problems.check()?;
     warnings.extend(attained.unread(&["pose", "cycle", "approach", "robot", "reading"]));
-    warnings.extend(commanded.unread(&["pose", "cycle"]));
+    warnings.extend(commanded.and_then(|commanded| commanded.unread(&["pose", "cycle"])));
     for p in poses.iter().filter(|p| p.attained.is_empty()) {
         warnings.push(Message::warning(format!("pose {} is commanded, but nothing was measured there", p.pose)));
     }

@@ -33,7 +33,8 @@ pub fn compensate_setup_drift(
     let angles = test.angles.clone();
     for p in &mut test.poses {
         // the way to write an orientation that is nearest to the commanded one
-        let start_rad = all_three(&angles, &p.commanded_rad);
+        let start_rad =
+            all_three(&angles, if p.commanded_rad.is_empty() { &p.attained[0].angles_rad } else { &p.commanded_rad });
         for attained in &mut p.attained {
             let epoch = holding(&cycles, &epochs, attained.cycle).map_err(|p| table.place(p))?;
             attained.position_mm = epoch.first_T_now.apply(attained.position_mm);

@@ -114,6 +114,9 @@ fn conventions(visits: &PoseTest, settings: &Settings) -> Vec<String> {
         },
         "RP follows the standard's text (7.2.2); the other clauses were not compared with a bought copy".to_owned(),
     ];
+    if visits.poses.iter().all(|p| p.commanded_mm.is_none()) {
+        conventions.push("no commanded poses: AP, distances and drift are not determined, and null".to_owned());
+    }
     if settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
         conventions.push(
             "conformity: ISO 14253-1's rule with the 95 % interval (unverified): proved only where all of it is on one side"
@@ -249,7 +252,7 @@ fn angles(pose: &mut Iso9283Pose, visits: &PoseTest, p: &TestedPose) {
     let (ap, rp) = ([ap_a_deg, ap_b_deg, ap_c_deg], [rp_a_deg, rp_b_deg, rp_c_deg]);
     for (k, &axis) in visits.angles.iter().enumerate() {
         let attained = p.angles_rad(k, |_| true);
-        *ap[axis] = Some(angle_accuracy_rad(&attained, p.commanded_rad[k]).to_degrees());
+        *ap[axis] = p.commanded_rad.get(k).map(|commanded| angle_accuracy_rad(&attained, *commanded).to_degrees());
         *rp[axis] = Some(angle_repeatability_rad(&attained).to_degrees()).filter(|rp| rp.is_finite());
     }
 }

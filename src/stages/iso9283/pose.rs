@@ -15,7 +15,7 @@ use toml::Spanned;
 /// Tables of a test of poses: what was attained, what was commanded, and targets that stand still.
 pub(crate) struct PoseTables {
     attained: TableFile,
-    commanded: TableFile,
+    commanded: Option<TableFile>,
     reference: Option<TableFile>,
 }
 
@@ -28,10 +28,10 @@ pub(crate) struct PreparedTest {
 
 impl PoseTables {
     /// Those of a command.
-    pub fn read(attained: &Path, commanded: &Path, reference: Option<&Path>) -> Result<Self> {
+    pub fn read(attained: &Path, commanded: Option<&Path>, reference: Option<&Path>) -> Result<Self> {
         Ok(Self {
             attained: TableFile::read(attained)?,
-            commanded: TableFile::read(commanded)?,
+            commanded: commanded.map(TableFile::read).transpose()?,
             reference: reference.map(TableFile::read).transpose()?,
         })
     }
@@ -47,14 +47,17 @@ impl PoseTables {
         let reference = definition.reference.as_ref().map(|file| read(file, "reference targets"));
         let (Some(attained), Some(commanded)) = (attained, commanded) else { return Err(problems) };
         problems.check()?;
-        Ok(Self { attained, commanded, reference: reference.flatten() })
+        Ok(Self { attained, commanded: Some(commanded), reference: reference.flatten() })
     }
 
     /// The test in these tables; everything that is wrong with them is reported at its line.
     pub fn test(&self, rotation_order: Option<&str>) -> Result<PreparedTest> {
-        let (attained, commanded) = (&self.attained, &self.commanded);
-        let mut test =
-            pose_test(attained.named(), commanded.named()).map_err(|p| commanded.place(attained.place(p)))?;
+        let (attained, commanded) = (&self.attained, self.commanded.as_ref());
+        let in_texts = |problems: Problems| {
+            let problems = attained.place(problems);
+            if let Some(commanded) = commanded { commanded.place(problems) } else { problems }
+        };
+        let mut test = pose_test(attained.named(), commanded.map(TableFile::named)).map_err(in_texts)?;
         let drift = match &self.reference {
             None => SetupDrift::default(),
             Some(targets) => {

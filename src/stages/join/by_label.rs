@@ -1,7 +1,7 @@
 //! The log states which measured point the robot touches: a plate measured once, then encoders alone.
 
 use super::unmatched::At;
-use super::{Remarks, Row};
+use super::{Remarks, Row, in_world};
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::Vector;
 use crate::campaign::Campaign;
@@ -36,18 +36,18 @@ pub(super) fn by_label(
     for row in &log.rows {
         let label = row.label.as_deref().unwrap_or_default();
         used.insert(label);
-        let Some(p) = measured.get(label) else {
+        let Some(mean) = measured.get(label) else {
             let message = Message::error(format!("no measured point has the label `{label}`"));
             let message = message.at(At::log(log, row).place());
             problems.0.push(message.hint_names(label, measured.keys().copied()));
             continue;
         };
         rows.push(Row {
-            pose: row.pose,
+            pose: row.pose.or(Some(row.row.into())),
             cycle: row.cycle.or(Some(1)),
             target: 0,
-            world_mm: world_T_export.apply(*p),
-            covariance_mm2: None,
+            world_mm: world_T_export.apply(mean.at_mm),
+            covariance_mm2: mean.variances_mm2.map(|variances| in_world(variances, &world_T_export)),
             assembly: row.assembly,
             joints: row.joints.clone(),
         });
@@ -66,13 +66,26 @@ pub(super) fn by_label(
     Ok(rows)
 }
 
-/// Mean of each label's points, in the coordinates of the exports.
-fn means(points: &[Point]) -> BTreeMap<&str, Vector> {
-    let mut sums: BTreeMap<&str, (Vector, f64)> = BTreeMap::new();
+/// The mean of the points of one label, in the coordinates of the exports.
+struct Mean {
+    at_mm: Vector,
+    /// Of its coordinates, where all of the points state their uncertainties.
+    variances_mm2: Option<Vector>,
+}
+
+fn means(points: &[Point]) -> BTreeMap<&str, Mean> {
+    let mut by_label: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
     for point in points {
-        let (sum, count) = sums.entry(&point.label).or_default();
-        sum.iter_mut().zip(point.xyz_mm).for_each(|(s, v)| *s += v);
-        *count += 1.0;
+        by_label.entry(&point.label).or_default().push(point);
     }
-    sums.into_iter().map(|(label, (sum, count))| (label, sum.map(|s| s / count))).collect()
+    let mean = |all: Vec<&Point>| {
+        let n = all.len() as f64;
+        let stated: Option<Vec<Vector>> = all.iter().map(|point| point.standard_uncertainty_mm).collect();
+        let variance = |u: &[Vector], axis: usize| u.iter().map(|u| u[axis] * u[axis]).sum::<f64>() / (n * n);
+        Mean {
+            at_mm: [0, 1, 2].map(|axis| all.iter().map(|point| point.xyz_mm[axis]).sum::<f64>() / n),
+            variances_mm2: stated.map(|u| [0, 1, 2].map(|axis| variance(&u, axis))),
+        }
+    };
+    by_label.into_iter().map(|(label, all)| (label, mean(all))).collect()
 }

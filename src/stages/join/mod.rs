@@ -239,8 +239,7 @@ fn targets_in_world<'a>(
             remarks.unmatched.push(At::point(point).unmatched(key, "its pose has no world frame"));
             continue;
         };
-        let own = |u: Vector| [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { u[i] * u[i] } else { 0.0 }));
-        let covariance_mm2 = point.standard_uncertainty_mm.map(|u| turned(&own(u), &world_T_export.rotation));
+        let covariance_mm2 = point.standard_uncertainty_mm.map(|u| in_world(u.map(|u| u * u), &world_T_export));
         targets.push(Target { point, index, world_mm: world_T_export.apply(point.xyz_mm), covariance_mm2 });
     }
     if !lost.is_empty() {
@@ -254,6 +253,12 @@ fn targets_in_world<'a>(
         );
     }
     targets
+}
+
+/// The covariance in the world of a position with these variances along the axes of its export, mm².
+fn in_world(variances_mm2: Vector, world_T_export: &Pose) -> Covariance {
+    let diagonal = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { variances_mm2[i] } else { 0.0 }));
+    turned(&diagonal, &world_T_export.rotation)
 }
 
 /// An error where points and the rows of the log that they meet bear different poses or cycles.

@@ -1,0 +1,209 @@
+//! Files that carry joints and points together, joins by label, rows with uncertainties and rows that are left out.
+
+use crate::support::scratch::{Scratch, copy_sample, ends};
+use etalon::base::noise::Noise;
+use etalon::document::ParametersDocument;
+
+const HEAD: &str = "name = \"mixed\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 6\ncoverage_factor = 2\n";
+const TAIL: &str = "[frame.world]\nas_exported = true\n[identify]\ncalibration = \"1-40\"\nvalidation = \"rest\"\n";
+const FORMAT: &str = "format = { delimiter = \";\", decimal = \",\", header = 1, columns = { target = \"ball\", x = \"X\", y = \"Y\", z = \"Z\"";
+
+/// The CMM sample's robot, one row a reading: pose, ball, place, joints, and the uncertainty that noise of the row has.
+fn rows() -> Vec<String> {
+    let scratch = copy_sample("prexyt-cmm");
+    let robot = etalon::campaign::read_robot(&scratch.path().join("robot.toml")).unwrap();
+    let robot = robot.build(&["K".to_owned(), "L".to_owned()]).unwrap();
+    let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
+    let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+    let values: Vec<f64> = robot.parameters().iter().map(value).collect();
+    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    let mut noise = Noise::new(9, 1);
+    let mut rows = Vec::new();
+    for (pose, line) in (1..).zip(log.lines().skip(1).take(59)) {
+        let q: Vec<f64> = line.split(',').skip(2).map(|cell| cell.parse().unwrap()).collect();
+        for (k, ball) in ["K", "L"].into_iter().enumerate() {
+            let u = if pose % 4 == 0 { 0.3 } else { 0.003 };
+            let p = robot.position(&values, &q, k);
+            let [x, y] = [0, 1].map(|i| p[i] + noise.gaussian(u));
+            rows.push(format!("P{pose};{ball};{x};{y};0;{};{};{};{u};{u};{u}", q[0], q[1], q[2]).replace('.', ","));
+        }
+    }
+    rows
+}
+
+fn campaign(export: &str, more: &str, rows: &[String]) -> Scratch {
+    let scratch = copy_sample("prexyt-cmm");
+    let head = "Pose;ball;X;Y;Z;RP1;RP2;RP3;U;V;W\n";
+    std::fs::write(scratch.path().join("all.csv"), format!("{head}{}\n", rows.join("\n"))).unwrap();
+    let text = format!("{HEAD}[[export]]\nfile = \"all.csv\"\nunit = \"mm\"\n{export}\n{more}{TAIL}");
+    std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
+    scratch
+}
+
+fn parameters(scratch: &Scratch) -> ParametersDocument {
+    let text = std::fs::read_to_string(scratch.path().join("out/parameters.json")).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
+const JOINTS: &str = "joints = { rho1_mm = \"RP1\", rho2_mm = \"RP2\", rho3_mm = \"RP3\" }";
+
+#[test]
+fn a_file_with_joints_and_points_is_joined_by_its_rows() {
+    let rows = rows();
+    let apart = format!("{FORMAT}, pose = \"Pose\" }} }}");
+    let log = "[log]\nfile = \"all.csv\"\ndelimiter = \";\"\ndecimal = \",\"\ncolumns = { rho1_mm = \"RP1\", rho2_mm = \"RP2\", rho3_mm = \"RP3\" }\n[join]\nby = \"row\"\n";
+    let select = |scratch: &Scratch| scratch.replace("campaign.toml", "\"1-40\"", "\"P1-P40\"");
+    let twice = campaign(&apart, log, &rows);
+    select(&twice);
+    ends(&twice, "run", 0, &[]);
+    let once = campaign(&format!("{apart}\n{JOINTS}"), "", &rows);
+    select(&once);
+    ends(&once, "check", 0, &[]);
+    ends(&once, "run", 0, &[]);
+    assert_eq!(parameters(&once).parameters, parameters(&twice).parameters);
+    // rows are poses where the file names none
+    let unnamed = campaign(&format!("{FORMAT} }} }}\n{JOINTS}"), "", &rows);
+    ends(&unnamed, "check", 0, &[]);
+    for (export, more, part) in [
+        (format!("{apart}\n{JOINTS}"), log, "the joints are stated twice"),
+        (format!("{apart}\n{JOINTS}"), "[join]\nby = [\"pose\"]\n", "is joined by its rows"),
+        (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "the header has no column `RP9`"),
+        (format!("{apart}\n{}", JOINTS.replace("rho3_mm", "rho3_m m")), "", "all.csv"),
+        (format!("{apart}\n{}", JOINTS.replace(", rho3_mm = \"RP3\"", "")), "", "has no column for joint `rho3`"),
+        (
+            format!("{apart}\n{JOINTS}").replace("header = 1", "header = 1, comment = \"#\""),
+            "",
+            "`joints` are read of delimited text",
+        ),
+    ] {
+        let scratch = campaign(&export.replace("rho3_m m", "\"rho3_m m\""), more, &rows);
+        select(&scratch);
+        ends(&scratch, "check", 2, &[part]);
+    }
+}
+
+#[test]
+fn rows_of_an_export_weigh_by_their_uncertainty_and_are_left_out_by_number() {
+    let rows = rows();
+    let weighted = format!("{FORMAT}, u1 = \"U\", u2 = \"V\", u3 = \"W\" }} }}\n{JOINTS}");
+    let poor = |row: i64| (1..=118).contains(&row) && ((row + 1) / 2) % 4 == 0;
+    let names: Vec<String> = (1..=118).filter(|row| poor(*row)).map(|row| row.to_string()).collect();
+    let rule = format!(
+        "[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"{}\"\nreason = \"beam broken\"\n",
+        names.join(", ")
+    );
+    // without the poor rows
+    let without = campaign(&format!("{FORMAT}, pose = \"Pose\" }} }}\n{JOINTS}"), "", &rows);
+    let add = |scratch: &Scratch, rule: &str| {
+        scratch.replace(
+            "campaign.toml",
+            "calibration = \"1-40\"\nvalidation = \"rest\"\n",
+            &format!("calibration = \"all\"\n{rule}"),
+        );
+    };
+    add(&without, &rule);
+    ends(&without, "run", 0, &["excluded: 28 rows of `all.csv`", "beam broken"]);
+    // with them, by their weight
+    let with = campaign(&weighted.replace(", u1", ", pose = \"Pose\", u1"), "", &rows);
+    add(&with, "");
+    ends(&with, "run", 0, &["all readings weigh by their own standard uncertainties, 0.0030 to 0.3000 mm"]);
+    let table = std::fs::read_to_string(with.path().join("out/observations.csv")).unwrap();
+    assert!(table.starts_with("pose,cycle,target,x_mm,y_mm,cxx_mm2,cxy_mm2,cyy_mm2,rho1_mm"), "{}", &table[..200]);
+    for (a, b) in parameters(&without).parameters.iter().zip(&parameters(&with).parameters) {
+        let (Some(u), Some(v)) = (a.standard_uncertainty, b.standard_uncertainty) else { continue };
+        assert!((a.value - b.value).abs() < 0.1 * u && (0.99..=1.01).contains(&(v / u)), "{}: {u} {v}", a.name);
+    }
+    for (rule, part) in [
+        ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"119\"\nreason = \"r\"\n", "there is no row 119"),
+        ("[[identify.exclude]]\nfile = \"al.csv\"\nrows = \"1\"\nreason = \"r\"\n", "did you mean `all.csv`"),
+        ("[[identify.exclude]]\nrows = \"1\"\nreason = \"r\"\n", "either poses or the rows of a file"),
+        ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"1\"\nreason = \" \"\n", "an exclusion needs its reason"),
+    ] {
+        let scratch = campaign(&weighted, "", &rows);
+        add(&scratch, rule);
+        ends(&scratch, "check", 2, &[part]);
+    }
+}
+
+#[test]
+fn a_serial_arm_touches_points_by_their_label() {
+    let scratch = copy_sample("prexyt-cmm");
+    let joint =
+        |alpha, a, theta, d| format!("{{ alpha_deg = {alpha}, a_mm = {a}, theta_deg = {theta}, d_mm = {d} }},\n");
+    let arm = [
+        joint(0, 0, 0, 290),
+        joint(-90, 0, -90, 0),
+        joint(0, 270, 0, 0),
+        joint(-90, 70, 0, 302),
+        joint(90, 0, 0, 0),
+        joint(-90, 0, 180, 72),
+    ];
+    let robot = format!("model = \"serial\"\njoint = [\n{}]\n", arm.concat());
+    std::fs::write(scratch.path().join("robot.toml"), robot).unwrap();
+    let arm =
+        etalon::campaign::read_robot(&scratch.path().join("robot.toml")).unwrap().build(&["tip".to_owned()]).unwrap();
+    let mut values = arm.nominal();
+    for p in arm.parameters().iter().filter(|p| ["tip_x", "tip_y", "tip_z"].contains(&p.name.as_str())) {
+        values[arm.parameters().iter().position(|q| q.name == p.name).unwrap()] = 60.0;
+    }
+    let mut noise = Noise::new(3, 1);
+    let (mut points, mut log) = (String::new(), String::from("touches;j1;j2;j3;j4;j5;j6\n"));
+    for i in 0..40 {
+        let q: Vec<f64> = [2.0, 0.8, 0.8, 2.0, 1.5, 2.5].map(|range| noise.uniform(range)).to_vec();
+        let p = arm.position(&values, &q, 0);
+        let name = format!("hole {i}");
+        points += &format!("{name};{};{};{}\n", p[0], p[1], p[2]);
+        let cells: Vec<String> = q.iter().map(f64::to_string).collect();
+        log += &format!("{name};{}\n", cells.join(";"));
+    }
+    std::fs::write(scratch.path().join("points.csv"), points).unwrap();
+    std::fs::write(scratch.path().join("log.csv"), log).unwrap();
+    let joints: Vec<String> = (1..=6).map(|i| format!("q{i}_rad = \"j{i}\"")).collect();
+    let text = format!(
+        "{HEAD}[contact]\nrepeatability_um = 15\ncoverage_factor = 3\n[[export]]\nfile = \"points.csv\"\nunit = \"mm\"\n\
+         format = {{ delimiter = \";\", columns = [\"label\", \"x\", \"y\", \"z\"] }}\n\
+         [log]\nfile = \"log.csv\"\ndelimiter = \";\"\ncolumns = {{ label = \"touches\", {} }}\n[join]\nby = \"label\"\ntargets = [\"tip\"]\n{TAIL}",
+        joints.join(", ")
+    );
+    std::fs::write(scratch.path().join("campaign.toml"), text.replace("\"1-40\"", "\"1-36\"")).unwrap();
+    ends(&scratch, "check", 0, &[]);
+    ends(&scratch, "run", 0, &[]);
+    let found = parameters(&scratch);
+    assert!(found.residuals.rms < 1e-6, "{}", found.residuals.rms);
+    scratch.replace("log.csv", "hole 7;", "hole seven;");
+    ends(&scratch, "check", 2, &["no measured point has the label `hole seven`", "log.csv:9"]);
+    scratch.replace("log.csv", "hole seven;", "hole 7;");
+    scratch.replace("campaign.toml", "targets = [\"tip\"]", "targets = [\"tip\", \"tap\"]");
+    ends(&scratch, "check", 2, &["a join by label is for robots with one target, this has 2"]);
+}
+
+#[test]
+fn what_formats_proposes_of_a_mixed_file_is_accepted() {
+    let rows = rows();
+    let scratch = campaign("", "", &rows);
+    let table = std::fs::read_to_string(scratch.path().join("all.csv")).unwrap();
+    let named = table.replacen(
+        "Pose;ball;X;Y;Z;RP1;RP2;RP3;U;V;W",
+        "pose;target;x_mm;y_mm;z_mm;rho1_mm;rho2_mm;rho3_mm;U;V;W",
+        1,
+    );
+    std::fs::write(scratch.path().join("all.csv"), named).unwrap();
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        .args(["formats", "all.csv"])
+        .current_dir(scratch.path())
+        .output()
+        .unwrap();
+    let proposed = String::from_utf8(output.stdout).unwrap();
+    assert!(!proposed.contains("[log]") && !proposed.contains("\"?\""), "{proposed}");
+    // the names of the robot's joints are what the file does not state
+    let proposed = ["q1", "q2", "q3"]
+        .iter()
+        .zip(["rho1", "rho2", "rho3"])
+        .fold(proposed, |text, (q, rho)| text.replace(&format!("{q}_mm"), &format!("{rho}_mm")));
+    std::fs::write(
+        scratch.path().join("campaign.toml"),
+        format!("{HEAD}{proposed}{TAIL}").replace("\"1-40\"", "\"P1-P40\""),
+    )
+    .unwrap();
+    ends(&scratch, "check", 0, &[]);
+}
