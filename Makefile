@@ -4,7 +4,7 @@
 # make compare CAMPAIGNS="FOLDER ..." compare campaigns of one robot, the oldest first
 # make clean-NAME remove the output of campaign NAME; make clean that of all
 # make test    run the tests
-# make bench   compare with a peer, side by side in the same run (needs Python with numpy and scipy)
+# make bench   compare with SciPy and NumPy, side by side in the same run, and write benches/README.md; COUNT= sets how many campaigns
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
 # make test-slurm run campaigns on a Slurm cluster of two nodes on this machine, and kill one (needs root, slurm-wlm and munge)
@@ -76,7 +76,9 @@ test:
 	else cargo test --locked --lib --bins --test etalon && cargo test --locked --release --test laws; fi
 
 bench:
-	cargo bench --locked --bench identify --bench plan
+	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv
+	$(SHARED)/venv/bin/pip install --quiet numpy scipy || echo "NumPy and SciPy could not be installed: left out"
+	PYTHON=$(SHARED)/venv/bin/python benches/page.sh
 
 # peers that are not there are left out
 bench-import:

@@ -1,7 +1,7 @@
 //! Many PreXYT campaigns from text to parameters.json and accuracy.json, beside what SciPy takes for the identification alone, in the
 //! same run; and how long the program takes to start, beside Python's import of SciPy.
 //!
-//! `CAMPAIGNS` sets how many (200); a tenth of them is run as well, for the rate to be seen not to depend on it. `PYTHON` names the
+//! `COUNT` sets how many (200); a tenth of them is run as well, for the rate to be seen not to depend on it. `PYTHON` names the
 //! Python. The campaigns are written to memory where there is `/dev/shm`: a disk is not what is measured.
 
 #![allow(clippy::print_stdout)] // a benchmark prints
@@ -15,7 +15,7 @@ use std::time::Instant;
 const ETALON: &str = env!("CARGO_BIN_EXE_etalon");
 
 fn main() {
-    let count: usize = std::env::var("CAMPAIGNS").ok().and_then(|n| n.parse().ok()).unwrap_or(200);
+    let count: usize = std::env::var("COUNT").ok().and_then(|n| n.parse().ok()).unwrap_or(200);
     let memory = Path::new("/dev/shm");
     let folder = if memory.is_dir() { tempfile::tempdir_in(memory) } else { tempfile::tempdir() }.expect("folder");
     let names = campaigns(folder.path(), count);

@@ -55,7 +55,11 @@ fn main() {
         let ours = times[times.len() / 2];
         println!("{what}: etalon {:.1} ms (median of {})", ours * 1e3, times.len());
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/identify_scipy.py");
-        let output = Command::new("python3").arg(script).arg(&csv).arg(extra.to_string()).output();
+        let output = Command::new(std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_owned()))
+            .arg(script)
+            .arg(&csv)
+            .arg(extra.to_string())
+            .output();
         let Some(output) = output.ok().filter(|o| o.status.success()) else {
             println!("  SciPy: not there (python3 with numpy and scipy)");
             continue;

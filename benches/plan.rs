@@ -60,7 +60,11 @@ fn main() {
     std::fs::write(&file, rows).expect("rows");
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/plan_numpy.py");
     let arguments = [POSITIONS, start[0], start[1]].map(|v| v.to_string());
-    let answered = Command::new("python3").arg(script).arg(&file).args(arguments).output();
+    let answered = Command::new(std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_owned()))
+        .arg(script)
+        .arg(&file)
+        .args(arguments)
+        .output();
     let text = match answered {
         Ok(output) if output.status.success() => String::from_utf8_lossy(&output.stdout).into_owned(),
         _ => return println!("Python with NumPy is not there: no comparison"),

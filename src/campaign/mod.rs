@@ -24,7 +24,7 @@ use crate::base::message::{Message, Place, Problems, Result, Stated};
 use crate::document::Source;
 use crate::document::schema::schema;
 use crate::math::identify::Settings;
-use crate::math::robots::Robot;
+use crate::math::robots::{LongestChain, Robot};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -222,6 +222,12 @@ fn missing_keys(text: &str) -> Vec<&'static str> {
 pub fn read_robot(path: &Path) -> Result<RobotFile> {
     let (robot, problems) = RobotFile::recover(&path.display().to_string(), &files::read_text(path)?);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
+}
+
+/// The chain of a URDF file with the most moving joints, and the text of the file.
+pub fn read_urdf(path: &Path) -> Result<(LongestChain, String)> {
+    let (name, text) = (path.display().to_string(), files::read_text(path)?);
+    Ok((urdf::read(&name, &text)?.longest_chain(&name)?, text))
 }
 
 /// Reads the true parameters of a simulation alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.

@@ -88,7 +88,7 @@ pub fn points_and_refused(
 pub fn text_in(path: &Path, format: &Format) -> Result<String> {
     match format.about().binary {
         true => text_of(path, &bytes_of(path)?, None, format),
-        false => files::read_text(path),
+        false => files::text(path, files::read(path)?),
     }
 }
 

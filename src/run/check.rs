@@ -49,7 +49,10 @@ pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
     let mut found = find(campaign);
     // what reads, and what has a coordinate that does not
     let (points, unreadable): (Vec<Point>, Vec<Point>) =
-        found.gathered.points.iter().cloned().partition(|p| p.xyz_mm.iter().all(|v| v.is_finite()));
+        std::mem::take(&mut found.gathered.points).into_iter().partition(|p| p.xyz_mm.iter().all(|v| v.is_finite()));
+    // what is joined has none of those
+    found.gathered.points = points;
+    let points = &found.gathered.points;
     let unread = &campaign.unread;
     if unread.affects(&["export"]) {
         // the unit, or the list of points, is not known
@@ -64,11 +67,11 @@ pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
         labels.iter().all(|label| present(label.get_ref()) && !affected(label.get_ref()))
     });
     let mut world = None;
-    if let Some(features) = found.problems.keep(frames::fit_features(&whole, &points)) {
+    if let Some(features) = found.problems.keep(frames::fit_features(&whole, points)) {
         found.gathered.document.messages.extend(features.messages.clone());
         if found.named && !gather::used_labels(campaign).iter().any(|name| affected(name)) {
             let planar = found.robot.as_ref().is_some_and(|r| r.dimension() == 2);
-            world = found.problems.keep(frames::make_frames(campaign, &points, &features, planar));
+            world = found.problems.keep(frames::make_frames(campaign, points, &features, planar));
         }
     }
     if !campaign.identifies() {

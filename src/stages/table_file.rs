@@ -37,7 +37,7 @@ impl TableFile {
 
     /// A text of another form, which `table` makes a table of, given the file's name and the text.
     pub fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
-        Self::of(path, files::read_text(path)?, table)
+        Self::of(path, files::text(path, files::read(path)?)?, table)
     }
 
     /// The same of the text that the file holds.

@@ -42,6 +42,34 @@ fn judged(shown: &str, limit: &str, verdict: &str) -> bool {
 }
 
 #[test]
+fn init_takes_the_robot_of_a_urdf() {
+    let folder = tempfile::tempdir().unwrap();
+    let urdf = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/column-arm/arm.urdf");
+    let made = etalon(folder.path(), &["init", "mine", "--urdf", urdf.to_str().unwrap()]);
+    assert_eq!(text(&made.stdout), "mine/campaign.toml\nmine/robot.toml\nmine/arm.urdf\n", "{}", text(&made.stderr));
+    let robot = std::fs::read_to_string(folder.path().join("mine/robot.toml")).unwrap();
+    assert!(robot.contains("base_link = \"base_link\"") && robot.contains("tool_link = \"tool\""), "{robot}");
+    // as it is, it lacks its files alone; with those of the sample, whose labels are these, it is calibrated
+    let checked = etalon(folder.path(), &["check", "mine"]);
+    let said = text(&checked.stderr);
+    assert!(
+        checked.status.code() == Some(2) && said.matches("error: ").count() == said.matches("there is no file").count(),
+        "{said}"
+    );
+    std::fs::create_dir(folder.path().join("mine/exports")).unwrap();
+    let sample = urdf.parent().unwrap();
+    std::fs::copy(sample.join("exports/poses.txt"), folder.path().join("mine/exports/poses.csv")).unwrap();
+    std::fs::copy(sample.join("encoders.csv"), folder.path().join("mine/joints.csv")).unwrap();
+    let campaign = folder.path().join("mine/campaign.toml");
+    let in_metres = std::fs::read_to_string(&campaign).unwrap().replace("unit = \"mm\"", "unit = \"m\" ");
+    std::fs::write(&campaign, in_metres).unwrap();
+    let checked = etalon(folder.path(), &["check", "mine"]);
+    assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stderr));
+    let not_one = etalon(folder.path(), &["init", "other", "--urdf", "mine/robot.toml"]);
+    assert!(not_one.status.code() == Some(2) && !folder.path().join("other").exists(), "{}", text(&not_one.stderr));
+}
+
+#[test]
 fn init_writes_a_campaign_that_only_lacks_its_files() {
     let folder = tempfile::tempdir().unwrap();
     let made = etalon(folder.path(), &["init", "mine"]);

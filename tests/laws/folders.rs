@@ -244,6 +244,22 @@ fn a_pipe_or_a_device_in_the_place_of_any_input_is_refused_at_once() {
 }
 
 #[test]
+fn tables_and_scans_may_be_larger_than_what_a_person_writes() {
+    let scratch = copy_sample("prexyt-cmm");
+    let moved = |i: u32| f64::from(i / 1000 % 2) * 20.0;
+    let rows: String =
+        (0..600_000).map(|i| format!("{:.3},{:.6},0.000000,0.000000\n", f64::from(i) / 1e3, moved(i))).collect();
+    assert!(rows.len() > 17 << 20);
+    std::fs::write(scratch.root().join("s.csv"), format!("time_s,x_mm,y_mm,z_mm\n{rows}")).unwrap();
+    std::fs::write(scratch.root().join("p.csv"), "pose,x_mm,y_mm,z_mm\n1,0,0,0\n2,20,0,0\n").unwrap();
+    let (code, said_of) = said(&scratch, &["iso9283", "--stream", "s.csv", "--commanded", "p.csv"]);
+    assert!(matches!(code, Some(0 | 1)), "{said_of}");
+    let columns = ["--columns", "-,x,y,z", "--delimiter", "comma", "--header", "1", "--unit", "mm"];
+    let (code, said_of) = said(&scratch, &[&["fit", "line", "s.csv"][..], &columns].concat());
+    assert_eq!(code, Some(0), "{said_of}");
+}
+
+#[test]
 fn control_characters_reach_no_terminal() {
     let scratch = copy_sample("prexyt-cmm");
     let forged = "\\u001b[31mred\\n  --> forged.toml:1\\u2069\\u202e";

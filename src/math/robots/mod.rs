@@ -17,7 +17,7 @@ pub use definition::{Definition, Joint, Parameter, Quantity, Role};
 pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
 pub use prexyt::Prexyt;
 pub use serial::Serial;
-pub use urdf::{Link, Mimic, Tree, TreeJoint};
+pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 
 use crate::base::message::{Place, Result};
 use crate::base::pose::{Pose, Vector};

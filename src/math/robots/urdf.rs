@@ -134,7 +134,47 @@ impl TreeJoint {
     }
 }
 
+/// The chain of a URDF with the most moving joints.
+#[derive(Clone, Debug)]
+pub struct LongestChain {
+    /// Link that no joint carries.
+    pub base_link: String,
+    /// Link that carries no joint.
+    pub tool_link: String,
+    /// Joints whose values move it.
+    pub joints: Vec<Joint>,
+}
+
 impl Tree {
+    /// The chain with the most moving joints, the first of the file where several have as many.
+    pub fn longest_chain(&self, file: &str) -> Result<LongestChain> {
+        let place = &|_: &[&str]| Place::file(file);
+        let is_parent = |link: &&Link| self.joints.iter().any(|joint| joint.parent == link.name);
+        let mut longest: Option<(usize, LongestChain)> = None;
+        for leaf in self.links.iter().filter(|link| !is_parent(link)) {
+            let mut base = leaf.name.as_str();
+            for _ in 0..=self.joints.len() {
+                base = self.above(base)?.map_or(base, |joint| joint.parent.as_str());
+            }
+            let chain = self.chain(file, [base, &leaf.name], place)?;
+            let mut joints: Vec<Joint> = Vec::new();
+            let moving = chain.iter().filter(|joint| joint.kind != "fixed");
+            for joint in moving.clone() {
+                let (driver, ..) = self.driven_by(joint)?;
+                if joints.iter().all(|known| known.name != driver.name) {
+                    joints.push(Joint { name: driver.name.clone(), quantity: driver.quantity() });
+                }
+            }
+            let count = moving.count();
+            if longest.as_ref().is_none_or(|(most, _)| count > *most) {
+                let chain = LongestChain { base_link: base.to_owned(), tool_link: leaf.name.clone(), joints };
+                longest = Some((count, chain));
+            }
+        }
+        let none = || Message::error("no joint of the file moves").at(Place::file(file));
+        Ok(longest.filter(|(count, _)| *count > 0).ok_or_else(none)?.1)
+    }
+
     fn joint(&self, name: &str) -> Option<&TreeJoint> {
         self.joints.iter().find(|joint| joint.name == name)
     }
@@ -152,23 +192,24 @@ impl Tree {
         }
     }
 
-    /// Joints from one link to another.
-    fn chain(&self, keys: &Keys, place: &dyn Fn(&[&str]) -> Place) -> Result<Vec<&TreeJoint>> {
-        for (key, link) in [("base_link", &keys.base_link), ("tool_link", &keys.tool_link)] {
+    /// Joints of a file from one link to another.
+    fn chain(&self, file: &str, ends: [&str; 2], place: &dyn Fn(&[&str]) -> Place) -> Result<Vec<&TreeJoint>> {
+        let [base_link, tool_link] = ends;
+        for (key, link) in [("base_link", base_link), ("tool_link", tool_link)] {
             if self.links.iter().all(|l| l.name != *link) {
-                let message = Message::error(format!("`{}` has no link `{link}`", keys.file)).at(place(&[key]));
+                let message = Message::error(format!("`{file}` has no link `{link}`")).at(place(&[key]));
                 return Err(message.hint_names(link, self.links.iter().map(|l| l.name.as_str())).into());
             }
         }
-        let (mut chain, mut link) = (Vec::new(), keys.tool_link.as_str());
-        while link != keys.base_link {
+        let (mut chain, mut link) = (Vec::new(), tool_link);
+        while link != base_link {
             let Some(joint) = self.above(link)? else {
-                let what = format!("no joints lead from `{}` to `{}`", keys.base_link, keys.tool_link);
+                let what = format!("no joints lead from `{base_link}` to `{tool_link}`");
                 let message = Message::error(what).at(place(&["tool_link"]));
                 return Err(message.hint(format!("no joint carries `{link}`")).into());
             };
             if chain.len() > self.joints.len() {
-                let what = format!("the joints from `{}` on form a loop", keys.tool_link);
+                let what = format!("the joints from `{tool_link}` on form a loop");
                 return Err(joint.error(what).hint("a URDF is a tree: loops are closed by `mimic`").into());
             }
             chain.push(joint);
@@ -231,7 +272,7 @@ impl Description for Keys {
     fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
         let place = &|path: &[&str]| source.place(path);
         let tree = source.tree()?;
-        let chain = tree.chain(self, place)?;
+        let chain = tree.chain(&self.file, [&self.base_link, &self.tool_link], place)?;
         let mut problems = wrong_targets(targets);
         let moving: Vec<&TreeJoint> = chain.iter().copied().filter(|joint| joint.kind != "fixed").collect();
         let labels: Vec<String> = moving.iter().map(|joint| joint.name.clone()).collect();

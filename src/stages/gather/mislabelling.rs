@@ -5,6 +5,7 @@ use crate::base::pose::{Vector, minus, norm};
 use crate::base::statistics::median;
 use crate::campaign::{Campaign, Fixed, JoinBy};
 use crate::import::Point;
+use indexmap::IndexMap;
 use std::collections::BTreeMap;
 
 /// Blocks of a recording that are compared for drift; each needs some rows.
@@ -78,7 +79,8 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
 /// the same cell or in the next on the nearer side of each axis.
 fn neighbours(points: &[Point], near: f64) -> Vec<(&Point, &Point)> {
     let named = || points.iter().filter(|p| !name(p).is_empty() && p.xyz_mm[0].is_finite());
-    let mut cells: BTreeMap<[i64; 3], Vec<&Point>> = BTreeMap::new();
+    // by name: repeats of one point are many
+    let mut cells: BTreeMap<[i64; 3], IndexMap<&str, Vec<&Point>>> = BTreeMap::new();
     let mut pairs = Vec::new();
     for point in named() {
         let place = point.xyz_mm.map(|v| v / (2.0 * near));
@@ -88,10 +90,16 @@ fn neighbours(points: &[Point], near: f64) -> Vec<(&Point, &Point)> {
         for side in 0..8 {
             let cell = [0, 1, 2].map(|k| if side >> k & 1 == 0 { own[k] } else { next[k] });
             // of a crowd in one place a few are enough
-            let others = cells.get(&cell).into_iter().flatten().filter(|other| name(other) != name(point));
-            pairs.extend(others.filter(|o| distance(o, point) <= near).take(4).map(|other| (*other, point)));
+            let others = cells.get(&cell).into_iter().flatten().filter(|(other, _)| **other != name(point));
+            pairs.extend(
+                others
+                    .flat_map(|(_, points)| points)
+                    .filter(|o| distance(o, point) <= near)
+                    .take(4)
+                    .map(|other| (*other, point)),
+            );
         }
-        cells.entry(own).or_default().push(point);
+        cells.entry(own).or_default().entry(name(point)).or_default().push(point);
     }
     pairs
 }
