@@ -6,6 +6,7 @@
 mod c_header;
 mod csv;
 mod json;
+mod linuxcnc;
 mod matlab;
 mod python;
 mod targets;
@@ -92,7 +93,7 @@ impl<'a> Given<'a> {
 }
 
 /// Formats of all robots come first: those that are written where none is named.
-const EXPORTERS: [(&str, &dyn Exporter); 7] = [
+const EXPORTERS: [(&str, &dyn Exporter); 8] = [
     ("json", &json::Json),
     ("csv", &csv::Csv),
     ("c-header", &c_header::CHeader),
@@ -100,6 +101,7 @@ const EXPORTERS: [(&str, &dyn Exporter); 7] = [
     ("python", &python::Python),
     ("urdf", &urdf::Urdf),
     ("universal-robots", &universal_robots::UniversalRobots),
+    ("linuxcnc", &linuxcnc::LinuxCnc),
 ];
 const USUAL: usize = 3;
 

@@ -167,3 +167,44 @@ fn a_universal_robots_calibration_is_the_identified_arm() {
     let (code, said) = etalon(&["export", &found, "--format", "urdf"]);
     assert!(code == Some(2) && said.contains("--robot FILE"), "{said}");
 }
+
+#[test]
+fn genserkins_has_the_axes_of_the_identified_arm() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    // with errors, and without: parallel axes have no common normal of their own
+    for (file, errors) in [("samples/abb-irb120/robot.toml", true), ("samples/abb-irb120/robot.toml", false), ("docs/keys/robot-serial-dh.toml", true)] {
+        let file = root.join(file);
+        let robot = read_robot(&file).unwrap().build(&["tool".to_owned()]).unwrap();
+        let values = if errors { disturbed(robot.as_ref(), &[]) } else { robot.nominal() };
+        let scratch = Scratch::with(&[]);
+        let found = parameters(&scratch, robot.as_ref(), &values);
+        let (file, to) = (file.display().to_string(), scratch.path().display().to_string());
+        let (code, said) = etalon(&["export", &found, "--format", "linuxcnc", "--robot", &file, "--to", &to]);
+        assert_eq!(code, Some(0), "{said}");
+        let text = std::fs::read_to_string(scratch.path().join("genserkins.hal")).unwrap();
+        assert!(text.lines().all(|l| l.starts_with("# ") || l.starts_with("setp genserkins.")), "{text}");
+        let set = |name: &str, i: usize| -> f64 {
+            text.lines().find_map(|l| l.strip_prefix(&format!("setp genserkins.{name}-{i} "))).unwrap().parse().unwrap()
+        };
+        let theta = |i: usize| -> f64 {
+            let line = text.lines().find_map(|l| l.strip_prefix(&format!("# joint {i}: at its zero genserkins has "))).unwrap();
+            line.split(' ').next().unwrap().parse::<f64>().unwrap().to_radians()
+        };
+        let framed = |name: &str| {
+            let line = text.lines().find(|l| l.starts_with(&format!("# {name}: "))).unwrap();
+            let v: Vec<f64> = line.split([' ', ',']).filter_map(|v| v.parse().ok()).collect();
+            Pose::from_xyz_rpy([v[0], v[1], v[2]], [v[3], v[4], v[5]].map(f64::to_radians))
+        };
+        let (base, flange) = (framed("first frame in the base"), framed("flange in the last frame"));
+        let mut noise = etalon::base::noise::Noise::new(19, 4);
+        for _ in 0..20 {
+            let q: Vec<f64> = (0..6).map(|_| noise.uniform(2.5)).collect();
+            let link = |pose: Pose, i: usize| {
+                pose.turn_x(set("ALPHA", i)).shift(0, set("A", i)).turn_z(theta(i) + q[i]).shift(2, set("D", i))
+            };
+            let reached = (0..6).fold(base, link).then(&flange);
+            let off = norm(minus(reached.translation_mm, robot.position(&values, &q, 0)));
+            assert!(off < 1e-9, "{off}: {text}");
+        }
+    }
+}
