@@ -47,11 +47,16 @@ impl Exporter for LinuxCnc {
         }
         for (name, pose) in [("first frame in the base", &base), ("flange in the last frame", &chain.flange)] {
             let ([x, y, z], turn) = (pose.translation_mm, roll_pitch_yaw(pose).map(f64::to_degrees));
-            let _ = writeln!(out, "# {name}: xyz {x:?} {y:?} {z:?} mm, rpy {:?} {:?} {:?} deg", turn[0], turn[1], turn[2]);
+            let _ =
+                writeln!(out, "# {name}: xyz {x:?} {y:?} {z:?} mm, rpy {:?} {:?} {:?} deg", turn[0], turn[1], turn[2]);
         }
         for (i, (row, joint)) in rows.iter().zip(&chain.joints).enumerate() {
             let theta = row.theta_rad.to_degrees();
-            let _ = writeln!(out, "# joint {i}: at its zero genserkins has {theta:?} deg; it moves {:?} times its value", joint.gain);
+            let _ = writeln!(
+                out,
+                "# joint {i}: at its zero genserkins has {theta:?} deg; it moves {:?} times its value",
+                joint.gain
+            );
             for (name, value) in [("A", row.a_mm), ("ALPHA", row.alpha_rad), ("D", row.d_mm)] {
                 let _ = writeln!(out, "setp genserkins.{name}-{i} {value:?}");
             }

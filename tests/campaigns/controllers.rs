@@ -172,7 +172,11 @@ fn a_universal_robots_calibration_is_the_identified_arm() {
 fn genserkins_has_the_axes_of_the_identified_arm() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     // with errors, and without: parallel axes have no common normal of their own
-    for (file, errors) in [("samples/abb-irb120/robot.toml", true), ("samples/abb-irb120/robot.toml", false), ("docs/keys/robot-serial-dh.toml", true)] {
+    for (file, errors) in [
+        ("samples/abb-irb120/robot.toml", true),
+        ("samples/abb-irb120/robot.toml", false),
+        ("docs/keys/robot-serial-dh.toml", true),
+    ] {
         let file = root.join(file);
         let robot = read_robot(&file).unwrap().build(&["tool".to_owned()]).unwrap();
         let values = if errors { disturbed(robot.as_ref(), &[]) } else { robot.nominal() };
@@ -187,7 +191,10 @@ fn genserkins_has_the_axes_of_the_identified_arm() {
             text.lines().find_map(|l| l.strip_prefix(&format!("setp genserkins.{name}-{i} "))).unwrap().parse().unwrap()
         };
         let theta = |i: usize| -> f64 {
-            let line = text.lines().find_map(|l| l.strip_prefix(&format!("# joint {i}: at its zero genserkins has "))).unwrap();
+            let line = text
+                .lines()
+                .find_map(|l| l.strip_prefix(&format!("# joint {i}: at its zero genserkins has ")))
+                .unwrap();
             line.split(' ').next().unwrap().parse::<f64>().unwrap().to_radians()
         };
         let framed = |name: &str| {
