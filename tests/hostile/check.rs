@@ -193,7 +193,8 @@ fn values_that_mean_nothing_are_refused() {
 fn what_every_row_repeats_is_one_error_with_its_count() {
     let quote = |row: &str| row.replacen(',', "\"x,", 1).replacen("", "\"", 1);
     let letters = |row: &str| format!("{row}e");
-    let cases: [(&str, usize, &dyn Fn(&str) -> String, &str); 3] = [
+    type Change<'a> = &'a dyn Fn(&str) -> String;
+    let cases: [(&str, usize, Change, &str); 3] = [
         ("encoders.csv", 1, &quote, "there is text behind a closing quote"),
         ("encoders.csv", 1, &letters, "is not a number"),
         ("exports/poses.txt", 0, &letters, "is not a number"),
