@@ -663,6 +663,11 @@ impl Section {
         Self { on_terminal: true, ..self }
     }
 
+    /// Puts a block before all others.
+    pub fn begin(&mut self, block: Block) {
+        self.blocks.insert(0, block);
+    }
+
     /// Adds what is not empty.
     pub fn push(&mut self, block: Block) {
         match block {

@@ -20,7 +20,7 @@ mod streams;
 pub(super) mod verdict;
 
 use super::Report;
-use super::model::Section;
+use super::model::{Block, Section};
 use super::words::Words;
 use crate::document::Characteristics;
 
@@ -34,10 +34,10 @@ const ALL: [Make; 16] = [
     messages::section,
     errors::section,
     errors::pictures,
-    |report, words| accuracy::section(report.tested, words),
-    |report, words| repeatability::section(report.tested, words),
-    |report, words| drift::section(report.tested, words),
-    |report, words| streams::section(report.tested, words),
+    |report, words| of_point(accuracy::section(report.tested, words), report, words),
+    |report, words| of_point(repeatability::section(report.tested, words), report, words),
+    |report, words| of_point(drift::section(report.tested, words), report, words),
+    |report, words| of_point(streams::section(report.tested, words), report, words),
     |report, words| compliance::section(report.tested, words),
     parameters::section,
     geometric::section,
@@ -50,6 +50,15 @@ const ALL: [Make; 16] = [
 /// Every section that the documents have.
 pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
     ALL.iter().filter_map(|make| make(report, words)).collect()
+}
+
+/// A section of characteristics, which names the point that they are of (ISO 9283:1998, 12).
+fn of_point(section: Option<Section>, report: &Report, words: &Words) -> Option<Section> {
+    let stated = &report.campaign.conditions.measurement_point;
+    let point = stated.clone().unwrap_or_else(|| words.say("not stated"));
+    let mut section = section?;
+    section.begin(Block::note(words.fill("Figures are those of the measurement point: {0}.", &[&point])));
+    Some(section)
 }
 
 /// The sections of a test by ISO 9283 alone.
