@@ -150,14 +150,32 @@ fn tables_that_do_not_fit_are_refused_by_name() {
         ("direct", &bars, "pose,theta1_deg,theta2_deg\n1,54.36,153.77\n".to_owned(), 2, "no column `assembly`"),
         ("inverse", &arm, format!("{pose}1,300,0,500,1,1,0,0\n"), 2, "the quaternion has the length 1.41"),
         ("inverse", &arm, "pose,x_mm,y_mm,z_mm\n1,300,0,500\n".to_owned(), 2, "no column `qw`"),
-        ("inverse", &arm, "pose,x_m,y_m,z_m,qw,qx,qy,qz\n1,0.3,0,0.5,1,0,0,0\n".to_owned(), 2, "no column `x_mm`"),
         ("inverse", &arm, format!("{pose}far,3000,0,500,1,0,0,0\n"), 1, "pose far: out of reach"),
         ("inverse", &xyt, format!("{pose}up,200,150,10,1,0,0,0\n"), 1, "pose up: out of reach"),
         ("inverse", &xyt, format!("{pose}1,900,150,0,1,0,0,0\n"), 1, "its travel is"),
         ("inverse", &bars, format!("{pose}1,900,150,0,1,0,0,0\n"), 1, "pose 1: out of reach"),
     ];
+    // metres are metres
+    let (in_metres, code, said) = kinematics("inverse", &arm, "pose,x_m,y_m,z_m,qw,qx,qy,qz\n1,0.3,0,0.5,1,0,0,0\n", &[]);
+    assert_eq!(code, Some(0), "{said}");
+    assert_eq!(in_metres, kinematics("inverse", &arm, &format!("{pose}1,300,0,500,1,0,0,0\n"), &[]).0);
     for (direction, robot, table, expected, part) in all {
         let (_, code, said) = kinematics(direction, robot, &table, &[]);
         assert!(code == Some(expected) && said.contains(part), "{table}: {code:?} {said}");
+    }
+}
+
+/// The origins of the URDF added up by hand: mimic joints with multiplier and offset, fixed joints, the tool behind the last one.
+#[test]
+fn a_urdf_at_zero_joints_is_where_its_origins_put_it() {
+    let robot = root().join("samples/column-arm/robot.toml");
+    let table = "pose,lift_m,shoulder_pan_rad,shoulder_lift_rad,elbow_rad,wrist_1_rad,wrist_2_rad,wrist_3_rad\n1,0.3,0,0,0,0,0,0\n";
+    let (poses, code, said) = kinematics("direct", &robot, table, &[]);
+    assert_eq!(code, Some(0), "{said}");
+    // column: 0.2 + 0.5 · 0.3 + 0.1 + 0.5 · 0.3 + 0.01 + 0.6 m; the arm leans forward by 45 degrees, its flange is tilted by 0.1 rad
+    let (along, aside) = (1040.0 + 30.0 * 0.1f64.cos(), 150.0 - 30.0 * 0.1f64.sin());
+    let leant = along / 2f64.sqrt();
+    for (found, expected) in rows(&poses)[0].1.iter().zip([180.0 + leant, aside, 1210.0 + leant]) {
+        assert!((found - expected).abs() < 1e-9, "{poses}: {expected}");
     }
 }
