@@ -156,7 +156,8 @@ fn tables_that_do_not_fit_are_refused_by_name() {
         ("inverse", &bars, format!("{pose}1,900,150,0,1,0,0,0\n"), 1, "pose 1: out of reach"),
     ];
     // metres are metres
-    let (in_metres, code, said) = kinematics("inverse", &arm, "pose,x_m,y_m,z_m,qw,qx,qy,qz\n1,0.3,0,0.5,1,0,0,0\n", &[]);
+    let (in_metres, code, said) =
+        kinematics("inverse", &arm, "pose,x_m,y_m,z_m,qw,qx,qy,qz\n1,0.3,0,0.5,1,0,0,0\n", &[]);
     assert_eq!(code, Some(0), "{said}");
     assert_eq!(in_metres, kinematics("inverse", &arm, &format!("{pose}1,300,0,500,1,0,0,0\n"), &[]).0);
     for (direction, robot, table, expected, part) in all {
