@@ -6,7 +6,7 @@ use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
@@ -22,7 +22,7 @@ pub enum PoseName {
 }
 
 /// Texts of poses that occurred.
-static TEXTS: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
+static TEXTS: Mutex<Option<BTreeSet<&'static str>>> = Mutex::new(None);
 
 /// The most characters of a name.
 const LONGEST: usize = 100;
@@ -81,7 +81,7 @@ impl PoseName {
 
 /// The first pose among these that another one before it names in another spelling (`P1` and `p 01`): the other, and its index.
 pub fn two_spellings(names: impl IntoIterator<Item = Option<PoseName>>) -> Option<(Message, usize)> {
-    let mut known: HashSet<PoseName> = HashSet::new();
+    let mut known: BTreeSet<PoseName> = BTreeSet::new();
     let mut by_spelling: BTreeMap<String, PoseName> = BTreeMap::new();
     for (i, name) in names.into_iter().enumerate() {
         let Some(name @ PoseName::Text(_)) = name.filter(|name| known.insert(*name)) else { continue };

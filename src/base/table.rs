@@ -57,7 +57,7 @@ pub fn poses(table: &DataFrame) -> Result<Vec<PoseName>> {
     if !column(table, "pose")?.dtype().is_string() {
         return Ok(integers(table, "pose")?.into_iter().map(PoseName::from).collect());
     }
-    let name = |name: String| PoseName::new(&name).map_err(|message| Problems::from(message));
+    let name = |name: String| PoseName::new(&name).map_err(Problems::from);
     texts(table, "pose")?.into_iter().map(name).collect()
 }
 

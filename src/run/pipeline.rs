@@ -15,6 +15,7 @@ use crate::stages::geometric;
 use crate::stages::identification::{Identified, identify};
 use crate::stages::iso9283;
 use crate::stages::join::{self, Joined};
+use crate::stages::kinds;
 
 /// What a run writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,7 +167,8 @@ fn write(
     out.optional("iso9283-streams.json", tested.streams.as_ref())?;
     out.optional("iso9283-compliance.json", tested.compliance.as_ref())?;
     if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
-        let robot = campaign.build_robot()?;
+        let targets = gathered.observations.as_ref().map(|table| kinds::targets(&table.table)).transpose()?;
+        let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
         let given = export::Given {
             parameters: &found.parameters,
             campaign: Some(&summary.name),

@@ -94,6 +94,13 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     if let Some(definition) = file.join.as_ref().filter(|_| !unread.affects(&["join"])) {
         join(campaign, definition, problems);
     }
+    joined(campaign, problems);
+    file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
+}
+
+/// Targets of a join that are there twice, and joints that are.
+fn joined(campaign: &Campaign, problems: &mut Problems) {
+    let (file, unread) = (&campaign.file, &campaign.unread);
     let targets: Vec<_> = file.join_targets().collect();
     for (i, target) in targets.iter().enumerate() {
         if targets[..i].iter().any(|t| t.get_ref() == target.get_ref()) {
@@ -106,7 +113,6 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     {
         problems.0.push(message.at(campaign.place(at)));
     }
-    file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
 }
 
 /// What a join by time needs, and what means nothing for another.

@@ -101,7 +101,7 @@ impl JointLog {
                 (_, Some(k)) => real(&|r| r.joints.get(k).copied()),
                 ("row", _) => whole(|r| Some(r.row)),
                 ("line", _) => whole(|r| Some(r.line as i64)),
-                ("pose", _) => return pose_column("pose", &self.rows.iter().map(|r| r.pose).collect::<Vec<_>>()),
+                ("pose", _) => pose_column("pose", &self.rows.iter().map(|r| r.pose).collect::<Vec<_>>()),
                 ("cycle", _) => whole(|r| r.cycle),
                 ("time_s", _) => real(&|r| r.time_s),
                 ("from_s", _) => real(&|r| Some(r.standing_s?[0])),
