@@ -22,7 +22,7 @@ pub enum PoseName {
 }
 
 /// Texts of poses that occurred.
-static TEXTS: Mutex<Option<BTreeSet<&'static str>>> = Mutex::new(None);
+static TEXTS: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
 
 /// The most characters of a name.
 const LONGEST: usize = 100;
@@ -48,7 +48,6 @@ impl PoseName {
             ));
         }
         let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
-        let texts = texts.get_or_insert_default();
         Ok(Self::Text(texts.get(name).copied().unwrap_or_else(|| {
             let stored: &'static str = Box::leak(name.into());
             texts.insert(stored);
@@ -81,10 +80,13 @@ impl PoseName {
 
 /// The first pose among these that another one before it names in another spelling (`P1` and `p 01`): the other, and its index.
 pub fn two_spellings(names: impl IntoIterator<Item = Option<PoseName>>) -> Option<(Message, usize)> {
-    let mut known: BTreeSet<PoseName> = BTreeSet::new();
+    let mut known: BTreeSet<&'static str> = BTreeSet::new();
     let mut by_spelling: BTreeMap<String, PoseName> = BTreeMap::new();
     for (i, name) in names.into_iter().enumerate() {
-        let Some(name @ PoseName::Text(_)) = name.filter(|name| known.insert(*name)) else { continue };
+        let Some(name @ PoseName::Text(text)) = name else { continue };
+        if !known.insert(text) {
+            continue;
+        }
         if let Some(other) = by_spelling.insert(name.folded(), name) {
             let what = format!("`{other}` and `{name}` differ only in capital letters, blanks, `_`, `-` or zeros");
             return Some((

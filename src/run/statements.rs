@@ -62,6 +62,30 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(message.hint("check its unit: 0.0027 mm is 2.7 um"));
         }
     }
+    limits(campaign, problems);
+    output(campaign, problems);
+    observations(campaign, problems);
+    if let Some(definition) = file.join.as_ref().filter(|_| !unread.affects(&["join"])) {
+        join(campaign, definition, problems);
+    }
+    let targets: Vec<_> = file.join_targets().collect();
+    for (i, target) in targets.iter().enumerate() {
+        if targets[..i].iter().any(|t| t.get_ref() == target.get_ref()) {
+            let message = Message::error(format!("target `{}` is there twice", target.get_ref()));
+            problems.0.push(message.at(campaign.place(target)));
+        }
+    }
+    if let (Some((message, at)), false) =
+        (file.joints_stated_twice(), unread.affects(&["log"]) || unread.affects(&["join"]))
+    {
+        problems.0.push(message.at(campaign.place(at)));
+    }
+    file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
+}
+
+/// Limits that are positive, and that something judges.
+fn limits(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
     for (key, limit) in file.limits.stated() {
         if limit.is_some_and(|limit| limit <= 0.0) {
             let message = Message::error(format!("the limit `{key}` must be positive"));
@@ -81,37 +105,25 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(message.at(campaign.place_of(&["limits", key])).hint("remove it, or state what it judges"));
         }
     }
-    output(campaign, problems);
-    if file.observations.is_some() {
-        let beside =
-            [("export", !file.exports.is_empty()), ("log", !file.logs.is_empty()), ("join", file.join.is_some())];
-        for (key, _) in beside.iter().filter(|(_, stated)| *stated) {
-            let message = Message::error(format!("`{key}` is stated beside [observations]"));
-            let hint = "a table of observations holds what was measured and the joint values: state it, or exports, log and join";
-            problems.0.push(message.at(campaign.place_of(&[key])).hint(hint));
-        }
-    }
-    if let Some(definition) = file.join.as_ref().filter(|_| !unread.affects(&["join"])) {
-        join(campaign, definition, problems);
-    }
-    joined(campaign, problems);
-    file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
 }
 
-/// Targets of a join that are there twice, and joints that are.
-fn joined(campaign: &Campaign, problems: &mut Problems) {
-    let (file, unread) = (&campaign.file, &campaign.unread);
-    let targets: Vec<_> = file.join_targets().collect();
-    for (i, target) in targets.iter().enumerate() {
-        if targets[..i].iter().any(|t| t.get_ref() == target.get_ref()) {
-            let message = Message::error(format!("target `{}` is there twice", target.get_ref()));
-            problems.0.push(message.at(campaign.place(target)));
-        }
+/// What a table of observations excludes.
+fn observations(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
+    if file.instrument.expanded_rotation_uncertainty_deg.is_some_and(|u| u <= 0.0) {
+        let key = "expanded_rotation_uncertainty_deg";
+        let message = Message::error(format!("`{key}` must be positive"));
+        problems.0.push(message.at(campaign.place_of(&["instrument", key])));
     }
-    if let (Some((message, at)), false) =
-        (file.joints_stated_twice(), unread.affects(&["log"]) || unread.affects(&["join"]))
-    {
-        problems.0.push(message.at(campaign.place(at)));
+    if file.observations.is_none() {
+        return;
+    }
+    let beside = [("export", !file.exports.is_empty()), ("log", !file.logs.is_empty()), ("join", file.join.is_some())];
+    for (key, _) in beside.iter().filter(|(_, stated)| *stated) {
+        let message = Message::error(format!("`{key}` is stated beside [observations]"));
+        let hint =
+            "a table of observations holds what was measured and the joint values: state it, or exports, log and join";
+        problems.0.push(message.at(campaign.place_of(&[key])).hint(hint));
     }
 }
 

@@ -37,7 +37,7 @@ impl<'a> LabelledPoints<'a> {
         let known = |named: &LabelNames| named.pose.is_some_and(|pose| poses.contains(&pose));
         let mut step = PointGroup::new();
         for point in self.points {
-            let Some(named) = form.read(&point.label, &known) else { continue };
+            let Some(named) = form.read(&point.label, known) else { continue };
             let key = (named.cycle.unwrap_or(1), named.pose.unwrap_or(1.into()), named.target.unwrap_or_default());
             step.entry(key).or_default().push(point.xyz_mm);
         }

@@ -480,7 +480,8 @@ fn slips_in_contacts_do_not_pass() {
         }
     };
     let (q2, q5, d) = (column("q2_deg"), column("q5_deg"), column("distance_mm"));
-    let slips: [(&str, &dyn Fn(&mut Vec<String>)); 4] = [
+    type Slip<'a> = (&'a str, &'a dyn Fn(&mut Vec<String>));
+    let slips: [Slip; 4] = [
         ("a joint reversed", &|row| scaled(&mut row[q5], -1.0)),
         ("joints in rad", &|row| (q2 - 1..q2 + 5).for_each(|k| scaled(&mut row[k], 1.0 / 57.295_779_5))),
         ("columns exchanged", &|row| row.swap(q2, q5)),
