@@ -1,7 +1,7 @@
 //! Messages: what is wrong, where, what was expected, and a hint.
 
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 /// Whether the work can go on.
@@ -279,8 +279,9 @@ impl Problems {
         result.map_err(|more| self.0.extend(more.0)).ok()
     }
 
-    /// The same messages, with one in place of those that are repeated in more than three lines of a file: the first, with the next
-    /// two lines and how many more there are. Names and numbers in a message may differ.
+    /// The same messages, with one in place of those that are repeated in more than three rows of a file of data: the first, with the
+    /// next two lines and how many more there are. Names and numbers in a message may differ. Statements are no rows, and neither are
+    /// several messages about one line.
     pub fn grouped(self) -> Self {
         let mut lines: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
         let key = |message: &Message| {
@@ -290,7 +291,10 @@ impl Problems {
         for (key, line) in self.0.iter().filter_map(key) {
             lines.entry(key).or_default().push(line);
         }
-        lines.retain(|_, lines| lines.len() > LISTED);
+        lines.retain(|(file, _), lines| {
+            let distinct = lines.iter().collect::<BTreeSet<_>>().len() == lines.len();
+            lines.len() > LISTED && distinct && !file.ends_with(".toml")
+        });
         let mut messages = self.0;
         messages.retain_mut(|message| {
             let Some((key, _)) = key(message) else { return true };
@@ -378,6 +382,12 @@ mod tests {
         assert_eq!(grouped.0[0].what, "`v2` is not a number; also in lines 3, 4 and 11990 more rows");
         assert_eq!(grouped.clone().grouped().0, grouped.0);
         assert!(all(4).to_string().contains("also in lines 3, 4 and 1 more row\n"));
+        // several about one line, and statements
+        let columns = |c: usize| Message::error(format!("no column `c{c}`")).at(Place::line("a.csv", 1, ""));
+        assert_eq!(Problems((0..9).map(columns).collect()).grouped().0.len(), 9);
+        let stated =
+            |line: usize| Message::error(format!("`k{line}` is stated twice")).at(Place::line("c.toml", line, ""));
+        assert_eq!(Problems((1..9).map(stated).collect()).grouped().0.len(), 8);
         // another file, another message
         let elsewhere = |line: usize| Message::error("is not a number").at(Place::line("b.csv", line, ""));
         assert_eq!(Problems((1..3).map(elsewhere).chain((1..4).map(row)).collect()).grouped().0.len(), 5);
