@@ -330,12 +330,9 @@ fn try_all(letter: char, make: fn(&[Sample], usize) -> Mutant) {
         writeln!(all, "{line}").unwrap();
         all
     });
-    println!(
-        "{} mutants, seed {}: {:?}\n{list}",
-        counts.lock().unwrap().values().sum::<usize>(),
-        number("ETALON_MUTANTS_SEED", SEED as usize),
-        counts.lock().unwrap()
-    );
+    let counts = counts.into_inner().unwrap();
+    let (tried, seed) = (counts.values().sum::<usize>(), number("ETALON_MUTANTS_SEED", SEED as usize));
+    println!("{tried} mutants, seed {seed}: {counts:?}\n{list}");
     assert!(failures.is_empty(), "{} failed", failures.len());
 }
 

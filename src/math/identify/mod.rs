@@ -192,7 +192,17 @@ pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Se
         return Ok(robot.nominal());
     }
     let start = start::start(robot, observations, settings, &frames)?;
-    Ok(solve_identifiable(robot, observations, settings, &frames, &start)?.values)
+    let found = solve_identifiable(robot, observations, settings, &frames, &start)?;
+    let (Some(arm), false) = (robot.free_base(), settings.conditions.is_empty()) else { return Ok(found.values) };
+    // fixtures once more, from targets that are now near: few distances of a target that is far off lead to a wrong minimum
+    let mut again = found.values.clone();
+    let of_fixtures: Vec<usize> =
+        frames.iter().copied().filter(|&i| robot.parameters()[i].role == Role::Fixture).collect();
+    fixtures::place_fixtures(arm, observations, settings, &of_fixtures, &mut again);
+    match solve_identifiable(robot, observations, settings, &frames, &again) {
+        Ok(again) if again.solution.cost < found.solution.cost => Ok(again.values),
+        _ => Ok(found.values),
+    }
 }
 
 fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
