@@ -121,6 +121,11 @@ pub fn observed(
         }
     }
     problems.check()?;
+    let names = robot.parameters();
+    if let Some((_, p)) = names.iter().enumerate().find(|(i, p)| names[..*i].iter().any(|other| other.name == p.name)) {
+        let what = format!("`{}` would be the name of two parameters", p.name);
+        return Err(Message::error(what).hint("give targets, points and planes names of their own").into());
+    }
     let partial = rows.partial.iter().filter(|partial| **partial).count();
     if partial > 0 {
         let what = format!(

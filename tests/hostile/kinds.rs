@@ -80,3 +80,12 @@ fn planar_robots_have_positions_only() {
     let error = String::from_utf8(output.stderr).unwrap();
     assert!(error.contains("are for arms in space, not for `five_bar`"), "{error}");
 }
+
+#[test]
+fn names_of_targets_points_and_planes_do_not_meet_in_a_parameter() {
+    let contact = "contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,";
+    for name in ["A", "ball"] {
+        let error = error(HEADER, &format!("{contact}\nplane,2,1,ball,1,2,3,,,,,,,,,,,{name},z,0,0.02,"), &[]);
+        assert!(error.contains(&format!("`{name}_z` would be the name of two parameters")), "{error}");
+    }
+}
