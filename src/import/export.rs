@@ -27,7 +27,7 @@ pub struct Export {
     #[schemars(with = "Option<String>")]
     pub label: Option<Spanned<String>>,
     /// Columns of the joints, of a file that carries them beside the points: by the joint with its unit, as in a log. Its rows are joined
-    /// with themselves, and no [log] is needed.
+    /// with themselves, and no `[log]` is needed.
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, Column>")]
     pub joints: BTreeMap<Spanned<String>, Column>,
