@@ -42,7 +42,7 @@ impl Exporter for LinuxCnc {
         })?;
         let (base, rows) = table(&chain).ok_or_else(|| Message::error("two axes of the arm are one and the same"))?;
         let mut out = String::new();
-        for line in given.header("mm, rad; offsets of joints in deg")? {
+        for line in given.header_of_geometry("mm, rad; offsets of joints in deg")? {
             let _ = writeln!(out, "# {line}");
         }
         for (name, pose) in [("first frame in the base", &base), ("flange in the last frame", &chain.flange)] {

@@ -74,6 +74,20 @@ impl<'a> Given<'a> {
         Ok(lines.iter().map(|line| comment(line)).collect())
     }
 
+    /// [`Self::header`] of a format that has joints and links alone: it names the bending and coupling that it cannot hold.
+    fn header_of_geometry(&self, units: &str) -> Result<Vec<String>> {
+        let effect = |entry: &&ParameterEntry| {
+            entry.value != 0.0 && ["compliance_", "coupling_"].iter().any(|kind| entry.name.starts_with(kind))
+        };
+        let left_out = self.parameters.parameters.iter().filter(effect).map(|entry| entry.name.as_str());
+        let left_out = left_out.collect::<Vec<_>>().join(", ");
+        let mut lines = self.header(units)?;
+        if !left_out.is_empty() {
+            lines.push(comment(&format!("not in this format: {left_out}")));
+        }
+        Ok(lines)
+    }
+
     /// The robot, and its parameters as they were identified.
     fn robot(&self) -> Result<(&'a dyn Robot, Vec<f64>)> {
         let robot = self.robot.ok_or_else(|| {

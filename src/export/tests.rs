@@ -219,3 +219,17 @@ fn compilers_read_the_same_numbers_whatever_the_names() {
         assert_eq!(read, NUMBERS.map(|n| 0.0 - n));
     }
 }
+
+#[test]
+fn bending_and_coupling_that_a_format_cannot_hold_are_named() {
+    let with = |value: f64| {
+        let all = vec![
+            parameter("a_2", "mm", 270.1),
+            parameter("compliance_2_3", "deg", value),
+            parameter("coupling_5_4", "1", value),
+        ];
+        Given::parameters(&document(all)).header_of_geometry("m, rad").unwrap().join("\n")
+    };
+    assert!(with(0.01).contains("not in this format: compliance_2_3, coupling_5_4"), "{}", with(0.01));
+    assert!(!with(0.0).contains("not in this format"));
+}

@@ -23,7 +23,7 @@ impl Exporter for UniversalRobots {
             let message = Message::error(format!("`{}` is not an arm of six joints that turn", robot.model()));
             message.hint("this format is that of Universal Robots' arms")
         })?;
-        let header = given.header("m, rad")?;
+        let header = given.header_of_geometry("m, rad")?;
         let mut out = String::new();
         for line in &header {
             let _ = writeln!(out, "# {line}");

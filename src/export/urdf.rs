@@ -45,7 +45,7 @@ impl Exporter for Urdf {
         let mut left_out = Vec::new();
         edits_of(file.text, given, &mut edits, &mut left_out)
             .ok_or_else(|| Message::error(format!("`{}` is not well-formed XML", file.file)))?;
-        let mut lines = given.header("m, rad")?;
+        let mut lines = given.header_of_geometry("m, rad")?;
         lines.push(format!("origins of `{}` with identified errors", file.file));
         lines.extend(left_out);
         let safe: Vec<String> = lines.iter().map(|line| super::comment(line).replace("--", "__")).collect();
