@@ -96,7 +96,7 @@ impl Pattern {
     /// What `label` names; `None` if it does not have this form.
     ///
     /// Of several readings counts the first that is `known` in which the pose is a number, then that of the longest target in which
-    /// it is a text; a text is no pose in what is not known.
+    /// it is a text; otherwise a pose that is a text does not read.
     pub fn read(&self, label: &str, known: impl Fn(&Named) -> bool) -> Option<Named> {
         let numbers = readings(&self.0, label, false);
         let first = || numbers.first().cloned();

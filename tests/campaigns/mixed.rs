@@ -1,6 +1,6 @@
 //! Files that carry joints and points together, joins by label, rows with uncertainties and rows that are left out.
 
-use crate::support::scratch::{Scratch, copy_sample, ends};
+use crate::support::scratch::{Scratch, cmm_truth, copy_sample, ends};
 use etalon::base::noise::Noise;
 use etalon::document::ParametersDocument;
 
@@ -10,20 +10,13 @@ const FORMAT: &str = "format = { delimiter = \";\", decimal = \",\", header = 1,
 
 /// The CMM sample's robot, one row a reading: pose, ball, place, joints, and the uncertainty that noise of the row has.
 fn rows() -> Vec<String> {
-    let scratch = copy_sample("prexyt-cmm");
-    let robot = etalon::campaign::read_robot(&scratch.path().join("robot.toml")).unwrap();
-    let robot = robot.build(&["K".to_owned(), "L".to_owned()]).unwrap();
-    let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
-    let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
-    let values: Vec<f64> = robot.parameters().iter().map(value).collect();
-    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    let (robot, values, log) = cmm_truth();
     let mut noise = Noise::new(9, 1);
     let mut rows = Vec::new();
-    for (pose, line) in (1..).zip(log.lines().skip(1).take(59)) {
-        let q: Vec<f64> = line.split(',').skip(2).map(|cell| cell.parse().unwrap()).collect();
+    for (pose, q) in (1..).zip(log.iter().take(59)) {
         for (k, ball) in ["K", "L"].into_iter().enumerate() {
             let u = if pose % 4 == 0 { 0.3 } else { 0.003 };
-            let p = robot.position(&values, &q, k);
+            let p = robot.position(&values, q, k);
             let [x, y] = [0, 1].map(|i| p[i] + noise.gaussian(u));
             rows.push(format!("P{pose};{ball};{x};{y};0;{};{};{};{u};{u};{u}", q[0], q[1], q[2]).replace('.', ","));
         }

@@ -1,7 +1,7 @@
 //! Tables of observations as people have them: marks, units, uncertainties, single coordinates, rows that are left out.
 
 use super::{etalon, text_of};
-use crate::support::scratch::{Scratch, copy_sample};
+use crate::support::scratch::{Scratch, cmm_truth, copy_sample};
 use etalon::base::noise::Noise;
 use etalon::document::ParametersDocument;
 
@@ -16,21 +16,14 @@ struct Row {
 
 /// Balls K and L at 24 poses, with noise of `sigma_mm` in each of the cycles.
 fn measured(sigma_mm: &[f64]) -> Vec<Row> {
-    let scratch = copy_sample("prexyt-cmm");
-    let robot = etalon::campaign::read_robot(&scratch.path().join("robot.toml")).unwrap();
-    let robot = robot.build(&["K".to_owned(), "L".to_owned()]).unwrap();
-    let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
-    let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
-    let values: Vec<f64> = robot.parameters().iter().map(value).collect();
-    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    let (robot, values, log) = cmm_truth();
     let (mut noise, mut rows) = (Noise::new(5, 1), Vec::new());
     for (cycle, sigma_mm) in (1..).zip(sigma_mm) {
-        for (pose, line) in (1..).zip(log.lines().skip(1).take(24)) {
-            let q: Vec<f64> = line.split(',').skip(2).map(|cell| cell.parse().unwrap()).collect();
+        for (pose, q) in (1..).zip(log.iter().take(24)) {
             for (k, target) in ["K", "L"].into_iter().enumerate() {
-                let p = robot.position(&values, &q, k);
+                let p = robot.position(&values, q, k);
                 let xy_mm = [p[0] + noise.gaussian(*sigma_mm), p[1] + noise.gaussian(*sigma_mm)];
-                rows.push(Row { pose, cycle, target, xy_mm, q: [q[0], q[1], q[2]] });
+                rows.push(Row { pose, cycle, target, xy_mm, q: *q });
             }
         }
     }

@@ -17,7 +17,7 @@ pub struct PackedPoints {
 enum Block {
     /// Whole numbers to be divided by `tens`, then multiplied by `in_mm`.
     Decimal { whole: Vec<[i32; 3]>, tens: f64, in_mm: f64 },
-    /// What is no decimal of so few digits.
+    /// Values that are not decimals of so few digits.
     Real(Vec<Vector>),
 }
 

@@ -2,7 +2,7 @@
 //!
 //! A condition is an equation between the place of a target, which the robot gives, and things that are fixed in the world: the
 //! orientation of a body, a socket, a point from which a distance is measured, a plane. Of these the robot's list of parameters
-//! has the unknowns behind its own ([`Fixtures`]).
+//! has the unknowns behind its own ([`Fixture`]).
 
 use super::{Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};

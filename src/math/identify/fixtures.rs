@@ -37,30 +37,20 @@ pub(super) fn place_fixtures(
     let unseen = |&&first: &&usize| wanted.contains(&first);
     let targets: BTreeSet<usize> =
         contacts.iter().filter(|c| !seen.contains(&c.target)).map(|c| arm.target_place(c.target)).collect();
-    let sockets = contacts.iter().filter_map(|c| match c.kind {
-        Kind::Contact { socket } if free_base || !known.contains_key(&socket) => Some(socket),
+    let socket = |c: &&Condition| match c.kind {
+        Kind::Contact { socket } => Some(socket),
         _ => None,
-    });
-    let unknown: BTreeSet<usize> =
-        targets.iter().filter(unseen).copied().chain(sockets.filter(|s| wanted.contains(s))).collect();
+    };
+    let sockets: BTreeSet<usize> = contacts.iter().filter_map(socket).collect();
+    let to_find = sockets.iter().filter(|socket| free_base || !known.contains_key(socket));
+    let unknown: BTreeSet<usize> = targets.iter().chain(to_find).filter(unseen).copied().collect();
     meet(arm, &contacts, &unknown.into_iter().collect::<Vec<_>>(), values);
     if free_base {
         move_base(arm, &known, values);
     }
     mount(arm, &settings.conditions, wanted, values);
-    let with_contact: BTreeSet<usize> = contacts
-        .iter()
-        .filter_map(|c| match c.kind {
-            Kind::Contact { socket } => Some(socket),
-            _ => None,
-        })
-        .collect();
-    reach(
-        arm,
-        &settings.conditions,
-        |first| wanted.contains(&first) && !known.contains_key(&first) && !with_contact.contains(&first),
-        values,
-    );
+    let is_unknown = |first| wanted.contains(&first) && !known.contains_key(&first) && !sockets.contains(&first);
+    reach(arm, &settings.conditions, is_unknown, values);
     lay(arm, &settings.conditions, wanted, values);
 }
 

@@ -265,7 +265,10 @@ impl<'a> Residuals<'a> {
         let (n, targets, dimension) = (all.len(), self.robot.targets().len(), self.robot.dimension());
         self.of_conditions(all, out, self.free.len(), |met, out| {
             let mut moved = vec![0.0; dimension * targets * n];
-            self.robot.jacobian(all, &met.condition.joints, &mut moved);
+            // an orientation does not depend on where the target is
+            if !met.condition.kind.is_angle() {
+                self.robot.jacobian(all, &met.condition.joints, &mut moved);
+            }
             let mut full = vec![0.0; met.condition.kind.rows() * n];
             let own = &moved[dimension * met.condition.target * n..][..dimension * n];
             met.condition.jacobian(met.arm, all, met.position, own, &mut full);
