@@ -56,6 +56,9 @@ pub fn plausibility(
         None if exchanged(robot, &found.values).is_none() => explain(&mut messages, robot, observations),
         None => {}
     }
+    if let Some(turned) = orientations_turned(settings, errors) {
+        messages.insert(0, turned);
+    }
     messages.extend(common_factor(robot, found));
     messages.extend(negative_compliance(robot, found));
     messages.extend(validation_outliers(errors));
@@ -93,6 +96,21 @@ fn undetermined(
         );
         Message::error(what).hint("measure more poses, spread over the workspace")
     })
+}
+
+/// Median angle between observed and predicted orientations beyond which these are of another convention: joints of robots are wrong by
+/// degrees at most.
+const TURNED_DEG: f64 = 10.0;
+
+/// An error where observed orientations are far from those of the identified robot.
+fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Message> {
+    if !settings.conditions.iter().any(|c| c.kind.is_angle()) {
+        return None;
+    }
+    let calibration = errors.iter().filter(|e| e.set == "calibration");
+    let median_deg = median(calibration.filter_map(|e| e.after_deg)).filter(|deg| *deg > TURNED_DEG)?;
+    let what = format!("observed orientations differ from those of the robot by {median_deg:.1} deg (median)");
+    Some(Message::error(what).hint("check that qw, qx, qy, qz turn vectors of the body to the world, the scalar first"))
 }
 
 /// A warning about validation readings that lie far from the others: their errors are in the accuracy.

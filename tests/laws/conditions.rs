@@ -262,7 +262,7 @@ fn campaign(kind: &str, seed: u64, trial: u64, errors: f64) -> Campaign {
     }
 }
 
-/// Draws a kind; their mean chi-square over degrees of freedom, and the share of 95 % intervals that hold.
+/// Simulated campaigns of each kind.
 fn draws() -> u64 {
     std::env::var("ETALON_DRAWS").map_or(100, |n| n.parse().unwrap())
 }
@@ -493,5 +493,34 @@ fn slips_in_contacts_do_not_pass() {
         println!("{what}: {code:?} {}", said.lines().next().unwrap_or_default());
         assert!(matches!(code, Some(1 | 2)), "{what}: {code:?}\n{said}");
         assert!(!scratch.path().join("out/etalon_parameters.h").exists(), "{what}");
+    }
+}
+
+#[test]
+fn slips_in_orientations_do_not_pass() {
+    let first = HEADER.split(',').position(|column| column == "qw").unwrap();
+    let table = campaign("pose", 81, 0, 1.0).table();
+    type Slip<'a> = (&'a str, &'a dyn Fn(&mut Vec<String>));
+    let slips: [Slip; 2] = [
+        ("the scalar last", &|row| row[first..first + 4].rotate_left(1)),
+        ("world in body", &|row| {
+            for cell in &mut row[first + 1..first + 4] {
+                *cell = (-cell.parse::<f64>().unwrap()).to_string();
+            }
+        }),
+    ];
+    for (what, how) in slips {
+        let rows = table.lines().enumerate().map(|(i, line)| {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            if i > 0 {
+                how(&mut cells);
+            }
+            cells.join(",") + "\n"
+        });
+        let output = identified(&rows.collect::<String>(), &["--standard-uncertainty-um", "50"]);
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert!(matches!(output.status.code(), Some(1 | 2)), "{what}: {:?}\n{error}", output.status);
+        let named = error.contains("observed orientations differ") && error.contains("the scalar first");
+        assert!(named, "{what}: {error}");
     }
 }
