@@ -8,7 +8,7 @@ use super::{in_plane, in_space};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
 use crate::base::pose::Vector;
-use crate::base::scalar::{Dual, Scalar, duals};
+use crate::base::scalar::{Dual, Scalar, constants, duals};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::PI;
@@ -366,6 +366,15 @@ impl Robot for FiveBar {
         let tool = self.tool::<Dual<PARAMETERS>>(&duals(parameters), joints);
         for (row, value) in out.chunks_exact_mut(PARAMETERS).zip(tool) {
             row.copy_from_slice(&value.gradient);
+        }
+    }
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        // an offset adds to its joint's value
+        let offsets = [7, 8].map(|i| Dual::<PARAMETERS>::variable(parameters[i], i - 7));
+        let mut p = constants(parameters);
+        p[7..9].copy_from_slice(&offsets);
+        for (row, value) in out.chunks_exact_mut(2).zip(self.tool(&p, joints)) {
+            row.copy_from_slice(&value.gradient[..2]);
         }
     }
     fn kinematics(&self) -> Option<&dyn Kinematics> {

@@ -125,6 +125,9 @@ pub trait Robot: Send + Sync {
     /// Writes d positions / d parameters, row by row: (targets × dimension) × parameters.
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
 
+    /// Writes d positions / d joint values, row by row: (targets × dimension) × joints. Bending is that of the joint values themselves.
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
+
     /// Whether joint values leave two positions: the assembly mode, +1 or -1, then follows the joints in every slice
     /// of joint values.
     fn has_assembly_modes(&self) -> bool {

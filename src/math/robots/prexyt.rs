@@ -200,6 +200,12 @@ impl Robot for Prexyt {
             row.copy_from_slice(&value.gradient[..parameters.len()]);
         }
     }
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let balls = self.balls(&constants(parameters), &duals::<3>(joints));
+        for (row, value) in out.chunks_exact_mut(3).zip(balls.as_flattened()) {
+            row.copy_from_slice(&value.gradient);
+        }
+    }
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
         let ends = self.travel_mm?;
         let off = |(_, (rho, end)): &(usize, (&f64, f64))| !(0.0..=*end).contains(*rho);

@@ -544,6 +544,25 @@ impl Robot for Serial {
             }
         }
     }
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let n = joints.len();
+        out.fill(0.0);
+        let loads = self.loads(joints);
+        let state = State { joints, loads: &loads };
+        let mut axes = Vec::with_capacity(self.elements.len());
+        let flange = chain::trace(&self.elements, parameters, state, &mut axes);
+        for (k, rows) in out.chunks_exact_mut(3 * n).enumerate() {
+            let place = self.target_place(k);
+            let point = flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]]);
+            for (element, &axis) in self.elements.iter().zip(&axes) {
+                for term in &element.terms {
+                    let Coefficient::Joint { joint, factor, .. } = term.coefficient else { continue };
+                    let v = element.velocity(axis, point);
+                    (0..3).for_each(|i| rows[i * n + joint] += v[i] * factor * parameters[term.parameter]);
+                }
+            }
+        }
+    }
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
         let beyond = |(joint, (q, limit)): (&Joint, (&f64, &Option<[f64; 2]>))| {
             let [lower, upper] = (*limit)?.map(|v| joint.quantity.outward(v));
