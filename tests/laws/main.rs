@@ -26,6 +26,7 @@ mod iso9283_stream;
 mod iso9283_weaves_and_loads;
 mod mutants;
 mod plans;
+mod platforms;
 mod probes;
 mod qkm;
 mod rigid;

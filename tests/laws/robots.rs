@@ -13,7 +13,7 @@ fn disturbed(robot: &dyn Robot) -> Vec<f64> {
         .collect()
 }
 
-fn jacobian_is_the_numeric_derivative(robot: &dyn Robot, q: &[f64]) {
+pub fn jacobian_is_the_numeric_derivative(robot: &dyn Robot, q: &[f64]) {
     let p = disturbed(robot);
     let rows = robot.dimension() * robot.targets().len();
     let mut analytic = vec![0.0; rows * p.len()];

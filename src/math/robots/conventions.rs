@@ -5,7 +5,7 @@
 
 use super::chain::Motion;
 use super::serial::{ArmBuilder, BaseAngles, Drive, Effects};
-use super::{Description, Model, Quantity, Robot, Role, Serial, Source};
+use super::{Description, Model, Quantity, Robot, Role, Serial, Source, wrong_targets};
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, unit};
 use schemars::JsonSchema;
@@ -150,19 +150,6 @@ impl Effects {
         }
         problems.check().map(|_| effects)
     }
-}
-
-/// What is wrong with the targets of an arm.
-pub(super) fn wrong_targets(targets: &[String]) -> Problems {
-    let mut problems = Problems::default();
-    if targets.is_empty() {
-        problems.0.push(Message::error("a serial arm needs at least one target").hint("name them in `targets`"));
-    }
-    if targets.iter().any(|target| target == "base") {
-        let what = "no target can be called `base`: its parameters would be those of the robot's base";
-        problems.0.push(Message::error(what).hint("give the target another name in label or columns"));
-    }
-    problems
 }
 
 /// A joint of a serial arm, from the base. In Denavit-Hartenberg parameters alpha, a, theta and d must be stated, each in one of its two

@@ -8,6 +8,8 @@ mod chain;
 mod conventions;
 mod definition;
 mod five_bar;
+mod hexapod;
+mod parallel;
 mod prexyt;
 mod serial;
 mod urdf;
@@ -19,17 +21,19 @@ pub use prexyt::Prexyt;
 pub use serial::Serial;
 pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 
-use crate::base::message::{Place, Result};
-use crate::base::pose::{Pose, Vector};
+use crate::base::message::{Message, Place, Problems, Result};
+use crate::base::pose::{Pose, Vector, norm};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
+use std::f64::consts::{PI, TAU};
 use std::fmt::Debug;
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, Deserializer};
 
 /// All models.
-pub const MODELS: [&Model; 5] = [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &conventions::MODEL, &urdf::MODEL];
+pub const MODELS: [&Model; 6] =
+    [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &conventions::MODEL, &urdf::MODEL, &hexapod::MODEL];
 
 /// Reads the keys of a table that are a model's own.
 pub type ReadKeys = fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>;
@@ -259,6 +263,38 @@ fn nearest<R: Robot + ?Sized>(
     within.ok_or_else(|| why.unwrap_or_else(|| "out of reach".to_owned()))
 }
 
+/// The shortest rotation vector of the same rotation, rad.
+fn shortest(vector: Vector) -> Vector {
+    let length = norm(vector);
+    let turns = (length / TAU).round();
+    if length > PI { vector.map(|v| v * (1.0 - turns * TAU / length)) } else { vector }
+}
+
+/// Which joint value is beyond its limits (rad or mm), if one.
+fn limit_violation(joints: &[Joint], limits: &[Option<[f64; 2]>], values: &[f64]) -> Option<String> {
+    let beyond = |(joint, (q, limit)): (&Joint, (&f64, &Option<[f64; 2]>))| {
+        let [lower, upper] = (*limit)?.map(|v| joint.quantity.outward(v));
+        let (q, unit) = (joint.quantity.outward(*q), joint.quantity.unit());
+        let name = &joint.name;
+        (!(lower..=upper).contains(&q))
+            .then(|| format!("{name} = {q} {unit}, its limits are {lower} and {upper} {unit}"))
+    };
+    joints.iter().zip(values.iter().zip(limits)).find_map(beyond)
+}
+
+/// What is wrong with the targets of a robot in space.
+fn wrong_targets(targets: &[String]) -> Problems {
+    let mut problems = Problems::default();
+    if targets.is_empty() {
+        problems.0.push(Message::error("a robot in space needs at least one target").hint("name them in `targets`"));
+    }
+    if targets.iter().any(|target| target == "base") {
+        let what = "no target can be called `base`: its parameters would be those of the robot's base";
+        problems.0.push(Message::error(what).hint("give the target another name in label or columns"));
+    }
+    problems
+}
+
 /// A pose that lies this near to the plane is in it, mm or without unit.
 const PLANAR: f64 = 1e-6;
 
@@ -339,16 +375,24 @@ pub trait FreeBase: Robot {
     fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose;
 
     /// Index of the first parameter of a target.
-    fn target_place(&self, target: usize) -> usize;
+    fn target_place(&self, target: usize) -> usize {
+        6 + 3 * target
+    }
 
-    /// base_rx, base_ry, base_rz of a rotation.
-    fn base_angles(&self, rotation: &Pose) -> Vector;
+    /// base_rx, base_ry, base_rz of a rotation: a rotation vector, where the model has no other angles.
+    fn base_angles(&self, rotation: &Pose) -> Vector {
+        rotation.rotation_vector_rad()
+    }
 
     /// The shortest base_rx, base_ry, base_rz of the same rotation.
-    fn shortest_base_angles(&self, angles: Vector) -> Vector;
+    fn shortest_base_angles(&self, angles: Vector) -> Vector {
+        shortest(angles)
+    }
 
     /// Whether two of them turn about nearly the same axis there.
-    fn base_is_singular(&self, angles: Vector) -> bool;
+    fn base_is_singular(&self, _angles: Vector) -> bool {
+        false
+    }
 
     /// Writes by how much the flange turns with each parameter: rotation vectors in the world (rad), 3 rows of all parameters.
     fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);

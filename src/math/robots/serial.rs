@@ -3,8 +3,8 @@
 //! A convention pushes its motions and parameters into an [`ArmBuilder`]; gains, coupling and bending are the same for all.
 
 use super::chain::{self, Coefficient, Element, Motion, State, Term};
-use super::nearest;
 use super::{ChainJoint, Definition, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role};
+use super::{limit_violation, nearest, shortest};
 use crate::base::noise::Noise;
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use crate::base::scalar::Scalar;
@@ -564,14 +564,7 @@ impl Robot for Serial {
         }
     }
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
-        let beyond = |(joint, (q, limit)): (&Joint, (&f64, &Option<[f64; 2]>))| {
-            let [lower, upper] = (*limit)?.map(|v| joint.quantity.outward(v));
-            let (q, unit) = (joint.quantity.outward(*q), joint.quantity.unit());
-            let name = &joint.name;
-            (!(lower..=upper).contains(&q))
-                .then(|| format!("{name} = {q} {unit}, its limits are {lower} and {upper} {unit}"))
-        };
-        self.joints().iter().zip(joints.iter().zip(&self.limits)).find_map(beyond)
+        limit_violation(self.joints(), &self.limits, joints)
     }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)
@@ -661,9 +654,6 @@ impl FreeBase for Serial {
     fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose {
         self.direct(parameters, joints)
     }
-    fn target_place(&self, target: usize) -> usize {
-        6 + 3 * target
-    }
     fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let n = parameters.len();
         out.fill(0.0);
@@ -687,11 +677,7 @@ impl FreeBase for Serial {
     fn shortest_base_angles(&self, angles: Vector) -> Vector {
         match self.base {
             BaseAngles::Successive { .. } => Pose::from_xyz_rpy([0.0; 3], angles).rpy_rad(),
-            BaseAngles::Vector => {
-                let length = norm(angles);
-                let turns = (length / TAU).round();
-                if length > PI { angles.map(|v| v * (1.0 - turns * TAU / length)) } else { angles }
-            }
+            BaseAngles::Vector => shortest(angles),
         }
     }
     fn base_is_singular(&self, angles: Vector) -> bool {

@@ -3,9 +3,9 @@
 //! Each moving joint of the chain has small errors before it, in the frame of its origin: two rotations, and two translations where it
 //! turns. They are complete and minimal whatever the axes are, so that parallel axes need no parameters of their own.
 
-use super::conventions::{JointRef, down, wrong_targets};
+use super::conventions::{JointRef, down};
 use super::serial::{ArmBuilder, BaseAngles, Body, Drive, Effects};
-use super::{Description, Joint, Model, Quantity, Robot, Source};
+use super::{Description, Joint, Model, Quantity, Robot, Source, wrong_targets};
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, cross, norm, unit};
 use schemars::JsonSchema;

@@ -1,0 +1,296 @@
+//! Platforms on legs: what a hexapod and a delta share.
+//!
+//! Each leg is a rod between a point of the base and one of the platform. Its length is an equation between the pose of the platform,
+//! the joints and the leg's own parameters, from which derivatives follow exactly (implicit function theorem), however the pose was
+//! found. The platform is the flange of a robot with a free base: base and targets come first, then the legs one by one.
+
+use super::{Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, limit_violation};
+use crate::base::pose::{Pose, Vector, cross, minus, norm, turning_axes};
+use crate::base::scalar::{Dual, Scalar};
+use nalgebra::{Matrix6, Vector6};
+use std::fmt::Debug;
+
+/// Parameters of a leg at most.
+const MOST: usize = 9;
+/// Parameters of base, and of each target.
+const BASE: usize = 6;
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A leg at a joint value, in mm.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rod<T = f64> {
+    /// Its end on the base, in the base frame.
+    pub base_mm: Vector<T>,
+    /// Its end on the platform, in the platform's frame.
+    pub platform_mm: Vector<T>,
+    /// Its length.
+    pub length_mm: T,
+}
+
+impl<T: Scalar> Rod<T> {
+    /// By how much its ends are farther apart than it is long.
+    fn gap(&self, platform: &Pose<T>) -> T {
+        let (a, b) = (platform.apply(self.platform_mm), self.base_mm);
+        let d = [0, 1, 2].map(|i| a[i] - b[i]);
+        (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt() - self.length_mm
+    }
+}
+
+/// A parameter of every leg.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LegParameter {
+    /// `#` stands for the number of the leg, from 1.
+    pub name: &'static str,
+    pub quantity: Quantity,
+}
+
+/// The legs of a model.
+pub(super) trait Legs: Clone + Debug + Send + Sync {
+    /// Value of the key `model`.
+    const MODEL: &'static str;
+    /// Parameters of each leg, in their order; at most nine.
+    const PARAMETERS: &'static [LegParameter];
+    /// Joints: `#` stands for the number of the leg, from 1.
+    const JOINT: LegParameter;
+    /// Number of legs: six, or three of a platform that does not turn.
+    const COUNT: usize;
+
+    /// A leg, from 0, with its own parameters.
+    fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T>;
+
+    /// Pose of the platform in the base on rods that do not move.
+    fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose>;
+
+    /// Joint values of every leg by itself at a pose of the platform that the model allows.
+    fn joints_at(&self, leg: usize, p: &[f64], platform: &Pose) -> Vec<f64>;
+}
+
+/// Legs with their parameters.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LegValues<'a, L> {
+    pub legs: &'a L,
+    /// Those of all legs.
+    pub parameters: &'a [f64],
+}
+
+impl<L: Legs> LegValues<'_, L> {
+    /// Parameters of one leg.
+    fn of(&self, leg: usize) -> &[f64] {
+        let n = L::PARAMETERS.len();
+        &self.parameters[leg * n..][..n]
+    }
+
+    /// All rods.
+    pub fn rods(&self, joints: &[f64]) -> Vec<Rod> {
+        (0..L::COUNT).map(|leg| self.legs.rod(leg, self.of(leg), joints[leg])).collect()
+    }
+}
+
+/// How rods lengthen as the platform moves by a small translation (mm) and rotation (rad) in the base: a row a rod. A platform that
+/// does not turn has rows of its rotation alone behind those of three rods.
+pub(super) fn lengthening(rods: &[Rod], platform: &Pose) -> Matrix6<f64> {
+    let mut matrix = Matrix6::identity();
+    for (i, rod) in rods.iter().enumerate() {
+        let lever = platform.rotate(rod.platform_mm);
+        let along = minus(platform.apply(rod.platform_mm), rod.base_mm);
+        let along = along.map(|v| v / norm(along));
+        let turn = cross(lever, along);
+        (0..3).for_each(|k| {
+            matrix[(i, k)] = along[k];
+            matrix[(i, 3 + k)] = turn[k];
+        });
+    }
+    matrix
+}
+
+/// By how much the ends of rods are farther apart than they are long, mm.
+pub(super) fn gaps(rods: &[Rod], platform: &Pose) -> Vector6<f64> {
+    let mut gaps = Vector6::zeros();
+    rods.iter().enumerate().for_each(|(i, rod)| gaps[i] = rod.gap(platform));
+    gaps
+}
+
+/// A platform on legs, with its nominal parameters and the limits of its joints.
+#[derive(Clone, Debug)]
+pub(super) struct Parallel<L> {
+    definition: Definition,
+    legs: L,
+    /// Limits of each joint, rad or mm.
+    limits: Vec<Option<[f64; 2]>>,
+}
+
+impl<L: Legs> Parallel<L> {
+    /// The robot, with the nominal parameters of its legs one after the other.
+    pub fn new(legs: L, nominal: &[f64], limits: Vec<Option<[f64; 2]>>, targets: &[String]) -> Self {
+        let free = |name: String, quantity, role| Parameter {
+            tolerance: f64::INFINITY,
+            ..Parameter::new(name, quantity, role, 0.0)
+        };
+        let mut parameters = Vec::new();
+        for (quantity, turn) in [(Quantity::Length, ""), (Quantity::Angle, "r")] {
+            parameters.extend(AXES.map(|axis| free(format!("base_{turn}{axis}"), quantity, Role::Base)));
+        }
+        for target in targets {
+            parameters.extend(AXES.map(|axis| free(format!("{target}_{axis}"), Quantity::Length, Role::Target)));
+        }
+        let numbered = |name: &str, leg: usize| name.replace('#', &(leg + 1).to_string());
+        for (leg, nominal) in nominal.chunks_exact(L::PARAMETERS.len()).enumerate() {
+            let own = L::PARAMETERS.iter().zip(nominal);
+            parameters.extend(own.map(|(p, &v)| Parameter::new(numbered(p.name, leg), p.quantity, Role::Robot, v)));
+        }
+        let joint = |leg: usize| Joint { name: numbered(L::JOINT.name, leg), quantity: L::JOINT.quantity };
+        let joints = (0..L::COUNT).map(joint).collect();
+        let definition = Definition { model: L::MODEL, dimension: 3, parameters, joints, targets: targets.to_vec() };
+        Self { definition, legs, limits }
+    }
+
+    /// Index of the first parameter of the legs.
+    fn first(&self) -> usize {
+        BASE + 3 * self.targets().len()
+    }
+
+    fn values<'a>(&'a self, parameters: &'a [f64]) -> LegValues<'a, L> {
+        LegValues { legs: &self.legs, parameters: &parameters[self.first()..] }
+    }
+
+    /// Pose of the platform in the base frame.
+    pub fn place(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
+        let pose = self.legs.place(&self.values(parameters), joints)?;
+        pose.rotation.as_flattened().iter().chain(&pose.translation_mm).all(|v| v.is_finite()).then_some(pose)
+    }
+
+    /// Small translation and rotation of the platform in the base by each parameter of the legs, in their order.
+    fn twists(&self, parameters: &[f64], joints: &[f64], platform: &Pose) -> Option<Vec<[Vector; 2]>> {
+        let values = self.values(parameters);
+        let inverse = lengthening(&values.rods(joints), platform).try_inverse()?;
+        let (mut twists, still) = (Vec::new(), constant(platform));
+        for (leg, &q) in joints.iter().enumerate().take(L::COUNT) {
+            let own = values.of(leg);
+            let p: Vec<Dual<MOST>> = own.iter().enumerate().map(|(k, &v)| Dual::variable(v, k)).collect();
+            let gap = self.legs.rod(leg, &p, Dual::from(q)).gap(&still);
+            twists.extend(gap.gradient.iter().take(own.len()).map(|by| {
+                let of = |row: usize| -inverse[(row, leg)] * by;
+                [[of(0), of(1), of(2)], [of(3), of(4), of(5)]]
+            }));
+        }
+        Some(twists)
+    }
+}
+
+/// A pose without derivatives.
+fn constant(pose: &Pose) -> Pose<Dual<MOST>> {
+    Pose { rotation: pose.rotation.map(|row| row.map(Dual::from)), translation_mm: pose.translation_mm.map(Dual::from) }
+}
+
+/// Pose of the base in the world.
+fn base_pose(p: &[f64]) -> Pose {
+    Pose { translation_mm: [p[0], p[1], p[2]], ..Pose::from_rotation_vector([p[3], p[4], p[5]]) }
+}
+
+/// What is not where the joints put it.
+fn nowhere() -> Pose {
+    Pose { rotation: [[f64::NAN; 3]; 3], translation_mm: [f64::NAN; 3] }
+}
+
+/// Writes a vector down a column of three rows of `n`.
+fn write(out: &mut [f64], n: usize, column: usize, v: Vector) {
+    (0..3).for_each(|i| out[i * n + column] = v[i]);
+}
+
+impl<L: Legs> Robot for Parallel<L> {
+    fn definition(&self) -> &Definition {
+        &self.definition
+    }
+    fn definition_mut(&mut self) -> &mut Definition {
+        &mut self.definition
+    }
+    /// Not numbers where the legs do not meet the platform.
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let flange = self.flange(parameters, joints);
+        for (k, out) in out.chunks_exact_mut(3).enumerate() {
+            let place = self.target_place(k);
+            out.copy_from_slice(&flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]]));
+        }
+    }
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let n = parameters.len();
+        let platform = self.place(parameters, joints);
+        let moving = platform.and_then(|p| Some((p, self.twists(parameters, joints, &p)?)));
+        let Some((platform, twists)) = moving else { return out.fill(f64::NAN) };
+        out.fill(0.0);
+        let base = base_pose(parameters);
+        let flange = base.then(&platform);
+        let axes = turning_axes([parameters[3], parameters[4], parameters[5]]);
+        for (k, out) in out.chunks_exact_mut(3 * n).enumerate() {
+            let place = self.target_place(k);
+            let on_platform = [parameters[place], parameters[place + 1], parameters[place + 2]];
+            let from_base = base.rotate(platform.apply(on_platform));
+            let lever = platform.rotate(on_platform);
+            for i in 0..3 {
+                write(out, n, i, Pose::identity().axis(i));
+                write(out, n, 3 + i, cross(axes[i], from_base));
+                write(out, n, place + i, flange.axis(i));
+            }
+            for (j, [shift, turn]) in twists.iter().enumerate() {
+                let by_turn = cross(*turn, lever);
+                write(out, n, self.first() + j, base.rotate([0, 1, 2].map(|i| shift[i] + by_turn[i])));
+            }
+        }
+    }
+    fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
+        let apart = || self.place(parameters, joints).is_none().then(|| "the legs do not meet the platform".to_owned());
+        limit_violation(self.joints(), &self.limits, joints).or_else(apart)
+    }
+    fn free_base(&self) -> Option<&dyn FreeBase> {
+        Some(self)
+    }
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        Some(self)
+    }
+}
+
+/// How far from a pose, in mm and without unit, the joints that were found for it may bring the platform.
+const BACK: f64 = 1e-6;
+
+impl<L: Legs> Kinematics for Parallel<L> {
+    fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
+        self.place(parameters, joints)
+    }
+
+    /// Every combination of the ways of single legs that brings the platform to the pose and not to its other assembly modes.
+    fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
+        let values = self.values(parameters);
+        let mut all = vec![Vec::new()];
+        for leg in 0..L::COUNT {
+            let ways = self.legs.joints_at(leg, values.of(leg), pose);
+            all = all.iter().flat_map(|q: &Vec<f64>| ways.iter().map(|w| [&q[..], &[*w]].concat())).collect();
+        }
+        all.retain(|q| {
+            let there = self.place(parameters, q);
+            there.is_some_and(|there| {
+                let off = there.rotation.as_flattened().iter().zip(pose.rotation.as_flattened());
+                norm(minus(there.translation_mm, pose.translation_mm)) < BACK
+                    && off.into_iter().all(|(a, b)| (a - b).abs() < BACK)
+            })
+        });
+        all
+    }
+}
+
+impl<L: Legs> FreeBase for Parallel<L> {
+    fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose {
+        self.place(parameters, joints).map_or_else(nowhere, |platform| base_pose(parameters).then(&platform))
+    }
+    fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let n = parameters.len();
+        let platform = self.place(parameters, joints);
+        let Some(twists) = platform.and_then(|p| self.twists(parameters, joints, &p)) else {
+            return out.fill(f64::NAN);
+        };
+        out.fill(0.0);
+        let base = base_pose(parameters);
+        let axes = turning_axes([parameters[3], parameters[4], parameters[5]]);
+        (0..3).for_each(|i| write(out, n, 3 + i, axes[i]));
+        twists.iter().enumerate().for_each(|(j, [_, turn])| write(out, n, self.first() + j, base.rotate(*turn)));
+    }
+}
