@@ -1,6 +1,6 @@
 //! Platforms on legs: hexapod and deltas. Direct and inverse kinematics, what of them is identifiable, and intervals that hold.
 
-use crate::robots::jacobian_is_the_numeric_derivative;
+use crate::robots::{jacobian_is_the_numeric_derivative, joint_jacobian_is_the_numeric_derivative};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
@@ -70,6 +70,7 @@ fn jacobians_of_platforms() {
         for _ in 0..5 {
             let joints = model.joints(robot.as_ref(), &mut noise);
             jacobian_is_the_numeric_derivative(robot.as_ref(), &joints);
+            joint_jacobian_is_the_numeric_derivative(robot.as_ref(), &joints);
             turns_are_the_numeric_derivative(robot.as_ref(), &joints);
         }
     }

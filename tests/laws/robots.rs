@@ -80,29 +80,33 @@ fn jacobians_by_joint_values() {
         (Box::new(irb120()), &[0.1, -0.5, 0.3, 1.0, -0.7, 2.0]),
     ];
     for (robot, q) in robots {
-        let mut p = disturbed(robot.as_ref());
-        // bending is that of the joint values themselves
-        let bends = |name: &str| name.starts_with("compliance");
-        robot.parameters().iter().zip(&mut p).filter(|(a, _)| bends(&a.name)).for_each(|(_, v)| *v = 0.0);
-        let (rows, n) = (robot.dimension() * robot.targets().len(), q.len());
-        let at = |j: usize, h: f64| {
-            let mut q = q.to_vec();
-            q[j] += h;
-            q.extend(robot.has_assembly_modes().then_some(-1.0));
-            q
-        };
-        let mut exact = vec![0.0; rows * n];
-        robot.joint_jacobian(&p, &at(0, 0.0), &mut exact);
-        for j in 0..n {
-            let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| {
-                let mut out = vec![0.0; rows];
-                robot.positions(&p, &at(j, k * 1e-4), &mut out);
-                out
-            });
-            for i in 0..rows {
-                let numeric = (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / 12e-4;
-                assert!((exact[i * n + j] - numeric).abs() < 1e-7, "{} joint {j}: {numeric}", robot.model());
-            }
+        joint_jacobian_is_the_numeric_derivative(robot.as_ref(), q);
+    }
+}
+
+pub fn joint_jacobian_is_the_numeric_derivative(robot: &dyn Robot, q: &[f64]) {
+    let mut p = disturbed(robot);
+    // bending is that of the joint values themselves
+    let bends = |name: &str| name.starts_with("compliance");
+    robot.parameters().iter().zip(&mut p).filter(|(a, _)| bends(&a.name)).for_each(|(_, v)| *v = 0.0);
+    let (rows, n) = (robot.dimension() * robot.targets().len(), q.len());
+    let at = |j: usize, h: f64| {
+        let mut q = q.to_vec();
+        q[j] += h;
+        q.extend(robot.has_assembly_modes().then_some(-1.0));
+        q
+    };
+    let mut exact = vec![0.0; rows * n];
+    robot.joint_jacobian(&p, &at(0, 0.0), &mut exact);
+    for j in 0..n {
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| {
+            let mut out = vec![0.0; rows];
+            robot.positions(&p, &at(j, k * 1e-4), &mut out);
+            out
+        });
+        for i in 0..rows {
+            let numeric = (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / 12e-4;
+            assert!((exact[i * n + j] - numeric).abs() < 1e-7, "{} joint {j}: {numeric}", robot.model());
         }
     }
 }

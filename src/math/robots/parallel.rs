@@ -10,8 +10,8 @@ use crate::base::scalar::{Dual, Scalar};
 use nalgebra::{Matrix6, Vector6};
 use std::fmt::Debug;
 
-/// Parameters of a leg at most.
-const MOST: usize = 9;
+/// Parameters of a leg, and its joint, at most.
+const MOST: usize = 10;
 /// Parameters of base, and of each target.
 const BASE: usize = 6;
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -159,22 +159,58 @@ impl<L: Legs> Parallel<L> {
         pose.rotation.as_flattened().iter().chain(&pose.translation_mm).all(|v| v.is_finite()).then_some(pose)
     }
 
-    /// Small translation and rotation of the platform in the base by each parameter of the legs, in their order.
-    fn twists(&self, parameters: &[f64], joints: &[f64], platform: &Pose) -> Option<Vec<[Vector; 2]>> {
+    /// Where the platform is, and how it moves.
+    fn moving(&self, parameters: &[f64], joints: &[f64]) -> Option<(Pose, Twists)> {
+        let platform = self.place(parameters, joints)?;
+        Some((platform, self.twists(parameters, joints, &platform)?))
+    }
+
+    /// Place of a target on the platform.
+    fn on_platform(&self, parameters: &[f64], target: usize) -> Vector {
+        let place = self.target_place(target);
+        [parameters[place], parameters[place + 1], parameters[place + 2]]
+    }
+
+    /// How the platform moves.
+    fn twists(&self, parameters: &[f64], joints: &[f64], platform: &Pose) -> Option<Twists> {
         let values = self.values(parameters);
         let inverse = lengthening(&values.rods(joints), platform).try_inverse()?;
-        let (mut twists, still) = (Vec::new(), constant(platform));
+        let (mut twists, still) = (Twists::default(), constant(platform));
         for (leg, &q) in joints.iter().enumerate().take(L::COUNT) {
             let own = values.of(leg);
             let p: Vec<Dual<MOST>> = own.iter().enumerate().map(|(k, &v)| Dual::variable(v, k)).collect();
-            let gap = self.legs.rod(leg, &p, Dual::from(q)).gap(&still);
-            twists.extend(gap.gradient.iter().take(own.len()).map(|by| {
-                let of = |row: usize| -inverse[(row, leg)] * by;
-                [[of(0), of(1), of(2)], [of(3), of(4), of(5)]]
-            }));
+            let gap = self.legs.rod(leg, &p, Dual::variable(q, own.len())).gap(&still);
+            let by = |k: usize| {
+                let of = |row: usize| -inverse[(row, leg)] * gap.gradient[k];
+                Twist { shift: [of(0), of(1), of(2)], turn: [of(3), of(4), of(5)] }
+            };
+            twists.by_parameters.extend((0..own.len()).map(by));
+            twists.by_joints.push(by(own.len()));
         }
         Some(twists)
     }
+}
+
+/// A small motion of the platform in the base, mm and rad.
+#[derive(Clone, Copy, Debug)]
+struct Twist {
+    shift: Vector,
+    turn: Vector,
+}
+
+impl Twist {
+    /// What a point at `lever` from the origin of the platform moves, in the world.
+    fn moves(&self, lever: Vector, base: &Pose) -> Vector {
+        let by_turn = cross(self.turn, lever);
+        base.rotate([0, 1, 2].map(|i| self.shift[i] + by_turn[i]))
+    }
+}
+
+/// How the platform moves with each parameter of the legs, in their order, and each joint.
+#[derive(Debug, Default)]
+struct Twists {
+    by_parameters: Vec<Twist>,
+    by_joints: Vec<Twist>,
 }
 
 /// A pose without derivatives.
@@ -208,33 +244,35 @@ impl<L: Legs> Robot for Parallel<L> {
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let flange = self.flange(parameters, joints);
         for (k, out) in out.chunks_exact_mut(3).enumerate() {
-            let place = self.target_place(k);
-            out.copy_from_slice(&flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]]));
+            out.copy_from_slice(&flange.apply(self.on_platform(parameters, k)));
         }
     }
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let n = parameters.len();
-        let platform = self.place(parameters, joints);
-        let moving = platform.and_then(|p| Some((p, self.twists(parameters, joints, &p)?)));
-        let Some((platform, twists)) = moving else { return out.fill(f64::NAN) };
+        let Some((platform, twists)) = self.moving(parameters, joints) else { return out.fill(f64::NAN) };
         out.fill(0.0);
         let base = base_pose(parameters);
         let flange = base.then(&platform);
         let axes = turning_axes([parameters[3], parameters[4], parameters[5]]);
         for (k, out) in out.chunks_exact_mut(3 * n).enumerate() {
-            let place = self.target_place(k);
-            let on_platform = [parameters[place], parameters[place + 1], parameters[place + 2]];
+            let (place, on_platform) = (self.target_place(k), self.on_platform(parameters, k));
             let from_base = base.rotate(platform.apply(on_platform));
-            let lever = platform.rotate(on_platform);
             for i in 0..3 {
                 write(out, n, i, Pose::identity().axis(i));
                 write(out, n, 3 + i, cross(axes[i], from_base));
                 write(out, n, place + i, flange.axis(i));
             }
-            for (j, [shift, turn]) in twists.iter().enumerate() {
-                let by_turn = cross(*turn, lever);
-                write(out, n, self.first() + j, base.rotate([0, 1, 2].map(|i| shift[i] + by_turn[i])));
+            for (j, twist) in twists.by_parameters.iter().enumerate() {
+                write(out, n, self.first() + j, twist.moves(platform.rotate(on_platform), &base));
             }
+        }
+    }
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let Some((platform, twists)) = self.moving(parameters, joints) else { return out.fill(f64::NAN) };
+        let (n, base) = (joints.len(), base_pose(parameters));
+        for (k, out) in out.chunks_exact_mut(3 * n).enumerate() {
+            let lever = platform.rotate(self.on_platform(parameters, k));
+            twists.by_joints.iter().enumerate().for_each(|(j, twist)| write(out, n, j, twist.moves(lever, &base)));
         }
     }
     fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
@@ -283,14 +321,12 @@ impl<L: Legs> FreeBase for Parallel<L> {
     }
     fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let n = parameters.len();
-        let platform = self.place(parameters, joints);
-        let Some(twists) = platform.and_then(|p| self.twists(parameters, joints, &p)) else {
-            return out.fill(f64::NAN);
-        };
+        let Some((_, twists)) = self.moving(parameters, joints) else { return out.fill(f64::NAN) };
         out.fill(0.0);
         let base = base_pose(parameters);
         let axes = turning_axes([parameters[3], parameters[4], parameters[5]]);
         (0..3).for_each(|i| write(out, n, 3 + i, axes[i]));
-        twists.iter().enumerate().for_each(|(j, [_, turn])| write(out, n, self.first() + j, base.rotate(*turn)));
+        let turns = twists.by_parameters.iter().map(|twist| base.rotate(twist.turn)).enumerate();
+        turns.for_each(|(j, turn)| write(out, n, self.first() + j, turn));
     }
 }
