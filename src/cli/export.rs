@@ -3,9 +3,10 @@
 use super::{Verdict, print_written};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
-use crate::campaign::read_robot;
-use crate::document::CampaignSummary;
+use crate::campaign::{RobotFile, read_robot};
+use crate::document::{CampaignSummary, ParametersDocument};
 use crate::export::{self, Description, Exporter, Given};
+use crate::math::robots::Robot;
 use crate::run::documents::{Documents, read_parameters};
 use std::path::{Path, PathBuf};
 
@@ -31,7 +32,7 @@ pub struct Export {
 impl Export {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let folder = self.parameters.parent().unwrap_or(Path::new("")).to_owned();
-        let parameters = read_parameters(&self.parameters)?;
+        let exported = Exported::read(&self.parameters, self.robot.as_deref())?;
         let wanted =
             if self.format.is_empty() { export::usual().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
         let to = self.to.unwrap_or_else(|| folder.clone());
@@ -40,23 +41,7 @@ impl Export {
             export::by_name(name).ok_or_else(|| Problems::from(wrong().hint_names(name, export::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
-        let robot_file = self.robot.as_deref().map(read_robot).transpose()?;
-        // the model needs a target; no format holds its place
-        let robot = robot_file.as_ref().map(|robot| robot.build(&["tool".to_owned()])).transpose()?;
-        let summary: Option<CampaignSummary> = Documents::open(&folder)
-            .ok()
-            .and_then(|documents| documents.optional("campaign.json").transpose())
-            .transpose()?;
-        let given = Given {
-            parameters: &parameters,
-            campaign: summary.as_ref().map(|summary| summary.name.as_str()),
-            name: robot_file.as_ref().and_then(|robot| robot.name.as_deref()),
-            robot: robot.as_deref(),
-            description: robot_file
-                .as_ref()
-                .and_then(|robot| robot.description())
-                .map(|(file, text)| Description { file, text }),
-        };
+        let given = exported.given();
         let file = |e: &dyn Exporter| Ok((e.file_name().to_owned(), e.write(&given)?));
         let files = exporters.into_iter().map(file).collect::<Result<Vec<_>, Problems>>()?;
         let written = match Documents::open(&to) {
@@ -65,5 +50,37 @@ impl Export {
         };
         print_written(written, self.json)?;
         Ok(Verdict::Met)
+    }
+}
+
+/// Everything that a file for a controller is made of.
+pub(super) struct Exported {
+    pub parameters: ParametersDocument,
+    file: Option<RobotFile>,
+    robot: Option<Box<dyn Robot>>,
+    summary: Option<CampaignSummary>,
+}
+
+impl Exported {
+    /// Parameters, the campaign in whose folder they are, and robot.toml where it is named.
+    pub fn read(parameters: &Path, robot: Option<&Path>) -> Result<Self, Problems> {
+        let document = read_parameters(parameters)?;
+        let file = robot.map(read_robot).transpose()?;
+        // the model needs a target; no format holds its place
+        let robot = file.as_ref().map(|file| file.build(&["tool".to_owned()])).transpose()?;
+        let folder = Documents::open(parameters.parent().unwrap_or(Path::new("")));
+        let summary = folder.ok().and_then(|documents| documents.optional("campaign.json").transpose()).transpose()?;
+        Ok(Self { parameters: document, file, robot, summary })
+    }
+
+    pub fn given(&self) -> Given<'_> {
+        let description = self.file.as_ref().and_then(|robot| robot.description());
+        Given {
+            parameters: &self.parameters,
+            campaign: self.summary.as_ref().map(|summary| summary.name.as_str()),
+            name: self.file.as_ref().and_then(|robot| robot.name.as_deref()),
+            robot: self.robot.as_deref(),
+            description: description.map(|(file, text)| Description { file, text }),
+        }
     }
 }

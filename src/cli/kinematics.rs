@@ -5,14 +5,14 @@ use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::Pose;
 use crate::base::table::{self, ASSEMBLY, XYZ};
 use crate::campaign::read_robot;
-use crate::document::{KinematicsDocument, KinematicsEntry, UnreachablePose, to_json};
+use crate::document::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
 use crate::math::identify::{joint_column, stated_modes};
 use crate::math::robots::{Kinematics as Arm, Robot, Role};
 use crate::run::documents::read_parameters;
 use crate::stages::table_file::TableFile;
 use std::path::{Path, PathBuf};
 
-const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
+pub(super) const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 /// How far a quaternion may be from length one: it has a few decimals.
 const LENGTH_ONE: f64 = 1e-3;
 
@@ -58,18 +58,15 @@ impl Kinematics {
         // the model needs a target; its place is not that of the tool
         let mut robot = read_robot(&self.robot)?.build(&["tool".to_owned()])?;
         if let Some(path) = &self.parameters {
-            identified(robot.as_mut(), path)?;
+            let values = identified(robot.as_ref(), &read_parameters(path)?, path)?;
+            robot.definition_mut().set_nominal(&values);
         }
-        let arm = robot.kinematics().ok_or_else(|| {
-            Problems::from(Message::error(format!("`{}` has no kinematics of a whole pose", robot.model())))
-        })?;
+        let arm = whole_pose(robot.as_ref())?;
         let file = TableFile::read(&self.table)?;
-        let joints: Vec<String> = arm.joints().iter().map(|joint| joint.column()).collect();
-        let modes = arm.has_assembly_modes().then(|| ASSEMBLY.to_owned());
         let mut document = KinematicsDocument {
             schema: "etalon/kinematics/1".to_owned(),
             robot: arm.model().to_owned(),
-            joints: joints.into_iter().chain(modes).collect(),
+            joints: joint_names(arm),
             poses: Vec::new(),
             unreachable: Vec::new(),
         };
@@ -116,15 +113,27 @@ impl Kinematics {
     }
 }
 
-/// Takes the parameters of a run for nominal ones.
-fn identified(robot: &mut dyn Robot, path: &Path) -> Result<()> {
-    let document = read_parameters(path)?;
+/// Its kinematics, of a robot that has them.
+pub(super) fn whole_pose(robot: &dyn Robot) -> Result<&dyn Arm> {
+    let none = || Message::error(format!("`{}` has no kinematics of a whole pose", robot.model())).into();
+    robot.kinematics().ok_or_else(none)
+}
+
+/// Columns of joint values and of the assembly mode.
+pub(super) fn joint_names(arm: &dyn Arm) -> Vec<String> {
+    let modes = arm.has_assembly_modes().then(|| ASSEMBLY.to_owned());
+    arm.joints().iter().map(|joint| joint.column()).chain(modes).collect()
+}
+
+/// The parameters of a run: those of the robot, and its base where it was identified. Targets have their nominal places.
+pub(super) fn identified(robot: &dyn Robot, document: &ParametersDocument, path: &Path) -> Result<Vec<f64>> {
     let mut values = robot.nominal();
     let mut missing = Vec::new();
-    for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| p.role == Role::Robot) {
+    for (value, p) in values.iter_mut().zip(robot.parameters()) {
         match document.parameters.iter().find(|entry| entry.name == p.name && entry.unit == p.quantity.unit()) {
-            Some(entry) => *value = p.quantity.inward(entry.value),
-            None => missing.push(format!("`{}`", p.name)),
+            Some(entry) if matches!(p.role, Role::Robot | Role::Base) => *value = p.quantity.inward(entry.value),
+            None if p.role == Role::Robot => missing.push(format!("`{}`", p.name)),
+            _ => {}
         }
     }
     if document.robot != robot.model() || !missing.is_empty() {
@@ -133,12 +142,11 @@ fn identified(robot: &mut dyn Robot, path: &Path) -> Result<()> {
         let hint = if missing.is_empty() { String::new() } else { format!("they lack {}", missing.join(", ")) };
         return Err(message.hint(hint + "; name the robot.toml that they were identified with").into());
     }
-    robot.definition_mut().set_nominal(&values);
-    Ok(())
+    Ok(values)
 }
 
 /// Joint values of a table, row by row, in rad and mm, with the assembly mode behind them.
-fn joint_values(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Vec<f64>>> {
+pub(super) fn joint_values(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         arm.joints().iter().map(|joint| joint_column(joint, &file.table)).collect::<Result<_>>()?;
     table::require(&file.table, &columns.iter().map(|c| c.0.clone()).collect::<Vec<_>>())?;
@@ -170,14 +178,14 @@ fn complete(file: &TableFile, rows: &[Vec<f64>]) -> Result<()> {
 }
 
 /// Where solutions are looked for: the joints of the table, where it has them.
-fn starts(arm: &dyn Arm, file: &TableFile) -> Result<Option<Vec<Vec<f64>>>> {
+pub(super) fn starts(arm: &dyn Arm, file: &TableFile) -> Result<Option<Vec<Vec<f64>>>> {
     let has =
         arm.joints().iter().any(|joint| file.table.get_column_names().iter().any(|name| joint.factor(name).is_some()));
     has.then(|| joint_values(arm, file)).transpose()
 }
 
 /// The poses of a table.
-fn poses(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Pose>> {
+pub(super) fn poses(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Pose>> {
     let planar = arm.dimension() == 2;
     let has = |name: &str| file.table.column(name).is_ok();
     let needed: &[&str] = if planar { &XYZ[..2] } else { &XYZ };
@@ -250,10 +258,14 @@ fn csv(document: &KinematicsDocument, inverse: bool) -> String {
             true => row.joints.clone(),
             false => row.xyz_mm.iter().chain(&row.quaternion).copied().collect(),
         };
-        let name = row.pose.to_string();
-        out += &if name.contains([',', '"', '\n']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name };
+        out += &cell(&row.pose.to_string());
         values.iter().for_each(|v| out += &format!(",{v:?}"));
         out.push('\n');
     }
     out
+}
+
+/// A text as a cell of a CSV table.
+pub(super) fn cell(text: &str) -> String {
+    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }

@@ -6,6 +6,7 @@
 mod batch;
 mod check;
 mod compare;
+mod compensate;
 mod export;
 mod fit;
 mod fit_text;
@@ -56,6 +57,7 @@ enum Command {
     Batch(batch::Batch),
     Identify(identify::Identify),
     Kinematics(kinematics::Kinematics),
+    Compensate(Box<compensate::Compensate>),
     Plan(plan::Plan),
     Iso9283(Box<iso9283::Iso9283>),
     Report(report::Report),
@@ -90,6 +92,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Batch(command) => command.run(),
         Command::Identify(command) => command.run(),
         Command::Kinematics(command) => command.run(),
+        Command::Compensate(command) => command.run(),
         Command::Plan(command) => command.run(),
         Command::Iso9283(command) => command.run(),
         Command::Report(command) => command.run(),

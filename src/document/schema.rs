@@ -11,6 +11,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("campaign", schema::<CampaignSummary>()),
         ("check", schema::<CheckDocument>()),
         ("compare", schema::<CompareDocument>()),
+        ("compensation", schema::<CompensationDocument>()),
         ("fit", schema::<FitDocument>()),
         ("features", schema::<FeaturesDocument>()),
         ("formats", schema::<FormatsDocument>()),

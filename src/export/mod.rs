@@ -4,6 +4,7 @@
 //! a number, two parameters of one name, parameters of a solver that did not converge or that cannot be a robot.
 
 mod c_header;
+pub mod commands;
 mod csv;
 mod json;
 mod linuxcnc;
@@ -140,7 +141,10 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 }
 
 /// Refuses parameters that must not reach a controller.
-fn check(document: &ParametersDocument) -> Result<()> {
+///
+/// # Errors
+/// A solver that did not converge, an error among the messages, numbers that are not finite, two parameters of one name.
+pub fn check(document: &ParametersDocument) -> Result<()> {
     let mut problems = Problems::default();
     if !document.solver.termination.is_success() {
         let what = format!("the parameters are not fit for a controller: {}", document.solver.termination);

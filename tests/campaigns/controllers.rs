@@ -13,7 +13,7 @@ fn etalon(arguments: &[&str]) -> (Option<i32>, String) {
 }
 
 /// Parameters of a run that found these values (mm, rad, 1).
-fn parameters(scratch: &Scratch, robot: &dyn Robot, values: &[f64]) -> String {
+pub fn parameters(scratch: &Scratch, robot: &dyn Robot, values: &[f64]) -> String {
     let entry = |(p, value): (&etalon::math::robots::Parameter, &f64)| {
         serde_json::json!({
             "name": p.name, "unit": p.quantity.unit(), "nominal": p.quantity.outward(p.nominal), "before": p.quantity.outward(p.nominal),
@@ -39,7 +39,7 @@ fn parameters(scratch: &Scratch, robot: &dyn Robot, values: &[f64]) -> String {
 }
 
 /// Values off by what a calibration finds; gains only of joints that `gains` names.
-fn disturbed(robot: &dyn Robot, gains: &[&str]) -> Vec<f64> {
+pub fn disturbed(robot: &dyn Robot, gains: &[&str]) -> Vec<f64> {
     let mut noise = etalon::base::noise::Noise::new(19, 1);
     let mut value = |p: &etalon::math::robots::Parameter| match p.name.as_str() {
         _ if p.role != Role::Robot => p.nominal,

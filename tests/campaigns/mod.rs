@@ -1,7 +1,7 @@
 //! Laws of campaigns that hold without outside data.
 
 mod blunders;
-mod controllers;
+pub mod controllers;
 pub mod dialects;
 mod features;
 mod geometric_campaign;

@@ -1,6 +1,7 @@
 //! The command line: what README.md and docs/ show is what the program prints, and every command does what it says.
 
 mod compare;
+mod compensate;
 mod fit;
 mod five_bar;
 mod iso9283;

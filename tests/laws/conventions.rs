@@ -64,9 +64,9 @@ const CASES: [(&str, &[&str]); 2] = [
     ("bending = [2, 3]\ncoupling = [[5, 4], [6, 4], [6, 5]]", &["mdh", "dh", "poe"]),
     ("coupling = [[5, 4], [6, 4], [6, 5]]", &["mdh", "urdf"]),
 ];
-const EFFECTS: &str = CASES[0].0;
+pub const EFFECTS: &str = CASES[0].0;
 
-fn robot(convention: &str, effects: &str) -> Box<dyn Robot> {
+pub fn robot(convention: &str, effects: &str) -> Box<dyn Robot> {
     let urdf_toml =
         format!("model = \"urdf\"\nfile = \"arm.urdf\"\nbase_link = \"l0\"\ntool_link = \"flange\"\n{effects}\n");
     let toml = if convention == "urdf" { urdf_toml } else { robot_toml(convention, effects) };

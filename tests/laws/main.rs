@@ -5,6 +5,7 @@
 mod arms;
 mod common;
 mod compare;
+mod compensation;
 mod conditions;
 mod conventions;
 mod coverage;

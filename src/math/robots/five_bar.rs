@@ -341,6 +341,17 @@ impl Kinematics for FiveBar {
         let [x_mm, y_mm] = FiveBar::direct(self, p, [joints[0], joints[1]], assembly).e;
         in_space(PlanarPose { x_mm, y_mm, theta_rad: 0.0 })
     }
+    fn base_in_world(&self, p: &[f64]) -> Option<Pose> {
+        in_space(PlanarPose { x_mm: p[9], y_mm: p[10], theta_rad: p[11] })
+    }
+    /// Working mode and assembly mode.
+    fn branch(&self, p: &[f64], joints: &[f64]) -> Vec<bool> {
+        let assembly = joints.get(2).copied().unwrap_or(1.0);
+        let Linkage { b1, b2, c, e } = FiveBar::direct(self, p, [joints[0], joints[1]], assembly);
+        let half = 0.5 * p[4];
+        let left = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0] > 0.0;
+        vec![left(from([-half, 0.0], b1), from(b1, c)), left(from([half, 0.0], b2), from(b2, e)), assembly > 0.0]
+    }
     fn all_joints(&self, p: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
         let Some(PlanarPose { x_mm, y_mm, .. }) = in_plane(pose) else { return Vec::new() };
         let e = [x_mm, y_mm];

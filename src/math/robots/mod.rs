@@ -5,6 +5,7 @@
 //! [`RailTable`], [`FreeBase`]. Lengths are in millimetres, angles in radians.
 
 mod chain;
+mod compensation;
 mod conventions;
 mod definition;
 mod five_bar;
@@ -14,6 +15,7 @@ mod prexyt;
 mod serial;
 mod urdf;
 
+pub use compensation::{Calibrated, Compensated};
 pub use conventions::SerialJoint;
 pub use definition::{Definition, Joint, Parameter, Quantity, Role};
 pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
@@ -236,6 +238,16 @@ pub struct ChainJoint {
 pub trait Kinematics: Robot {
     /// The pose at joint values; `None` where the robot cannot be there.
     fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose>;
+
+    /// The base in the world, as the parameters have it; `None` where the model has no base.
+    fn base_in_world(&self, _parameters: &[f64]) -> Option<Pose> {
+        None
+    }
+
+    /// Signs that change only where the robot passes a singularity: they tell its configurations (working and assembly modes) apart.
+    fn branch(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<bool> {
+        Vec::new()
+    }
 
     /// Joint values (and the assembly mode behind them) of the ways to a pose, whatever their limits. Angles are in (−π, π], or where a
     /// limit allows them.

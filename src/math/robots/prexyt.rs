@@ -232,6 +232,9 @@ impl Kinematics for Prexyt {
     fn tool_pose(&self, p: &[f64], joints: &[f64]) -> Option<Pose> {
         in_space(self.direct(p, joints))
     }
+    fn base_in_world(&self, p: &[f64]) -> Option<Pose> {
+        in_space(PlanarPose { x_mm: p[8], y_mm: p[9], theta_rad: 0.0 })
+    }
     fn all_joints(&self, p: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
         // tan θ knows no half turns: the platform turns by less than a right angle (eq. 3.8)
         let pose = in_plane(pose).filter(|pose| pose.theta_rad.abs() < FRAC_PI_2);

@@ -9,6 +9,7 @@ use crate::base::noise::Noise;
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use crate::base::scalar::Scalar;
 use crate::math::solve;
+use nalgebra::Matrix6;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// What base_rx, base_ry and base_rz are.
@@ -432,9 +433,11 @@ impl Serial {
         chain::end(&self.elements[..self.based], parameters, State { joints: &[], loads: &[] })
     }
 
-    /// The same angles, with the turns that bring each nearest to `near` within its limits.
-    fn within_limits(&self, mut joints: Vec<f64>, near: &[f64]) -> Vec<f64> {
-        let all = joints.iter_mut().zip(near).zip(self.joints().iter().zip(&self.limits));
+    /// The same way to a pose, with the turns that bring each angle nearest to `near` within its limits; `None` where a gain other than one
+    /// leaves no such way.
+    fn within_limits(&self, parameters: &[f64], place: &Pose, joints: Vec<f64>, near: &[f64]) -> Option<Vec<f64>> {
+        let mut turned = joints.clone();
+        let all = turned.iter_mut().zip(near).zip(self.joints().iter().zip(&self.limits));
         for ((q, near), (joint, limit)) in all {
             if joint.quantity == Quantity::Angle {
                 let nearest = *q - ((*q - near) / TAU).round() * TAU;
@@ -443,7 +446,8 @@ impl Serial {
                 *q = turned.unwrap_or(nearest);
             }
         }
-        joints
+        // with a gain a turn of the joint value is not one of the joint
+        if turned == joints { Some(turned) } else { self.inverse(parameters, place, &turned) }
     }
 
     /// Direct kinematics: pose of the flange in the world.
@@ -462,33 +466,40 @@ impl Serial {
             .collect()
     }
 
+    /// Pose of the flange in the world, and its derivatives by the joint values, loads as they are: three rows of the position, three of
+    /// the orientation, rad times [`TURNED_MM`].
+    fn joint_jacobian(&self, parameters: &[f64], q: &[f64]) -> (Pose, Vec<f64>) {
+        let loads = self.loads(q);
+        let mut axes = Vec::with_capacity(self.elements.len());
+        let reached = chain::trace(&self.elements, parameters, State { joints: q, loads: &loads }, &mut axes);
+        let mut a = vec![0.0; 6 * q.len()];
+        for (element, &axis) in self.elements.iter().zip(&axes) {
+            for term in &element.terms {
+                let Coefficient::Joint { joint, factor, .. } = term.coefficient else { continue };
+                let rate = factor * parameters[term.parameter];
+                let linear = element.velocity(axis, reached.translation_mm);
+                let angular = element.angular_velocity(axis);
+                for i in 0..3 {
+                    a[i * q.len() + joint] += linear[i] * rate;
+                    a[(3 + i) * q.len() + joint] += angular[i] * rate * TURNED_MM;
+                }
+            }
+        }
+        (reached, a)
+    }
+
     /// Inverse kinematics near `start`: joint values at which the flange has the pose `world_T_flange`.
     ///
     /// `None` where the pose cannot be reached to 1e-9 mm and 1e-12 rad from there. The branch is that of `start`.
     pub fn inverse(&self, parameters: &[f64], world_T_flange: &Pose, start: &[f64]) -> Option<Vec<f64>> {
         let mut q = start.to_vec();
-        let mut axes = Vec::new();
         for _ in 0..50 {
-            let loads = self.loads(&q);
-            let reached = chain::trace(&self.elements, parameters, State { joints: &q, loads: &loads }, &mut axes);
+            let (reached, a) = self.joint_jacobian(parameters, &q);
             let gap = minus(world_T_flange.translation_mm, reached.translation_mm);
             // small rotation from reached to wanted, in the world
             let turn = world_T_flange.then(&reached.inverse()).rotation;
             let small = [turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1]].map(|v| 0.5 * v);
-            let b: Vec<f64> = gap.iter().chain(&small.map(|v| v * 1000.0)).copied().collect();
-            let mut a = vec![0.0; 6 * q.len()];
-            for (element, &axis) in self.elements.iter().zip(&axes) {
-                for term in &element.terms {
-                    let Coefficient::Joint { joint, factor, .. } = term.coefficient else { continue };
-                    let rate = factor * parameters[term.parameter];
-                    let linear = element.velocity(axis, reached.translation_mm);
-                    let angular = element.angular_velocity(axis);
-                    for i in 0..3 {
-                        a[i * q.len() + joint] += linear[i] * rate;
-                        a[(3 + i) * q.len() + joint] += angular[i] * rate * 1000.0;
-                    }
-                }
-            }
+            let b: Vec<f64> = gap.iter().chain(&small.map(|v| v * TURNED_MM)).copied().collect();
             let factor = solve::Factor::new(&a, &b, &vec![1.0; q.len()]);
             let step = factor.solve().or_else(|| factor.damped(1.0).solve())?;
             let longest = step.iter().fold(0.0f64, |m, s| m.max(s.abs()));
@@ -590,6 +601,8 @@ impl Robot for Serial {
     }
 }
 
+/// A turn by one radian weighs like this path in a pose, mm.
+const TURNED_MM: f64 = 1000.0;
 /// Starts from which all ways to a pose are searched, at least, and without a new one before the search ends.
 const STARTS: usize = 96;
 /// Starts at most.
@@ -606,6 +619,17 @@ impl Kinematics for Serial {
     fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
         let pose = self.base_pose(parameters).inverse().then(&self.direct(parameters, joints));
         pose.translation_mm.iter().all(|v| v.is_finite()).then_some(pose)
+    }
+
+    fn base_in_world(&self, parameters: &[f64]) -> Option<Pose> {
+        Some(self.base_pose(parameters))
+    }
+
+    /// That of the Jacobian's determinant, for six joints.
+    fn branch(&self, parameters: &[f64], joints: &[f64]) -> Vec<bool> {
+        let square = joints.len() == 6;
+        let determinant = || Matrix6::from_row_slice(&self.joint_jacobian(parameters, joints).1).determinant();
+        square.then(|| determinant() > 0.0).into_iter().collect()
     }
 
     /// Found by a search from many starts (Newton's method), whatever the arm: none with more joints than a pose has freedoms.
@@ -625,8 +649,9 @@ impl Kinematics for Serial {
             let drawn: Vec<f64> = ranges.map(draw).collect();
             let from = if start == 0 { vec![0.0; drawn.len()] } else { drawn };
             without_new += 1;
-            let Some(found) = self.inverse(parameters, &place, &from) else { continue };
-            let found = self.within_limits(found, &vec![0.0; from.len()]);
+            let found = self.inverse(parameters, &place, &from);
+            let zero = vec![0.0; from.len()];
+            let Some(found) = found.and_then(|q| self.within_limits(parameters, &place, q, &zero)) else { continue };
             if all.iter().all(|other| found.iter().zip(other).any(|(a, b)| (a - b).abs() > SAME)) {
                 all.push(found);
                 without_new = 0;
@@ -638,15 +663,15 @@ impl Kinematics for Serial {
 
     fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
         let place = self.base_pose(parameters).then(pose);
+        let turned = |q| self.within_limits(parameters, &place, q, near);
         // the branch that the start is on, or, where that leads nowhere, any
-        let along = self.inverse(parameters, &place, near).map(|q| self.within_limits(q, near));
-        let way = along.filter(|q| self.limit_violation(parameters, q).is_none());
+        let along = self.inverse(parameters, &place, near).and_then(turned);
+        let way = along.clone().filter(|q| self.limit_violation(parameters, q).is_none());
         if let Some(way) = way.filter(|q| q.iter().zip(near).all(|(a, b)| (a - b).abs() < NEAR)) {
             return Ok(way);
         }
-        let along = self.inverse(parameters, &place, near);
-        let all = self.all_joints(parameters, pose).into_iter().chain(along);
-        nearest(self, parameters, all.map(|q| self.within_limits(q, near)).collect(), near)
+        let all = self.all_joints(parameters, pose).into_iter().filter_map(turned).chain(along);
+        nearest(self, parameters, all.collect(), near)
     }
 }
 

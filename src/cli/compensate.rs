@@ -1,0 +1,421 @@
+//! `etalon compensate`
+
+use super::export::Exported;
+use super::kinematics::{QUATERNION, cell, identified, joint_names, poses, starts, whole_pose};
+use super::{Verdict, print_with, remark, say};
+use crate::base::files;
+use crate::base::message::{Message, Place, Problems, Result, count};
+use crate::base::pose::{Pose, minus, norm};
+use crate::base::table::{self, XYZ};
+use crate::document::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
+use crate::export::commands::{self, Command, Configuration, DECIMALS, Freedoms, Galil, Language, Program, ProgramTarget};
+use crate::export::{self, Given};
+use crate::math::robots::{Calibrated, Kinematics};
+use crate::stages::table_file::TableFile;
+use clap::ValueEnum;
+use std::path::PathBuf;
+
+/// What to command so that the identified robot comes to its targets
+///
+/// For a controller that computes with nominal geometry: the pose to command is where the nominal robot is at the joint values that bring
+/// the identified robot to the target. Of a program the targets are replaced, and nothing else.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Targets:
+  table    pose, x_mm, y_mm, z_mm, qw, qx, qy, qz, and joints near which the robot is to reach them; or pose and joints alone, which
+           the nominal robot would be commanded
+  program  RAPID (.mod, .prg), KRL (.src, .dat), URScript (.script), G-code (.ngc, .nc, .gcode): printed with other targets
+
+Exit code 1 where a target is out of reach or in another configuration; no program or list is written with a target out of reach: 2.")]
+pub struct Compensate {
+    /// Table of targets (CSV), or a program
+    targets: PathBuf,
+    /// robot.toml
+    #[arg(long, value_name = "FILE")]
+    robot: PathBuf,
+    /// Identified parameters: parameters.json of a run
+    #[arg(long, value_name = "FILE")]
+    parameters: PathBuf,
+    /// What to write; a table by default, or the program that was given
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Frame of the targets of a table
+    #[arg(long, value_enum, default_value_t = Frame::Base)]
+    frame: Frame,
+    /// Tool centre point in the flange (or tool link, platform): x,y,z or x,y,z,qw,qx,qy,qz in mm
+    #[arg(long, value_name = "POSE", value_parser = pose_argument, allow_hyphen_values = true)]
+    tool: Option<Pose>,
+    /// Frame of the targets (work object) in the base of the robot, likewise
+    #[arg(long, value_name = "POSE", value_parser = pose_argument, allow_hyphen_values = true)]
+    object: Option<Pose>,
+    /// Counts of each axis for a mm or deg of its joint, for `galil`
+    #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
+    counts_per_unit: Vec<f64>,
+    /// Decimals of lengths in mm; metres, angles and quaternions have as many more as makes them as fine
+    #[arg(long, value_name = "N", default_value_t = DECIMALS)]
+    decimals: usize,
+    /// Print the answer as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// Poses to command, joint values and residuals
+    Csv,
+    /// Joint values to command
+    Joints,
+    /// G-code: X Y Z A B C
+    Gcode,
+    /// Galil: positions in counts
+    Galil,
+    /// DexTAR: MoveC
+    Mecaprol,
+    /// ABB: robtarget
+    Rapid,
+    /// KUKA: POS
+    Krl,
+    /// Universal Robots: p[...]
+    Urscript,
+}
+
+impl Format {
+    fn name(self) -> String {
+        self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+}
+
+/// The frame that targets are in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Frame {
+    /// The base of the robot, or the frame of `--object`
+    Base,
+    /// The world of the measurements, in which the base was identified
+    World,
+}
+
+/// A target.
+struct Target {
+    name: String,
+    /// Of the tool, in the frame of the targets.
+    pose: Pose,
+    /// Joint values near which it is to be reached.
+    near: Option<Vec<f64>>,
+    configuration: Option<Configuration>,
+}
+
+/// Targets and where they come from.
+struct Source {
+    targets: Vec<Target>,
+    program: Option<ProgramSource>,
+}
+
+struct ProgramSource {
+    language: &'static str,
+    bytes: Vec<u8>,
+    program: Program,
+}
+
+/// Everything that turns a target into a command.
+struct Compensator<'a> {
+    robot: Calibrated<'a>,
+    freedoms: Freedoms,
+    /// Frame of the targets in the base, and that of the commands.
+    frames: [Pose; 2],
+    tool: Pose,
+    format: Format,
+    language: Option<(&'static str, &'static dyn Language)>,
+    galil: Galil,
+    decimals: usize,
+}
+
+impl Compensate {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let exported = Exported::read(&self.parameters, Some(&self.robot))?;
+        let given = exported.given();
+        export::check(given.parameters)?;
+        let arm = given.robot.map_or_else(|| Err(Problems::default()), whole_pose)?;
+        let identified = identified(arm, given.parameters, &self.parameters)?;
+        let robot = Calibrated { arm, nominal: arm.nominal(), identified };
+        let source = self.read(&robot)?;
+        let written = source.program.as_ref().map_or("csv", |program| program.language);
+        let format = self.format.map_or_else(|| Format::from_str(written, false), Ok).map_err(anyhow::Error::msg)?;
+        let compensator = self.compensator(robot, format)?;
+        let (commands, answer) = compensator.answer(&source.targets);
+        let data = match (self.json, format, &source.program) {
+            (true, ..) => to_json(&answer)?,
+            (_, Format::Csv | Format::Joints, _) => csv(&answer, format).into_bytes(),
+            _ => {
+                let refused = answer.unreachable.iter().map(unreachable).map(|m| Message::error(m.what));
+                Problems(refused.collect()).check()?;
+                compensator.program(&given, &commands, &answer, source.program.as_ref())?
+            }
+        };
+        let changed = answer.targets.iter().filter(|t| !t.same_configuration).map(|t| {
+            let message = Message::warning(format!("target {}: the command is in another configuration", t.target));
+            message.hint("its configuration data (working mode, confdata, Status and Turn) stay as they are: check them")
+        });
+        remark(&answer.unreachable.iter().map(unreachable).chain(changed).collect::<Vec<_>>());
+        if let Some(ProgramSource { program, .. }) = &source.program {
+            let left = count(program.joint_targets, "target");
+            say(format_args!("{} compensated; {left} by joint values left as they are", count(answer.targets.len(), "target")));
+            if !program.computed.is_empty() {
+                let names = program.computed.iter().cloned().collect::<Vec<_>>().join(", ");
+                remark(&[Message::warning(format!("poses of {names} are left as they are"))
+                    .hint("what a program computes from compensated targets has their compensation, not its own")]);
+            }
+        }
+        let met = answer.unreachable.is_empty() && answer.targets.iter().all(|t| t.same_configuration);
+        print_with(data, Verdict::of(met))
+    }
+
+    /// The targets of the table or program.
+    fn read(&self, robot: &Calibrated) -> Result<Source> {
+        let ending = self.targets.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        match commands::language_of(ending) {
+            Some((name, language)) => self.read_program(name, language, freedoms(robot.arm)),
+            None => self.read_table(robot),
+        }
+    }
+
+    fn read_program(&self, name: &'static str, language: &dyn Language, freedoms: Freedoms) -> Result<Source> {
+        let bytes = files::read(&self.targets)?;
+        let text = String::from_utf8_lossy(&bytes);
+        let found = language.targets(&bytes, freedoms);
+        let program = found.map_err(|problems| problems.in_text(&self.targets.display().to_string(), &text))?;
+        for (option, stated, names) in
+            [("tool", self.tool.is_some(), &program.tools), ("object", self.object.is_some(), &program.objects)]
+        {
+            let all = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+            if names.len() > 1 || (names.len() == 1 && !stated) {
+                let message = Message::error(format!("the program uses {all}")).at(Place::file(self.targets.display().to_string()));
+                let one = format!("state its pose: --{option} x,y,z,qw,qx,qy,qz");
+                return Err(message.hint(if names.len() > 1 { "give the targets of each as a program of their own" } else { &one }).into());
+            }
+        }
+        if self.frame == Frame::World {
+            return Err(Message::error("targets of a program are not in the world").hint("use --object").into());
+        }
+        let target = |t: &ProgramTarget| Target {
+            name: t.name.clone(),
+            pose: language.pose(&t.numbers, freedoms),
+            near: None,
+            configuration: t.configuration,
+        };
+        let targets = program.targets.iter().map(target).collect();
+        Ok(Source { targets, program: Some(ProgramSource { language: name, bytes, program }) })
+    }
+
+    fn read_table(&self, robot: &Calibrated) -> Result<Source> {
+        let file = TableFile::read(&self.targets)?;
+        let read = || -> Result<Vec<Target>> {
+            let names = table::poses(&file.table)?;
+            let near = starts(robot.arm, &file)?;
+            let stated = match (&near, file.table.column(XYZ[0])) {
+                (Some(joints), Err(_)) => joints.iter().map(|q| self.nominal_pose(robot, q)).collect::<Result<_>>()?,
+                _ => poses(robot.arm, &file)?,
+            };
+            let near = near.map_or_else(|| vec![None; names.len()], |all| all.into_iter().map(Some).collect());
+            let all = names.into_iter().zip(stated).zip(near);
+            Ok(all.map(|((name, pose), near)| Target { name: name.to_string(), pose, near, configuration: None }).collect())
+        };
+        Ok(Source { targets: read().map_err(|problems| file.place(problems))?, program: None })
+    }
+
+    /// The tool of the nominal robot in the frame of the targets.
+    fn nominal_pose(&self, robot: &Calibrated, joints: &[f64]) -> Result<Pose> {
+        if self.frame == Frame::World {
+            return Err(Message::error("joint values are not in the world").hint("leave --frame out").into());
+        }
+        let flange = robot.arm.tool_pose(&robot.nominal, joints);
+        let flange = flange.ok_or_else(|| Message::error("the nominal robot cannot be where the joints put it"))?;
+        Ok(self.object.unwrap_or(Pose::identity()).inverse().then(&flange).then(&self.tool.unwrap_or(Pose::identity())))
+    }
+
+    fn compensator<'a>(&self, robot: Calibrated<'a>, format: Format) -> Result<Compensator<'a>> {
+        let freedoms = freedoms(robot.arm);
+        let object = self.object.unwrap_or(Pose::identity());
+        let targets_in_base = match self.frame {
+            Frame::Base => object,
+            Frame::World => {
+                let base = robot.arm.base_in_world(&robot.identified);
+                base.ok_or_else(|| Message::error(format!("`{}` has no base in the world", robot.arm.model())))?.inverse()
+            }
+        };
+        let galil = Galil { counts_per_unit: self.counts_per_unit.clone() };
+        let axes = robot.arm.joints().len();
+        if format == Format::Galil && (self.counts_per_unit.len() != axes || self.counts_per_unit.contains(&0.0)) {
+            let message = Message::error(format!("`galil` needs the counts of {axes} axes for a mm or deg"));
+            return Err(message.hint("--counts-per-unit N,N").into());
+        }
+        if format == Format::Mecaprol && freedoms != Freedoms::Point {
+            return Err(Message::error(format!("Mecaprol commands a five-bar, not `{}`", robot.arm.model())).into());
+        }
+        let language = commands::language(&format.name());
+        let tool = self.tool.unwrap_or(Pose::identity());
+        let frames = [targets_in_base, object];
+        Ok(Compensator { robot, freedoms, frames, tool, format, language, galil, decimals: self.decimals })
+    }
+}
+
+impl Compensator<'_> {
+    /// Commands of the targets that have one, and the document.
+    fn answer(&self, targets: &[Target]) -> (Vec<Command>, CompensationDocument) {
+        let arm = self.robot.arm;
+        let mut document = CompensationDocument {
+            schema: "etalon/compensation/1".to_owned(),
+            robot: arm.model().to_owned(),
+            joints: joint_names(arm),
+            targets: Vec::new(),
+            unreachable: Vec::new(),
+            joint_targets: 0,
+        };
+        let (mut commands, mut last) = (Vec::new(), vec![0.0; document.joints.len()]);
+        for target in targets {
+            match self.target(target, &mut last) {
+                Ok((command, entry)) => {
+                    commands.push(Command { name: target.name.clone(), pose: command });
+                    document.targets.push(entry);
+                }
+                Err(reason) => {
+                    document.unreachable.push(UnreachableTarget { target: target.name.clone(), reason });
+                }
+            }
+        }
+        (commands, document)
+    }
+
+    /// The command for a target, as the controller has it; `last` is where the robot comes from.
+    fn target(&self, target: &Target, last: &mut Vec<f64>) -> std::result::Result<(Pose, CompensatedTarget), String> {
+        let [targets, commands] = self.frames;
+        let mut wanted = targets.then(&target.pose).then(&self.tool.inverse());
+        if self.freedoms == Freedoms::Point {
+            wanted = Pose { translation_mm: wanted.translation_mm, ..Pose::identity() };
+        }
+        let (arm, near) = (self.robot.arm, target.near.as_ref().unwrap_or(last));
+        let from = self.configured(&wanted, target.configuration, near);
+        let from = from.map_or_else(|| self.robot.uncompensated(&wanted, near), Ok)?;
+        let found = self.robot.compensate(&wanted, &from)?;
+        let deg = |q: &[f64]| -> Vec<f64> { arm.joints().iter().zip(q).map(|(j, &q)| j.quantity.outward(q)).collect() };
+        let kept = target.configuration.is_none_or(|c| c.fits(&deg(&found.joints)) || !c.fits(&deg(&from)));
+        let seen = commands.inverse().then(&found.command).then(&self.tool);
+        let (command, attained) = self.carried_out(&seen, &found.joints)?;
+        let angle = if self.freedoms == Freedoms::Point { 0.0 } else { wanted.inverse().then(&attained).angle_rad() };
+        let modes = found.joints.get(arm.joints().len()).copied();
+        last.clone_from(&found.joints);
+        Ok((
+            seen,
+            CompensatedTarget {
+                target: target.name.clone(),
+                xyz_mm: target.pose.translation_mm,
+                quaternion: target.pose.quaternion(),
+                command_xyz_mm: command.translation_mm,
+                command_quaternion: command.quaternion(),
+                joints: deg(&found.joints).into_iter().chain(modes).collect(),
+                residual_mm: norm(minus(attained.translation_mm, wanted.translation_mm)),
+                residual_deg: angle.to_degrees(),
+                same_configuration: found.same_configuration && kept,
+            },
+        ))
+    }
+
+    /// Joint values of the nominal robot that have the configuration data of a target, the nearest.
+    fn configured(&self, wanted: &Pose, configuration: Option<Configuration>, near: &[f64]) -> Option<Vec<f64>> {
+        let (configuration, arm, nominal) = (configuration?, self.robot.arm, &self.robot.nominal);
+        let distance = |q: &[f64]| q.iter().zip(near).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+        let fits = |q: &Vec<f64>| configuration.fits(&q.iter().map(|q| q.to_degrees()).collect::<Vec<_>>());
+        let all = arm.all_joints(nominal, wanted).into_iter().filter(fits);
+        let within = all.filter(|q| arm.limit_violation(nominal, q).is_none());
+        within.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    /// The command as it is written, and where the identified robot then is.
+    fn carried_out(&self, command: &Pose, joints: &[f64]) -> std::result::Result<(Pose, Pose), String> {
+        let units = |q: &[f64], out: bool| -> Vec<f64> {
+            let joint = |(i, &q): (usize, &f64)| match self.robot.arm.joints().get(i) {
+                Some(joint) if out => joint.quantity.outward(q),
+                Some(joint) => joint.quantity.inward(q),
+                None => q,
+            };
+            q.iter().enumerate().map(joint).collect()
+        };
+        match (self.format, self.language) {
+            (Format::Galil, _) => {
+                let mut rounded = units(&self.galil.joints(&self.galil.counts(&units(joints, true))), false);
+                rounded.extend(joints.get(rounded.len()));
+                Ok((*command, self.robot.at_joints(&rounded)?))
+            }
+            (Format::Joints, _) => Ok((*command, self.robot.at_joints(joints)?)),
+            (_, Some((_, language))) => {
+                let numbers = commands::written(language, command, self.freedoms, self.decimals);
+                let command = commands::stated(language, &numbers, self.freedoms);
+                Ok((command, self.commanded(&command, joints)?))
+            }
+            _ => Ok((*command, self.commanded(command, joints)?)),
+        }
+    }
+
+    fn commanded(&self, command: &Pose, joints: &[f64]) -> std::result::Result<Pose, String> {
+        self.robot.attained(&self.frames[1].then(command).then(&self.tool.inverse()), joints)
+    }
+
+    /// The program with other targets, or a list of commands.
+    fn program(
+        &self,
+        given: &Given,
+        commands: &[Command],
+        answer: &CompensationDocument,
+        source: Option<&ProgramSource>,
+    ) -> Result<Vec<u8>> {
+        let Some((name, language)) = self.language else {
+            let joints = answer.targets.iter().map(|t| (t.target.clone(), t.joints.clone()));
+            return self.galil.list(given, &joints.collect::<Vec<_>>()).map(String::into_bytes);
+        };
+        match source.filter(|source| source.language == name) {
+            Some(ProgramSource { bytes, program, .. }) => {
+                let written = |c: &Command| commands::written(language, &c.pose, self.freedoms, self.decimals);
+                let numbers: Vec<Vec<String>> = commands.iter().map(written).collect();
+                Ok(commands::rewritten(bytes, &program.targets, &numbers))
+            }
+            None => commands::list(language, given, commands, self.freedoms, self.decimals).map(String::into_bytes),
+        }
+    }
+}
+
+fn freedoms(arm: &dyn Kinematics) -> Freedoms {
+    match arm.dimension() {
+        2 if arm.platform().is_none() => Freedoms::Point,
+        2 => Freedoms::Plane,
+        _ => Freedoms::Space,
+    }
+}
+
+fn unreachable(target: &UnreachableTarget) -> Message {
+    Message::warning(format!("target {}: {}", target.target, target.reason))
+}
+
+/// x,y,z or x,y,z,qw,qx,qy,qz.
+fn pose_argument(text: &str) -> std::result::Result<Pose, String> {
+    let numbers: Vec<f64> = text.split(',').filter_map(|v| v.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
+    match (numbers[..].len() == text.split(',').count()).then_some(&numbers[..]) {
+        Some(&[x, y, z]) => Ok(Pose { translation_mm: [x, y, z], ..Pose::identity() }),
+        Some(&[x, y, z, ref q @ ..]) if q.len() == 4 && (norm([q[0].hypot(q[1]), q[2], q[3]]) - 1.0).abs() < 1e-3 => {
+            Ok(Pose { translation_mm: [x, y, z], ..Pose::from_quaternion([q[0], q[1], q[2], q[3]]) })
+        }
+        _ => Err("expected x,y,z in mm, or these and a unit quaternion qw,qx,qy,qz".to_owned()),
+    }
+}
+
+/// The answer as a table: commands with joint values, or joint values alone.
+fn csv(document: &CompensationDocument, format: Format) -> String {
+    let poses = XYZ.iter().chain(&QUATERNION).filter(|_| format == Format::Csv);
+    let columns = poses.copied().chain(document.joints.iter().map(String::as_str));
+    let columns = columns.chain(["residual_mm", "residual_deg", "same_configuration"]);
+    let mut out = format!("pose,{}\n", columns.collect::<Vec<_>>().join(","));
+    for t in &document.targets {
+        let pose = t.command_xyz_mm.iter().chain(&t.command_quaternion).filter(|_| format == Format::Csv);
+        let numbers = pose.chain(&t.joints).chain([&t.residual_mm, &t.residual_deg]);
+        let numbers: Vec<String> = numbers.map(|v| format!("{v:?}")).collect();
+        out += &format!("{},{},{}\n", cell(&t.target), numbers.join(","), t.same_configuration);
+    }
+    out
+}
