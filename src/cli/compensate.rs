@@ -8,7 +8,9 @@ use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::{Pose, minus, norm};
 use crate::base::table::{self, XYZ};
 use crate::document::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
-use crate::export::commands::{self, Command, Configuration, DECIMALS, Freedoms, Galil, Language, Program, ProgramTarget};
+use crate::export::commands::{
+    self, Command, Configuration, DECIMALS, Freedoms, Galil, Language, Program, ProgramTarget,
+};
 use crate::export::{self, Given};
 use crate::math::robots::{Calibrated, Kinematics};
 use crate::stages::table_file::TableFile;
@@ -152,12 +154,16 @@ impl Compensate {
         };
         let changed = answer.targets.iter().filter(|t| !t.same_configuration).map(|t| {
             let message = Message::warning(format!("target {}: the command is in another configuration", t.target));
-            message.hint("its configuration data (working mode, confdata, Status and Turn) stay as they are: check them")
+            message
+                .hint("its configuration data (working mode, confdata, Status and Turn) stay as they are: check them")
         });
         remark(&answer.unreachable.iter().map(unreachable).chain(changed).collect::<Vec<_>>());
         if let Some(ProgramSource { program, .. }) = &source.program {
             let left = count(program.joint_targets, "target");
-            say(format_args!("{} compensated; {left} by joint values left as they are", count(answer.targets.len(), "target")));
+            say(format_args!(
+                "{} compensated; {left} by joint values left as they are",
+                count(answer.targets.len(), "target")
+            ));
             if !program.computed.is_empty() {
                 let names = program.computed.iter().cloned().collect::<Vec<_>>().join(", ");
                 remark(&[Message::warning(format!("poses of {names} are left as they are"))
@@ -187,9 +193,12 @@ impl Compensate {
         {
             let all = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
             if names.len() > 1 || (names.len() == 1 && !stated) {
-                let message = Message::error(format!("the program uses {all}")).at(Place::file(self.targets.display().to_string()));
+                let message = Message::error(format!("the program uses {all}"))
+                    .at(Place::file(self.targets.display().to_string()));
                 let one = format!("state its pose: --{option} x,y,z,qw,qx,qy,qz");
-                return Err(message.hint(if names.len() > 1 { "give the targets of each as a program of their own" } else { &one }).into());
+                return Err(message
+                    .hint(if names.len() > 1 { "give the targets of each as a program of their own" } else { &one })
+                    .into());
             }
         }
         if self.frame == Frame::World {
@@ -216,7 +225,9 @@ impl Compensate {
             };
             let near = near.map_or_else(|| vec![None; names.len()], |all| all.into_iter().map(Some).collect());
             let all = names.into_iter().zip(stated).zip(near);
-            Ok(all.map(|((name, pose), near)| Target { name: name.to_string(), pose, near, configuration: None }).collect())
+            Ok(all
+                .map(|((name, pose), near)| Target { name: name.to_string(), pose, near, configuration: None })
+                .collect())
         };
         Ok(Source { targets: read().map_err(|problems| file.place(problems))?, program: None })
     }
@@ -238,7 +249,8 @@ impl Compensate {
             Frame::Base => object,
             Frame::World => {
                 let base = robot.arm.base_in_world(&robot.identified);
-                base.ok_or_else(|| Message::error(format!("`{}` has no base in the world", robot.arm.model())))?.inverse()
+                base.ok_or_else(|| Message::error(format!("`{}` has no base in the world", robot.arm.model())))?
+                    .inverse()
             }
         };
         let galil = Galil { counts_per_unit: self.counts_per_unit.clone() };
@@ -395,7 +407,8 @@ fn unreachable(target: &UnreachableTarget) -> Message {
 
 /// x,y,z or x,y,z,qw,qx,qy,qz.
 fn pose_argument(text: &str) -> std::result::Result<Pose, String> {
-    let numbers: Vec<f64> = text.split(',').filter_map(|v| v.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
+    let numbers: Vec<f64> =
+        text.split(',').filter_map(|v| v.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
     match (numbers[..].len() == text.split(',').count()).then_some(&numbers[..]) {
         Some(&[x, y, z]) => Ok(Pose { translation_mm: [x, y, z], ..Pose::identity() }),
         Some(&[x, y, z, ref q @ ..]) if q.len() == 4 && (norm([q[0].hypot(q[1]), q[2], q[3]]) - 1.0).abs() < 1e-3 => {

@@ -155,10 +155,8 @@ fn tool_object_and_world_are_applied() {
     };
     let (plain, joints) = command(&row(&flange), &[]);
     let in_object = object.inverse().then(&flange).then(&tool);
-    let (shifted, same) = command(
-        &row(&in_object),
-        &["--tool", "10,-20,150,0.5,0.5,-0.5,0.5", "--object", "250,60,300,0.8,0,0,0.6"],
-    );
+    let (shifted, same) =
+        command(&row(&in_object), &["--tool", "10,-20,150,0.5,0.5,-0.5,0.5", "--object", "250,60,300,0.8,0,0,0.6"]);
     assert!(joints.iter().zip(&same).all(|(a, b)| (a - b).abs() < 1e-9), "{joints:?} {same:?}");
     let back = object.then(&shifted).then(&tool.inverse());
     assert!(norm(minus(back.translation_mm, plain.translation_mm)) < 1e-9);
@@ -248,7 +246,10 @@ fn programs_have_other_targets_and_nothing_else_changed() {
         let (answer, _, said) = real.compensate(name, &program, &["--json"]);
         let document: CompensationDocument = serde_json::from_slice(&answer).unwrap_or_else(|e| panic!("{e}: {said}"));
         let numbers: Vec<f64> = document.targets[0].command_xyz_mm.iter().map(|v| v / unit).collect();
-        assert!(numbers.iter().zip(&new_numbers).all(|(a, b)| (a - b).abs() < 1e-9), "{name}: {numbers:?} {new_numbers:?}");
+        assert!(
+            numbers.iter().zip(&new_numbers).all(|(a, b)| (a - b).abs() < 1e-9),
+            "{name}: {numbers:?} {new_numbers:?}"
+        );
         for t in &document.targets {
             assert!(t.residual_mm < 2e-6 && t.residual_deg < 1e-7, "{name}: {answer:?}");
         }
@@ -301,7 +302,11 @@ fn programs_that_cannot_be_compensated_target_by_target_are_refused() {
     let target = "[[300,100,500],[0,0.6,0.8,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
     for (name, program, part) in [
         ("a.mod", format!("MoveL {target},v10,fine,tGrip;"), "uses `tGrip`"),
-        ("a.mod", format!("MoveL {target},v10,fine,tool0\\WObj:=w1;\nMoveL {target},v10,fine,tool0\\WObj:=w2;"), "each as a program"),
+        (
+            "a.mod",
+            format!("MoveL {target},v10,fine,tool0\\WObj:=w1;\nMoveL {target},v10,fine,tool0\\WObj:=w2;"),
+            "each as a program",
+        ),
         ("a.mod", target.replace("0.6", "0.9"), "has the length 1.2"),
         ("a.src", "PTP {X 300}\n".to_owned(), "states a part of X, Y, Z"),
         ("a.src", "FOLD {TOOL_NO 3,BASE_NO 0}\nPTP {X 300,Y 0,Z 500,A 0,B 0,C 0}".to_owned(), "uses `TOOL_NO 3`"),

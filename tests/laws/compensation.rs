@@ -97,7 +97,9 @@ fn pseudo_poses_land_on_their_targets() {
                 .collect();
             q.extend(arm.has_assembly_modes().then_some(1.0));
             let target = arm.tool_pose(&calibrated.nominal, &q);
-            let Some(target) = target.filter(|_| arm.limit_violation(&calibrated.nominal, &q).is_none()) else { continue };
+            let Some(target) = target.filter(|_| arm.limit_violation(&calibrated.nominal, &q).is_none()) else {
+                continue;
+            };
             let Ok(found) = calibrated.compensate(&target, &q) else {
                 refused += 1;
                 continue;

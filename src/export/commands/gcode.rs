@@ -1,7 +1,7 @@
 //! G-code (ISO 6983, LinuxCNC's dialect): words X Y Z A B C, mm and deg, Rz(C) Ry(B) Rx(A) as LinuxCNC's kinematics modules have it; a robot
 //! in the plane has X, Y, and C where it turns.
 
-use super::{Freedoms, Language, Program, ProgramTarget, Slot, at_line, number};
+use super::{Freedoms, Language, Number, Program, ProgramTarget, Slot, at_line, number};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
 use std::fmt::Write;
@@ -67,7 +67,9 @@ impl Language for Gcode {
             let words = words(line);
             let said = |what: String| at_line(i + 1, what);
             problems.extend(words.iter().filter_map(forbidden).map(said));
-            found.objects.extend(words.iter().filter(|w| w.letter == 'G' && w.value.floor() > 54.0 && w.value < 60.0).map(|w| w.text()));
+            found.objects.extend(
+                words.iter().filter(|w| w.letter == 'G' && w.value.floor() > 54.0 && w.value < 60.0).map(|w| w.text()),
+            );
             let mine = |letter: &str| words.iter().find(|w| letter.starts_with(w.letter));
             if letters.iter().any(|letter| mine(letter).is_some()) {
                 let end = letters.iter().filter_map(|l| mine(l)).map(|w| w.number.end).max().unwrap_or(0);
@@ -134,7 +136,8 @@ fn words(line: &[u8]) -> Vec<Word> {
         }
         at += 1;
         if !comment && (byte.is_ascii_alphabetic() || byte == b'#') {
-            let (range, value) = number(line, at).unwrap_or((at..at, f64::NAN));
+            let none = Number { range: at..at, value: f64::NAN };
+            let Number { range, value } = number(line, at).unwrap_or(none);
             at = range.end;
             all.push(Word { letter: byte.to_ascii_uppercase() as char, value, number: range });
         }
@@ -146,7 +149,10 @@ fn words(line: &[u8]) -> Vec<Word> {
 fn forbidden(word: &Word) -> Option<String> {
     match word.letter {
         'G' if HARMLESS.contains(&word.value.to_string().as_str()) => None,
-        'G' => Some(format!("G{} is not compensated: only straight movements by absolute coordinates in mm are", word.value)),
+        'G' => Some(format!(
+            "G{} is not compensated: only straight movements by absolute coordinates in mm are",
+            word.value
+        )),
         '#' | 'O' => Some("parameters and subroutines are not compensated".to_owned()),
         letter if "XYZABC".contains(letter) && word.value.is_nan() => Some(format!("`{letter}` is not a number")),
         _ => None,

@@ -1,7 +1,10 @@
 //! KRL (KUKA): `{X 1, Y 2, Z 3, A 4, B 5, C 6, S 2, T 35}`, mm and deg, Rz(A) Ry(B) Rx(C); `E6POS`, `POS`, and `{A1 .., A6 ..}` of joints
 //! (KUKA System Software, operating and programming instructions).
 
-use super::{Configuration, Freedoms, Language, Program, ProgramTarget, at_line, line_of, masked, name_of, number, slots, word_before};
+use super::{
+    Configuration, Freedoms, Language, Number, Program, ProgramTarget, at_line, line_of, masked, name_of, number,
+    slots, word_before,
+};
 use crate::base::message::{Message, Result};
 use crate::base::pose::Pose;
 use std::fmt::Write;
@@ -45,7 +48,8 @@ impl Language for Krl {
         let text = masked(program, b';');
         let (mut found, mut problems) = (Program::default(), Vec::new());
         for (open, _) in text.iter().enumerate().filter(|(_, b)| **b == b'{') {
-            let inside = open + 1..open + 1 + text[open + 1..].iter().position(|b| matches!(b, b'{' | b'}')).unwrap_or(0);
+            let inside =
+                open + 1..open + 1 + text[open + 1..].iter().position(|b| matches!(b, b'{' | b'}')).unwrap_or(0);
             if text.get(inside.end) == Some(&b'}') {
                 problems.extend(aggregate(&text, inside, &mut found));
             }
@@ -59,7 +63,7 @@ impl Language for Krl {
 /// A field of an aggregate.
 struct Field {
     name: String,
-    value: (Range<usize>, f64),
+    value: Number,
 }
 
 /// Takes an aggregate as what it is; an error where it is a target that cannot be compensated.
@@ -72,9 +76,9 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     for part in text[at..inside.end].split(|b| *b == b',') {
         let name_at = super::skip_blanks(part, 0);
         let end = part[name_at..].iter().position(u8::is_ascii_whitespace).map_or(part.len(), |i| name_at + i);
-        if let Some((range, value)) = number(part, end) {
+        if let Some(Number { range, value }) = number(part, end) {
             let name = String::from_utf8_lossy(&part[name_at..end]).to_ascii_uppercase();
-            fields.push(Field { name, value: (at + range.start..at + range.end, value) });
+            fields.push(Field { name, value: Number { range: at + range.start..at + range.end, value } });
         }
         at += part.len() + 1;
     }
@@ -88,8 +92,11 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     let line_start = before.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
     let statement = String::from_utf8_lossy(&before[line_start..]).to_ascii_uppercase();
     let statement = statement.trim_start();
-    let moves = MOVES.iter().any(|m| statement.strip_prefix(m).is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '{'])));
-    let frame = kind == "FRAME" || ["$", "BASE_DATA", "TOOL_DATA", "LOAD_DATA"].iter().any(|s| statement.starts_with(s));
+    let moves = MOVES
+        .iter()
+        .any(|m| statement.strip_prefix(m).is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '{'])));
+    let frame =
+        kind == "FRAME" || ["$", "BASE_DATA", "TOOL_DATA", "LOAD_DATA"].iter().any(|s| statement.starts_with(s));
     if frame || statement.contains("FRAME ") || numbers.is_empty() || statement.contains("_REL") {
         found.computed.extend(statement.contains("_REL").then(|| "relative movements".to_owned()));
         return None;
@@ -102,9 +109,9 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     found.targets.push(ProgramTarget {
         name: name_of(text, open, "="),
         line,
-        numbers: numbers.iter().map(|(_, v)| *v).collect(),
+        numbers: numbers.iter().map(|n| n.value).collect(),
         slots: slots(&numbers),
-        configuration: field("T").map(|f| Configuration::Negative(f.value.1 as i64)),
+        configuration: field("T").map(|f| Configuration::Negative(f.value.value as i64)),
     });
     None
 }

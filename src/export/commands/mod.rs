@@ -237,8 +237,15 @@ fn skip_blanks(text: &[u8], mut at: usize) -> usize {
     at
 }
 
+/// A number of a program.
+#[derive(Clone, Debug)]
+struct Number {
+    range: Range<usize>,
+    value: f64,
+}
+
 /// The number that begins there, behind blanks.
-fn number(text: &[u8], at: usize) -> Option<(Range<usize>, f64)> {
+fn number(text: &[u8], at: usize) -> Option<Number> {
     let start = skip_blanks(text, at);
     let mut end = start;
     while let Some(&byte) = text.get(end) {
@@ -251,20 +258,20 @@ fn number(text: &[u8], at: usize) -> Option<(Range<usize>, f64)> {
         end += 1;
     }
     let value = std::str::from_utf8(&text[start..end]).ok()?.parse::<f64>().ok()?;
-    value.is_finite().then_some((start..end, value))
+    value.is_finite().then_some(Number { range: start..end, value })
 }
 
 /// Numbers in brackets, one behind the other, and the place behind them.
-fn bracketed(text: &[u8], at: usize) -> Option<(Vec<(Range<usize>, f64)>, usize)> {
+fn bracketed(text: &[u8], at: usize) -> Option<(Vec<Number>, usize)> {
     let mut at = skip_blanks(text, at);
     if text.get(at) != Some(&b'[') {
         return None;
     }
     let mut all = Vec::new();
     loop {
-        let (range, value) = number(text, at + 1)?;
-        at = skip_blanks(text, range.end);
-        all.push((range, value));
+        let next = number(text, at + 1)?;
+        at = skip_blanks(text, next.range.end);
+        all.push(next);
         match text.get(at)? {
             b',' => {}
             b']' => return Some((all, at + 1)),
@@ -295,8 +302,8 @@ fn name_of(text: &[u8], at: usize, sign: &str) -> String {
 }
 
 /// Slots of numbers that are there.
-fn slots(numbers: &[(Range<usize>, f64)]) -> Vec<Slot> {
-    numbers.iter().map(|(range, _)| Slot { range: range.clone(), prefix: "" }).collect()
+fn slots(numbers: &[Number]) -> Vec<Slot> {
+    numbers.iter().map(|n| Slot { range: n.range.clone(), prefix: "" }).collect()
 }
 
 /// An error about a line of a program.

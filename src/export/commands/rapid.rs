@@ -1,7 +1,10 @@
 //! RAPID (ABB): `robtarget` as `[[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax ...]]`, mm and a quaternion
 //! (RAPID reference manual, data types `robtarget`, `jointtarget`, `confdata`).
 
-use super::{Configuration, Freedoms, Language, Program, ProgramTarget, bracketed, line_of, masked, name_of, skip_blanks, slots};
+use super::{
+    Configuration, Freedoms, Language, Number, Program, ProgramTarget, bracketed, line_of, masked, name_of,
+    skip_blanks, slots,
+};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
 use std::fmt::Write;
@@ -33,7 +36,8 @@ impl Language for Rapid {
         out += "MODULE EtalonTargets\n";
         for (name, n) in commands {
             let name = super::identifier(name, 32);
-            let _ = writeln!(out, "  CONST robtarget {name}:=[[{}],[{}],{OTHERS}];", n[..3].join(","), n[3..].join(","));
+            let _ =
+                writeln!(out, "  CONST robtarget {name}:=[[{}],[{}],{OTHERS}];", n[..3].join(","), n[3..].join(","));
         }
         out + "ENDMODULE\n"
     }
@@ -51,16 +55,16 @@ impl Language for Rapid {
                 [3, 4, 4, 6] => {
                     let numbers = lists[..2].concat();
                     let name = name_of(&text, next, ":=");
-                    let length = numbers[3..].iter().map(|(_, v)| v * v).sum::<f64>().sqrt();
+                    let length = numbers[3..].iter().map(|n| n.value * n.value).sum::<f64>().sqrt();
                     if (length - 1.0).abs() > 1e-3 {
                         let what = format!("the quaternion of {name} has the length {length:.4}");
                         problems.push(super::at_line(line_of(&text, next), what));
                     }
-                    let cf = |i: usize| lists[2][i].1 as i64;
+                    let cf = |i: usize| lists[2][i].value as i64;
                     found.targets.push(ProgramTarget {
                         name,
                         line: line_of(&text, next),
-                        numbers: numbers.iter().map(|(_, v)| *v).collect(),
+                        numbers: numbers.iter().map(|n| n.value).collect(),
                         slots: slots(&numbers),
                         configuration: Some(Configuration::Quadrants([cf(0), cf(1), cf(2)])),
                     });
@@ -75,10 +79,8 @@ impl Language for Rapid {
     }
 }
 
-type Numbers = Vec<(std::ops::Range<usize>, f64)>;
-
 /// Lists of numbers in brackets in a pair of brackets, and the place behind it.
-fn lists(text: &[u8], at: usize) -> Option<(Vec<Numbers>, usize)> {
+fn lists(text: &[u8], at: usize) -> Option<(Vec<Vec<Number>>, usize)> {
     let (mut all, mut at) = (Vec::new(), at);
     loop {
         let (numbers, end) = bracketed(text, at + 1)?;
@@ -103,10 +105,13 @@ fn moves(text: &[u8], found: &mut Program) {
             }
         }
         let moves = ["movej", "movel", "movec"].iter().any(|name| lower.starts_with(name));
-        let Some((_, last)) = statement.rsplit_once(',').filter(|_| moves && !lower.starts_with("moveabsj")) else { continue };
+        let Some((_, last)) = statement.rsplit_once(',').filter(|_| moves && !lower.starts_with("moveabsj")) else {
+            continue;
+        };
         let mut parts = last.split('\\').map(str::trim);
         found.tools.extend(parts.next().filter(|tool| !tool.eq_ignore_ascii_case("tool0")).map(str::to_owned));
-        let object = parts.find_map(|p| p.split_once(":=").filter(|(name, _)| name.trim().eq_ignore_ascii_case("wobj")));
+        let object =
+            parts.find_map(|p| p.split_once(":=").filter(|(name, _)| name.trim().eq_ignore_ascii_case("wobj")));
         let object = object.map(|(_, object)| object.trim()).filter(|object| !object.eq_ignore_ascii_case("wobj0"));
         found.objects.extend(object.map(str::to_owned));
     }

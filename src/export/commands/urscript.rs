@@ -8,7 +8,8 @@ use std::fmt::Write;
 pub(super) struct UrScript;
 
 /// Functions whose poses are places of the tool.
-const MOVES: [&str; 7] = ["movej", "movel", "movep", "movec", "servoc", "get_inverse_kin", "get_inverse_kin_has_solution"];
+const MOVES: [&str; 7] =
+    ["movej", "movel", "movep", "movec", "servoc", "get_inverse_kin", "get_inverse_kin_has_solution"];
 
 impl Language for UrScript {
     fn units(&self) -> &'static str {
@@ -48,19 +49,21 @@ impl Language for UrScript {
             let name = name_of(&text, start, "=");
             let moved = |name: &str| {
                 let call = |function: &&str| readable.contains(&format!("{function}({name}"));
-                !name.contains(' ') && MOVES.iter().any(|function| call(&function))
+                !name.contains(' ') && MOVES.iter().any(call)
             };
             let used = MOVES.contains(&called) || (called.is_empty() && moved(&name));
             match (is_pose, used) {
                 (true, true) => found.targets.push(ProgramTarget {
                     name,
                     line: line_of(&text, open),
-                    numbers: numbers.iter().map(|(_, v)| *v).collect(),
+                    numbers: numbers.iter().map(|n| n.value).collect(),
                     slots: slots(&numbers),
                     configuration: None,
                 }),
                 (false, true) => found.joint_targets += 1,
-                (true, false) if called == "set_tcp" => _ = found.tools.insert(readable[start..].lines().next().unwrap_or_default().to_owned()),
+                (true, false) if called == "set_tcp" => {
+                    _ = found.tools.insert(readable[start..].lines().next().unwrap_or_default().to_owned())
+                }
                 (true, false) => _ = found.computed.insert(if called.is_empty() { name } else { called.to_owned() }),
                 (false, false) => {}
             }

@@ -49,7 +49,8 @@ impl Calibrated<'_> {
         let turned = |i: usize| (joints[i] - uncompensated[i]).abs() > SAME_RAD;
         let angles = self.arm.joints().iter().enumerate().filter(|(_, joint)| joint.quantity == Quantity::Angle);
         let branch = |q: &[f64]| self.arm.branch(&self.nominal, q);
-        let same_configuration = !angles.into_iter().any(|(i, _)| turned(i)) && branch(&joints) == branch(uncompensated);
+        let same_configuration =
+            !angles.into_iter().any(|(i, _)| turned(i)) && branch(&joints) == branch(uncompensated);
         Ok(Compensated { joints, command, same_configuration })
     }
 
