@@ -8,10 +8,10 @@ use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::{Pose, minus, norm};
 use crate::base::table::{self, XYZ};
 use crate::document::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
+use crate::export::Given;
 use crate::export::commands::{
     self, Command, Configuration, DECIMALS, Freedoms, Galil, Language, Program, ProgramTarget,
 };
-use crate::export::{self, Given};
 use crate::math::robots::{Calibrated, Kinematics};
 use crate::stages::table_file::TableFile;
 use clap::ValueEnum;
@@ -133,8 +133,8 @@ struct Compensator<'a> {
 impl Compensate {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let exported = Exported::read(&self.parameters, Some(&self.robot))?;
-        let given = exported.given();
-        export::check(given.parameters)?;
+        let given = exported.given(false);
+        given.check()?;
         let arm = given.robot.map_or_else(|| Err(Problems::default()), whole_pose)?;
         let identified = identified(arm, given.parameters, &self.parameters)?;
         let robot = Calibrated { arm, nominal: arm.nominal(), identified };

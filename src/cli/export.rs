@@ -24,6 +24,9 @@ pub struct Export {
     /// Folder to write to; the one of parameters.json by default
     #[arg(long, value_name = "FOLDER")]
     to: Option<PathBuf>,
+    /// Write parameters of an identification that failed its own checks too: the files say so
+    #[arg(long)]
+    force: bool,
     /// Print the names of the files written as JSON
     #[arg(long)]
     json: bool,
@@ -41,7 +44,7 @@ impl Export {
             export::by_name(name).ok_or_else(|| Problems::from(wrong().hint_names(name, export::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
-        let given = exported.given();
+        let given = exported.given(self.force);
         let file = |e: &dyn Exporter| Ok((e.file_name().to_owned(), e.write(&given)?));
         let files = exporters.into_iter().map(file).collect::<Result<Vec<_>, Problems>>()?;
         let written = match Documents::open(&to) {
@@ -73,7 +76,7 @@ impl Exported {
         Ok(Self { parameters: document, file, robot, summary })
     }
 
-    pub fn given(&self) -> Given<'_> {
+    pub fn given(&self, force: bool) -> Given<'_> {
         let description = self.file.as_ref().and_then(|robot| robot.description());
         Given {
             parameters: &self.parameters,
@@ -81,6 +84,7 @@ impl Exported {
             name: self.file.as_ref().and_then(|robot| robot.name.as_deref()),
             robot: self.robot.as_deref(),
             description: description.map(|(file, text)| Description { file, text }),
+            force,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Parameters as a C header, for controllers that are compiled: C99 and C++.
 
-use super::{Exporter, Given, check, status_word};
+use super::{Exporter, Given, status_word};
 use crate::base::message::{Message, Result};
-use crate::document::{ParameterEntry, ParametersDocument};
+use crate::document::ParameterEntry;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -14,11 +14,10 @@ impl Exporter for CHeader {
         "etalon_parameters.h"
     }
 
-    fn write(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
-        check(document)?;
         let robot = identifier(&document.robot);
-        let mut out = head(document, &robot);
+        let mut out = head(given, &robot);
         let mut seen = BTreeMap::new();
         for p in &document.parameters {
             let _ = write!(out, "\n/* {}: {} */\n", comment(&p.name), remark(p));
@@ -36,13 +35,17 @@ impl Exporter for CHeader {
     }
 }
 
-fn head(document: &ParametersDocument, robot: &str) -> String {
+fn head(given: &Given, robot: &str) -> String {
+    let document = given.parameters;
     let mut out = format!("/* Parameters of robot {}.\n", comment(&document.robot));
     let _ = writeln!(
         out,
         " * Written by etalon {}; u is the standard uncertainty (k = 1).",
         comment(&document.provenance.version)
     );
+    if let Some(warning) = given.warning() {
+        let _ = writeln!(out, " * {}", comment(&warning));
+    }
     for (name, sha256) in &document.provenance.inputs {
         let _ = writeln!(out, " * sha256 {}  {}", comment(sha256), comment(name));
     }

@@ -1,6 +1,6 @@
 //! Parameters as a CSV table, for spreadsheets and small scripts.
 
-use super::{Exporter, Given, check, status_word};
+use super::{Exporter, Given, status_word};
 use crate::base::message::{Message, Result};
 
 /// CSV, one parameter a row.
@@ -13,16 +13,17 @@ impl Exporter for Csv {
         "controller.csv"
     }
 
-    fn write(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
-        check(document)?;
         let mut writer = csv::Writer::from_writer(Vec::new());
         let fail = |e: &dyn std::fmt::Display| Message::error(format!("cannot write the parameters as CSV: {e}"));
-        writer.write_record(HEADER).map_err(|e| fail(&e))?;
+        let warning = given.warning();
+        let header = HEADER.into_iter().chain(warning.is_some().then_some("warning"));
+        writer.write_record(header).map_err(|e| fail(&e))?;
         for p in &document.parameters {
             let u = p.standard_uncertainty.map_or_else(String::new, digits);
             let row = [text(&p.name), text(&p.unit), digits(p.nominal), digits(p.value), u, status_word(p).to_owned()];
-            writer.write_record(row).map_err(|e| fail(&e))?;
+            writer.write_record(row.iter().chain(&warning)).map_err(|e| fail(&e))?;
         }
         Ok(writer.into_inner().map_err(|e| fail(&e))?)
     }

@@ -1,6 +1,6 @@
 //! `etalon/controller/1`: parameters by name, for programs that read JSON.
 
-use super::{Exporter, Given, check};
+use super::{Exporter, Given};
 use crate::base::message::{Message, Result};
 use crate::document::ParameterStatus;
 use serde::Serialize;
@@ -12,6 +12,8 @@ pub(super) struct Json;
 #[derive(Serialize)]
 struct Controller<'a> {
     schema: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    warning: Option<String>,
     robot: &'a str,
     parameters: BTreeMap<&'a str, Parameter<'a>>,
     etalon: &'a str,
@@ -32,15 +34,15 @@ impl Exporter for Json {
         "controller.json"
     }
 
-    fn write(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
-        check(document)?;
         let parameters = document.parameters.iter().map(|p| {
             let standard_uncertainty = p.standard_uncertainty;
             (p.name.as_str(), Parameter { value: p.value, unit: &p.unit, standard_uncertainty, status: p.status })
         });
         let controller = Controller {
             schema: "etalon/controller/1",
+            warning: given.warning(),
             robot: &document.robot,
             parameters: parameters.collect(),
             etalon: &document.provenance.version,

@@ -3,7 +3,7 @@
 //! They follow from the axes alone, whatever convention they were identified in: `genserkins` has no Hayati angle, so that near-parallel
 //! axes have their exact, distant common normal. What is before the first joint and behind the last is a frame of its own.
 
-use super::{Exporter, Given, check, roll_pitch_yaw};
+use super::{Exporter, Given, roll_pitch_yaw};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use crate::math::robots::JointChain;
@@ -31,8 +31,7 @@ impl Exporter for LinuxCnc {
         "genserkins.hal"
     }
 
-    fn write(&self, given: &Given) -> Result<Vec<u8>> {
-        check(given.parameters)?;
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let chain = robot.joint_chain(&values);
         let chain = chain.filter(|c| c.joints.len() == JOINTS && c.joints.iter().all(|j| !j.prismatic));

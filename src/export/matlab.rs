@@ -1,6 +1,6 @@
 //! Parameters as a MATLAB function, which Octave reads too.
 
-use super::{Exporter, Given, check};
+use super::{Exporter, Given};
 use crate::base::message::{Message, Result};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -16,8 +16,7 @@ impl Exporter for Matlab {
         "etalon_parameters.m"
     }
 
-    fn write(&self, given: &Given) -> Result<Vec<u8>> {
-        check(given.parameters)?;
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let mut out = "function p = etalon_parameters()\n".to_owned();
         out += "% ETALON_PARAMETERS  Identified parameters: value, standard uncertainty ([]: not identified), nominal value, unit.\n";
         for line in given.header("mm, deg, 1")? {

@@ -31,8 +31,17 @@ pub trait Exporter {
     /// Name of the file in the output folder.
     fn file_name(&self) -> &'static str;
 
+    /// The bytes of the file, of parameters that may be written.
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>>;
+
     /// The bytes of the file.
-    fn write(&self, given: &Given) -> Result<Vec<u8>>;
+    ///
+    /// # Errors
+    /// Parameters that must not reach a controller ([`Given::check`]), or that the format cannot hold.
+    fn write(&self, given: &Given) -> Result<Vec<u8>> {
+        given.check()?;
+        self.bytes(given)
+    }
 }
 
 /// What is exported.
@@ -47,6 +56,8 @@ pub struct Given<'a> {
     pub robot: Option<&'a dyn Robot>,
     /// The file that describes it, where there is one.
     pub description: Option<Description<'a>>,
+    /// Write what failed its own checks too: the file then says so.
+    pub force: bool,
 }
 
 /// A file that describes a robot.
@@ -61,13 +72,56 @@ pub struct Description<'a> {
 impl<'a> Given<'a> {
     /// Parameters alone.
     pub fn parameters(parameters: &'a ParametersDocument) -> Self {
-        Self { parameters, campaign: None, name: None, robot: None, description: None }
+        Self { parameters, campaign: None, name: None, robot: None, description: None, force: false }
+    }
+
+    /// What the identification failed of its own checks.
+    fn failed(&self) -> Vec<Message> {
+        let mut failed = Vec::new();
+        if !self.parameters.solver.termination.is_success() {
+            let what = format!("the parameters are not fit for a controller: {}", self.parameters.solver.termination);
+            failed.push(Message::error(what).hint("identify again before exporting"));
+        }
+        failed.extend(self.parameters.messages.iter().filter(|m| m.severity == Severity::Error).cloned());
+        failed
+    }
+
+    /// What a file says of parameters that failed their checks: nothing of others.
+    fn warning(&self) -> Option<String> {
+        let failed: Vec<String> = self.failed().into_iter().map(|message| message.what).collect();
+        (!failed.is_empty()).then(|| format!("NOT FIT FOR A CONTROLLER, written by force: {}", failed.join("; ")))
+    }
+
+    /// Refuses parameters that must not reach a controller.
+    ///
+    /// # Errors
+    /// Numbers that are not finite, two parameters of one name; unless forced a solver that did not converge, or an error among the
+    /// messages of the identification.
+    pub fn check(&self) -> Result<()> {
+        let document = self.parameters;
+        let mut problems = Problems(if self.force { Vec::new() } else { self.failed() });
+        if document.covariance.iter().flatten().any(|v| !v.is_finite()) {
+            problems.0.push(Message::error("the covariance holds a number that is not finite"));
+        }
+        let mut seen = BTreeSet::new();
+        for p in &document.parameters {
+            let numbers = [Some(p.value), Some(p.nominal), p.standard_uncertainty];
+            if numbers.iter().flatten().any(|v| !v.is_finite()) {
+                let what = format!("parameter `{}` has a number that is not finite", p.name);
+                problems.0.push(Message::error(what).expected("finite value, nominal value and uncertainty"));
+            }
+            if !seen.insert(&p.name) {
+                problems.0.push(Message::error(format!("there are two parameters `{}`", p.name)));
+            }
+        }
+        problems.check().map(|_| ())
     }
 
     /// Lines that begin a file: version, campaign, robot, units and the hash of `parameters.json`, in characters that end no comment.
     fn header(&self, units: &str) -> Result<Vec<String>> {
         let hash = files::sha256(&to_json(self.parameters)?);
         let mut lines = vec![format!("Written by etalon {}", self.parameters.provenance.version)];
+        lines.extend(self.warning());
         lines.extend(self.campaign.map(|name| format!("campaign: {name}")));
         lines.push(format!("robot: {}", self.name.unwrap_or(&self.parameters.robot)));
         lines.push(format!("units: {units}"));
@@ -138,34 +192,6 @@ pub fn file_names() -> impl Iterator<Item = &'static str> {
 /// Names of all formats.
 pub fn names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|(name, _)| *name)
-}
-
-/// Refuses parameters that must not reach a controller.
-///
-/// # Errors
-/// A solver that did not converge, an error among the messages, numbers that are not finite, two parameters of one name.
-pub fn check(document: &ParametersDocument) -> Result<()> {
-    let mut problems = Problems::default();
-    if !document.solver.termination.is_success() {
-        let what = format!("the parameters are not fit for a controller: {}", document.solver.termination);
-        problems.0.push(Message::error(what).hint("identify again before exporting"));
-    }
-    problems.0.extend(document.messages.iter().filter(|m| m.severity == Severity::Error).cloned());
-    if document.covariance.iter().flatten().any(|v| !v.is_finite()) {
-        problems.0.push(Message::error("the covariance holds a number that is not finite"));
-    }
-    let mut seen = BTreeSet::new();
-    for p in &document.parameters {
-        let numbers = [Some(p.value), Some(p.nominal), p.standard_uncertainty];
-        if numbers.iter().flatten().any(|v| !v.is_finite()) {
-            let what = format!("parameter `{}` has a number that is not finite", p.name);
-            problems.0.push(Message::error(what).expected("finite value, nominal value and uncertainty"));
-        }
-        if !seen.insert(&p.name) {
-            problems.0.push(Message::error(format!("there are two parameters `{}`", p.name)));
-        }
-    }
-    problems.check().map(|_| ())
 }
 
 /// The status as the documents spell it.

@@ -1,6 +1,6 @@
 //! Parameters as a Python module without dependencies; `numpy.array(covariance)` takes what it holds.
 
-use super::{Exporter, Given, check, status_word};
+use super::{Exporter, Given, status_word};
 use crate::base::message::{Message, Result};
 use std::fmt::Write;
 
@@ -12,8 +12,7 @@ impl Exporter for Python {
         "etalon_parameters.py"
     }
 
-    fn write(&self, given: &Given) -> Result<Vec<u8>> {
-        check(given.parameters)?;
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         // strings of JSON in ASCII are those of Python
         let text = |text: &str| -> Result<String> {
             let quoted =

@@ -188,6 +188,56 @@ fn what_must_not_reach_a_machine_is_refused() {
     }
 }
 
+/// Parameters of a solver that did not converge and of a result that cannot be the robot: each file says so, or is not written.
+#[test]
+fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
+    let arm = crate::math::robots::Serial::new(
+        &[
+            [0.0; 4],
+            [90.0, 10.0, 0.0, 0.0],
+            [0.0, 300.0, 0.0, 0.0],
+            [90.0, 50.0, 0.0, 300.0],
+            [-90.0, 0.0, 0.0, 0.0],
+            [90.0, 0.0, 0.0, 70.0],
+        ]
+        .map(|[alpha, a_mm, theta, d_mm]| crate::math::robots::SerialJoint {
+            alpha_rad: f64::to_radians(alpha),
+            a_mm,
+            theta_rad: theta,
+            d_mm,
+            prismatic: false,
+            parallel: alpha == 0.0,
+        }),
+        &["tool".to_owned()],
+        [0.0, 0.0, -1.0],
+        &[],
+        &[],
+    );
+    let entries = arm.parameters().iter().map(|p| parameter(&p.name, p.quantity.unit(), p.quantity.outward(p.nominal)));
+    let whole = document(entries.collect());
+    let mut lost = whole.clone();
+    lost.solver.termination = Termination::LostPatience;
+    let mut wrong = whole.clone();
+    wrong.messages.push(Message::error("*/ joint 2 turns the other way \n"));
+    for name in names().filter(|name| *name != "urdf") {
+        let exporter = by_name(name).unwrap();
+        let given = |parameters, force| Given { robot: Some(&arm), force, ..Given::parameters(parameters) };
+        let fit = exporter.write(&given(&whole, false)).unwrap();
+        assert_eq!(fit, exporter.write(&given(&whole, true)).unwrap(), "{name}");
+        for (document, why) in [(&lost, "not converged"), (&wrong, "joint 2 turns the other way")] {
+            let refused = exporter.write(&given(document, false)).unwrap_err().to_string();
+            assert!(refused.contains(why), "{name}: {refused}");
+            let forced = String::from_utf8(exporter.write(&given(document, true)).unwrap()).unwrap();
+            let head: String = forced.lines().take(8).collect();
+            assert!(head.contains("NOT FIT FOR A CONTROLLER") && head.contains(why), "{name}: {head}");
+        }
+        // numbers that are none are never written
+        let mut nan = whole.clone();
+        nan.parameters[0].value = f64::NAN;
+        assert!(exporter.write(&given(&nan, true)).is_err(), "{name}");
+    }
+}
+
 #[test]
 #[allow(clippy::print_stdout, reason = "a skipped compiler is said")]
 fn compilers_read_the_same_numbers_whatever_the_names() {

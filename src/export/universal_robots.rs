@@ -1,7 +1,7 @@
 //! Calibration of a Universal Robots arm as the ROS description packages load it (`kinematics_params_file`: ur_description,
 //! ur_calibration).
 
-use super::{Exporter, Given, check, roll_pitch_yaw};
+use super::{Exporter, Given, roll_pitch_yaw};
 use crate::base::message::{Message, Result};
 use std::fmt::Write;
 
@@ -15,8 +15,7 @@ impl Exporter for UniversalRobots {
         "universal_robots_calibration.yaml"
     }
 
-    fn write(&self, given: &Given) -> Result<Vec<u8>> {
-        check(given.parameters)?;
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let chain = robot.joint_chain(&values).filter(|c| c.joints.len() == 6 && c.joints.iter().all(|j| !j.prismatic));
         let chain = chain.ok_or_else(|| {

@@ -1,6 +1,6 @@
 //! The URDF that the robot was read from, with calibrated origins: all else, comments too, is as it was.
 
-use super::{Exporter, Given, check, roll_pitch_yaw};
+use super::{Exporter, Given, roll_pitch_yaw};
 use crate::base::message::{Message, Result};
 use crate::base::pose::Pose;
 use quick_xml::Reader;
@@ -34,8 +34,7 @@ impl Exporter for Urdf {
         "calibrated.urdf"
     }
 
-    fn write(&self, given: &Given) -> Result<Vec<u8>> {
-        check(given.parameters)?;
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, _) = given.robot()?;
         let file = given.description.ok_or_else(|| {
             let message = Message::error(format!("a robot of `model = \"{}\"` has no URDF", robot.model()));

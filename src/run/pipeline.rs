@@ -175,6 +175,7 @@ fn write(
             name: summary.robot.as_deref(),
             robot: Some(robot.as_ref()),
             description: campaign.robot.description().map(|(file, text)| export::Description { file, text }),
+            force: false,
         };
         for exporter in exporters(campaign) {
             out.bytes(exporter.file_name(), exporter.write(&given)?);

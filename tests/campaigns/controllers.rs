@@ -102,9 +102,18 @@ fn a_urdf_with_calibrated_origins_is_the_identified_robot() {
         }
         Err(_) => println!("skipped: there is no `python3`"),
     }
+    // what failed its checks is written by force alone, and says so
+    let (folder, lost) = (out.display().to_string(), std::fs::read_to_string(&found).unwrap());
+    std::fs::write(&found, lost.replace("step_vanished", "lost_patience")).unwrap();
+    scratch.replace("robot.toml", "exported/calibrated.urdf", "arm.urdf");
+    let arguments = ["export", &found, "--format", "urdf", "--robot", &file, "--to", &folder, "--force"];
+    let (code, said) = etalon(&arguments[..8]);
+    assert!(code == Some(2) && said.contains("not converged"), "{said}");
+    assert_eq!(etalon(&arguments).0, Some(0));
+    let forced = std::fs::read_to_string(out.join("calibrated.urdf")).unwrap();
+    assert!(forced.contains("NOT FIT FOR A CONTROLLER, written by force: "), "{forced}");
     // gains of other joints have no place in a URDF: the file says so
     let found = parameters(&scratch, robot.as_ref(), &disturbed(robot.as_ref(), &["gain_elbow"]));
-    scratch.replace("robot.toml", "exported/calibrated.urdf", "arm.urdf");
     assert_eq!(
         etalon(&["export", &found, "--format", "urdf", "--robot", &file, "--to", &out.display().to_string()]).0,
         Some(0)

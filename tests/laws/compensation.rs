@@ -108,7 +108,11 @@ fn pseudo_poses_land_on_their_targets() {
             // pose leaves some free
             let away = if arm.joints().len() > 6 { 0.0 } else { 1e-3 };
             let near: Vec<f64> = found.joints.iter().map(|q| if q.abs() == 1.0 { *q } else { q + away }).collect();
-            let commanded = arm.nearest_joints(&calibrated.nominal, &found.command, &near).unwrap();
+            // a limit that the command itself comes too near to
+            let Ok(commanded) = arm.nearest_joints(&calibrated.nominal, &found.command, &near) else {
+                refused += 1;
+                continue;
+            };
             let at = direct(robot.as_ref(), &identified, &commanded).unwrap();
             worst = worst.max(norm(minus(at, target.translation_mm)));
             let turned = arm.tool_pose(&identified, &commanded).unwrap().inverse().then(&target);
