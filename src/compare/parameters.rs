@@ -121,8 +121,7 @@ impl Change {
 /// Of those of `names` that both campaigns identified; `None` where one has no covariance.
 pub(super) fn change(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<Change> {
     let identified = |c: Identified| {
-        let entries = c.0.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
-        entries.map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>()
+        c.0.identified().map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>()
     };
     let (a, b) = (identified(all[from]), identified(all[to]));
     let place = |all: &[(String, f64)], name: &str| all.iter().position(|p| p.0 == name);

@@ -6,6 +6,7 @@ use crate::math::identify::{ResidualKind, UncertaintyFrom};
 use crate::math::solve::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// Identified parameters with all that is needed to trust them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -19,6 +20,10 @@ pub struct ParametersDocument {
     pub parameters: Vec<ParameterEntry>,
     /// Covariance of the identified parameters, in their order and units; empty where there is none.
     pub covariance: Vec<Vec<f64>>,
+    /// Identified parameters of points (targets, sockets, planes) of which the covariance is left out, because they are many: 24 points
+    /// and more. Each has its standard uncertainty.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub covariance_without: Vec<String>,
     /// How well they fit.
     pub residuals: ResidualSummary,
     /// Observability; absent where it is not a number.
@@ -32,9 +37,11 @@ pub struct ParametersDocument {
 }
 
 impl ParametersDocument {
-    /// The identified parameters: the order of the covariance.
+    /// The identified parameters that the covariance has, in its order.
     pub fn identified(&self) -> impl Iterator<Item = &ParameterEntry> {
-        self.parameters.iter().filter(|p| p.status == ParameterStatus::Identified)
+        let without: BTreeSet<&str> = self.covariance_without.iter().map(String::as_str).collect();
+        let identified = self.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
+        identified.filter(move |p| !without.contains(p.name.as_str()))
     }
 
     /// Whether names, uncertainties and covariance belong together, as every run writes them.
@@ -42,7 +49,7 @@ impl ParametersDocument {
     /// # Errors
     /// What does not.
     pub fn check(&self) -> Result<(), String> {
-        let identified = self.parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
+        let identified = self.identified().count();
         let rows = self.covariance.len();
         if rows != 0 && (rows != identified || self.covariance.iter().any(|row| row.len() != rows)) {
             return Err(format!("its covariance is not square with {identified} rows, one an identified parameter"));

@@ -30,6 +30,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
         robot: "prexyt".to_owned(),
         parameters,
         covariance: vec![],
+        covariance_without: vec![],
         residuals: ResidualSummary {
             kind: ResidualKind::Targets,
             count: 0,

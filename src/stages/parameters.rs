@@ -41,8 +41,11 @@ pub fn parameters_document(
     });
     let n = found.free.len();
     let factor = |k: usize| robot.parameters()[found.free[k]].quantity.outward(1.0);
-    let outward =
-        |c: &Vec<f64>| (0..n).map(|i| (0..n).map(|j| c[i * n + j] * factor(i) * factor(j)).collect()).collect();
+    let written: Vec<usize> = (0..n).filter(|&k| !found.eliminated.contains(&found.free[k])).collect();
+    let outward = |c: &Vec<f64>| {
+        let row = |&i: &usize| written.iter().map(|&j| c[i * n + j] * factor(i) * factor(j)).collect();
+        written.iter().map(row).collect()
+    };
     let covariance = found.covariance.as_ref().map(outward).unwrap_or_default();
     let mut messages = found.warnings.clone();
     if !found.groups.is_empty() {
@@ -58,6 +61,7 @@ pub fn parameters_document(
         robot: robot.model().to_owned(),
         parameters: parameters.collect(),
         covariance,
+        covariance_without: found.eliminated.iter().map(name).collect(),
         residuals: ResidualSummary {
             kind: settings.kind,
             count: found.degrees_of_freedom + n,
@@ -89,7 +93,15 @@ pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> Observabil
         value: s.value,
         parameters: s.parameters.iter().map(|&i| robot.parameters()[i].name.clone()).collect(),
     };
-    let scaling = "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms";
+    let mut scaling =
+        "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms".to_owned();
+    if o.eliminated > 0 {
+        scaling += &format!(
+            "; of {} parameters, after elimination of the {} coordinates of unknown points",
+            o.rank - o.eliminated,
+            o.eliminated
+        );
+    }
     ObservabilitySummary {
         o1,
         o2,
@@ -98,7 +110,7 @@ pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> Observabil
         o5,
         condition: o.condition,
         rank: o.rank,
-        scaling: scaling.to_owned(),
+        scaling,
         singular_values: o.singular_values.iter().map(named).collect(),
         held_singular_values: o.held_singular_values.iter().map(named).collect(),
         rank_cut: RANK_TOLERANCE,

@@ -37,6 +37,7 @@ pub(super) fn identified(
         robot: "prexyt".to_owned(),
         parameters: values.iter().zip(u).enumerate().map(entry).collect(),
         covariance: (0..n).map(|i| (0..n).map(|j| square(i, j)).collect()).collect(),
+        covariance_without: Vec::new(),
         residuals: ResidualSummary {
             kind: etalon::math::identify::ResidualKind::Targets,
             count: 100,

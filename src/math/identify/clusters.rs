@@ -1,6 +1,5 @@
 //! Covariance from residuals of which those of one cluster have errors in common: a pose, a region of the joints, a reading.
 
-use crate::math::solve::Solution;
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::collections::BTreeMap;
@@ -28,13 +27,13 @@ pub(super) struct ByCluster {
 }
 
 impl ByCluster {
-    /// Delete-a-group jackknife to first order: A⁻¹ (Σ hₚ hₚᵀ) A⁻¹ with A = JᵀJ and hₚ = Jₚᵀ (I − Hₚ)^-½ rₚ, where Hₚ = Jₚ A⁻¹ Jₚᵀ is the
+    /// From the rows of the Jacobian J, their residuals and A⁻¹, which is `inverse`. Delete-a-group jackknife to first order: A⁻¹ (Σ hₚ hₚᵀ) A⁻¹ with A = JᵀJ and hₚ = Jₚᵀ (I − Hₚ)^-½ rₚ, where Hₚ = Jₚ A⁻¹ Jₚᵀ is the
     /// part of the hat matrix of one cluster: unbiased for independent residuals, which the fit makes smaller than errors. Degrees of
     /// freedom are those of a multiple of chi-square with the same mean and variance (Bell & McCaffrey 2002; CR2 in Imbens & Kolesár
     /// 2016). `None` where one cluster determines some direction of the parameters alone.
-    pub fn new<C: Copy + Ord>(clusters: &[C], solution: &Solution, jacobian: &[f64]) -> Option<Self> {
-        let n = solution.x.len();
-        let root = Cholesky::new(DMatrix::from_row_slice(n, n, &solution.covariance()?))?.unpack(); // F, with F Fᵀ = A⁻¹
+    pub fn new<C: Copy + Ord>(clusters: &[C], inverse: &[f64], residuals: &[f64], jacobian: &[f64]) -> Option<Self> {
+        let n = inverse.len().isqrt();
+        let root = Cholesky::new(DMatrix::from_row_slice(n, n, inverse))?.unpack(); // F, with F Fᵀ = A⁻¹
         let mut rows: BTreeMap<C, Vec<usize>> = BTreeMap::new();
         clusters.iter().enumerate().for_each(|(row, cluster)| rows.entry(*cluster).or_default().push(row));
         let mut steps = DMatrix::zeros(n, n); // Fᵀ (Σ hₚ hₚᵀ) F
@@ -43,7 +42,7 @@ impl ByCluster {
         let (mut squares, mut fourths) = (DMatrix::zeros(n, n), 0.0);
         for rows in rows.values() {
             let part = DMatrix::from_fn(rows.len(), n, |i, j| jacobian[rows[i] * n + j]) * &root;
-            let r = DVector::from_fn(rows.len(), |i, _| solution.residuals[rows[i]]);
+            let r = DVector::from_fn(rows.len(), |i, _| residuals[rows[i]]);
             let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(part.tr_mul(&part)); // K = Fᵀ JₚᵀJₚ F
             if eigenvalues.iter().any(|k| 1.0 - k < REST) {
                 return None;
@@ -90,7 +89,11 @@ impl ByCluster {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::solve::{Options, Problem, solve};
+    use crate::math::solve::{Options, Problem, Solution, solve};
+
+    fn inverse(solution: &Solution) -> Vec<f64> {
+        solution.covariance().unwrap()
+    }
 
     /// A mean of readings.
     struct Mean<'a>(&'a [f64]);
@@ -113,7 +116,7 @@ mod tests {
         let (single, twice) = ([1.0, 2.0, 4.0, 9.0], [1.0, 1.0, 2.0, 2.0, 4.0, 4.0, 9.0, 9.0]);
         for (readings, clusters) in [(&single[..], vec![0, 1, 2, 3]), (&twice[..], vec![0, 0, 1, 1, 2, 2, 3, 3])] {
             let solution = solve(&Mean(readings), &[0.0], Options::default());
-            let found = ByCluster::new(&clusters, &solution, &vec![1.0; readings.len()]).unwrap();
+            let found = ByCluster::new(&clusters, &inverse(&solution), &solution.residuals, &vec![1.0; readings.len()]).unwrap();
             let variance = (9.0 + 4.0 + 0.0 + 25.0) / 3.0;
             assert!((found.covariance[0] - variance / 4.0).abs() < 1e-12, "{}", found.covariance[0]);
             assert!((found.degrees_of_freedom[0] - 3.0).abs() < 1e-12 && found.is_usable());
@@ -121,6 +124,6 @@ mod tests {
             assert!(!found.exceeds(), "four clusters are too few");
         }
         let solution = solve(&Mean(&single), &[0.0], Options::default());
-        assert!(ByCluster::new(&[0; 4], &solution, &[1.0; 4]).is_none(), "one cluster determines the mean alone");
+        assert!(ByCluster::new(&[0; 4], &inverse(&solution), &solution.residuals, &[1.0; 4]).is_none(), "one cluster determines the mean alone");
     }
 }

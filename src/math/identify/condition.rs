@@ -10,6 +10,7 @@ use crate::base::pose::{Pose, Vector, dot, minus, norm, turning_axes, unit};
 use crate::base::pose_name::PoseName;
 use crate::math::robots::{FreeBase, Parameter, Quantity, Robot, Role};
 use nalgebra::{Matrix3, Vector3};
+use std::ops::Range;
 
 /// What was observed of a target at a pose.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,6 +102,18 @@ impl Kind {
             Self::Orientation { .. } | Self::Contact { .. } => 3,
             Self::Coordinate { .. } | Self::Distance { .. } | Self::Plane { .. } => 1,
         }
+    }
+
+    /// Parameters of what it refers to.
+    pub(super) fn unknowns(&self) -> Option<Range<usize>> {
+        let first = match *self {
+            Self::Orientation { mounting: first, .. }
+            | Self::Distance { to: first, .. }
+            | Self::Contact { socket: first }
+            | Self::Plane { plane: first, .. } => first,
+            Self::Coordinate { .. } => return None,
+        };
+        Some(first..first + 3)
     }
 
     /// Whether residuals are angles.
@@ -222,6 +235,14 @@ impl Condition {
 }
 
 impl Known {
+    /// First coordinates of the points.
+    pub(super) fn points(&self) -> Vec<usize> {
+        match *self {
+            Self::Place { point, .. } => vec![point],
+            Self::Distance { from, to, .. } => vec![from, to],
+        }
+    }
+
     /// Number of rows.
     pub(super) fn rows(&self) -> usize {
         match self {
@@ -242,24 +263,19 @@ impl Known {
         }
     }
 
-    /// Writes their derivatives by the `free` of the parameters, row by row.
-    pub(super) fn jacobian(&self, values: &[f64], free: &[usize], out: &mut [f64]) {
+    /// Writes their derivatives by all parameters, row by row.
+    pub(super) fn jacobian(&self, values: &[f64], out: &mut [f64]) {
         out.fill(0.0);
-        for (column, &parameter) in free.iter().enumerate() {
-            match *self {
-                Self::Place { point: at, standard_uncertainty_mm, .. } => {
-                    if (at..at + 3).contains(&parameter) {
-                        out[(parameter - at) * free.len() + column] = 1.0 / standard_uncertainty_mm;
-                    }
-                }
-                Self::Distance { from, to, standard_uncertainty_mm, .. } => {
-                    let along = unit(minus(point(values, to), point(values, from))).unwrap_or_default();
-                    if (to..to + 3).contains(&parameter) {
-                        out[column] += along[parameter - to] / standard_uncertainty_mm;
-                    }
-                    if (from..from + 3).contains(&parameter) {
-                        out[column] -= along[parameter - from] / standard_uncertainty_mm;
-                    }
+        let n = values.len();
+        match *self {
+            Self::Place { point: at, standard_uncertainty_mm, .. } => {
+                (0..3).for_each(|i| out[i * n + at + i] = 1.0 / standard_uncertainty_mm);
+            }
+            Self::Distance { from, to, standard_uncertainty_mm, .. } => {
+                let along = unit(minus(point(values, to), point(values, from))).unwrap_or_default();
+                for (i, along) in along.into_iter().enumerate() {
+                    out[to + i] += along / standard_uncertainty_mm;
+                    out[from + i] -= along / standard_uncertainty_mm;
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use super::residuals::Residuals;
 use crate::base::pose_name::PoseName;
-use crate::math::solve::Solution;
+use crate::math::solve::{Rows, Solution};
 
 /// The uncertainty of the frame in which observations are stated.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +21,7 @@ pub(super) fn carry<'a>(
     total: &mut [f64],
 ) {
     let n = solution.x.len();
+    let jacobian = problem.rows_of(jacobian);
     let Some(inverse) = solution.covariance() else { return };
     for frame in frames {
         let by_frame = problem.frame_jacobian(&solution.x, frame.pose);
@@ -36,14 +37,8 @@ pub(super) fn carry<'a>(
 }
 
 /// (JᵀJ)⁻¹ Jᵀ D: how parameters whose Jacobian is J answer to the columns of D.
-pub(super) fn response<const N: usize>(inverse: &[f64], jacobian: &[f64], by: &[f64]) -> Vec<[f64; N]> {
-    let n = inverse.len().isqrt();
-    let mut moved = vec![[0.0; N]; n];
-    for (row, d) in jacobian.chunks_exact(n.max(1)).zip(by.chunks_exact(N)) {
-        for (j, moved) in row.iter().zip(&mut moved) {
-            moved.iter_mut().zip(d).for_each(|(m, d)| *m += j * d);
-        }
-    }
+pub(super) fn response<const N: usize>(inverse: &[f64], jacobian: Rows, by: &[f64]) -> Vec<[f64; N]> {
+    let moved = jacobian.transposed_times::<N>(by);
     let answer = |row: &[f64]| std::array::from_fn(|c| row.iter().zip(&moved).map(|(a, m)| a * m[c]).sum());
-    inverse.chunks_exact(n.max(1)).map(answer).collect()
+    inverse.chunks_exact(jacobian.n.max(1)).map(answer).collect()
 }

@@ -4,6 +4,7 @@ mod chi_square;
 mod clusters;
 mod condition;
 mod diagnosis;
+mod elimination;
 mod fixtures;
 mod frame_error;
 mod identifiability;
@@ -99,6 +100,8 @@ pub struct Identification {
     pub status: Vec<Status>,
     /// Indices of the identified parameters: the order of `covariance`.
     pub free: Vec<usize>,
+    /// Of these the unknowns that were eliminated, because they are many: of targets, or of sockets and planes.
+    pub eliminated: Vec<usize>,
     /// Covariance of the identified parameters, row by row (mm, rad, 1); `None` where it cannot be determined.
     pub covariance: Option<Vec<f64>>,
     /// What the covariance rests on.

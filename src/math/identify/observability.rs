@@ -3,7 +3,7 @@
 use super::residuals::Residuals;
 use crate::base::message::Message;
 use crate::math::robots::{Quantity, Robot};
-use crate::math::solve::{Factor, Problem, Svd, column_norms, svd};
+use crate::math::solve::{Factor, Problem, Svd, svd};
 
 /// Singular values of the Jacobian and the indices made of them (eq. 1.19 to 1.25).
 ///
@@ -17,6 +17,9 @@ pub struct Observability {
     pub condition: f64,
     /// Number of parameters that are separately identifiable.
     pub rank: usize,
+    /// How many of these are coordinates of unknown points that were eliminated, because they are many: indices and singular values are of
+    /// what they leave of the Jacobian of the others.
+    pub eliminated: usize,
     /// Singular values of the Jacobian with its columns divided by their norms, descending: the first over the last is the
     /// condition number.
     pub singular_values: Vec<SingularValue>,
@@ -61,21 +64,25 @@ pub(super) fn observe(
     scale: &[f64],
     covariance: Option<&[f64]>,
 ) -> Option<(Observability, Vec<WeakGroup>)> {
-    let n = problem.free.len();
     let plain = (problem.is_whitened() || problem.is_weighted()).then(|| plain(problem, x));
     let (factor, scale) = plain.as_ref().map_or((factor, scale), |(factor, scale)| (factor, scale.as_slice()));
+    let (all, common) = (factor.columns(), factor.common());
+    let (n, free) = (common.len(), of_common(problem, factor));
     let scaled = svd(factor);
-    let unscaled = svd(&unscale(factor, scale, problem.unit));
+    let scale: Vec<f64> = common.iter().map(|&j| scale[j]).collect();
+    let unscaled = svd(&unscale(factor, &scale, problem.unit));
     let observability = Observability {
         indices: indices(&unscaled, problem.observation_count())?,
         condition: Some(scaled.condition()).filter(|c| c.is_finite())?,
-        rank: n,
-        singular_values: singular_values(&scaled, &problem.free),
+        rank: all,
+        eliminated: all - n,
+        singular_values: singular_values(&scaled, &free),
         held_singular_values: Vec::new(),
     };
     let Some(covariance) = covariance else { return Some((observability, Vec::new())) };
-    let u = |k: usize| covariance[k * n + k].sqrt();
-    let correlation = |i: usize, j: usize| covariance[i * n + j] / (u(i) * u(j));
+    let of = |i: usize, j: usize| covariance[common[i] * all + common[j]];
+    let u = |k: usize| of(k, k).sqrt();
+    let correlation = |i: usize, j: usize| of(i, j) / (u(i) * u(j));
     // repeats make every parameter better known, not better separable
     let mut poses = problem.poses();
     let rows = poses.len() as f64;
@@ -88,7 +95,7 @@ pub(super) fn observe(
     for k in (0..n).filter(|&k| 1.0 / (scaled.values[k] * rows.sqrt()) > WEAK_EFFECT) {
         let members: Vec<usize> = (0..n).filter(|&j| scaled.vectors[k][j].abs() > MEMBER).collect();
         for bound in bind(&members, &correlation) {
-            let parameters: Vec<usize> = bound.iter().map(|&j| problem.free[j]).collect();
+            let parameters: Vec<usize> = bound.iter().map(|&j| free[j]).collect();
             if weak.iter().any(|w| w.parameters == parameters) {
                 continue;
             }
@@ -104,13 +111,20 @@ pub(super) fn observe(
     Some((observability, weak))
 }
 
-/// The smallest singular values with all parameters of `problem`, as many as are not among the `rank` identified ones.
-pub(super) fn held_singular_values(problem: &Residuals, values: &[f64], rank: usize) -> Vec<SingularValue> {
-    if problem.free.len() == rank {
+/// The smallest singular values with all parameters of `problem`, as many as are not among the `identified` ones.
+pub(super) fn held_singular_values(problem: &Residuals, values: &[f64], identified: &Observability) -> Vec<SingularValue> {
+    if problem.free.len() == identified.rank {
         return Vec::new();
     }
     let x: Vec<f64> = problem.free.iter().map(|&i| values[i]).collect();
-    singular_values(&svd(&plain(problem, &x).0), &problem.free).split_off(rank)
+    let factor = plain(problem, &x).0;
+    let mut all = singular_values(&svd(&factor), &of_common(problem, &factor));
+    all.split_off(identified.singular_values.len().min(all.len()))
+}
+
+/// The parameters of the common columns.
+fn of_common(problem: &Residuals, factor: &Factor) -> Vec<usize> {
+    factor.common().into_iter().map(|j| problem.free[j]).collect()
 }
 
 fn singular_values(svd: &Svd, free: &[usize]) -> Vec<SingularValue> {
@@ -124,11 +138,11 @@ fn singular_values(svd: &Svd, free: &[usize]) -> Vec<SingularValue> {
 
 /// Factor and column norms of the Jacobian that is not whitened.
 fn plain(problem: &Residuals, x: &[f64]) -> (Factor, Vec<f64>) {
-    let (m, n) = (problem.residual_count(), problem.free.len());
-    let mut jacobian = vec![0.0; m * n];
+    let mut jacobian = vec![0.0; problem.residual_count() * problem.width()];
     problem.plain_jacobian(x, &mut jacobian);
-    let scale = column_norms(&jacobian, n);
-    (Factor::new(&jacobian, &vec![0.0; m], &scale), scale)
+    let rows = problem.rows_of(&jacobian);
+    let scale = rows.norms();
+    (rows.factor(&vec![0.0; problem.residual_count()], &scale), scale)
 }
 
 /// Splits `members` into sets bound by correlation: vectors of nearly equal singular values mix what has nothing to do

@@ -7,12 +7,15 @@ use super::identifiability::Analysis;
 use super::residuals::Residuals;
 use super::{Observation, ResidualKind, Settings};
 use crate::base::message::Result;
-use crate::base::pose::{Pose, centroid, minus, norm};
+use crate::base::pose::{Pose, Vector, centroid, minus, norm};
 use crate::math::robots::{FreeBase, Robot};
 use crate::math::solve::{self, Factor, Options, Termination};
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
 
 const REFINED: usize = 4;
+/// Targets that suffice to find the base.
+pub(super) const MOST_TARGETS: usize = 12;
 /// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by millimetres.
 pub(super) const UNEXPLAINED: f64 = 0.1;
 /// Coordinates of targets, unweighted.
@@ -40,7 +43,65 @@ pub(super) struct Placed {
 }
 
 /// Base and targets (the parameters `places`) of an arm whose other parameters are `nominal`; `None` where no solution is found.
+///
+/// Of many targets a few, those with the most readings, show where the base is.
 pub(super) fn place(
+    robot: &dyn Robot,
+    arm: &dyn FreeBase,
+    observations: &[Observation],
+    nominal: &[f64],
+    places: &[usize],
+) -> Result<Option<Placed>> {
+    let mut targets = readings(robot, observations);
+    if targets.len() <= MOST_TARGETS {
+        return place_all(robot, arm, observations, nominal, places);
+    }
+    targets.sort_by_key(|(_, readings)| std::cmp::Reverse(*readings));
+    let others: BTreeSet<usize> = targets.split_off(MOST_TARGETS).into_iter().map(|t| t.0).collect();
+    let mut few = observations.to_vec();
+    for o in &mut few {
+        others.iter().for_each(|&k| o.targets[k] = None);
+    }
+    let of_others: BTreeSet<usize> = others.iter().flat_map(|&k| (0..3).map(move |i| (k, i))).map(|(k, i)| arm.target_place(k) + i).collect();
+    let places: Vec<usize> = places.iter().copied().filter(|i| !of_others.contains(i)).collect();
+    let mut placed = place_all(robot, arm, &few, nominal, &places)?;
+    if let Some(placed) = &mut placed {
+        place_targets(arm, observations, &others, &mut placed.values);
+    }
+    Ok(placed)
+}
+
+/// Targets with at least one reading, and how many each has.
+pub(super) fn readings(robot: &dyn Robot, observations: &[Observation]) -> Vec<(usize, usize)> {
+    let mut readings = vec![0; robot.targets().len()];
+    for o in observations {
+        o.targets.iter().enumerate().for_each(|(k, at)| readings[k] += usize::from(at.is_some()));
+    }
+    readings.into_iter().enumerate().filter(|(_, readings)| *readings > 0).collect()
+}
+
+/// Places targets on the flange where their readings are in the mean.
+pub(super) fn place_targets(
+    arm: &dyn FreeBase,
+    observations: &[Observation],
+    targets: &BTreeSet<usize>,
+    values: &mut [f64],
+) {
+    let mut on_flange: BTreeMap<usize, Vec<Vector>> = BTreeMap::new();
+    for o in observations {
+        let world = arm.flange(values, &o.joints).inverse();
+        for &k in targets {
+            on_flange.entry(k).or_default().extend(o.targets[k].map(|at| world.apply(at)));
+        }
+    }
+    for (k, at) in on_flange {
+        if let Some(place) = centroid(&at) {
+            values[arm.target_place(k)..][..3].copy_from_slice(&place);
+        }
+    }
+}
+
+fn place_all(
     robot: &dyn Robot,
     arm: &dyn FreeBase,
     observations: &[Observation],

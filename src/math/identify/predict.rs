@@ -87,7 +87,5 @@ pub fn predict(
 
 fn jacobian_at_nominal(problem: &Residuals, nominal: &[f64]) -> Vec<f64> {
     let x: Vec<f64> = problem.free.iter().map(|&i| nominal[i]).collect();
-    let mut jacobian = vec![0.0; problem.residual_count() * x.len()];
-    problem.jacobian(&x, &mut jacobian);
-    jacobian
+    problem.rows_of(&problem.jacobian_at(&x)).dense()
 }

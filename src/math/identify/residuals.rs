@@ -1,6 +1,7 @@
 //! Residuals between model and measurement, as a least-squares problem in the free parameters.
 
 use super::condition::{Condition, Known};
+use super::elimination::Layout;
 use super::rigid_part::{At, Shape};
 use super::weights::Weights;
 use super::{Observation, Settings};
@@ -9,7 +10,7 @@ use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::math::robots::{FreeBase, Platform, Robot};
-use crate::math::solve::{Problem, Solution};
+use crate::math::solve::{Blocks, Problem, Rows, Solution};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -51,6 +52,8 @@ pub(super) struct Residuals<'a> {
     stated_noise: Option<f64>,
     values: Vec<f64>,
     rows: Vec<usize>,
+    /// unknowns that only few residuals show
+    pub layout: Option<Layout>,
 }
 
 impl<'a> Residuals<'a> {
@@ -78,6 +81,7 @@ impl<'a> Residuals<'a> {
         let unit = if platform.is_some() { 1.0 } else { settings.standard_uncertainty_mm.unwrap_or(1.0) };
         Ok(Self {
             robot,
+            layout: Layout::new(robot, free, observations, settings).filter(|_| platform.is_none()),
             free: free.to_vec(),
             observations,
             platform,
@@ -226,8 +230,8 @@ impl<'a> Residuals<'a> {
     }
 
     /// Pose and cycle of each observation and condition, with the number of its residuals.
-    pub fn blocks(&self) -> impl Iterator<Item = ((PoseName, i64), usize)> {
-        self.seen().map(|s| ((s.pose, s.cycle), s.rows)).filter(|block| block.1 > 0)
+    pub fn counts(&self) -> impl Iterator<Item = ((PoseName, i64), usize)> {
+        self.seen().map(|s| ((s.pose, s.cycle), s.rows)).filter(|count| count.1 > 0)
     }
 
     /// Poses that bring at least one residual, each as often as it was repeated.
@@ -236,46 +240,80 @@ impl<'a> Residuals<'a> {
         if self.conditions.is_empty() {
             return coordinates;
         }
-        self.blocks().map(|block| block.0).collect::<BTreeSet<_>>().len()
+        self.counts().map(|count| count.0).collect::<BTreeSet<_>>().len()
     }
 
     /// Residuals or, by `width`, derivatives of the conditions, over chunks of them.
     fn of_conditions(&self, all: &[f64], out: &mut [f64], width: usize, write: impl Fn(&Met, &mut [f64]) + Sync) {
         let mut parts = Vec::new();
-        let mut out = out;
+        let (mut out, mut row) = (out, self.coordinate_count());
         for conditions in self.conditions.chunks(CHUNK) {
             let rows: usize = conditions.iter().map(|c| c.kind.rows()).sum();
             let (part, rest) = out.split_at_mut(rows * width);
-            out = rest;
-            parts.push((conditions, part));
+            parts.push((conditions, row, part));
+            (out, row) = (rest, row + rows);
         }
         let arm = self.robot.free_base();
-        parts.into_par_iter().for_each(|(conditions, mut out)| {
+        parts.into_par_iter().for_each(|(conditions, mut row, mut out)| {
             for condition in conditions {
                 let position = self.robot.position(all, &condition.joints, condition.target);
                 let (here, rest) = out.split_at_mut(condition.kind.rows() * width);
-                write(&Met { condition, arm, position }, here);
-                out = rest;
+                write(&Met { condition, arm, position, row }, here);
+                (out, row) = (rest, row + condition.kind.rows());
             }
         });
     }
 
     /// Derivatives of the conditions by the free parameters.
     fn condition_jacobian(&self, all: &[f64], out: &mut [f64]) {
-        let (n, targets, dimension) = (all.len(), self.robot.targets().len(), self.robot.dimension());
-        self.of_conditions(all, out, self.free.len(), |met, out| {
-            let mut moved = vec![0.0; dimension * targets * n];
-            // an orientation does not depend on where the target is
-            if !met.condition.kind.is_angle() {
-                self.robot.jacobian(all, &met.condition.joints, &mut moved);
+        let (n, width) = (all.len(), self.width());
+        self.of_conditions(all, out, width, |met, out| {
+            let (condition, dimension) = (met.condition, self.robot.dimension());
+            let mut moved = vec![0.0; dimension * n];
+            match met.arm {
+                // an orientation does not depend on where the target is
+                _ if condition.kind.is_angle() => {}
+                Some(arm) => arm.target_derivatives(all, &condition.joints, &[condition.target], &mut |_, j, by| {
+                    (0..3).for_each(|i| moved[i * n + j] += by[i]);
+                }),
+                None => {
+                    let mut of_all = vec![0.0; dimension * self.robot.targets().len() * n];
+                    self.robot.jacobian(all, &condition.joints, &mut of_all);
+                    moved.copy_from_slice(&of_all[dimension * condition.target * n..][..dimension * n]);
+                }
             }
-            let mut full = vec![0.0; met.condition.kind.rows() * n];
-            let own = &moved[dimension * met.condition.target * n..][..dimension * n];
-            met.condition.jacobian(met.arm, all, met.position, own, &mut full);
-            for (row, out) in full.chunks_exact(n).zip(out.chunks_exact_mut(self.free.len())) {
-                self.free.iter().zip(out).for_each(|(&i, out)| *out = row[i]);
+            let mut full = vec![0.0; condition.kind.rows() * n];
+            condition.jacobian(met.arm, all, met.position, &moved, &mut full);
+            for (i, (row, out)) in full.chunks_exact(n).zip(out.chunks_exact_mut(width)).enumerate() {
+                self.take(met.row + i, |parameter| row[parameter], out);
             }
         });
+    }
+
+    /// Numbers of a row of the Jacobian.
+    pub fn width(&self) -> usize {
+        self.layout.as_ref().map_or(self.free.len(), |layout| layout.blocks.width())
+    }
+
+    /// The Jacobian at `x`, as [`Problem::jacobian`] writes it.
+    pub fn jacobian_at(&self, x: &[f64]) -> Vec<f64> {
+        let mut jacobian = vec![0.0; self.residual_count() * self.width()];
+        self.jacobian(x, &mut jacobian);
+        jacobian
+    }
+
+    /// A Jacobian with its columns.
+    pub fn rows_of<'j>(&'j self, jacobian: &'j [f64]) -> Rows<'j> {
+        Rows { numbers: jacobian, n: self.free.len(), blocks: Problem::blocks(self) }
+    }
+
+    /// Writes the derivatives by the free parameters into a row.
+    fn take(&self, row: usize, derivative: impl Fn(usize) -> f64, out: &mut [f64]) {
+        let Some(layout) = &self.layout else {
+            return self.free.iter().zip(out).for_each(|(&i, out)| *out = derivative(i));
+        };
+        out.fill(0.0);
+        self.free.iter().for_each(|&i| layout.add(layout.blocks.of_row[row], i, derivative(i), out));
     }
 
     /// What is known of fixed points, each with its first row.
@@ -395,7 +433,10 @@ impl<'a> Residuals<'a> {
     pub fn plain_jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
         let all = self.all(x);
         let (n, free, dimension) = (all.len(), &self.free, self.robot.dimension());
-        self.condition_jacobian(&all, &mut jacobian[self.coordinate_count() * free.len()..]);
+        self.condition_jacobian(&all, &mut jacobian[self.coordinate_count() * self.width()..]);
+        if let (Some(layout), Some(arm)) = (&self.layout, self.robot.free_base()) {
+            return self.coordinate_jacobian(layout, arm, &all, jacobian);
+        }
         self.chunks(jacobian, free.len()).into_par_iter().for_each(|(observations, mut out)| {
             let mut full = vec![0.0; dimension * self.robot.targets().len() * n];
             let take = |rows: &[f64], out: &mut [f64]| {
@@ -427,6 +468,27 @@ impl<'a> Residuals<'a> {
     }
 }
 
+impl Residuals<'_> {
+    /// Derivatives of the coordinates of targets, of which each has few.
+    fn coordinate_jacobian(&self, layout: &Layout, arm: &dyn FreeBase, all: &[f64], jacobian: &mut [f64]) {
+        let width = self.width();
+        self.chunks(jacobian, width).into_par_iter().for_each(|(observations, mut out)| {
+            out.fill(0.0);
+            let mut first = vec![0; self.robot.targets().len()];
+            for o in observations {
+                let measured: Vec<usize> = (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).collect();
+                measured.iter().enumerate().for_each(|(k, &target)| first[target] = 3 * k);
+                let (here, rest) = out.split_at_mut(3 * measured.len() * width);
+                arm.target_derivatives(all, &o.joints, &measured, &mut |target, parameter, moved| {
+                    let Some((_, place)) = layout.places[parameter] else { return };
+                    (0..3).for_each(|i| here[(first[target] + i) * width + place] += moved[i] / self.unit);
+                });
+                out = rest;
+            }
+        });
+    }
+}
+
 /// What was observed at a pose.
 struct Seen<'a> {
     pose: PoseName,
@@ -440,6 +502,8 @@ struct Met<'a> {
     condition: &'a Condition,
     arm: Option<&'a dyn FreeBase>,
     position: Vector,
+    /// Its first residual.
+    row: usize,
 }
 
 /// Both targets in the plane, where both were measured.
@@ -473,14 +537,23 @@ impl Problem for Residuals<'_> {
 
     fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
         self.plain_jacobian(x, jacobian);
-        self.whiten(jacobian, self.free.len());
-        let (n, all) = (self.free.len(), self.all(x));
+        self.whiten(jacobian, self.width());
+        let (n, width, all) = (self.free.len(), self.width(), self.all(x));
         for (row, shape) in self.shapes() {
             shape.jacobian(&self.at(&all), &mut jacobian[row * n..][..shape.rows() * n]);
         }
         for (row, known) in self.known() {
-            known.jacobian(&all, &self.free, &mut jacobian[row * n..][..known.rows() * n]);
+            let mut full = vec![0.0; known.rows() * all.len()];
+            known.jacobian(&all, &mut full);
+            let out = jacobian[row * width..][..known.rows() * width].chunks_exact_mut(width);
+            for (i, (full, out)) in full.chunks_exact(all.len()).zip(out).enumerate() {
+                self.take(row + i, |parameter| full[parameter], out);
+            }
         }
+    }
+
+    fn blocks(&self) -> Option<&Blocks> {
+        self.layout.as_ref().map(|layout| &layout.blocks)
     }
 }
 

@@ -9,7 +9,7 @@ use crate::base::pose::{Vector, centroid, minus, norm};
 use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::math::robots::{Quantity, Robot, Role};
-use crate::math::solve::{self, Factor, Options, Problem, column_norms};
+use crate::math::solve::{self, Options, factor_at};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Poses on which changes are tried.
@@ -83,17 +83,15 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
     let places: Vec<usize> = of(|role| role != Role::Robot).collect();
     let free: Vec<usize> = places.iter().copied().chain(of(|role| role == Role::Robot)).collect();
     let problem = Residuals::new(robot, observations, &PLAIN, &free, values).ok()?;
-    let (m, n) = (problem.residual_count(), free.len());
     let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-    let mut jacobian = vec![0.0; m * n];
-    problem.jacobian(&x, &mut jacobian);
-    let norms = column_norms(&jacobian, n);
-    let factor = Factor::new(&jacobian, &vec![0.0; m], &norms);
+    let (factor, norms) = factor_at(&problem, &x);
     // what of a column base and targets do not take up lies below their rows
-    let left = |j: usize| (places.len()..=j).map(|i| factor.r(i, j).powi(2)).sum::<f64>() * norms[j].powi(2);
-    let variance = |j: usize| left(j) * robot.parameters()[free[j]].tolerance.powi(2) / 3.0;
+    let common = factor.common();
+    let first = common.iter().take_while(|&&j| j < places.len()).count();
+    let left = |k: usize| (first..=k).map(|i| factor.r(i, k).powi(2)).sum::<f64>() * norms[common[k]].powi(2);
+    let variance = |k: usize| left(k) * robot.parameters()[free[common[k]]].tolerance.powi(2) / 3.0;
     let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count();
-    let sum: f64 = (places.len()..n).map(variance).sum();
+    let sum: f64 = (first..common.len()).map(variance).sum();
     let noise = robot.dimension() as f64 * (NOISE * noise_mm).powi(2);
     let most = (UNEXPLAINED * spread_mm(observations)).max(noise.sqrt());
     Some((sum / points.max(1) as f64 + noise).sqrt().min(most)).filter(|v| v.is_finite())

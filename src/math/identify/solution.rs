@@ -42,9 +42,10 @@ pub(super) fn solve_identifiable(
     wanted: &[usize],
     start: &[f64],
 ) -> Result<Identifiable> {
-    // a subset of many poses brings the parameters near, all poses then take few steps
+    // a subset of many poses brings the parameters near, all poses then take few steps; many targets are not all in one
     let (mut values, mut held) = (start.to_vec(), None);
-    if observations.len() > 2 * SUBSET {
+    let many = Residuals::new(robot, observations, settings, wanted, start)?.layout.is_some();
+    if observations.len() > 2 * SUBSET && !many {
         let step = observations.len().div_ceil(SUBSET);
         let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
         if let Ok(near) = rounds(robot, &subset, settings, wanted, values.clone(), None) {

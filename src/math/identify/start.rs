@@ -1,11 +1,12 @@
 //! Starting values: a tracker may be anywhere, so base and targets of an arm are found, not assumed.
 
 use super::fixtures::place_fixtures;
-use super::placing::{Placed, UNEXPLAINED, place, spread_mm, spread_over};
+use super::placing::{MOST_TARGETS, Placed, UNEXPLAINED, place, place_targets, readings, spread_mm, spread_over};
 use super::set_up::explain;
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
 use crate::math::robots::{FreeBase, Robot, Role};
+use std::collections::BTreeSet;
 
 const SUBSET: usize = 24;
 
@@ -42,6 +43,12 @@ fn by_points(
             .expected("at least four poses in which the arm moves in all directions")
             .hint("measure more poses, or state base_x .. base_rz and the targets under [nominal] in the robot file")
     })?;
+    let all: BTreeSet<usize> = readings(robot, observations).into_iter().map(|t| t.0).collect();
+    if all.len() > MOST_TARGETS {
+        let shown = readings(robot, &subset);
+        let others = all.into_iter().filter(|k| shown.iter().all(|t| t.0 != *k)).collect();
+        place_targets(arm, observations, &others, &mut values);
+    }
     let spread = spread_mm(&subset);
     if rms_mm > UNEXPLAINED * spread {
         let what = format!(

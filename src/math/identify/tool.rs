@@ -9,7 +9,7 @@ use super::{Group, Identification, Observation, Settings};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Pose, Vector, centroid, cross, minus, norm, unit};
 use crate::math::robots::{Robot, Role};
-use crate::math::solve::{Factor, Problem, column_norms, covariance};
+use crate::math::solve::{covariance, factor_at};
 
 /// The part in whose frame a tool point is stated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
@@ -199,19 +199,16 @@ pub fn held(
         return Ok(Vec::new());
     }
     let settings = settings.with_shape_weight(found.shape_weight);
-    let jacobian = |free: &[usize]| -> Result<Vec<f64>> {
-        let problem = Residuals::new(robot, observations, &settings, free, &found.values)?;
-        let x: Vec<f64> = free.iter().map(|&i| found.values[i]).collect();
-        let mut jacobian = vec![0.0; problem.residual_count() * x.len()];
-        problem.jacobian(&x, &mut jacobian);
-        Ok(jacobian)
-    };
-    let of_free = jacobian(&found.free)?;
-    let norms = column_norms(&of_free, found.free.len());
-    let factor = Factor::new(&of_free, &vec![0.0; of_free.len() / found.free.len().max(1)], &norms);
+    let problem = |free: &[usize]| Residuals::new(robot, observations, &settings, free, &found.values);
+    let at = |free: &[usize]| free.iter().map(|&i| found.values[i]).collect::<Vec<f64>>();
+    let (all, x) = (problem(&found.free)?, at(&found.free));
+    let (factor, norms) = factor_at(&all, &x);
+    let of_free = all.jacobian_at(&x);
     let Some(inverse) = covariance(&factor, &norms) else { return Ok(Vec::new()) };
     let of = |group: &&Group| {
-        let follow = response::<1>(&inverse, &of_free, &jacobian(&[group.held])?);
+        let held = [group.held];
+        let by = problem(&held)?.jacobian_at(&at(&held));
+        let follow = response::<1>(&inverse, all.rows_of(&of_free), &by);
         Ok(Held { parameter: group.held, compensation: follow.iter().map(|[c]| -c).collect() })
     };
     groups.iter().map(of).collect()

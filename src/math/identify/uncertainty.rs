@@ -2,6 +2,7 @@
 
 use super::chi_square::{exceeds, falls_short};
 use super::clusters::ByCluster;
+use super::elimination::Remaining;
 use super::frame_error::{FrameError, carry};
 use super::observability::{held_singular_values, observe, weak_message};
 use super::residuals::Residuals;
@@ -36,6 +37,8 @@ pub enum UncertaintyFrom {
     Nothing,
 }
 
+/// Parameters of a group that a message names.
+const NAMED: usize = 40;
 /// Regions of the joints per parameter whose scatter gives a covariance, where there are poses for twice as many.
 const REGIONS_PER_PARAMETER: usize = 3;
 
@@ -53,8 +56,7 @@ pub(super) fn with_uncertainty(
     let solution = &solution;
     let (m, n) = (problem.residual_count(), problem.free.len());
     let dof = m - n;
-    let mut jacobian = vec![0.0; m * n];
-    problem.jacobian(&solution.x, &mut jacobian);
+    let jacobian = problem.jacobian_at(&solution.x);
 
     let placed: BTreeMap<(PoseName, i64), &FrameError> = frames.iter().filter_map(|f| Some((f.pose?, f))).collect();
     let stated = from_instrument((problem, solution, &jacobian), settings, &placed);
@@ -98,7 +100,7 @@ pub(super) fn with_uncertainty(
     let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
     if let Some(o) = &mut observability {
         let all = Residuals::new(robot, observations, settings, wanted, &values)?;
-        o.held_singular_values = held_singular_values(&all, &values, n);
+        o.held_singular_values = held_singular_values(&all, &values, o);
     }
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
     warnings.extend(groups.iter().map(|g| held_message(robot, g)));
@@ -112,6 +114,7 @@ pub(super) fn with_uncertainty(
         status: (0..values.len()).map(status).collect(),
         values,
         free: problem.free.clone(),
+        eliminated: factor.map(|f| f.own()).unwrap_or_default().into_iter().map(|j| problem.free[j]).collect(),
         covariance,
         uncertainty_from,
         effective_degrees,
@@ -131,7 +134,7 @@ pub(super) fn with_uncertainty(
 }
 
 /// A covariance, and what it rests on.
-struct Found {
+pub(super) struct Found {
     from: UncertaintyFrom,
     covariance: Option<Vec<f64>>,
     degrees: Vec<f64>,
@@ -141,6 +144,12 @@ struct Found {
 impl Found {
     fn new(from: UncertaintyFrom, covariance: Option<Vec<f64>>) -> Self {
         Self { from, covariance, degrees: Vec::new(), warning: None }
+    }
+
+    /// Variance of a parameter.
+    #[cfg(test)]
+    pub fn variance(&self, k: usize) -> f64 {
+        self.covariance.as_ref().map_or(f64::NAN, |c| c[k * c.len().isqrt() + k])
     }
 }
 
@@ -159,7 +168,7 @@ fn from_instrument(
         };
         return Some((solution.covariance()?, solution.cost - problem.shapes().map(more).sum::<f64>()));
     }
-    noise_covariance(solution, jacobian, &noise(problem, solution, u, placed)?)
+    noise_covariance(solution, &problem.rows_of(jacobian).dense(), &noise(problem, solution, u, placed)?)
 }
 
 /// What residuals show where the instrument's uncertainty does not explain them, or none is stated.
@@ -197,22 +206,38 @@ fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<
 }
 
 /// What the scatter of poses shows, or, where these are many, of regions of the joints; `None` where there are too few.
-fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Found, ByCluster)> {
-    let count = REGIONS_PER_PARAMETER * solution.x.len();
+///
+/// Of points that are eliminated the readings have the variance of all residuals, and the other parameters' covariance comes on top.
+pub(super) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Found, ByCluster)> {
+    let factor = solution.factor.as_ref()?;
+    let (common, all) = (factor.common(), factor.columns());
+    let n = common.len();
+    let count = REGIONS_PER_PARAMETER * n;
     let regions = !problem.is_whitened() && problem.pose_count() >= 2 * count;
     let from = if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose };
-    let clusters = ByCluster::new(&problem.clusters(count), solution, jacobian).filter(ByCluster::is_usable)?;
+    let numbers = problem.clusters(count);
+    let Remaining { jacobian, residuals, inverse } = Remaining::new(&numbers, solution, problem.rows_of(jacobian))?;
+    let clusters = ByCluster::new(&numbers, &inverse, &residuals, &jacobian).filter(ByCluster::is_usable)?;
     let mut covariance = clusters.covariance.clone();
     // a stated shape or place is one reading: its rows have the variance that is stated, not the scatter of one
-    let n = solution.x.len();
     let shapes = problem.shapes().map(|(row, shape)| (row, shape.rows(), shape.variance()));
     for (row, count, variance) in shapes.chain(problem.known().map(|(row, known)| (row, known.rows(), 1.0))) {
         let rows = DMatrix::from_row_slice(count, n, &jacobian[row * n..][..count * n]);
-        let step = DMatrix::from_row_slice(n, n, &solution.covariance()?) * rows.transpose();
+        let step = DMatrix::from_row_slice(n, n, &inverse) * rows.transpose();
         let more = &step * step.transpose() * variance;
         covariance.iter_mut().zip(more.iter()).for_each(|(c, more)| *c += more);
     }
-    let degrees = clusters.degrees_of_freedom.clone();
+    let mut degrees = clusters.degrees_of_freedom.clone();
+    if n < all {
+        let scale = |k: usize| solution.scale[common[k]];
+        covariance.iter_mut().enumerate().for_each(|(k, c)| *c *= scale(k / n) * scale(k % n));
+        let dof = problem.residual_count() - all;
+        covariance = factor.covariance_with(covariance, solution.cost / dof.max(1) as f64)?;
+        covariance.iter_mut().enumerate().for_each(|(k, c)| *c /= solution.scale[k / all] * solution.scale[k % all]);
+        let mut of_all = vec![degrees.iter().copied().fold(f64::INFINITY, f64::min); all];
+        common.iter().zip(&degrees).for_each(|(&j, d)| of_all[j] = *d);
+        degrees = of_all;
+    }
     Some((Found { degrees, ..Found::new(from, Some(covariance)) }, clusters))
 }
 
@@ -255,8 +280,11 @@ fn rejection(chi_square: f64, dof: usize, inflation_factor: f64, from: Uncertain
 
 pub(super) fn held_message(robot: &dyn Robot, group: &Group) -> Message {
     let held = &robot.parameters()[group.held];
-    let names: Vec<&str> = group.with.iter().map(|&i| robot.parameters()[i].name.as_str()).collect();
-    let (name, names) = (&held.name, names.join("`, `"));
+    let names = group.with.iter().take(NAMED).map(|&i| robot.parameters()[i].name.as_str());
+    let (name, mut names) = (&held.name, names.collect::<Vec<&str>>().join("`, `"));
+    if group.with.len() > NAMED {
+        names += "`, `...";
+    }
     let quantity = held.quantity;
     match group.useless_uncertainty {
         _ if names.is_empty() => {
@@ -311,7 +339,7 @@ fn noise(
     };
     let shapes = problem.shapes().map(|(_, s)| Some(DMatrix::identity(s.rows(), s.rows()) * s.variance().sqrt()));
     let known = problem.known().map(|(_, known)| Some(DMatrix::identity(known.rows(), known.rows())));
-    problem.blocks().enumerate().map(root).chain(shapes).chain(known).collect()
+    problem.counts().enumerate().map(root).chain(shapes).chain(known).collect()
 }
 
 /// Covariance of unweighted residuals with noise V = L Lᵀ, given by L: A⁻¹ (Σ Jᵀ V J) A⁻¹ with A = JᵀJ; and the least chi-square that

@@ -391,6 +391,24 @@ pub trait FreeBase: Robot {
         6 + 3 * target
     }
 
+    /// Gives `write` the derivatives of the positions of some targets: target, parameter, and what that moves it by. Of parameters that
+    /// act twice they are to be added; others are zero.
+    fn target_derivatives(
+        &self,
+        parameters: &[f64],
+        joints: &[f64],
+        targets: &[usize],
+        write: &mut dyn FnMut(usize, usize, Vector),
+    ) {
+        let n = parameters.len();
+        let mut all = vec![0.0; 3 * self.targets().len() * n];
+        self.jacobian(parameters, joints, &mut all);
+        for &k in targets {
+            let own = &all[3 * k * n..];
+            (0..n).for_each(|j| write(k, j, [own[j], own[n + j], own[2 * n + j]]));
+        }
+    }
+
     /// base_rx, base_ry, base_rz of a rotation: a rotation vector, where the model has no other angles.
     fn base_angles(&self, rotation: &Pose) -> Vector {
         rotation.rotation_vector_rad()

@@ -488,6 +488,31 @@ impl Serial {
         (reached, a)
     }
 
+    /// Gives `write` the derivatives of the positions of targets by parameters, one behind the other.
+    fn derivatives(
+        &self,
+        parameters: &[f64],
+        joints: &[f64],
+        targets: impl Iterator<Item = usize>,
+        mut write: impl FnMut(usize, usize, Vector),
+    ) {
+        let loads = self.loads(joints);
+        let state = State { joints, loads: &loads };
+        let mut axes = Vec::with_capacity(self.elements.len());
+        let flange = chain::trace(&self.elements, parameters, state, &mut axes);
+        for k in targets {
+            let place = self.target_place(k);
+            let point = flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]]);
+            for (element, &axis) in self.elements.iter().zip(&axes).filter(|(e, _)| !e.terms.is_empty()) {
+                let v = element.velocity(axis, point);
+                for (parameter, coefficient) in element.coefficients(state) {
+                    write(k, parameter, v.map(|v| v * coefficient));
+                }
+            }
+            (0..3).for_each(|axis| write(k, place + axis, flange.axis(axis)));
+        }
+    }
+
     /// Inverse kinematics near `start`: joint values at which the flange has the pose `world_T_flange`.
     ///
     /// `None` where the pose cannot be reached to 1e-9 mm and 1e-12 rad from there. The branch is that of `start`.
@@ -532,28 +557,14 @@ impl Robot for Serial {
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let n = parameters.len();
         out.fill(0.0);
-        let loads = self.loads(joints);
-        let state = State { joints, loads: &loads };
-        let mut axes = Vec::with_capacity(self.elements.len());
-        let flange = chain::trace(&self.elements, parameters, state, &mut axes);
-        for (k, rows) in out.chunks_exact_mut(3 * n).enumerate() {
-            let place = self.target_place(k);
-            let point = flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]]);
-            for (element, &axis) in self.elements.iter().zip(&axes).filter(|(e, _)| !e.terms.is_empty()) {
-                let v = element.velocity(axis, point);
-                for (parameter, coefficient) in element.coefficients(state) {
-                    for i in 0..3 {
-                        rows[i * n + parameter] += v[i] * coefficient;
-                    }
-                }
-            }
-            for axis in 0..3 {
-                let direction = flange.axis(axis);
-                for i in 0..3 {
-                    rows[i * n + place + axis] = direction[i];
-                }
-            }
-        }
+        self.derivatives(parameters, joints, 0..self.targets().len(), |target, parameter, moved| {
+            (0..3).for_each(|i| out[(3 * target + i) * n + parameter] += moved[i]);
+        });
+    }
+    fn position(&self, parameters: &[f64], joints: &[f64], target: usize) -> Vector {
+        let place = self.target_place(target);
+        let flange = chain::end(&self.elements, parameters, State { joints, loads: &self.loads(joints) });
+        flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]])
     }
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let n = joints.len();
@@ -678,6 +689,15 @@ impl Kinematics for Serial {
 impl FreeBase for Serial {
     fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose {
         self.direct(parameters, joints)
+    }
+    fn target_derivatives(
+        &self,
+        parameters: &[f64],
+        joints: &[f64],
+        targets: &[usize],
+        write: &mut dyn FnMut(usize, usize, Vector),
+    ) {
+        self.derivatives(parameters, joints, targets.iter().copied(), write);
     }
     fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let n = parameters.len();

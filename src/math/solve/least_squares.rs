@@ -3,7 +3,7 @@
 //! Far from the minimum: Levenberg-Marquardt in Moré's trust region (1978, as in MINPACK) on scaled columns; a step is
 //! accepted by the true cost. Near it the cost is too flat to judge a step: undamped Gauss-Newton stops on the step alone.
 
-use super::{Factor, Loss, Options, Problem, Termination, TrustRegion, norm};
+use super::{Blocks, Factor, Loss, Options, Problem, Rows, Termination, TrustRegion, norm};
 
 /// Where the solver ended, and how.
 #[derive(Clone, Debug)]
@@ -36,7 +36,7 @@ impl Solution {
 
 /// (JᵀJ)⁻¹, row by row, from the factor of J with its columns divided by `scale`; `None` where the rank is not full.
 pub(crate) fn covariance(factor: &Factor, scale: &[f64]) -> Option<Vec<f64>> {
-    let n = factor.n;
+    let n = factor.columns();
     let local = factor.inverse_normal()?;
     Some((0..n * n).map(|k| local[k] / (scale[k / n] * scale[k % n])).collect())
 }
@@ -123,7 +123,7 @@ fn finish<P: Problem>(run: &mut Run<'_, P>) -> Termination {
     for _ in 0..100 {
         run.differentiate();
         let taken_over = run.factor.as_ref().filter(|_| last < 1e-3);
-        let step = taken_over.and_then(|f| f.solve_normal(&run.jacobian, run.target(), &run.scale));
+        let step = taken_over.and_then(|f| f.solve_normal(run.rows(), run.target(), &run.scale));
         let step = match step.filter(|step| run.relative(step) < 0.1 * last) {
             Some(step) => step,
             None => {
@@ -168,13 +168,17 @@ fn fresh_step<P>(run: &Run<'_, P>) -> Option<Vec<f64>> {
 
 /// Norm of each of the `n` columns of a row-by-row matrix; 1 for a column of zeros.
 pub(crate) fn column_norms(jacobian: &[f64], n: usize) -> Vec<f64> {
-    let mut squares = vec![0.0; n];
-    for row in jacobian.chunks_exact(n.max(1)) {
-        for (s, j) in squares.iter_mut().zip(row) {
-            *s += j * j;
-        }
-    }
-    squares.into_iter().map(|s: f64| if s > 0.0 { s.sqrt() } else { 1.0 }).collect()
+    Rows { numbers: jacobian, n, blocks: None }.norms()
+}
+
+/// The factor of the Jacobian of `problem` at `x`, with its columns divided by their norms, and these.
+pub(crate) fn factor_at(problem: &impl Problem, x: &[f64]) -> (Factor, Vec<f64>) {
+    let width = problem.blocks().map_or(x.len(), Blocks::width);
+    let mut jacobian = vec![0.0; problem.residual_count() * width];
+    problem.jacobian(x, &mut jacobian);
+    let rows = Rows { numbers: &jacobian, n: x.len(), blocks: problem.blocks() };
+    let norms = rows.norms();
+    (rows.factor(&vec![0.0; problem.residual_count()], &norms), norms)
 }
 
 /// The point at hand while the solver runs, with all that was computed there.
@@ -205,7 +209,7 @@ impl<'a, P: Problem> Run<'a, P> {
             x: start.to_vec(),
             residuals,
             cost: 0.0,
-            jacobian: vec![0.0; m * n],
+            jacobian: vec![0.0; m * problem.blocks().map_or(n, Blocks::width)],
             weighed: Vec::new(),
             factor: None,
             scale: vec![1.0; n],
@@ -233,8 +237,14 @@ impl<'a, P: Problem> Run<'a, P> {
         let loss = self.options.loss;
         if loss != Loss::Squares {
             self.weighed.clone_from(&self.residuals);
-            loss.weigh(&mut self.weighed, &mut self.jacobian, self.x.len(), self.problem.prior_count());
+            let width = self.problem.blocks().map_or(self.x.len(), Blocks::width);
+            loss.weigh(&mut self.weighed, &mut self.jacobian, width, self.problem.prior_count());
         }
+    }
+
+    /// The Jacobian at hand.
+    fn rows(&self) -> Rows<'_> {
+        Rows { numbers: &self.jacobian, n: self.x.len(), blocks: self.problem.blocks() }
     }
 
     /// Right-hand side that goes with `jacobian`.
@@ -245,7 +255,7 @@ impl<'a, P: Problem> Run<'a, P> {
     /// Factors the Jacobian at hand, with columns divided by their norms or, if `largest` is given, by the largest
     /// norms so far; an error if a number in it is not finite.
     fn factorise(&mut self, largest: Option<&mut Vec<f64>>) -> Result<(), Termination> {
-        self.scale = column_norms(&self.jacobian, self.x.len());
+        self.scale = self.rows().norms();
         if self.scale.iter().any(|s| !s.is_finite()) || !self.cost.is_finite() {
             return Err(Termination::NotANumber);
         }
@@ -253,7 +263,7 @@ impl<'a, P: Problem> Run<'a, P> {
             largest.iter_mut().zip(&self.scale).for_each(|(kept, now)| *kept = f64::max(*kept, *now));
             self.scale.clone_from(largest);
         }
-        self.factor = Some(Factor::new(&self.jacobian, self.target(), &self.scale));
+        self.factor = Some(self.rows().factor(self.target(), &self.scale));
         Ok(())
     }
 

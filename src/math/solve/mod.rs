@@ -5,6 +5,7 @@
 //! elements, which are well conditioned, take it from normal equations where that loses nothing. Prior knowledge adds
 //! rows ([`WithPriors`]), a [`Loss`] reduces the influence of outliers.
 
+mod blocks;
 mod eigen;
 mod factor;
 mod least_squares;
@@ -13,10 +14,11 @@ mod priors;
 mod svd;
 mod trust_region;
 
+pub use blocks::{Blocks, OWN, Rows};
 pub use eigen::symmetric_eigen;
 pub use factor::Factor;
 pub use least_squares::{Solution, solve};
-pub(crate) use least_squares::{column_norms, covariance};
+pub(crate) use least_squares::{column_norms, covariance, factor_at};
 pub use loss::Loss;
 pub use priors::{Prior, WithPriors};
 pub use svd::{Svd, svd};
@@ -35,8 +37,13 @@ pub trait Problem {
     /// Writes the m residuals at `x` into `r`.
     fn residuals(&self, x: &[f64], r: &mut [f64]);
 
-    /// Writes the m × n Jacobian dr/dx at `x` into `jacobian`, row by row.
+    /// Writes the m × n Jacobian dr/dx at `x` into `jacobian`, row by row; of a problem with [`Self::blocks`] as these say.
     fn jacobian(&self, x: &[f64], jacobian: &mut [f64]);
+
+    /// Columns that only few rows have.
+    fn blocks(&self) -> Option<&Blocks> {
+        None
+    }
 
     /// How many of the residuals, the last ones, are prior knowledge: no [`Loss`] weighs them down.
     fn prior_count(&self) -> usize {

@@ -1,6 +1,6 @@
 //! Prior knowledge as more rows of a problem.
 
-use super::Problem;
+use super::{Blocks, Problem};
 
 /// What is known of a parameter before the measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,12 +19,14 @@ pub struct Prior {
 pub struct WithPriors<'a, P> {
     problem: &'a P,
     priors: Vec<Prior>,
+    blocks: Option<Blocks>,
 }
 
 impl<'a, P: Problem> WithPriors<'a, P> {
     /// `problem` and what is known before it.
     pub fn new(problem: &'a P, priors: &[Prior]) -> Self {
-        Self { problem, priors: priors.to_vec() }
+        let blocks = problem.blocks().map(|b| b.with_single_rows(priors.iter().map(|prior| prior.parameter)));
+        Self { problem, priors: priors.to_vec(), blocks }
     }
 }
 
@@ -43,15 +45,20 @@ impl<P: Problem> Problem for WithPriors<'_, P> {
     }
 
     fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
-        let n = x.len();
-        let (measured, known) = jacobian.split_at_mut(self.problem.residual_count() * n);
+        let width = self.blocks.as_ref().map_or(x.len(), Blocks::width);
+        let (measured, known) = jacobian.split_at_mut(self.problem.residual_count() * width);
         self.problem.jacobian(x, measured);
         known.fill(0.0);
-        for (row, prior) in known.chunks_exact_mut(n.max(1)).zip(&self.priors) {
-            if let Some(j) = row.get_mut(prior.parameter) {
+        for (row, prior) in known.chunks_exact_mut(width.max(1)).zip(&self.priors) {
+            let place = self.blocks.as_ref().map_or(Some(prior.parameter), |b| Some(b.place_of(prior.parameter)?.1));
+            if let Some(j) = place.and_then(|place| row.get_mut(place)) {
                 *j = prior.weight;
             }
         }
+    }
+
+    fn blocks(&self) -> Option<&Blocks> {
+        self.blocks.as_ref()
     }
 
     fn prior_count(&self) -> usize {

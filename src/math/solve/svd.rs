@@ -30,9 +30,10 @@ impl Svd {
     }
 }
 
-/// Decomposes the triangular factor R of a matrix: same singular values and right singular vectors as the matrix.
+/// Decomposes the triangular factor R of a matrix: same singular values and right singular vectors as the matrix; where that has blocks,
+/// as what they leave of its common columns.
 pub fn svd(factor: &Factor) -> Svd {
-    let n = factor.n;
+    let n = factor.common().len();
     // columns of R are rotated to be orthogonal: R V = U S
     let mut columns: Vec<Vec<f64>> = (0..n).map(|j| (0..n).map(|i| factor.r(i, j)).collect()).collect();
     let mut v: Vec<Vec<f64>> = (0..n).map(|j| (0..n).map(|i| f64::from(u8::from(i == j))).collect()).collect();

@@ -1,7 +1,7 @@
 //! Which parameters are hardly separable: the correlation of every pair.
 
 use super::svg::Svg;
-use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
+use crate::document::ParametersDocument;
 use crate::report::model::Figure;
 use crate::report::number;
 use crate::report::words::Words;
@@ -15,8 +15,7 @@ const STRONG: f64 = 0.9;
 
 /// The matrix of correlations; `None` without a covariance of the identified parameters.
 pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -> Option<Figure> {
-    let identified = |p: &&ParameterEntry| p.status == ParameterStatus::Identified;
-    let names: Vec<&str> = document.parameters.iter().filter(identified).map(|p| p.name.as_str()).collect();
+    let names: Vec<&str> = document.identified().map(|p| p.name.as_str()).collect();
     let (covariance, n) = (&document.covariance, names.len());
     if n < 2 || covariance.len() != n || covariance.iter().any(|row| row.len() != n) {
         return None;

@@ -64,8 +64,7 @@ fn matrix(
     entry: fn(&[Vec<f64>], usize, usize) -> f64,
 ) -> Table {
     let covariance = &document.covariance;
-    let identified: Vec<(usize, &ParameterEntry)> =
-        document.parameters.iter().filter(|p| p.status == ParameterStatus::Identified).enumerate().collect();
+    let identified: Vec<(usize, &ParameterEntry)> = document.identified().enumerate().collect();
     let size = identified.len();
     let fits = size > 0 && covariance.len() == size && covariance.iter().all(|row| row.len() == size);
     if !fits {

@@ -243,6 +243,7 @@ fn parameters() -> ParametersDocument {
         robot: "prexyt".to_owned(),
         parameters: names.split(' ').enumerate().map(entry).collect(),
         covariance: vec![],
+        covariance_without: vec![],
         residuals: ResidualSummary {
             kind: ResidualKind::Targets,
             count: 160,
