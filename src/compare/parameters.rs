@@ -120,9 +120,7 @@ impl Change {
 
 /// Of those of `names` that both campaigns identified; `None` where one has no covariance.
 pub(super) fn change(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<Change> {
-    let identified = |c: Identified| {
-        c.0.identified().map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>()
-    };
+    let identified = |c: Identified| c.0.identified().map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>();
     let (a, b) = (identified(all[from]), identified(all[to]));
     let place = |all: &[(String, f64)], name: &str| all.iter().position(|p| p.0 == name);
     let both: Vec<(usize, usize)> = names.iter().filter_map(|n| Some((place(&a, n)?, place(&b, n)?))).collect();

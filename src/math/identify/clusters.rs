@@ -116,7 +116,8 @@ mod tests {
         let (single, twice) = ([1.0, 2.0, 4.0, 9.0], [1.0, 1.0, 2.0, 2.0, 4.0, 4.0, 9.0, 9.0]);
         for (readings, clusters) in [(&single[..], vec![0, 1, 2, 3]), (&twice[..], vec![0, 0, 1, 1, 2, 2, 3, 3])] {
             let solution = solve(&Mean(readings), &[0.0], Options::default());
-            let found = ByCluster::new(&clusters, &inverse(&solution), &solution.residuals, &vec![1.0; readings.len()]).unwrap();
+            let found = ByCluster::new(&clusters, &inverse(&solution), &solution.residuals, &vec![1.0; readings.len()])
+                .unwrap();
             let variance = (9.0 + 4.0 + 0.0 + 25.0) / 3.0;
             assert!((found.covariance[0] - variance / 4.0).abs() < 1e-12, "{}", found.covariance[0]);
             assert!((found.degrees_of_freedom[0] - 3.0).abs() < 1e-12 && found.is_usable());
@@ -124,6 +125,9 @@ mod tests {
             assert!(!found.exceeds(), "four clusters are too few");
         }
         let solution = solve(&Mean(&single), &[0.0], Options::default());
-        assert!(ByCluster::new(&[0; 4], &inverse(&solution), &solution.residuals, &[1.0; 4]).is_none(), "one cluster determines the mean alone");
+        assert!(
+            ByCluster::new(&[0; 4], &inverse(&solution), &solution.residuals, &[1.0; 4]).is_none(),
+            "one cluster determines the mean alone"
+        );
     }
 }

@@ -192,7 +192,8 @@ mod tests {
             prismatic: false,
             parallel: alpha == 0.0 && a_mm != 0.0,
         };
-        let table = [[0.0, 0.0, 0.0, 290.0], [-90.0, 0.0, -90.0, 0.0], [0.0, 270.0, 0.0, 0.0], [-90.0, 70.0, 0.0, 302.0]];
+        let table =
+            [[0.0, 0.0, 0.0, 290.0], [-90.0, 0.0, -90.0, 0.0], [0.0, 270.0, 0.0, 0.0], [-90.0, 70.0, 0.0, 302.0]];
         let names: Vec<String> = (1..=targets).map(|k| format!("T{k}")).collect();
         let robot = Serial::new(&table.iter().map(joint).collect::<Vec<_>>(), &names, [0.0, 0.0, -1.0], &[], &[]);
         let value = |(i, p): (usize, &crate::math::robots::Parameter)| match i {

@@ -112,7 +112,11 @@ pub(super) fn observe(
 }
 
 /// The smallest singular values with all parameters of `problem`, as many as are not among the `identified` ones.
-pub(super) fn held_singular_values(problem: &Residuals, values: &[f64], identified: &Observability) -> Vec<SingularValue> {
+pub(super) fn held_singular_values(
+    problem: &Residuals,
+    values: &[f64],
+    identified: &Observability,
+) -> Vec<SingularValue> {
     if problem.free.len() == identified.rank {
         return Vec::new();
     }

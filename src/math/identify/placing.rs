@@ -62,7 +62,8 @@ pub(super) fn place(
     for o in &mut few {
         others.iter().for_each(|&k| o.targets[k] = None);
     }
-    let of_others: BTreeSet<usize> = others.iter().flat_map(|&k| (0..3).map(move |i| (k, i))).map(|(k, i)| arm.target_place(k) + i).collect();
+    let of_others: BTreeSet<usize> =
+        others.iter().flat_map(|&k| (0..3).map(move |i| (k, i))).map(|(k, i)| arm.target_place(k) + i).collect();
     let places: Vec<usize> = places.iter().copied().filter(|i| !of_others.contains(i)).collect();
     let mut placed = place_all(robot, arm, &few, nominal, &places)?;
     if let Some(placed) = &mut placed {

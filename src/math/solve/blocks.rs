@@ -292,10 +292,7 @@ mod tests {
         near(&factor.multiply_transposed(&factor.qtb), &expected.multiply_transposed(&expected.qtb));
         near(&square(factor.forward_substitute(x.clone()).unwrap()), &square(expected.forward_substitute(x).unwrap()));
         let kept = [0, 1, 3, 5, 6, 8];
-        near(
-            &factor.keeping(&kept).inverse_normal().unwrap(),
-            &expected.keeping(&kept).inverse_normal().unwrap(),
-        );
+        near(&factor.keeping(&kept).inverse_normal().unwrap(), &expected.keeping(&kept).inverse_normal().unwrap());
         near(&rows.transposed_times::<1>(&b).concat(), &whole.transposed_times::<1>(&b).concat());
     }
 }

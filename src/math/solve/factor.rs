@@ -222,7 +222,8 @@ impl Factor {
         for head in &self.heads {
             let w = head.columns.len();
             let own: Vec<usize> = (0..w).filter(|&k| number[head.columns[k]].is_some()).collect();
-            let take = |row: &Vec<f64>| own.iter().copied().chain(place.iter().map(|p| w + p.1)).map(|k| row[k]).collect();
+            let take =
+                |row: &Vec<f64>| own.iter().copied().chain(place.iter().map(|p| w + p.1)).map(|k| row[k]).collect();
             let columns: Vec<usize> = own.iter().filter_map(|&k| number[head.columns[k]]).collect();
             let (head, rest) = some(own.len() + place.len(), &mut head.rows.iter().map(take)).split(&columns);
             common = common.stack(rest);
@@ -360,7 +361,11 @@ impl Factor {
 
     /// Covariance of all columns, row by row, where that of the common ones is `of_common` and the rows of blocks have this `variance`.
     pub fn covariance_with(&self, of_common: Vec<f64>, variance: f64) -> Option<Vec<f64>> {
-        if self.heads.is_empty() { Some(of_common) } else { with_heads(&self.heads, &self.common, &of_common, variance) }
+        if self.heads.is_empty() {
+            Some(of_common)
+        } else {
+            with_heads(&self.heads, &self.common, &of_common, variance)
+        }
     }
 
     /// (RᵀR)⁻¹ of the common columns, row by row; `None` where their R is singular.
