@@ -327,7 +327,7 @@ fn keys_of_campaigns_are_documented() {
 #[test]
 fn keys_of_robots_are_documented() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/keys");
-    let all = ["prexyt", "five_bar", "serial", "serial-dh", "serial-poe", "urdf", "hexapod"]
+    let all = ["prexyt", "five_bar", "serial", "serial-dh", "serial-poe", "urdf", "hexapod", "delta", "delta_linear"]
         .map(|model| folder.join(format!("robot-{model}.toml")));
     for path in &all {
         let robot = etalon::campaign::read_robot(path).unwrap();

@@ -22,7 +22,10 @@ struct Model {
 
 const HEXAPOD: Model =
     Model { name: "hexapod", center_mm: [0.0, 0.0, 400.0], range_mm: 60.0, range_rad: 0.3, gauge: 12 };
-const MODELS: [&Model; 1] = [&HEXAPOD];
+const DELTA: Model = Model { name: "delta", center_mm: [0.0, 0.0, -750.0], range_mm: 180.0, range_rad: 0.0, gauge: 12 };
+const LINEAR: Model =
+    Model { name: "delta_linear", center_mm: [0.0, 0.0, 150.0], range_mm: 110.0, range_rad: 0.0, gauge: 12 };
+const MODELS: [&Model; 3] = [&HEXAPOD, &DELTA, &LINEAR];
 
 impl Model {
     fn robot(&self, targets: &[&str]) -> Box<dyn Robot> {
@@ -139,6 +142,51 @@ fn hexapod_there_and_back() {
     assert!(
         arm.limit_violation(&robot.nominal(), &[75.0, 75.0, 75.0, 75.0, 75.0, 151.0]).unwrap().contains("leg6 = 151")
     );
+}
+
+/// A joint of a delta's platform is a rod's length from elbow or carriage, here by rotations of nalgebra; and of all ways the one of the
+/// joints that were set is found.
+#[test]
+fn deltas_there_and_back() {
+    let mut noise = Noise::new(18, 2);
+    for model in [&DELTA, &LINEAR] {
+        let robot = model.robot(&["a"]);
+        let arm = robot.kinematics().unwrap();
+        let p = model.truth(robot.as_ref(), &mut noise);
+        let turn = |axis: usize, angle: f64| {
+            Rotation3::from_axis_angle(&[Vector3::x_axis(), Vector3::y_axis(), Vector3::z_axis()][axis], angle)
+        };
+        let mut ways = 0;
+        for _ in 0..2000 {
+            let joints = model.joints(robot.as_ref(), &mut noise);
+            let pose = arm.tool_pose(&p, &joints).unwrap();
+            let azimuths = if model.name == "delta" { [0.0, 120.0, 240.0] } else { [210.0, 330.0, 90.0f64] };
+            for (leg, p) in p[9..].chunks_exact((p.len() - 9) / 3).enumerate() {
+                let azimuth = turn(2, azimuths[leg].to_radians());
+                let (end, rod, radius) = if model.name == "delta" {
+                    let motor = turn(2, p[3]) * turn(0, p[4]);
+                    let elbow = motor * turn(1, joints[leg] + p[6]) * Vector3::new(p[5], 0.0, 0.0);
+                    (Vector3::new(p[0], p[1], p[2]) + elbow, p[7], p[8])
+                } else {
+                    let carriage = turn(1, p[1]) * turn(0, p[2]) * Vector3::new(0.0, 0.0, joints[leg] + p[0]);
+                    (Vector3::new(p[3], p[4], 0.0) + carriage, p[5], p[6])
+                };
+                let to = Vector3::from(pose.translation_mm) + azimuth * Vector3::new(radius, 0.0, 0.0);
+                assert!(((to - azimuth * end).norm() - rod).abs() < 1e-9);
+                assert!(to.z < (azimuth * end).z, "the platform is below");
+            }
+            assert!(pose.angle_rad() == 0.0);
+            let back = arm.all_joints(&p, &pose);
+            let same = |q: &Vec<f64>| q.iter().zip(&joints).all(|(a, b)| (a - b).abs() < 1e-9);
+            assert_eq!(back.iter().filter(|q| same(q)).count(), 1, "{back:?} {joints:?}");
+            ways = ways.max(back.len());
+        }
+        println!("{}: {ways} ways to a pose at most", model.name);
+        let tilted = Pose { translation_mm: model.center_mm, ..Pose::from_rotation_vector([0.01, 0.0, 0.0]) };
+        assert!(arm.all_joints(&p, &tilted).is_empty());
+        let beside = Pose { translation_mm: [1100.0, 0.0, -200.0], ..Pose::identity() };
+        assert!(arm.all_joints(&p, &beside).is_empty());
+    }
 }
 
 /// A simulated campaign: positions of three targets, or a body of one target and its orientation.

@@ -8,7 +8,7 @@ use super::residuals::Residuals;
 use super::{Observation, ResidualKind, Settings};
 use crate::base::message::Result;
 use crate::base::pose::{Pose, Vector, centroid, minus, norm};
-use crate::math::robots::{FreeBase, Robot};
+use crate::math::robots::{FreeBase, Quantity, Robot};
 use crate::math::solve::{self, Factor, Options, Termination};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
@@ -115,9 +115,12 @@ fn place_all(
     let spread = spread_mm(observations);
     let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count().max(1) as f64;
     let mut best: Option<Placed> = None;
-    for (_, values) in candidates.into_iter().take(REFINED) {
+    for (_, mut values) in candidates.into_iter().take(REFINED) {
         let all = Residuals::new(robot, observations, &PLAIN, places, &values)?;
         let held = Analysis::at(&all, &values, 0.0).held();
+        // positions are linear in the others: they follow
+        let lengths = held.iter().filter(|&&i| robot.parameters()[i].quantity == Quantity::Length);
+        lengths.for_each(|&i| values[i] = nominal[i]);
         let free: Vec<usize> = places.iter().copied().filter(|i| !held.contains(i)).collect();
         let problem = Residuals::new(robot, observations, &PLAIN, &free, &values)?;
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();

@@ -4,7 +4,7 @@
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
 use super::{Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role, Source};
-use super::{in_plane, in_space};
+use super::{in_plane, in_space, wrap};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
 use crate::base::pose::Vector;
@@ -47,12 +47,12 @@ pub(super) const MODEL: Model = Model::new::<Keys>(
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Keys {
-    /// Limits of a PreXYT (`travel_mm`) or a five-bar. A limit that is not stated does not apply.
+    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
     #[serde(default)]
     reach: LimitKeys,
 }
 
-/// Limits of a five-bar. A limit that is not stated does not apply.
+/// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct LimitKeys {
@@ -299,11 +299,6 @@ fn meet<T: Scalar>(base: [T; 2], near: T, far: T, side: f64) -> [T; 2] {
     let along = (near * near - far * far + square) / (square * 2.0); // eq. 4.5: b1 / d
     let across = (near * near / square - along * along).sqrt() * side; // eq. 4.5: ξ h / d
     [along * base[0] - across * base[1], along * base[1] + across * base[0]]
-}
-
-/// An angle brought to (−π, π], derivative kept.
-fn wrap<T: Scalar>(angle: T) -> T {
-    angle + (-(angle.value() / std::f64::consts::TAU).round() * std::f64::consts::TAU)
 }
 
 fn from(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {

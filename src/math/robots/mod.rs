@@ -8,6 +8,7 @@ mod chain;
 mod compensation;
 mod conventions;
 mod definition;
+mod delta;
 mod five_bar;
 mod hexapod;
 mod parallel;
@@ -25,6 +26,7 @@ pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, norm};
+use crate::base::scalar::Scalar;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 use std::f64::consts::{PI, TAU};
@@ -34,8 +36,16 @@ use toml::Spanned;
 use toml::de::{DeTable, Deserializer};
 
 /// All models.
-pub const MODELS: [&Model; 6] =
-    [&prexyt::REDUCED, &prexyt::FULL, &five_bar::MODEL, &conventions::MODEL, &urdf::MODEL, &hexapod::MODEL];
+pub const MODELS: [&Model; 8] = [
+    &prexyt::REDUCED,
+    &prexyt::FULL,
+    &five_bar::MODEL,
+    &conventions::MODEL,
+    &urdf::MODEL,
+    &hexapod::MODEL,
+    &delta::ROTARY,
+    &delta::LINEAR,
+];
 
 /// Reads the keys of a table that are a model's own.
 pub type ReadKeys = fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>;
@@ -273,6 +283,11 @@ fn nearest<R: Robot + ?Sized>(
     let why = all.first().and_then(violation);
     let within = all.into_iter().find(|q| violation(q).is_none());
     within.ok_or_else(|| why.unwrap_or_else(|| "out of reach".to_owned()))
+}
+
+/// An angle brought to (−π, π], derivative kept.
+fn wrap<T: Scalar>(angle: T) -> T {
+    angle + (-(angle.value() / TAU).round() * TAU)
 }
 
 /// The shortest rotation vector of the same rotation, rad.

@@ -7,7 +7,7 @@ use super::{
     Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot,
     Role, Source,
 };
-use super::{in_plane, in_space};
+use super::{in_plane, in_space, wrap};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
 use crate::base::scalar::{Dual, Scalar, constants, duals};
@@ -43,12 +43,12 @@ pub(super) const FULL: Model = Model::new::<Keys<true>>("prexyt_full", &[&["reac
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Keys<const FULL: bool> {
-    /// Limits of a PreXYT (`travel_mm`) or a five-bar. A limit that is not stated does not apply.
+    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
     #[serde(default)]
     reach: Travel,
 }
 
-/// Limits of a robot: `travel_mm` of a PreXYT, the others of a five-bar. A limit that is not stated does not apply.
+/// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Travel {
@@ -176,12 +176,6 @@ impl Prexyt {
         let (estimated, measured) = (self.direct(p, rho), self.measured(p, k, l));
         [estimated.x_mm - measured.x_mm, estimated.y_mm - measured.y_mm, wrap(estimated.theta_rad - measured.theta_rad)]
     }
-}
-
-/// An angle difference brought to (−π, π], derivative kept.
-fn wrap<T: Scalar>(angle: T) -> T {
-    let turns = (angle.value() / std::f64::consts::TAU).round();
-    angle + (-turns * std::f64::consts::TAU)
 }
 
 impl Robot for Prexyt {

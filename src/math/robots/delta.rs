@@ -1,0 +1,285 @@
+//! Delta robots (Clavel 1988): a platform on three pairs of parallel rods, which let it shift and not turn. The rods hang on arms that
+//! turn (`delta`) or on carriages that slide along towers (`delta_linear`); the platform is below them.
+//!
+//! Each pair is one rod between the middles of its joints. What it hangs on is a circle or a line in space: seven or five parameters,
+//! with the rod's length eight (the model of 24 parameters of Vischer & Clavel 1998) or six. The radius of the platform makes them nine
+//! and seven: it is never identifiable beside that of the base, and only their difference has an effect.
+
+use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod};
+use super::{Description, Model, Quantity, Robot, Source, wrap, wrong_targets};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use crate::base::scalar::Scalar;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Delta with arms that turn.
+pub(super) const ROTARY: Model = Model::new::<RotaryKeys>(
+    "delta",
+    &[
+        &["base_radius_mm"],
+        &["platform_radius_mm"],
+        &["rod_mm"],
+        &["azimuth_deg"],
+        &["upper_arm_mm"],
+        &["reach", "theta1_deg"],
+        &["reach", "theta2_deg"],
+        &["reach", "theta3_deg"],
+    ],
+    &["base_radius_mm", "platform_radius_mm", "rod_mm", "azimuth_deg", "upper_arm_mm"],
+);
+/// Delta with carriages on towers.
+pub(super) const LINEAR: Model = Model::new::<LinearKeys>(
+    "delta_linear",
+    &[&["base_radius_mm"], &["platform_radius_mm"], &["rod_mm"], &["azimuth_deg"], &["reach", "travel_mm"]],
+    &["base_radius_mm", "platform_radius_mm", "rod_mm", "azimuth_deg"],
+);
+
+const LEGS: usize = 3;
+/// A platform that is turned by more is out of reach.
+const TURNED: f64 = 1e-6;
+
+/// Keys of a delta with arms in robot.toml.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct RotaryKeys {
+    /// Distance of the motor axes or towers of a delta from the z axis of its base.
+    base_radius_mm: f64,
+    /// Distance of the rods' joints on the platform of a delta from the z axis of the platform.
+    platform_radius_mm: f64,
+    /// Length of the rods of a delta (its forearms).
+    rod_mm: f64,
+    /// Directions of the three arms or towers of a delta in its base, about z from x.
+    #[serde(default = "thirds")]
+    azimuth_deg: [f64; 3],
+    /// Length of the upper arms of a delta. At joint value zero they are level and point outwards; they sink as it grows.
+    upper_arm_mm: f64,
+    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
+    #[serde(default)]
+    reach: Angles,
+}
+
+/// Limits of a delta with arms.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Angles {
+    /// Smallest and largest encoder angle of joint 1.
+    theta1_deg: Option<[f64; 2]>,
+    /// Smallest and largest encoder angle of joint 2.
+    theta2_deg: Option<[f64; 2]>,
+    /// Smallest and largest encoder angle of joint 3.
+    theta3_deg: Option<[f64; 2]>,
+}
+
+/// Keys of a delta with towers in robot.toml.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct LinearKeys {
+    /// Distance of the motor axes or towers of a delta from the z axis of its base.
+    base_radius_mm: f64,
+    /// Distance of the rods' joints on the platform of a delta from the z axis of the platform.
+    platform_radius_mm: f64,
+    /// Length of the rods of a delta (its forearms).
+    rod_mm: f64,
+    /// Directions of the three arms or towers of a delta in its base, about z from x.
+    #[serde(default = "thirds")]
+    azimuth_deg: [f64; 3],
+    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
+    #[serde(default)]
+    reach: Travel,
+}
+
+/// Limits of a delta with towers.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Travel {
+    /// Travel of each actuator from zero.
+    travel_mm: Option<[f64; 3]>,
+}
+
+fn thirds() -> [f64; 3] {
+    [0.0, 120.0, 240.0]
+}
+
+/// A robot of three equal legs; `lengths` must be positive.
+fn build<L: Legs>(
+    legs: L,
+    nominal: &[f64],
+    limits: [Option<[f64; 2]>; 3],
+    lengths: &[(&str, f64)],
+    targets: &[String],
+    source: &dyn Source,
+) -> Result<Box<dyn Robot>>
+where
+    L: 'static,
+{
+    let mut problems = wrong_targets(targets);
+    for (key, _) in lengths.iter().filter(|(_, length)| !(*length > 0.0 && length.is_finite())) {
+        problems.0.push(Message::error(format!("`{key}` must be positive")).at(source.place(&[key])));
+    }
+    problems.check()?;
+    Ok(Box::new(Parallel::new(legs, &nominal.repeat(LEGS), limits.to_vec(), targets)))
+}
+
+impl Description for RotaryKeys {
+    fn states_geometry(&self) -> bool {
+        true
+    }
+
+    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
+        let Self { base_radius_mm, platform_radius_mm, rod_mm, upper_arm_mm, .. } = *self;
+        let nominal = [base_radius_mm, 0.0, 0.0, 0.0, 0.0, upper_arm_mm, 0.0, rod_mm, platform_radius_mm];
+        let limits = [self.reach.theta1_deg, self.reach.theta2_deg, self.reach.theta3_deg];
+        let limits = limits.map(|limit| limit.map(|ends| ends.map(f64::to_radians)));
+        let legs = Rotary(Azimuths::new(self.azimuth_deg));
+        build(legs, &nominal, limits, &[("rod_mm", rod_mm), ("upper_arm_mm", upper_arm_mm)], targets, source)
+    }
+}
+
+impl Description for LinearKeys {
+    fn states_geometry(&self) -> bool {
+        true
+    }
+
+    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
+        let Self { base_radius_mm, platform_radius_mm, rod_mm, .. } = *self;
+        let nominal = [0.0, 0.0, 0.0, base_radius_mm, 0.0, rod_mm, platform_radius_mm];
+        let limits = [0, 1, 2].map(|i| self.reach.travel_mm.map(|travel| [0.0, travel[i]]));
+        build(Linear(Azimuths::new(self.azimuth_deg)), &nominal, limits, &[("rod_mm", rod_mm)], targets, source)
+    }
+}
+
+/// Directions of the legs in the base.
+#[derive(Clone, Copy, Debug)]
+struct Azimuths([f64; LEGS]);
+
+impl Azimuths {
+    fn new(deg: [f64; LEGS]) -> Self {
+        Self(deg.map(f64::to_radians))
+    }
+
+    /// The frame of a leg in base or platform: its x axis points outwards.
+    fn frame<T: Scalar>(&self, leg: usize) -> Pose<T> {
+        Pose::identity().turn_z(T::from(self.0[leg]))
+    }
+}
+
+/// Arms that turn.
+#[derive(Clone, Copy, Debug)]
+struct Rotary(Azimuths);
+
+impl Rotary {
+    /// The frame of a motor: the arm turns about its y axis.
+    fn motor<T: Scalar>(&self, leg: usize, p: &[T]) -> Pose<T> {
+        let foot = self.0.frame(leg).shift(0, p[0]).shift(1, p[1]).shift(2, p[2]);
+        foot.turn_z(p[3]).turn_x(p[4])
+    }
+}
+
+impl Legs for Rotary {
+    const MODEL: &'static str = "delta";
+    const PARAMETERS: &'static [LegParameter] = &[
+        LegParameter { name: "base_radius_#", quantity: Quantity::Length },
+        LegParameter { name: "base_side_#", quantity: Quantity::Length },
+        LegParameter { name: "base_height_#", quantity: Quantity::Length },
+        LegParameter { name: "axis_rz_#", quantity: Quantity::Angle },
+        LegParameter { name: "axis_rx_#", quantity: Quantity::Angle },
+        LegParameter { name: "upper_arm_#", quantity: Quantity::Length },
+        LegParameter { name: "delta_#", quantity: Quantity::Angle },
+        LegParameter { name: "rod_#", quantity: Quantity::Length },
+        LegParameter { name: "platform_radius_#", quantity: Quantity::Length },
+    ];
+    const JOINT: LegParameter = LegParameter { name: "theta#", quantity: Quantity::Angle };
+    const COUNT: usize = LEGS;
+
+    fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T> {
+        let elbow = self.motor(leg, p).turn_y(q + p[6]).shift(0, p[5]);
+        let platform = self.0.frame(leg).shift(0, p[8]);
+        Rod { base_mm: elbow.translation_mm, platform_mm: platform.translation_mm, length_mm: p[7] }
+    }
+
+    fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
+        hang(&legs.rods(joints))
+    }
+
+    /// The two elbows from which the rod reaches its joint on the platform.
+    fn joints_at(&self, leg: usize, p: &[f64], platform: &Pose) -> Vec<f64> {
+        let Some(to) = shifted(&self.rod(leg, p, 0.0), platform) else { return Vec::new() };
+        let [x, y, z] = self.motor(leg, p).inverse().apply(to);
+        // x cos θ − z sin θ = c, of an elbow at (l cos θ, 0, −l sin θ)
+        let c = (x * x + y * y + z * z + p[5] * p[5] - p[7] * p[7]) / (2.0 * p[5]);
+        let (middle, half) = ((-z).atan2(x), (c / x.hypot(z)).acos());
+        [middle - half, middle + half].into_iter().filter(|q| q.is_finite()).map(|q| wrap(q - p[6])).collect()
+    }
+}
+
+/// Carriages on towers.
+#[derive(Clone, Copy, Debug)]
+struct Linear(Azimuths);
+
+impl Linear {
+    /// The frame of a tower, which is its z axis, at the height of the base.
+    fn tower<T: Scalar>(&self, leg: usize, p: &[T]) -> Pose<T> {
+        self.0.frame(leg).shift(0, p[3]).shift(1, p[4]).turn_y(p[1]).turn_x(p[2])
+    }
+}
+
+impl Legs for Linear {
+    const MODEL: &'static str = "delta_linear";
+    const PARAMETERS: &'static [LegParameter] = &[
+        // a turn about the last tower moves the foot of another one most: of its parameters the last is held
+        LegParameter { name: "offset_#", quantity: Quantity::Length },
+        LegParameter { name: "tower_ry_#", quantity: Quantity::Angle },
+        LegParameter { name: "tower_rx_#", quantity: Quantity::Angle },
+        LegParameter { name: "base_radius_#", quantity: Quantity::Length },
+        LegParameter { name: "base_side_#", quantity: Quantity::Length },
+        LegParameter { name: "rod_#", quantity: Quantity::Length },
+        LegParameter { name: "platform_radius_#", quantity: Quantity::Length },
+    ];
+    const JOINT: LegParameter = LegParameter { name: "rho#", quantity: Quantity::Length };
+    const COUNT: usize = LEGS;
+
+    fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T> {
+        let carriage = self.tower(leg, p).shift(2, q + p[0]);
+        let platform = self.0.frame(leg).shift(0, p[6]);
+        Rod { base_mm: carriage.translation_mm, platform_mm: platform.translation_mm, length_mm: p[5] }
+    }
+
+    fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
+        hang(&legs.rods(joints))
+    }
+
+    /// The carriage above the platform from which the rod reaches it.
+    fn joints_at(&self, leg: usize, p: &[f64], platform: &Pose) -> Vec<f64> {
+        let Some(to) = shifted(&self.rod(leg, p, 0.0), platform) else { return Vec::new() };
+        let [x, y, z] = self.tower(leg, p).inverse().apply(to);
+        let rise = (p[5] * p[5] - x * x - y * y).sqrt();
+        Some(z + rise - p[0]).filter(|q| q.is_finite()).into_iter().collect()
+    }
+}
+
+/// Where the joint of a rod on the platform is in the base; `None` where the platform is turned.
+fn shifted(rod: &Rod, platform: &Pose) -> Option<Vector> {
+    (platform.angle_rad().abs() < TURNED).then(|| {
+        let (a, t) = (rod.platform_mm, platform.translation_mm);
+        [0, 1, 2].map(|i| a[i] + t[i])
+    })
+}
+
+/// The platform on three rods: where three spheres meet, about the ends on the base less those on the platform; the lower of two points.
+fn hang(rods: &[Rod]) -> Option<Pose> {
+    let &[one, two, three] = rods else { return None };
+    let centre = |rod: Rod| minus(rod.base_mm, rod.platform_mm);
+    let (origin, r) = (centre(one), [one, two, three].map(|rod| rod.length_mm.powi(2)));
+    let (to_two, to_three) = (minus(centre(two), origin), minus(centre(three), origin));
+    let x = unit(to_two)?;
+    let along = dot(x, to_three);
+    let y = unit([0, 1, 2].map(|i| to_three[i] - along * x[i]))?;
+    let (z, d, across) = (cross(x, y), norm(to_two), dot(y, to_three));
+    let u = (r[0] - r[1] + d * d) / (2.0 * d);
+    let v = (r[0] - r[2] + along * along + across * across - 2.0 * along * u) / (2.0 * across);
+    let height = (r[0] - u * u - v * v).sqrt();
+    let down = -height.copysign(z[2]);
+    let at = [0, 1, 2].map(|i| origin[i] + u * x[i] + v * y[i] + down * z[i]);
+    at.iter().all(|v| v.is_finite()).then(|| Pose { translation_mm: at, ..Pose::identity() })
+}
