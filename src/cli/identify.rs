@@ -67,10 +67,8 @@ impl Identify {
             ("--standard-uncertainty-um", self.standard_uncertainty_um),
             ("--common-uncertainty-um", self.common_uncertainty_um),
         ] {
-            if stated.is_some_and(|u| !PLAUSIBLE_UM.contains(&u)) {
-                let message = Message::error(format!("{name} is not an uncertainty of a coordinate in micrometres"));
-                let hint = "expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um";
-                return Err(Problems::from(message.hint(hint)).into());
+            if let Some(message) = implausible(name, stated) {
+                return Err(Problems::from(message).into());
             }
         }
         let robot_file = read_robot(&self.robot)?;
@@ -139,6 +137,13 @@ impl Identify {
         observed.leave_out(&left_out)?;
         Ok(messages)
     }
+}
+
+/// An error where what an option states is not the standard uncertainty of a coordinate in micrometres.
+pub(super) fn implausible(option: &str, stated_um: Option<f64>) -> Option<Message> {
+    stated_um.filter(|u| !PLAUSIBLE_UM.contains(u))?;
+    let message = Message::error(format!("{option} is not an uncertainty of a coordinate in micrometres"));
+    Some(message.hint("expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um"))
 }
 
 /// A warning about columns that nothing reads.

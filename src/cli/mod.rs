@@ -21,6 +21,8 @@ mod run;
 mod schema;
 mod simulate;
 mod text_format;
+mod validate;
+mod verify;
 
 use crate::base::message::Message;
 use crate::document::WrittenDocument;
@@ -56,6 +58,8 @@ enum Command {
     Run(run::Run),
     Batch(batch::Batch),
     Identify(identify::Identify),
+    Validate(validate::Validate),
+    Verify(verify::Verify),
     Kinematics(kinematics::Kinematics),
     Compensate(Box<compensate::Compensate>),
     Plan(plan::Plan),
@@ -91,6 +95,8 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Run(command) => command.run(),
         Command::Batch(command) => command.run(),
         Command::Identify(command) => command.run(),
+        Command::Validate(command) => command.run(),
+        Command::Verify(command) => command.run(),
         Command::Kinematics(command) => command.run(),
         Command::Compensate(command) => command.run(),
         Command::Plan(command) => command.run(),

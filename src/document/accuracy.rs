@@ -27,6 +27,31 @@ pub struct AccuracyDocument {
     /// The error to expect at the tool point; absent where there is none, or no covariance.
     #[serde(default)]
     pub tool: Option<ToolAccuracy>,
+    /// What is given, where the parameters were not identified from these data.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub given: Option<GivenSummary>,
+}
+
+/// How given parameters were judged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GivenSummary {
+    /// Whether base and targets were given too.
+    pub frames: GivenFrames,
+    /// Probability of errors as large as these, if parameters, base and targets are what they were given as, within their uncertainty and
+    /// that of the measurement; absent where base and targets were fitted.
+    pub p_value: Option<f64>,
+}
+
+/// Where base and targets come from when parameters are judged that were identified elsewhere.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum GivenFrames {
+    /// From the parameters.
+    Given,
+    /// Fitted to the calibration poses.
+    #[default]
+    Refit,
 }
 
 /// The error that the controller will make at the tool point: its true place in the base frame minus the one that the parameters predict.

@@ -18,6 +18,7 @@ mod manifest;
 mod parameters;
 mod plan;
 pub mod schema;
+mod verification;
 
 pub use accuracy::*;
 pub use answer::*;
@@ -34,6 +35,7 @@ pub use kinematics::*;
 pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;
+pub use verification::*;
 
 use crate::base::message::{Message, Result};
 pub use crate::math::identify::{ResidualKind, UncertaintyFrom};

@@ -8,3 +8,4 @@ pub mod output;
 pub mod pipeline;
 mod statements;
 mod summary;
+pub mod validation;

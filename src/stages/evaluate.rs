@@ -209,6 +209,7 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
         validation_distance: None,
         limits: verdicts,
         tool: None,
+        given: None,
     })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose_name::PoseName;
-use crate::campaign::{Campaign, Identify, OutlierRule, Selection};
+use crate::campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
 use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings, ToolPoint};
 use crate::math::robots::Robot;
@@ -43,18 +43,8 @@ pub fn identify(
     frames: &FramesDocument,
     inputs: &BTreeMap<String, String>,
 ) -> Result<Identified> {
-    let mut messages = Vec::new();
-    let mut observed = observed(campaign, stated, robot, &joined.observations[0].1, &mut messages)?;
+    let Selected { mut sets, settings, poses, selections, mut messages } = select(campaign, stated, robot, joined)?;
     let robot: &dyn Robot = robot;
-    messages.extend(leave_out(campaign, stated, robot, &mut observed)?);
-    messages.extend(stale(robot, &observed.observations));
-    let poses = observed.poses();
-    check_selections(campaign, &poses)?;
-    let selections = campaign.selections(stated)?;
-    let mut sets = evaluate::split(&observed, &poses, &selections);
-    let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
-    let weighted = identify::weigh(&observed.observations, robot.dimension(), &mut settings);
-    messages.extend(weighted.map_err(|problems| problems.at(&campaign.place_of(&["identify", "residuals"])))?);
     let mut before = identify::fit_frames(robot, &sets.calibration, &settings)?;
     let frames = frame_errors(&frames.world);
     let mut found = identify::identify_in_frames(robot, &sets.calibration, &settings, &before, &frames)?;
@@ -98,6 +88,35 @@ pub fn identify(
         sets,
         found,
     })
+}
+
+/// The observations of a campaign in its sets, and what weighs them.
+pub struct Selected {
+    /// Observations by set.
+    pub sets: Sets,
+    /// Settings of an identification on the calibration poses.
+    pub settings: Settings,
+    poses: BTreeSet<PoseName>,
+    selections: Selections,
+    /// Warnings.
+    pub messages: Vec<Message>,
+}
+
+/// What a campaign selects of the observations of its first log; what they refer to is added to the parameters of `robot`.
+pub fn select(campaign: &Campaign, stated: &Identify, robot: &mut dyn Robot, joined: &Joined) -> Result<Selected> {
+    let mut messages = Vec::new();
+    let mut observed = observed(campaign, stated, robot, &joined.observations[0].1, &mut messages)?;
+    let robot: &dyn Robot = robot;
+    messages.extend(leave_out(campaign, stated, robot, &mut observed)?);
+    messages.extend(stale(robot, &observed.observations));
+    let poses = observed.poses();
+    check_selections(campaign, &poses)?;
+    let selections = campaign.selections(stated)?;
+    let sets = evaluate::split(&observed, &poses, &selections);
+    let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
+    let weighted = identify::weigh(&observed.observations, robot.dimension(), &mut settings);
+    messages.extend(weighted.map_err(|problems| problems.at(&campaign.place_of(&["identify", "residuals"])))?);
+    Ok(Selected { sets, settings, poses, selections, messages })
 }
 
 /// The uncertainties of the world frame: what each pose has by itself, and what all have in common.

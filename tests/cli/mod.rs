@@ -4,6 +4,7 @@ mod compare;
 mod compensate;
 mod fit;
 mod five_bar;
+mod given;
 mod iso9283;
 mod iso9283_campaign;
 mod iso9283_commands;

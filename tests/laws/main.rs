@@ -39,6 +39,7 @@ mod solving;
 mod support;
 mod thresholds;
 mod tool;
+mod verification;
 mod zones;
 
 pub(crate) use support::reference_data;

@@ -16,10 +16,12 @@ mod predict;
 mod residuals;
 mod rigid_part;
 mod set_up;
+mod significance;
 mod solution;
 mod start;
 mod tool;
 mod uncertainty;
+mod verification;
 mod weights;
 
 pub use chi_square::exceeds as chi_square_exceeds;
@@ -35,8 +37,12 @@ pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use residuals::{OF_MEDIAN, ResidualKind};
 pub use rigid_part::{Pair, RigidPart};
 pub use set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
+pub use significance::Variance;
 pub use tool::{Held, ToolError, ToolFrame, ToolPoint, held};
 pub use uncertainty::UncertaintyFrom;
+pub use verification::{
+    Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test, Verification, verify,
+};
 pub use weights::{Covariance, turned, weigh};
 
 use crate::base::message::{Message, Result};

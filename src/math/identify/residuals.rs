@@ -344,6 +344,22 @@ impl<'a> Residuals<'a> {
         Some(self.observations.iter().filter_map(of).collect())
     }
 
+    /// Derivatives of the predicted positions of targets by the joint values at `x`, whitened as the residuals are: rows of all joints.
+    pub fn joint_jacobian(&self, x: &[f64]) -> Vec<f64> {
+        let (all, dimension) = (self.all(x), self.robot.dimension());
+        let n = self.robot.joints().len();
+        let mut rows = Vec::with_capacity(self.residual_count() * n);
+        let mut full = vec![0.0; dimension * self.robot.targets().len() * n];
+        for o in self.observations {
+            self.robot.joint_jacobian(&all, &o.joints, &mut full);
+            for (here, _) in full.chunks_exact(dimension * n).zip(&o.targets).filter(|(_, at)| at.is_some()) {
+                rows.extend(here.iter().map(|v| v / self.unit));
+            }
+        }
+        self.whiten(&mut rows, n);
+        rows
+    }
+
     /// Derivatives of the residuals at `x`, whitened, by a small shift (mm) and rotation (rad) of the frame that places the observations
     /// of `pose` and cycle, or all: rows of six.
     pub fn frame_jacobian(&self, x: &[f64], pose: Option<(PoseName, i64)>) -> Vec<f64> {

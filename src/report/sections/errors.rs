@@ -221,6 +221,7 @@ mod tests {
     fn shown(all: Vec<ErrorStatistics>) -> Vec<Vec<String>> {
         let set = set("validation", all);
         let document = AccuracyDocument {
+            given: None,
             schema: String::new(),
             point: String::new(),
             definition: String::new(),

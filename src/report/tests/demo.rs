@@ -103,6 +103,7 @@ impl Documents {
             frames: frames(),
             parameters: parameters(),
             accuracy: AccuracyDocument {
+                given: None,
                 schema: "etalon/accuracy/1".to_owned(),
                 point: "the platform's centre as the balls measure it".to_owned(),
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."

@@ -1,0 +1,128 @@
+//! `etalon verify`
+
+use super::table_file::TableFile;
+use super::text_format::TableFormat;
+use super::{Verdict, print_with, remark};
+use crate::base::files;
+use crate::base::message::{Message, Problems};
+use crate::campaign::read_robot;
+use crate::document::{DetectionPower, VerificationDocument, VerificationVerdict, to_json};
+use crate::math::identify::Observation;
+use crate::run::documents::read_parameters;
+use crate::stages::kinds;
+use crate::stages::verification::verify;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Check whether identified parameters still hold, from some few measured poses
+///
+/// Nothing is identified. The positions of the targets are compared with those that the parameters predict; the difference is judged by the
+/// uncertainty of the measurement, of the parameters and of what the model left unexplained in the calibration.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "The answer is that the parameters are valid, that the base has moved, that the zero of a joint has moved, or that it
+is something else; and which motions these poses would have detected with a probability of 95 %.
+A robot that has not changed is called changed in 5 % of all cases.
+
+Exit code 1 where the parameters are no longer valid."
+)]
+pub struct Verify {
+    /// Observations of the targets of the calibration: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] in the same world frame, and one column
+    /// per joint with its unit
+    observations: PathBuf,
+    /// Robot file
+    #[arg(long, value_name = "FILE")]
+    robot: PathBuf,
+    /// Identified parameters
+    #[arg(long, value_name = "FILE")]
+    parameters: PathBuf,
+    /// Standard uncertainty (k = 1) of one measured coordinate in micrometres, where it is not that of the calibration
+    #[arg(long, value_name = "UM")]
+    standard_uncertainty_um: Option<f64>,
+    #[command(flatten)]
+    format: TableFormat,
+    /// Print the answer as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Verify {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        if let Some(message) = super::identify::implausible("--standard-uncertainty-um", self.standard_uncertainty_um) {
+            return Err(Problems::from(message).into());
+        }
+        let robot_file = read_robot(&self.robot)?;
+        let document = read_parameters(&self.parameters)?;
+        let observed = self.format.read(&self.observations)?;
+        let here = |problems: Problems| observed.place(problems);
+        let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
+        only_points(&observed)?;
+        let mut messages = Vec::new();
+        let observations = Observation::from_table(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
+        let described = robot_file.description_path();
+        let inputs =
+            files::sha256_of([&self.robot, &self.parameters, &self.observations].into_iter().chain(&described))?;
+        let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
+        let mut answer = verify(robot.as_mut(), &document, observations, stated_mm, inputs)?;
+        answer.messages.splice(0..0, messages);
+        let verdict = Verdict::of(answer.verdict == VerificationVerdict::Valid);
+        if self.json {
+            return print_with(to_json(&answer)?, verdict);
+        }
+        remark(&answer.messages);
+        print_with(text(&answer), verdict)
+    }
+}
+
+/// Other kinds of observations are refused: they would be left out.
+fn only_points(observed: &TableFile) -> Result<(), Problems> {
+    let others = ["kind", "qw", "socket", "distance_mm", "plane"];
+    match others.into_iter().find(|name| observed.table.column(name).is_ok()) {
+        Some(name) => {
+            let message =
+                Message::error(format!("the observations have a column `{name}`: only positions are compared"));
+            Err(observed.place(message.hint("leave rows of other kinds, and their columns, out").into()))
+        }
+        None => Ok(()),
+    }
+}
+
+/// The answer for a terminal.
+fn text(answer: &VerificationDocument) -> String {
+    let mut out = format!("{}\n", answer.meaning);
+    let verdict = match answer.verdict {
+        VerificationVerdict::Valid => "not less than",
+        _ => "less than",
+    };
+    let _ = writeln!(
+        out,
+        "p = {}, {verdict} {}; residuals {:.4} mm, expected {:.4} mm (root mean square of {} coordinates at {} poses)",
+        shown(answer.p_value),
+        answer.significance,
+        answer.rms_mm,
+        answer.expected_rms_mm,
+        answer.of_changes.degrees_of_freedom + answer.of_rest.degrees_of_freedom,
+        answer.poses,
+    );
+    let percent = |p: f64| format!("{:.0} %", 100.0 * p);
+    let DetectionPower { probability, naming, least } = &answer.power;
+    let _ = writeln!(
+        out,
+        "detected with a probability of {}, and joints named with {}:",
+        percent(*probability),
+        percent(*naming)
+    );
+    for least in least {
+        let value =
+            |v: Option<f64>| v.map_or_else(|| "not by these poses".to_owned(), |v| format!("{v:.4} {}", least.unit));
+        let named =
+            if least.name.starts_with("base ") { String::new() } else { format!(", named {}", value(least.named)) };
+        let _ = writeln!(out, "  {:<16} {}{named}", least.name, value(least.value));
+    }
+    out
+}
+
+/// A probability with four decimals.
+pub(super) fn shown(p: f64) -> String {
+    if p < 1e-4 { "< 0.0001".to_owned() } else { format!("{p:.4}") }
+}

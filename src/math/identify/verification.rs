@@ -1,0 +1,441 @@
+//! Whether given parameters still explain new observations, and if not, what has moved.
+//!
+//! Residuals of the given parameters have the covariance S of the measurement and of the parameters themselves. In the space of the
+//! changes that are looked for (the base, and the zero of each joint) and outside of it, rᵀ S⁻¹ r is of chi-square, or of F where the
+//! variance is estimated: two independent tests that have the significance level together (Šidák 1967). A change adds a noncentrality
+//! δᵀ Aᵀ S⁻¹ A δ, from which follow the power of the test and the least change that it detects (Baarda 1968, reliability).
+
+use super::residuals::Residuals;
+use super::significance::{Variance, bisect};
+use super::{Observation, Settings};
+use crate::base::message::{Message, Result};
+use crate::base::pose::{Vector, cross};
+use crate::math::robots::Robot;
+use crate::math::solve::Problem;
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
+use statrs::function::erf::erfc;
+
+/// Significance level: a robot that has not changed is called changed this often.
+pub const SIGNIFICANCE: f64 = 0.05;
+/// Power for which the least detectable change is stated.
+pub const POWER: f64 = 0.95;
+/// Power to name the right joint for which the least change is stated.
+pub const NAMING: f64 = 0.9;
+/// A change explains the residuals where what it leaves is more probable than this.
+pub const EXPLAINED: f64 = 0.01;
+/// Directions of changes that the observations show less than this, over the best shown, are not shown.
+const RANK: f64 = 1e-10;
+
+/// Parameters as they were identified.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenParameters {
+    /// All parameters of the robot in its order (mm, rad, 1).
+    pub values: Vec<f64>,
+    /// Indices of those that have an uncertainty: the order of `covariance`.
+    pub free: Vec<usize>,
+    /// Their covariance, row by row (mm, rad, 1).
+    pub covariance: Vec<f64>,
+}
+
+/// What may have moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moved {
+    /// The base, or what the world frame is made of: a shift and a rotation.
+    Base,
+    /// The zero of a joint, by its index.
+    Joint(usize),
+    /// A target on the moving part, by its index.
+    Target(usize),
+}
+
+/// What moved by how much, were it this alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Explanation {
+    /// What.
+    pub moved: Moved,
+    /// By how much: of the base a shift (mm) at its origin and a rotation vector (rad) in the world, x y and z of both, or x, y and the
+    /// angle in the plane; of a joint its value (mm or rad); of a target x y z on the part (mm).
+    pub change: Vec<f64>,
+    /// Standard uncertainties of these; infinite where the observations do not show them.
+    pub standard_uncertainty: Vec<f64>,
+    /// Probability of residuals as large as those that it leaves.
+    pub p_left: f64,
+    /// How much of the sum of squares it explains.
+    pub explained: f64,
+}
+
+/// The least change that is detected with the probability [`POWER`], were it this alone; infinite where the observations do not show it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Detectable {
+    /// What moves.
+    pub moved: Moved,
+    /// Of the base a shift in the direction that shows least (mm) and a rotation about that axis (rad); of a joint its value (mm or rad).
+    pub change: Vec<f64>,
+    /// The least change of a joint that is detected and taken for that of no other joint with the probability [`NAMING`] (separability,
+    /// Förstner 1983); infinite where another joint moves all targets alike.
+    pub named: Option<f64>,
+}
+
+/// One of the two tests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Test {
+    /// Sum of squares over their variance.
+    pub sum: f64,
+    /// Its degrees of freedom.
+    pub degrees_of_freedom: usize,
+    /// Probability of a larger one if nothing has changed.
+    pub p_value: f64,
+}
+
+/// What new observations prove of given parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verification {
+    /// Residuals that changes of base and joints could make.
+    pub of_changes: Test,
+    /// All others.
+    pub of_rest: Test,
+    /// Probability of both, if nothing has changed.
+    pub p_value: f64,
+    /// Root mean square of a coordinate's residual, mm.
+    pub rms_mm: f64,
+    /// What is expected of it if nothing has changed, mm.
+    pub expected_rms_mm: f64,
+    /// What may have moved, the best explanation first: those that suffice, by how few numbers they need.
+    pub explanations: Vec<Explanation>,
+    /// What these observations would have detected.
+    pub detectable: Vec<Detectable>,
+}
+
+impl Verification {
+    /// Whether the observations contradict the parameters.
+    pub fn is_changed(&self) -> bool {
+        !(self.p_value >= SIGNIFICANCE)
+    }
+
+    /// What has moved, where something has and one thing explains it.
+    pub fn cause(&self) -> Option<&Explanation> {
+        self.explanations.first().filter(|e| self.is_changed() && e.p_left > EXPLAINED)
+    }
+}
+
+/// Compares `observations` of positions with given parameters; `settings` state the standard uncertainty of a coordinate, `variance` what
+/// that rests on.
+///
+/// # Errors
+/// No standard uncertainty, joint values at which the robot cannot be, or a covariance that is not positive definite.
+pub fn verify(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+    variance: Variance,
+) -> Result<Verification> {
+    let space = Space::new(robot, observations, settings, given)?;
+    let all = space.columns();
+    let (whole, n) = (space.sum(), space.r.len());
+    let fit = space.fit(&all.columns);
+    let test = |sum: f64, dof: usize| Test { sum, degrees_of_freedom: dof, p_value: variance.exceedance(sum, dof) };
+    let of_changes = test(fit.explained, fit.rank);
+    let of_rest = test((whole - fit.explained).max(0.0), n - fit.rank);
+    let explain = |(moved, columns): (Moved, DMatrix<f64>)| {
+        let fit = space.fit(&columns);
+        let left = (whole - fit.explained).max(0.0);
+        Explanation {
+            moved,
+            change: fit.change.iter().copied().collect(),
+            standard_uncertainty: fit.standard_uncertainty,
+            p_left: variance.exceedance(left, n - fit.rank),
+            explained: fit.explained,
+        }
+    };
+    let parts = all.parts.iter().map(|&(moved, first, count)| (moved, all.columns.columns(first, count).into_owned()));
+    let targets = space.targets().into_iter().map(|(target, columns)| (Moved::Target(target), columns));
+    let mut explanations: Vec<Explanation> = parts.chain(targets).map(explain).collect();
+    let suffices = |e: &Explanation| e.p_left > EXPLAINED;
+    explanations.sort_by(|a, b| {
+        let needs = |e: &Explanation| if suffices(e) { e.change.len() } else { usize::MAX };
+        needs(a).cmp(&needs(b)).then(b.explained.total_cmp(&a.explained))
+    });
+    let limits = Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom);
+    let information = all.columns.transpose() * space.solve(&all.columns);
+    let detectable = all.parts.iter().map(|&(moved, first, count)| {
+        let shifts = if moved == Moved::Base { count - count / 2 } else { 0 };
+        let halves = [(first, shifts), (first + shifts, count - shifts)].into_iter().filter(|half| half.1 > 0);
+        let change = halves.map(|(first, count)| limits.detectable(&information, first, count)).collect();
+        let others = all.parts.iter().filter(|(other, ..)| matches!(other, Moved::Joint(_)) && *other != moved);
+        let others: Vec<usize> = others.map(|other| other.1).collect();
+        let named = matches!(moved, Moved::Joint(_)).then(|| limits.named(&information, first, &others));
+        Detectable { moved, change, named }
+    });
+    let [rms_mm, expected_rms_mm] = space.rms_mm();
+    Ok(Verification {
+        p_value: limits.p_value(&of_changes, &of_rest),
+        of_changes,
+        of_rest,
+        rms_mm,
+        expected_rms_mm,
+        detectable: detectable.collect(),
+        explanations,
+    })
+}
+
+/// Both tests together.
+struct Limits {
+    variance: Variance,
+    dof: usize,
+    bound: f64,
+    /// probability that the rest, which no change reaches, is within its bound
+    quiet: f64,
+    two: bool,
+}
+
+impl Limits {
+    fn new(variance: Variance, dof: usize, rest: usize) -> Self {
+        let two = rest > 0 && dof > 0;
+        let level = if two { 1.0 - (1.0 - SIGNIFICANCE).sqrt() } else { SIGNIFICANCE };
+        let quiet = if two { 1.0 - level } else { 1.0 };
+        Self { variance, dof, bound: variance.bound(level, dof.max(1)), quiet, two }
+    }
+
+    fn p_value(&self, changes: &Test, rest: &Test) -> f64 {
+        let least = changes.p_value.min(rest.p_value);
+        if self.two { 1.0 - (1.0 - least).powi(2) } else { least }
+    }
+
+    /// The probability to call a robot changed whose change adds this noncentrality.
+    fn power(&self, noncentrality: f64) -> f64 {
+        1.0 - self.quiet * (1.0 - self.variance.power(self.bound, self.dof, noncentrality))
+    }
+
+    /// The least change along the direction of these columns that shows least.
+    fn detectable(&self, information: &DMatrix<f64>, first: usize, count: usize) -> f64 {
+        let own = information.view((first, first), (count, count)).into_owned();
+        let (shown, least) = (own.trace(), SymmetricEigen::new(own).eigenvalues.min());
+        if !(least > RANK * shown) || self.dof == 0 {
+            return f64::INFINITY;
+        }
+        (bisect(|noncentrality| self.power(noncentrality) >= POWER) / least).sqrt()
+    }
+
+    /// The least change of one column that is detected and that no other one explains better.
+    fn named(&self, information: &DMatrix<f64>, column: usize, others: &[usize]) -> f64 {
+        let own = information[(column, column)];
+        // two estimates that are correlated by ρ change places with the probability Φ(−√(λ (1 − |ρ|) / 2))
+        let apart = |&other: &usize| {
+            let alike = information[(column, other)].abs() / (own * information[(other, other)]).sqrt();
+            if alike.is_finite() { (0.5 * (1.0 - alike)).max(0.0) } else { 0.5 }
+        };
+        let apart: Vec<f64> = others.iter().map(apart).collect();
+        let mistaken = |noncentrality: f64| {
+            let one = |apart: &f64| 0.5 * erfc((0.5 * apart * noncentrality).sqrt());
+            EXPLAINED + apart.iter().map(one).sum::<f64>()
+        };
+        if !(own > 0.0) || self.dof == 0 || apart.iter().any(|apart| *apart < RANK) {
+            return f64::INFINITY;
+        }
+        let suffices = |noncentrality: f64| {
+            let power = self.power(noncentrality);
+            power >= POWER && power - mistaken(noncentrality) >= NAMING
+        };
+        (bisect(suffices) / own).sqrt()
+    }
+}
+
+/// Whitened residuals of the given parameters, and their covariance S = I + B Bᵀ with B = J L, L Lᵀ the covariance of the parameters.
+struct Space<'a> {
+    robot: &'a dyn Robot,
+    observations: &'a [Observation],
+    settings: &'a Settings,
+    given: &'a GivenParameters,
+    problem: Residuals<'a>,
+    x: Vec<f64>,
+    /// measured minus predicted
+    r: DVector<f64>,
+    /// L, a row for each of `x`
+    root: DMatrix<f64>,
+    b: DMatrix<f64>,
+    inner: Option<Cholesky<f64, Dyn>>,
+}
+
+/// Columns of all changes, and the first of each with their number.
+struct Columns {
+    columns: DMatrix<f64>,
+    parts: Vec<(Moved, usize, usize)>,
+}
+
+/// The change that explains most, by generalised least squares.
+struct Fit {
+    change: DVector<f64>,
+    standard_uncertainty: Vec<f64>,
+    explained: f64,
+    rank: usize,
+}
+
+impl<'a> Space<'a> {
+    fn new(
+        robot: &'a dyn Robot,
+        observations: &'a [Observation],
+        settings: &'a Settings,
+        given: &'a GivenParameters,
+    ) -> Result<Self> {
+        if settings.standard_uncertainty_mm.is_none() {
+            return Err(Message::error(
+                "a comparison with given parameters needs the standard uncertainty of a coordinate",
+            )
+            .into());
+        }
+        // all that has an uncertainty; of parameters that have none, one to stand for the columns
+        let free = if given.free.is_empty() { vec![0] } else { given.free.clone() };
+        let problem = Residuals::new(robot, observations, settings, &free, &given.values)?;
+        let x: Vec<f64> = free.iter().map(|&i| given.values[i]).collect();
+        let (m, n) = (problem.residual_count(), free.len());
+        let (mut r, mut jacobian) = (vec![0.0; m], vec![0.0; m * n]);
+        problem.residuals(&x, &mut r);
+        problem.jacobian(&x, &mut jacobian);
+        if r.iter().chain(&jacobian).any(|v| !v.is_finite()) {
+            return Err(Message::error("with these parameters the robot cannot be where these joint values put it")
+                .hint("check unit, sign and offset of the joints, and that the parameters are those of this robot")
+                .into());
+        }
+        let count = given.free.len();
+        let root = match count {
+            0 => DMatrix::zeros(n, 0),
+            _ => root(DMatrix::from_row_slice(count, count, &given.covariance))?,
+        };
+        let b = DMatrix::from_row_slice(m, n, &jacobian) * &root;
+        let inner = Cholesky::new(DMatrix::identity(b.ncols(), b.ncols()) + b.transpose() * &b);
+        Ok(Self { robot, observations, settings, given, problem, x, r: -DVector::from_vec(r), root, b, inner })
+    }
+
+    /// S⁻¹ X (Woodbury).
+    fn solve(&self, columns: &DMatrix<f64>) -> DMatrix<f64> {
+        match &self.inner {
+            Some(inner) => columns - &self.b * inner.solve(&(self.b.transpose() * columns)),
+            None => columns.clone(),
+        }
+    }
+
+    /// rᵀ S⁻¹ r
+    fn sum(&self) -> f64 {
+        let r = DMatrix::from_column_slice(self.r.len(), 1, self.r.as_slice());
+        r.dot(&self.solve(&r))
+    }
+
+    /// Root mean square of a coordinate's residual, and what is expected of it, mm.
+    fn rms_mm(&self) -> [f64; 2] {
+        let (n, d) = (self.r.len(), self.robot.dimension());
+        let mut r = vec![0.0; n];
+        self.problem.plain_residuals(&self.x, &mut r);
+        let mut jacobian = vec![0.0; n * self.x.len()];
+        self.problem.plain_jacobian(&self.x, &mut jacobian);
+        let ours = DMatrix::from_row_slice(n, self.x.len(), &jacobian) * &self.root;
+        let unit2 = self.problem.unit.powi(2);
+        let stated2 = self.settings.standard_uncertainty_mm.unwrap_or(0.0).powi(2);
+        let of_reading = |o: &Observation, k: usize| match o.covariances_mm2.get(k).copied().flatten() {
+            Some(covariance) => (0..d).map(|i| covariance[i][i]).sum::<f64>(),
+            None => d as f64 * stated2,
+        };
+        let seen = self.observations.iter().flat_map(|o| (0..o.targets.len()).map(move |k| (o, k)));
+        let measured: f64 = seen.filter(|(o, k)| o.targets[*k].is_some()).map(|(o, k)| of_reading(o, k)).sum();
+        let squares: f64 = r.iter().map(|r| r * r).sum();
+        [unit2 * squares, measured + unit2 * ours.norm_squared()].map(|sum| (sum / n as f64).sqrt())
+    }
+
+    /// How measured minus predicted changes with base and joints.
+    fn columns(&self) -> Columns {
+        let m = self.r.len();
+        let frame = DMatrix::from_row_slice(m, 6, &self.problem.frame_jacobian(&self.x, None));
+        let planar = self.robot.dimension() == 2;
+        let axes: &[usize] = if planar { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] };
+        let mut columns = DMatrix::zeros(m, axes.len());
+        // a rotation about the origin of the base: p moves by ω × (p − o)
+        let origin = self.base_origin();
+        for (k, &axis) in axes.iter().enumerate() {
+            let mut column = frame.column(axis).into_owned();
+            if axis > 2 {
+                let turn: Vector = std::array::from_fn(|i| f64::from(u8::from(i == axis - 3)));
+                let lever = cross(turn, origin);
+                (0..3).for_each(|i| column -= frame.column(i) * lever[i]);
+            }
+            columns.set_column(k, &column);
+        }
+        let joints = self.robot.joints().len();
+        let rows = DMatrix::from_row_slice(m, joints, &self.problem.joint_jacobian(&self.x));
+        let base = (Moved::Base, 0, axes.len());
+        let parts = std::iter::once(base).chain((0..joints).map(|j| (Moved::Joint(j), axes.len() + j, 1)));
+        let mut all = DMatrix::zeros(m, axes.len() + joints);
+        all.columns_mut(0, axes.len()).copy_from(&columns);
+        all.columns_mut(axes.len(), joints).copy_from(&rows);
+        Columns { columns: all, parts: parts.collect() }
+    }
+
+    /// The origin of the base in the world; that of the world where the model has none.
+    fn base_origin(&self) -> Vector {
+        let values = |axis: &str| {
+            let names = [format!("base_{axis}"), format!("{axis}_o")];
+            names.iter().find_map(|name| self.robot.index(name)).map_or(0.0, |i| self.given.values[i])
+        };
+        ["x", "y", "z"].map(values)
+    }
+
+    /// How measured minus predicted changes with each target's place on the part, where the model has such parameters.
+    fn targets(&self) -> Vec<(usize, DMatrix<f64>)> {
+        let Some(arm) = self.robot.free_base() else { return Vec::new() };
+        let of = |target: usize| {
+            let first = arm.target_place(target);
+            let free: Vec<usize> = (first..first + 3).collect();
+            let x: Vec<f64> = free.iter().map(|&i| self.given.values[i]).collect();
+            let problem =
+                Residuals::new(self.robot, self.observations, self.settings, &free, &self.given.values).ok()?;
+            let mut jacobian = vec![0.0; self.r.len() * 3];
+            problem.jacobian(&x, &mut jacobian);
+            Some((target, DMatrix::from_row_slice(self.r.len(), 3, &jacobian)))
+        };
+        (0..self.robot.targets().len()).filter_map(of).collect()
+    }
+
+    fn fit(&self, columns: &DMatrix<f64>) -> Fit {
+        let solved = self.solve(columns);
+        let (information, right) = (columns.transpose() * &solved, solved.transpose() * &self.r);
+        // columns of one length: mm and rad alike
+        let scale = information.diagonal().map(|d| if d > 0.0 { 1.0 / d.sqrt() } else { 0.0 });
+        let scaled = DMatrix::from_fn(scale.len(), scale.len(), |i, j| scale[i] * information[(i, j)] * scale[j]);
+        let eigen = SymmetricEigen::new(scaled);
+        let most = eigen.eigenvalues.max();
+        let mut covariance = DMatrix::zeros(scale.len(), scale.len());
+        let (mut rank, mut unseen) = (0, DVector::zeros(scale.len()));
+        for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+            if *value > RANK * most && most > 0.0 {
+                covariance += vector * vector.transpose() / *value;
+                rank += 1;
+            } else {
+                unseen += vector.map(|v| v * v);
+            }
+        }
+        let covariance = DMatrix::from_fn(scale.len(), scale.len(), |i, j| scale[i] * covariance[(i, j)] * scale[j]);
+        let change = &covariance * &right;
+        let u = |i: usize| if unseen[i] > 1e-6 || scale[i] == 0.0 { f64::INFINITY } else { covariance[(i, i)].sqrt() };
+        Fit { explained: change.dot(&right), standard_uncertainty: (0..scale.len()).map(u).collect(), change, rank }
+    }
+}
+
+/// L with L Lᵀ the covariance, of one that rounding makes singular too.
+fn root(covariance: DMatrix<f64>) -> Result<DMatrix<f64>> {
+    let scale = covariance.diagonal().map(|v| v.sqrt());
+    let divided = DMatrix::from_fn(scale.len(), scale.len(), |i, j| match scale[i] * scale[j] {
+        0.0 => 0.0,
+        s => covariance[(i, j)] / s,
+    });
+    let eigen = SymmetricEigen::new(divided);
+    if !(eigen.eigenvalues.min() > -1e-6) {
+        return Err(Message::error("the covariance of the parameters is not positive definite").into());
+    }
+    let mut root = eigen.eigenvectors;
+    for (mut column, value) in root.column_iter_mut().zip(eigen.eigenvalues.iter()) {
+        column *= value.max(0.0).sqrt();
+    }
+    for (mut row, s) in root.row_iter_mut().zip(scale.iter()) {
+        row *= *s;
+    }
+    Ok(root)
+}

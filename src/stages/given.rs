@@ -1,0 +1,164 @@
+//! Parameters that were identified before, to be compared with observations of today.
+
+use crate::base::message::{Message, Result};
+use crate::base::pose_name::PoseName;
+use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
+use crate::math::identify::{GivenParameters, Observation, Settings, Variance};
+use crate::math::robots::{Parameter, Robot, Role};
+use std::collections::BTreeMap;
+
+/// The parameters of `robot` that a document holds, those of other targets left out.
+///
+/// # Errors
+/// A document of another robot, or without a parameter of this one.
+pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenParameters> {
+    let mut values = robot.nominal();
+    let (mut missing, mut places, mut free) = (Vec::new(), Vec::new(), Vec::new());
+    for (i, p) in robot.parameters().iter().enumerate() {
+        match entry(document, p) {
+            Some(entry) => values[i] = p.quantity.inward(entry.value),
+            None => missing.push(p),
+        }
+        // where it is in the covariance; what that leaves out has an uncertainty by itself
+        let place = document.identified().position(|entry| entry.name == p.name);
+        if place.is_some() || document.covariance_without.contains(&p.name) {
+            places.push(place);
+            free.push(i);
+        }
+    }
+    if document.robot != robot.model() || !missing.is_empty() {
+        return Err(of_another_robot(robot, document, &missing).into());
+    }
+    if document.covariance.is_empty() && document.parameters.iter().any(|p| p.status == ParameterStatus::Identified) {
+        let message = Message::error("the parameters have no covariance");
+        return Err(message.hint("identify again from data that leave some degrees of freedom").into());
+    }
+    let inward = |k: usize| robot.parameters()[free[k]].quantity.inward(1.0);
+    let n = places.len();
+    let own = |i: usize| entry(document, &robot.parameters()[free[i]])?.standard_uncertainty;
+    let covariance = (0..n * n).map(|at| {
+        let (i, j) = (at / n, at % n);
+        let outward = match (places[i], places[j]) {
+            (Some(k), Some(l)) => document.covariance[k][l],
+            _ if i == j => own(i).unwrap_or(0.0).powi(2),
+            _ => 0.0,
+        };
+        outward * inward(i) * inward(j)
+    });
+    Ok(GivenParameters { values, covariance: covariance.collect(), free })
+}
+
+fn entry<'d>(document: &'d ParametersDocument, p: &Parameter) -> Option<&'d ParameterEntry> {
+    document.parameters.iter().find(|entry| entry.name == p.name && entry.unit == p.quantity.unit())
+}
+
+fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &[&Parameter]) -> Message {
+    let names = missing.iter().map(|p| format!("`{}`", p.name)).collect::<Vec<_>>().join(", ");
+    if document.robot == robot.model() && missing.iter().all(|p| p.role != Role::Robot) {
+        let message = Message::error(format!("the parameters have no {names}: another base or other targets"));
+        return message.hint("observe the targets of the calibration, where they were on the moving part");
+    }
+    let what = format!("the parameters of `{}` are not those of this robot (`{}`)", document.robot, robot.model());
+    let lack = if names.is_empty() { String::new() } else { format!("they lack {names}; ") };
+    Message::error(what).hint(lack + "name the robot.toml that they were identified with")
+}
+
+/// Nominal values of base and targets, and those of the robot itself as a document has them.
+///
+/// # Errors
+/// A document of another robot.
+pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument) -> Result<Vec<f64>> {
+    let mut values = robot.nominal();
+    let mut missing = Vec::new();
+    for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| p.role == Role::Robot) {
+        match entry(document, p) {
+            Some(entry) => *value = p.quantity.inward(entry.value),
+            None => missing.push(p),
+        }
+    }
+    if document.robot != robot.model() || !missing.is_empty() {
+        return Err(of_another_robot(robot, document, &missing).into());
+    }
+    Ok(values)
+}
+
+/// A warning where the nominal values of the robot are not those from which the parameters were identified.
+pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option<Message> {
+    let differs = |p: &&Parameter| {
+        let stated = p.quantity.outward(p.nominal);
+        let then = entry(document, p).map_or(stated, |entry| entry.nominal);
+        p.role == Role::Robot && (then - stated).abs() > 1e-9 * stated.abs().max(1.0)
+    };
+    let p = robot.parameters().iter().find(differs)?;
+    let then = entry(document, p)?.nominal;
+    let what = format!(
+        "`{}` is nominally {} {} in robot.toml and was {then} when the parameters were identified",
+        p.name,
+        p.quantity.outward(p.nominal),
+        p.quantity.unit()
+    );
+    Some(Message::warning(what).hint("check that the parameters are those of this robot"))
+}
+
+/// How far a coordinate is measured from where the given parameters put it, if nothing has changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Noise {
+    /// Standard uncertainty of a measured coordinate, mm.
+    pub measured_mm: f64,
+    /// What the model left unexplained in the calibration (standard deviation), mm.
+    pub model_mm: f64,
+    /// What both rest on.
+    pub variance: Variance,
+}
+
+impl Noise {
+    /// From the calibration; `stated_mm` is the standard uncertainty of a coordinate where it is measured with another instrument.
+    ///
+    /// # Errors
+    /// A calibration whose residuals give no standard deviation.
+    pub fn of(document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
+        let residuals = &document.residuals;
+        let dof = residuals.degrees_of_freedom as f64;
+        let Some(u) = residuals.stated_standard_uncertainty_mm else {
+            let shown_mm = residuals.rms * (residuals.count as f64 / dof).sqrt();
+            if dof == 0.0 || !shown_mm.is_finite() {
+                let message = Message::error("the calibration shows no standard deviation of a coordinate");
+                return Err(message.hint("identify with a stated standard uncertainty").into());
+            }
+            let measured_mm = stated_mm.unwrap_or(shown_mm);
+            let model_mm = (shown_mm.powi(2) - measured_mm.powi(2)).max(0.0).sqrt();
+            return Ok(Self { measured_mm, model_mm, variance: Variance::Estimated(dof) });
+        };
+        let u = u.hypot(residuals.common_standard_uncertainty_mm.unwrap_or(0.0));
+        // only where chi-square rejects that the instrument explains all
+        let rejected = residuals.uncertainties_enlarged_by > 1.0 && dof > 0.0;
+        let excess = residuals.chi_square.map_or(0.0, |chi_square| (chi_square / dof - 1.0).max(0.0));
+        let model_mm = if rejected { u * excess.sqrt() } else { 0.0 };
+        let variance = if model_mm > 0.0 { Variance::Estimated(dof) } else { Variance::Stated };
+        Ok(Self { measured_mm: stated_mm.unwrap_or(u), model_mm, variance })
+    }
+
+    /// Both together, mm.
+    pub fn total_mm(&self) -> f64 {
+        self.measured_mm.hypot(self.model_mm)
+    }
+
+    /// Settings with the noise of a measured coordinate. What the model leaves unexplained is beside it in the covariance of each position:
+    /// it is common to all positions of a pose, which are weighted so that their mean has its variance.
+    pub fn applied(&self, observations: &mut [Observation], settings: Settings) -> Settings {
+        let mut points: BTreeMap<PoseName, usize> = BTreeMap::new();
+        for o in observations.iter() {
+            *points.entry(o.pose).or_default() += o.targets.iter().flatten().count();
+        }
+        let u2 = self.measured_mm.powi(2);
+        for o in observations.iter_mut().filter(|_| self.model_mm > 0.0) {
+            let model = points[&o.pose] as f64 * self.model_mm.powi(2);
+            o.covariances_mm2.resize(o.targets.len(), None);
+            for covariance in &mut o.covariances_mm2 {
+                let covariance = covariance.get_or_insert([[u2, 0.0, 0.0], [0.0, u2, 0.0], [0.0, 0.0, u2]]);
+                (0..3).for_each(|i| covariance[i][i] += model);
+            }
+        }
+        Settings { standard_uncertainty_mm: Some(self.measured_mm), ..settings }
+    }
+}

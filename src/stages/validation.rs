@@ -1,0 +1,138 @@
+//! Validate: given parameters judged on the data of a campaign; nothing of the robot is identified.
+
+use super::evaluate::{self, Sets};
+use super::given::{Noise, given, other_nominal, robot_values};
+use super::identification::{Selected, select};
+use super::join::Joined;
+use crate::base::message::{Message, Result};
+use crate::campaign::{Campaign, Identify};
+use crate::document::{AccuracyDocument, GivenFrames, GivenSummary, ParametersDocument, Statistics};
+use crate::math::identify::{self, Settings};
+use crate::math::robots::{Robot, Role};
+
+/// Errors of given parameters, and what a reader must know of them.
+#[derive(Clone, Debug)]
+pub struct Validated {
+    /// Errors before and after.
+    pub accuracy: AccuracyDocument,
+    /// Warnings, with remedies.
+    pub messages: Vec<Message>,
+}
+
+/// Judges the parameters of a document, or nominal ones, on the observations of a campaign.
+pub fn validate(
+    campaign: &Campaign,
+    stated: &Identify,
+    robot: &mut dyn Robot,
+    joined: &Joined,
+    document: Option<&ParametersDocument>,
+    frames: GivenFrames,
+) -> Result<Validated> {
+    let Selected { sets, settings, mut messages, .. } = select(campaign, stated, robot, joined)?;
+    messages.extend(document.and_then(|document| other_nominal(robot, document)));
+    let values = Values::of(robot, document, frames, &sets, &settings)?;
+    let robot: &dyn Robot = robot;
+    let errors = evaluate::errors(robot, &sets, &values.before, &values.after);
+    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits)?;
+    accuracy.definition = definition(&accuracy, document.is_some(), frames);
+    let consistency = document.filter(|_| frames == GivenFrames::Given && sets.calibration_conditions.is_empty());
+    let p_value = consistency.map(|document| p_value(robot, document, &sets, &settings)).transpose()?.flatten();
+    accuracy.given = Some(GivenSummary { frames, p_value });
+    messages.extend(worse(&accuracy));
+    Ok(Validated { accuracy, messages })
+}
+
+/// All parameters, before and after.
+struct Values {
+    before: Vec<f64>,
+    after: Vec<f64>,
+}
+
+impl Values {
+    fn of(
+        robot: &mut dyn Robot,
+        document: Option<&ParametersDocument>,
+        frames: GivenFrames,
+        sets: &Sets,
+        settings: &Settings,
+    ) -> Result<Self> {
+        let nominal = robot.nominal();
+        if frames == GivenFrames::Given {
+            let Some(document) = document else {
+                return Ok(Self { before: stated(robot)?, after: nominal });
+            };
+            let after = given(robot, document)?.values;
+            let entry = |name: &str| document.parameters.iter().find(|entry| entry.name == name);
+            let earlier = robot.parameters().iter().map(|p| match entry(&p.name) {
+                Some(entry) if p.role != Role::Robot => p.quantity.inward(entry.before),
+                _ => p.nominal,
+            });
+            return Ok(Self { before: earlier.collect(), after });
+        }
+        let before = identify::fit_frames(robot, &sets.calibration, settings)?;
+        let Some(document) = document else { return Ok(Self { after: before.clone(), before }) };
+        let values = robot_values(robot, document)?;
+        robot.definition_mut().set_nominal(&values);
+        let after = identify::fit_frames(robot, &sets.calibration, settings);
+        robot.definition_mut().set_nominal(&nominal);
+        Ok(Self { before, after: after? })
+    }
+}
+
+/// The nominal parameters, where base and targets are among them.
+fn stated(robot: &dyn Robot) -> Result<Vec<f64>> {
+    match robot.parameters().iter().find(|p| !p.tolerance.is_finite()) {
+        Some(p) => {
+            let message = Message::error(format!("`{}` has no nominal value: it is found from measurements", p.name));
+            Err(message.hint("fit base and targets to the calibration poses: `--frames refit`").into())
+        }
+        None => Ok(robot.nominal()),
+    }
+}
+
+/// Probability of errors as large as these of the parameters, base and targets that are given, by their uncertainty and that of the
+/// measurement.
+fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Option<f64>> {
+    let mut observations = sets.calibration.clone();
+    let calibrated =
+        |o: &identify::Observation| sets.calibration.iter().any(|c| (c.pose, c.cycle) == (o.pose, o.cycle));
+    observations.extend(sets.validation.iter().filter(|o| !calibrated(o)).cloned());
+    let parameters = given(robot, document)?;
+    let noise = Noise::of(document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
+    let settings = noise.applied(&mut observations, Settings::default());
+    Ok(identify::verify(robot, &observations, &settings, &parameters, noise.variance).ok().map(|found| found.p_value))
+}
+
+/// What before and after are.
+fn definition(accuracy: &AccuracyDocument, identified: bool, frames: GivenFrames) -> String {
+    let error = accuracy.definition.split("; before:").next().unwrap_or_default();
+    let which = match (identified, frames) {
+        (true, GivenFrames::Refit) => {
+            "before: nominal parameters of the robot, after: the given ones, each with base and targets fitted to the calibration poses"
+        }
+        (true, GivenFrames::Given) => {
+            "before: nominal parameters of the robot, with base and targets as the calibration that gave the parameters fitted them to it; \
+             after: all parameters as given, base and targets too; nothing is fitted to these data"
+        }
+        (false, GivenFrames::Refit) => {
+            "before and after: nominal parameters of the robot, with base and targets fitted to the calibration poses"
+        }
+        (false, GivenFrames::Given) => {
+            "before and after: nominal parameters, base and targets too; nothing is fitted to these data"
+        }
+    };
+    format!("{error}; {which}; statistics are of sizes, each repeat counted")
+}
+
+/// A warning where the given parameters are worse than nominal ones.
+fn worse(accuracy: &AccuracyDocument) -> Option<Message> {
+    let position = accuracy.sets.last()?.errors.iter().find(|e| e.quantity == "position")?;
+    let rms = |s: &Statistics| s.rms;
+    (rms(&position.after) > rms(&position.before)).then(|| {
+        let what = format!(
+            "the given parameters leave larger errors than the nominal ones: {:.3} instead of {:.3} mm (root mean square)",
+            position.after.rms, position.before.rms
+        );
+        Message::warning(what).hint("check that they are those of this robot, and whether base and targets are those of this campaign (`--frames`)")
+    })
+}

@@ -1,0 +1,153 @@
+//! Verify: whether parameters that were identified before still hold for some few observations.
+
+use super::given::{Noise, given, other_nominal};
+use super::repeats::stale;
+use crate::base::message::{Message, Result, count};
+use crate::document::*;
+use crate::math::identify::{
+    self, Detectable, Explanation, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings, Verification,
+    set_up_problem,
+};
+use crate::math::robots::{Quantity, Robot};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Compares observations with the parameters of a document. `stated_mm` is the standard uncertainty of a coordinate where it is not that of
+/// the calibration; `inputs` are the files and their SHA-256.
+pub fn verify(
+    robot: &mut dyn Robot,
+    document: &ParametersDocument,
+    mut observations: Vec<Observation>,
+    stated_mm: Option<f64>,
+    inputs: BTreeMap<String, String>,
+) -> Result<VerificationDocument> {
+    let parameters = given(robot, document)?;
+    let noise = Noise::of(document, stated_mm)?;
+    let mut messages: Vec<Message> = other_nominal(robot, document).into_iter().collect();
+    // what the calibrated robot cannot be is a wrong set-up, wherever its base is
+    robot.definition_mut().set_nominal(&parameters.values);
+    let robot: &dyn Robot = robot;
+    messages.extend(stale(robot, &observations));
+    if let Some(problem) = set_up_problem(robot, &observations, noise.total_mm()) {
+        return Err(problem.into());
+    }
+    let settings = noise.applied(&mut observations, Settings::default());
+    let found = identify::verify(robot, &observations, &settings, &parameters, noise.variance)?;
+    let poses: BTreeSet<_> = observations.iter().map(|o| o.pose).collect();
+    let explanations: Vec<Movement> = found.explanations.iter().map(|e| movement(robot, e)).collect();
+    let moved = found.cause().map(|e| movement(robot, e));
+    let verdict = match found.cause().map(|cause| cause.moved) {
+        _ if !found.is_changed() => VerificationVerdict::Valid,
+        Some(Moved::Base) => VerificationVerdict::BaseMoved,
+        Some(Moved::Joint(_)) => VerificationVerdict::Joint,
+        Some(Moved::Target(_)) | None => VerificationVerdict::Other,
+    };
+    messages.extend(alike(&found, robot));
+    Ok(VerificationDocument {
+        schema: "etalon/verification/1".to_owned(),
+        robot: robot.model().to_owned(),
+        meaning: meaning(verdict, moved.as_ref()),
+        verdict,
+        p_value: found.p_value,
+        significance: SIGNIFICANCE,
+        moved,
+        explanations,
+        power: DetectionPower {
+            probability: POWER,
+            naming: NAMING,
+            least: found.detectable.iter().flat_map(|d| least(robot, d)).collect(),
+        },
+        of_changes: sum_of_squares(&found.of_changes),
+        of_rest: sum_of_squares(&found.of_rest),
+        poses: poses.len(),
+        points: observations.iter().map(|o| o.targets.iter().flatten().count()).sum(),
+        rms_mm: found.rms_mm,
+        expected_rms_mm: found.expected_rms_mm,
+        standard_uncertainty_mm: noise.measured_mm,
+        model_mm: noise.model_mm,
+        messages,
+        provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: None },
+    })
+}
+
+fn sum_of_squares(test: &identify::Test) -> SumOfSquares {
+    SumOfSquares { value: test.sum, degrees_of_freedom: test.degrees_of_freedom, p_value: test.p_value }
+}
+
+/// Names and quantities of the numbers of a motion.
+fn components(robot: &dyn Robot, moved: Moved) -> Vec<(String, Quantity)> {
+    let of = |names: &[&str], quantity| names.iter().map(|n| ((*n).to_owned(), quantity)).collect::<Vec<_>>();
+    match moved {
+        Moved::Base if robot.dimension() == 2 => {
+            [of(&["x", "y"], Quantity::Length), of(&["rz"], Quantity::Angle)].concat()
+        }
+        Moved::Base => [of(&["x", "y", "z"], Quantity::Length), of(&["rx", "ry", "rz"], Quantity::Angle)].concat(),
+        Moved::Joint(j) => vec![(robot.joints()[j].name.clone(), robot.joints()[j].quantity)],
+        Moved::Target(_) => of(&["x", "y", "z"], Quantity::Length),
+    }
+}
+
+fn movement(robot: &dyn Robot, found: &Explanation) -> Movement {
+    let numbers = found.change.iter().zip(&found.standard_uncertainty);
+    let by =
+        components(robot, found.moved).into_iter().zip(numbers).map(|((name, quantity), (value, u))| MovementValue {
+            name,
+            unit: quantity.unit().to_owned(),
+            value: quantity.outward(*value),
+            standard_uncertainty: Some(quantity.outward(*u)).filter(|u| u.is_finite()),
+        });
+    let (kind, name) = match found.moved {
+        Moved::Base => (MovementKind::Base, "base".to_owned()),
+        Moved::Joint(j) => (MovementKind::Joint, robot.joints()[j].name.clone()),
+        Moved::Target(k) => (MovementKind::Target, robot.targets()[k].clone()),
+    };
+    Movement { name, kind, by: by.collect(), p_left: found.p_left }
+}
+
+fn least(robot: &dyn Robot, detectable: &Detectable) -> Vec<LeastDetectable> {
+    let names = match detectable.moved {
+        Moved::Base => vec![("base shift".to_owned(), Quantity::Length), ("base rotation".to_owned(), Quantity::Angle)],
+        moved => components(robot, moved),
+    };
+    let of = |((name, quantity), value): ((String, Quantity), &f64)| LeastDetectable {
+        name,
+        unit: quantity.unit().to_owned(),
+        value: Some(quantity.outward(*value)).filter(|v| v.is_finite()),
+        named: detectable.named.map(|v| quantity.outward(v)).filter(|v| v.is_finite()),
+    };
+    names.into_iter().zip(&detectable.change).map(of).collect()
+}
+
+fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>) -> String {
+    let by = moved.map(|m| m.by.iter().map(number).collect::<Vec<_>>().join(", ")).unwrap_or_default();
+    let name = moved.map(|m| m.name.as_str()).unwrap_or_default();
+    match (verdict, moved) {
+        (VerificationVerdict::Valid, _) => "the parameters are still valid for these poses".to_owned(),
+        (VerificationVerdict::BaseMoved, _) => format!("the base has moved by {by}"),
+        (VerificationVerdict::Joint, _) => format!("the zero of joint {name} has moved by {by}"),
+        (VerificationVerdict::Other, Some(_)) => format!("the target {name} has moved on its part by {by}"),
+        (VerificationVerdict::Other, None) => {
+            "the parameters are no longer valid, and no motion of the base, one joint or one target explains why"
+                .to_owned()
+        }
+    }
+}
+
+/// A number with its expanded uncertainty.
+fn number(v: &MovementValue) -> String {
+    let digits = v.standard_uncertainty.map_or(3, |u| (1.0 - (2.0 * u).log10().floor()).clamp(0.0, 6.0) as usize);
+    let u = v.standard_uncertainty.map(|u| format!(" ± {:.digits$}", 2.0 * u)).unwrap_or_default();
+    format!("{} {:+.digits$}{u} {}", v.name, v.value, v.unit)
+}
+
+/// A warning where several motions explain the residuals as well.
+fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
+    let cause = found.cause()?;
+    let as_well = |e: &&Explanation| *e != cause && e.p_left > identify::EXPLAINED;
+    let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e).name).collect();
+    if others.is_empty() {
+        return None;
+    }
+    let what =
+        format!("{} would explain these residuals too: {}", count(others.len(), "other motion"), others.join(", "));
+    Some(Message::warning(what).hint("observe poses with other values of the joints, which tell them apart by `power`"))
+}

@@ -1,0 +1,170 @@
+//! `etalon validate` and `etalon verify`: parameters that were identified before, on other data.
+
+use super::{etalon, text};
+use crate::support::scratch::{Scratch, copy_sample};
+use serde_json::Value;
+use std::path::Path;
+use std::process::Output;
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {}", text(&output.stderr)))
+}
+
+fn code(output: &Output) -> Option<i32> {
+    output.status.code()
+}
+
+/// A copy of a sample that was run, and its folder.
+fn run(sample: &str) -> Scratch {
+    let folder = copy_sample(sample);
+    let ran = etalon(&folder.path(), &["run", "."]);
+    assert!(ran.status.code().is_some_and(|code| code < 2), "{}", text(&ran.stderr));
+    folder
+}
+
+fn document(folder: &Path, name: &str) -> Value {
+    serde_json::from_slice(&std::fs::read(folder.join("out").join(name)).unwrap()).unwrap()
+}
+
+#[test]
+fn parameters_judged_on_their_own_campaign_leave_its_errors() {
+    let folder = run("prexyt-cmm");
+    let accuracy = document(&folder.path(), "accuracy.json");
+    let of = |more: &[&str]| {
+        let judged = etalon(&folder.path(), &[&["validate", ".", "--json"], more].concat());
+        (json(&judged), code(&judged))
+    };
+    let statistics = |document: &Value, set: usize, when: &str| -> Vec<f64> {
+        let errors = document["sets"][set]["errors"].as_array().unwrap();
+        let numbers = ["mean", "rms", "p95", "max"];
+        errors.iter().flat_map(|e| numbers.map(|n| e[when][n].as_f64().unwrap())).collect()
+    };
+    let (given, exit) = of(&["--parameters", "out/parameters.json", "--frames", "given"]);
+    assert_eq!(exit, Some(0));
+    let (refit, _) = of(&["--parameters", "out/parameters.json"]);
+    let (nominal, exit) = of(&[]);
+    // the limits of the sample are for a robot that is calibrated
+    assert_eq!(exit, Some(1));
+    for set in 0..2 {
+        for (a, b) in statistics(&given, set, "after").iter().zip(statistics(&accuracy, set, "after")) {
+            assert!((a - b).abs() < 1e-9, "{a} {b}");
+        }
+        // base and targets were found with the others: fitted alone they stay
+        for (a, b) in statistics(&refit, set, "after").iter().zip(statistics(&accuracy, set, "after")) {
+            assert!((a - b).abs() < 1e-4, "{a} {b}");
+        }
+        for when in ["before", "after"] {
+            assert_eq!(statistics(&nominal, set, when), statistics(&accuracy, set, "before"));
+        }
+    }
+    assert!(given["given"]["p_value"].as_f64().unwrap() > 0.001 && refit["given"]["p_value"].is_null());
+    assert!(refit["definition"].as_str().unwrap().contains("base and targets fitted to the calibration poses"));
+}
+
+#[test]
+fn parameters_of_one_instrument_are_judged_on_the_campaign_of_another() {
+    let cmm = run("prexyt-cmm");
+    let arm = copy_sample("prexyt-faroarm");
+    let parameters = cmm.path().join("out/parameters.json").display().to_string();
+    let judged = etalon(&arm.path(), &["validate", ".", "--parameters", &parameters, "--json"]);
+    assert_eq!(code(&judged), Some(0), "{}", text(&judged.stderr));
+    let position = &json(&judged)["sets"][1]["errors"][0];
+    let rms = |when: &str| position[when]["rms"].as_f64().unwrap();
+    assert!(rms("after") < 0.25 * rms("before"), "{position}");
+    // those of another robot are refused by name, and so is a document that is none
+    let other = run("dextar");
+    let foreign = other.path().join("out/parameters.json").display().to_string();
+    let refused = etalon(&arm.path(), &["validate", ".", "--parameters", &foreign]);
+    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("are not those of this robot"));
+    // a swapped sign of the actuators leaves more than nominal ones do
+    let text_of = std::fs::read_to_string(&parameters).unwrap();
+    let mut wrong: Value = serde_json::from_str(&text_of).unwrap();
+    for entry in wrong["parameters"].as_array_mut().unwrap() {
+        let (value, nominal) = (entry["value"].as_f64().unwrap(), entry["nominal"].as_f64().unwrap());
+        entry["value"] = (2.0 * nominal - value).into();
+    }
+    std::fs::write(arm.path().join("wrong.json"), wrong.to_string()).unwrap();
+    let warned = etalon(&arm.path(), &["validate", ".", "--parameters", "wrong.json"]);
+    assert!(text(&warned.stderr).contains("leave larger errors than the nominal ones"), "{}", text(&warned.stderr));
+}
+
+/// Some rows of the observations of a run, changed.
+fn observations(folder: &Path, change: impl Fn(&[&str], &mut Vec<String>)) -> String {
+    let all = std::fs::read_to_string(folder.join("out/observations.csv")).unwrap();
+    let header: Vec<&str> = all.lines().next().unwrap().split(',').collect();
+    let mut out = header.join(",") + "\n";
+    let few = ["11", "20", "33", "47", "52", "58"];
+    for line in all.lines().skip(1).filter(|line| few.contains(&line.split(',').next().unwrap())) {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        change(&header, &mut cells);
+        out += &(cells.join(",") + "\n");
+    }
+    out
+}
+
+fn add(header: &[&str], cells: &mut [String], column: &str, by: f64) {
+    let at = header.iter().position(|name| *name == column).unwrap();
+    cells[at] = (cells[at].parse::<f64>().unwrap() + by).to_string();
+}
+
+#[test]
+fn a_verification_says_what_has_moved() {
+    let folder = run("prexyt-cmm");
+    let verify = |table: &str| {
+        std::fs::write(folder.path().join("few.csv"), table).unwrap();
+        let arguments = ["verify", "few.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json", "--json"];
+        etalon(&folder.path(), &arguments)
+    };
+    let valid = verify(&observations(&folder.path(), |_, _| {}));
+    assert_eq!((code(&valid), json(&valid)["verdict"].as_str()), (Some(0), Some("valid")), "{}", text(&valid.stderr));
+    // a carriage that is elsewhere than its encoder reads
+    let slipped = verify(&observations(&folder.path(), |header, cells| add(header, cells, "rho2_mm", -0.2)));
+    let answer = json(&slipped);
+    assert_eq!((code(&slipped), answer["verdict"].as_str()), (Some(1), Some("joint")), "{answer}");
+    let by = &answer["moved"]["by"][0];
+    assert!(answer["moved"]["name"] == "rho2" && (by["value"].as_f64().unwrap() - 0.2).abs() < 0.02, "{answer}");
+    let shifted = verify(&observations(&folder.path(), |header, cells| {
+        add(header, cells, "x_mm", 0.3);
+        add(header, cells, "y_mm", -0.2);
+    }));
+    let answer = json(&shifted);
+    assert_eq!((code(&shifted), answer["verdict"].as_str()), (Some(1), Some("base_moved")), "{answer}");
+    let by = |i: usize| answer["moved"]["by"][i]["value"].as_f64().unwrap();
+    assert!((by(0) - 0.3).abs() < 0.03 && (by(1) + 0.2).abs() < 0.03, "{answer}");
+    // one wrong reading is none of these
+    let odd = verify(&observations(&folder.path(), |header, cells| {
+        if cells[0] == "20" && cells[2] == "K" {
+            add(header, cells, "x_mm", 0.4);
+        }
+    }));
+    assert_eq!((code(&odd), json(&odd)["verdict"].as_str()), (Some(1), Some("other")));
+}
+
+#[test]
+fn a_verification_refuses_what_it_cannot_compare() {
+    let folder = run("prexyt-cmm");
+    let good = observations(&folder.path(), |_, _| {});
+    let refused = |table: &str, more: &[&str]| {
+        std::fs::write(folder.path().join("few.csv"), table).unwrap();
+        let arguments = ["verify", "few.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json"];
+        let output = etalon(&folder.path(), &[&arguments[..], more].concat());
+        assert_eq!(code(&output), Some(2), "{}", text(&output.stdout));
+        text(&output.stderr)
+    };
+    assert!(refused(&good.replace(",K,", ",M,"), &[]).contains("`M`"));
+    assert!(refused(&good.replace("pose,", "kind,").replace('\n', "\npoint,"), &[]).contains("error"));
+    assert!(refused(&good.replace("rho1_mm", "rho1_deg"), &[]).contains("rho1"));
+    // inches, and actuators that are exchanged
+    let inch = observations(&folder.path(), |header, cells| {
+        for column in ["x_mm", "y_mm"] {
+            let at = header.iter().position(|name| *name == column).unwrap();
+            cells[at] = (cells[at].parse::<f64>().unwrap() / 25.4).to_string();
+        }
+    });
+    assert!(refused(&inch, &[]).contains("error"));
+    assert!(
+        refused(&good.replace("rho2_mm", "rho").replace("rho3_mm", "rho2_mm").replace("rho,", "rho3_mm,"), &[])
+            .contains("error")
+    );
+    assert!(refused(&good, &["--standard-uncertainty-um", "0.0027"]).contains("in micrometres"));
+}
