@@ -29,7 +29,7 @@ pub struct Identify {
     #[arg(long)]
     robot: PathBuf,
     /// Observations: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] and one column per joint with its unit; with the column
-    /// `kind` also poses, distances, contacts and planes (docs/observations.md)
+    /// `kind` also poses, distances, contacts, surfaces and values of joints (docs/observations.md)
     #[arg(long)]
     observations: PathBuf,
     /// Standard uncertainty (k = 1) of one measured coordinate in micrometres; without it, it is taken from the residuals

@@ -7,7 +7,7 @@ use crate::base::table::{self, XYZ};
 use crate::campaign::{Limits, Selections};
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, PointError, Statistics};
 use crate::math::fit;
-use crate::math::identify::{Condition, Observation};
+use crate::math::identify::{Condition, Kind, Observation};
 use crate::math::robots::Robot;
 use crate::stages::kinds::Observed;
 use polars::prelude::{Column, DataFrame};
@@ -100,7 +100,11 @@ fn condition_error(
 ) {
     let target = &robot.targets()[condition.target];
     let (b, a) = (condition.error(robot, before), condition.error(robot, after));
-    if condition.kind.is_angle() {
+    if matches!(condition.kind, Kind::Joint { .. }) {
+        // the value of a joint is no error of a target
+        return;
+    }
+    if condition.kind.is_orientation() {
         let same = |e: &&mut PointError| {
             e.set == set && e.pose == condition.pose && e.cycle == condition.cycle && e.target == *target
         };

@@ -1,4 +1,4 @@
-//! Tables of observations of several kinds: positions, poses, distances, contacts and planes, a row each.
+//! Tables of observations of several kinds: positions, poses, distances, contacts, surfaces and joints, a row each.
 //!
 //! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
 
@@ -6,17 +6,17 @@ use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::{Pose, Vector};
 use crate::base::pose_name::PoseName;
 use crate::base::table;
-use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Settings, joint_column};
-use crate::math::robots::Robot;
+use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Settings, Surface, joint_column};
+use crate::math::robots::{Joint, Quantity, Robot};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 
 /// Kinds of rows.
-const KINDS: [&str; 5] = ["point", "pose", "distance", "contact", "plane"];
+const KINDS: [&str; 8] = ["point", "pose", "distance", "contact", "plane", "line", "sphere", "joints"];
 /// Columns of an orientation: the quaternion that turns vectors of the body to the world.
 const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 /// Columns of all kinds beside those of positions.
-pub const COLUMNS: [&str; 13] = [
+pub const COLUMNS: [&str; 18] = [
     "kind",
     "qw",
     "qx",
@@ -25,7 +25,12 @@ pub const COLUMNS: [&str; 13] = [
     "socket",
     "other",
     "plane",
+    "line",
+    "sphere",
     "axis",
+    "joint",
+    "value_deg",
+    "value_mm",
     "distance_mm",
     "offset_mm",
     "u_mm",
@@ -67,7 +72,8 @@ pub fn targets(observations: &DataFrame) -> Result<Vec<String>> {
     let mut targets: Vec<String> = Vec::new();
     let fixed = fixed_rows(observations)?;
     for (name, _) in table::texts(observations, "target")?.into_iter().zip(fixed).filter(|(_, fixed)| !fixed) {
-        if !targets.contains(&name) {
+        // the value of a joint is of no target
+        if !name.is_empty() && !targets.contains(&name) {
             targets.push(name);
         }
     }
@@ -159,8 +165,13 @@ struct Rows {
     joints: Vec<Vec<f64>>,
     sockets: Vec<String>,
     others: Vec<String>,
-    planes: Vec<String>,
+    /// Names of planes, lines and spheres.
+    surfaces: [Vec<String>; 3],
     axes: Vec<String>,
+    joint_names: Vec<String>,
+    robot_joints: Vec<Joint>,
+    /// Values of joints, rad or mm.
+    values: [Vec<f64>; 2],
     distances_mm: Vec<f64>,
     offsets_mm: Vec<f64>,
     u_mm: Vec<f64>,
@@ -224,8 +235,14 @@ impl Rows {
             joints: (0..height).map(|row| joints.iter().map(|j| j[row]).collect()).collect(),
             sockets: texts("socket")?,
             others: texts("other")?,
-            planes: texts("plane")?,
+            surfaces: [texts("plane")?, texts("line")?, texts("sphere")?],
             axes: texts("axis")?,
+            joint_names: texts("joint")?,
+            robot_joints: robot.joints().to_vec(),
+            values: [
+                numbers("value_deg", f64::NAN)?.into_iter().map(f64::to_radians).collect(),
+                numbers("value_mm", f64::NAN)?,
+            ],
             distances_mm: numbers("distance_mm", f64::NAN)?,
             offsets_mm: numbers("offset_mm", 0.0)?,
             u_mm: numbers(column, f64::NAN)?,
@@ -280,20 +297,23 @@ impl Rows {
                 Kind::Distance { to, distance_mm: self.distance(row)? }
             }
             "contact" => Kind::Contact { socket: self.fixture(row, "socket", &self.sockets, robot)? },
-            "plane" => {
-                let name = named("plane", &self.planes[row])?;
-                let axis = AXES.iter().position(|axis| *axis == self.axes[row]).ok_or_else(|| {
-                    let what = format!("the plane `{name}` needs the axis of the world that is nearest to its normal");
-                    Message::error(what).expected("x, y or z in the column `axis`: z for a table, x or y for a wall")
-                })?;
-                let offset_mm = self.offsets_mm[row];
-                if !offset_mm.is_finite() {
-                    return Err(Message::error("`offset_mm` is missing or not a number")
-                        .expected("how far the target is from the plane along that axis: the radius of a ball, or 0")
-                        .into());
-                }
-                Kind::Plane { plane: Fixture::Plane(name, axis).add_to(robot), axis, offset_mm }
+            "plane" | "line" | "sphere" => {
+                let (surface, unknowns) = self.surface(row, kind, robot)?;
+                let offset_mm = match self.offsets_mm[row] {
+                    offset if kind == "line" && offset.is_nan() => 0.0,
+                    offset if kind == "line" && offset != 0.0 => {
+                        return Err(Message::error("`offset_mm` is of planes and spheres, not of a line").into());
+                    }
+                    offset if !offset.is_finite() => {
+                        return Err(Message::error("`offset_mm` is missing or not a number")
+                            .expected("how far the target is from the plane along that axis, or outside of the sphere: the radius of a ball, or 0")
+                            .into());
+                    }
+                    offset => offset,
+                };
+                Kind::On { surface, unknowns, offset_mm }
             }
+            "joints" => self.joint(row, robot)?,
             "point" if self.partial[row] => {
                 for axis in (0..3).filter(|&axis| !self.xyz[row][axis].is_nan()) {
                     let kind = Kind::Coordinate { axis, at_mm: self.xyz[row][axis] };
@@ -320,7 +340,10 @@ impl Rows {
             pose: self.poses[row],
             cycle: self.cycles[row],
             joints,
-            target: self.target(row)?,
+            target: match kind {
+                Kind::Joint { .. } if self.targets[row].is_empty() => 0,
+                _ => self.target(row)?,
+            },
             standard_uncertainty: positive(standard_uncertainty, kind.is_angle())?,
             kind,
         });
@@ -339,6 +362,18 @@ impl Rows {
         self.is_fixed_name(name)?;
         let standard_uncertainty_mm = Some(self.u_mm[row]).filter(|u| !u.is_nan()).or(self.without.length_mm);
         let standard_uncertainty_mm = positive(standard_uncertainty_mm, false)?;
+        if kind == "sphere" && self.xyz[row].iter().all(|v| v.is_nan()) {
+            let parameter = Fixture::Radius(name).add_to(robot);
+            return Ok(Known::Length { parameter, length_mm: self.distance(row)?, standard_uncertainty_mm });
+        }
+        if matches!(kind, "plane" | "line" | "sphere") {
+            let (surface, unknowns) = self.surface(row, kind, robot)?;
+            let place_mm = self.xyz[row];
+            if place_mm.iter().any(|v| !v.is_finite()) {
+                return Err(Message::error(format!("the place of `{name}` is missing or not a number")).into());
+            }
+            return Ok(Known::On { surface, unknowns, place_mm, standard_uncertainty_mm });
+        }
         let point = Fixture::Point(name).add_to(robot);
         match kind {
             "point" if self.xyz[row].iter().all(|v| v.is_finite()) => {
@@ -353,9 +388,64 @@ impl Rows {
                 Ok(Known::Distance { from: point, to, distance_mm: self.distance(row)?, standard_uncertainty_mm })
             }
             kind => Err(Message::error(format!("a row of kind `{kind}` has no pose"))
-                .hint("rows without a pose state places (`point`) and distances (`distance`) of fixed points")
+                .hint("rows without a pose state places (`point`) and distances (`distance`) of fixed points, and places on a `plane`, `line` or `sphere`")
                 .into()),
         }
+    }
+
+    /// The plane, line or sphere of a row, and its parameters.
+    fn surface(&self, row: usize, kind: &str, robot: &mut dyn Robot) -> Result<(Surface, [usize; 4])> {
+        let [planes, lines, spheres] = &self.surfaces;
+        if kind == "sphere" {
+            let name = named("sphere", &spheres[row])?;
+            self.is_fixed_name(name)?;
+            let (first, radius) = (Fixture::Point(name).add_to(robot), Fixture::Radius(name).add_to(robot));
+            return Ok((Surface::Sphere, [first, first + 1, first + 2, radius]));
+        }
+        let name = named(kind, &(if kind == "plane" { planes } else { lines })[row])?;
+        self.is_fixed_name(name)?;
+        let axis = AXES.iter().position(|axis| *axis == self.axes[row]).ok_or_else(|| match kind {
+            "plane" => Message::error(format!("the plane `{name}` needs the axis of the world that is nearest to its normal"))
+                .expected("x, y or z in the column `axis`: z for a table, x or y for a wall"),
+            _ => Message::error(format!("the line `{name}` needs the axis of the world that is nearest to it"))
+                .expected("x, y or z in the column `axis`"),
+        })?;
+        Ok(match kind {
+            "plane" => {
+                let first = Fixture::Plane(name, axis).add_to(robot);
+                (Surface::Plane { axis }, [first, first + 1, first + 2, first + 2])
+            }
+            _ => {
+                let first = Fixture::Line(name, axis).add_to(robot);
+                (Surface::Line { axis }, [first, first + 1, first + 2, first + 3])
+            }
+        })
+    }
+
+    /// The value of a joint as it is.
+    fn joint(&self, row: usize, robot: &dyn Robot) -> Result<Kind> {
+        let name = named("joint", &self.joint_names[row])?;
+        let names = || self.robot_joints.iter().map(|j| j.name.as_str());
+        let Some(joint) = names().position(|other| other == name) else {
+            let what = format!("`{name}` is not a joint of this robot");
+            return Err(Message::error(what).hint_names(name, names()).into());
+        };
+        let modelled = robot.free_base().and_then(|arm| {
+            arm.joint_value(&robot.nominal(), &vec![0.0; self.robot_joints.len()], joint, &mut |_, _| ())
+        });
+        if modelled.is_none() {
+            let what = format!("values of joints are for arms in space, not for `{}`", robot.model());
+            return Err(Message::error(what).into());
+        }
+        let is_angle = self.robot_joints[joint].quantity == Quantity::Angle;
+        let value = self.values[usize::from(!is_angle)][row];
+        if !value.is_finite() {
+            let column = if is_angle { "value_deg" } else { "value_mm" };
+            return Err(Message::error(format!("`{column}` is missing or not a number"))
+                .expected("the value of the joint by the switch or second encoder")
+                .into());
+        }
+        Ok(Kind::Joint { joint, value, is_angle })
     }
 
     fn distance(&self, row: usize) -> Result<f64> {

@@ -104,7 +104,7 @@ const TURNED_DEG: f64 = 10.0;
 
 /// An error where observed orientations are far from those of the identified robot.
 fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Message> {
-    if !settings.conditions.iter().any(|c| c.kind.is_angle()) {
+    if !settings.conditions.iter().any(|c| c.kind.is_orientation()) {
         return None;
     }
     let calibration = errors.iter().filter(|e| e.set == "calibration");

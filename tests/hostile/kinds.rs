@@ -59,6 +59,30 @@ fn slips_are_refused_with_their_line() {
 }
 
 #[test]
+fn slips_in_surfaces_and_joints_are_refused_with_their_line() {
+    let header = "kind,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,line,sphere,axis,joint,value_deg,distance_mm,offset_mm,u_mm,urot_deg";
+    let good = "line,1,1,ball,1,2,3,,,,post,,z,,,,,0.02,";
+    for (row, parts) in [
+        ("line,1,1,ball,1,2,3,,,,,,z,,,,,0.02,", &["column `line` is empty"][..]),
+        ("line,1,1,ball,1,2,3,,,,post,,,,,,,0.02,", &["the line `post` needs the axis"]),
+        ("line,1,1,ball,1,2,3,,,,post,,z,,,,2,0.02,", &["`offset_mm` is of planes and spheres"]),
+        ("sphere,1,1,ball,1,2,3,,,,,,,,,,0,0.02,", &["column `sphere` is empty"]),
+        ("sphere,1,1,ball,1,2,3,,,,,ball,,,,,0,0.02,", &["`ball` is a target on the robot"]),
+        ("sphere,1,1,ball,1,2,3,,,,,dome,,,,,,0.02,", &["`offset_mm` is missing"]),
+        ("joints,1,1,,1,2,3,,,,,,,q4,1.0,,,,0.01", &["`q4` is not a joint of this robot"]),
+        ("joints,1,1,,1,2,3,,,,,,,q2,,,,,0.01", &["`value_deg` is missing"]),
+        ("joints,1,1,,1,2,3,,,,,,,q2,1.0,,,,", &["no standard uncertainty", "--rotation-uncertainty-deg"]),
+        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["the place of `a` is missing"]),
+        ("sphere,,,dome,,,,,,,,dome,,,,-5,,0.02,", &["`distance_mm` is missing or not a length"]),
+    ] {
+        let error = error(header, &format!("{good}\n{row}"), &[]);
+        for part in parts.iter().chain(&["o.csv:3"]) {
+            assert!(error.contains(part), "{row}\nlacks {part:?}:\n{error}");
+        }
+    }
+}
+
+#[test]
 fn an_orientation_lacks_no_component() {
     let error =
         error("pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,qx,qy,qz", "1,1,ball,1,2,3,1,2,3,0,0,0", &[]);

@@ -1,4 +1,4 @@
-//! Conditions: orientations, distances, contacts and planes give the robot back, alone and together, with intervals that hold.
+//! Conditions: orientations, distances, contacts, planes, lines, spheres and joints give the robot back, alone and together, with intervals that hold.
 
 use crate::support::arms::{SIX_AXES, serial};
 use crate::support::scratch::{Scratch, copy_sample, etalon};
@@ -6,7 +6,7 @@ use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::base::pose_name::PoseName;
 use etalon::math::identify::{
-    Condition, Fixture, Identification, Kind, Known, Observation, Settings, Status, fit_frames, identify_from,
+    Condition, Fixture, Identification, Kind, Known, Observation, Settings, Status, Surface, fit_frames, identify_from,
 };
 use etalon::math::robots::{FreeBase, Robot, Role, Serial};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
@@ -68,7 +68,7 @@ impl Campaign {
         self.errors * self.noise.gaussian(standard_uncertainty)
     }
 
-    fn fixture(&mut self, fixture: Fixture, values: Vector) -> usize {
+    fn fixture(&mut self, fixture: Fixture, values: impl IntoIterator<Item = f64>) -> usize {
         let first = fixture.add_to(&mut self.robot);
         self.truth.truncate(first);
         self.truth.extend(values);
@@ -215,8 +215,64 @@ impl Campaign {
                     let length = (1.0 + slopes[0].powi(2) + slopes[1].powi(2)).sqrt();
                     vec![(p[axis] - values[2] - traces) / length - 12.7 - error]
                 });
-                self.observe(joints, Kind::Plane { plane, axis, offset_mm: 12.7 }, U_MM);
+                let (surface, unknowns) = (Surface::Plane { axis }, [plane, plane + 1, plane + 2, plane + 2]);
+                self.observe(joints, Kind::On { surface, unknowns, offset_mm: 12.7 }, U_MM);
             }
+        }
+        self
+    }
+
+    /// A ball in three grooves.
+    fn lines(mut self, count: usize) -> Self {
+        let all = [
+            ("groove", 1, [0.05, -0.1, 90.0, 480.0]),
+            ("edge", 0, [-0.2, 0.15, 210.0, 330.0]),
+            ("post", 2, [0.03, 0.02, 430.0, -120.0]),
+        ];
+        for (name, axis, values) in all {
+            let first = self.fixture(Fixture::Line(name, axis), values);
+            let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+            let (mut along, mut foot) = (Vector3::zeros(), Vector3::zeros());
+            (along[axis], along[i], along[j]) = (1.0, values[0].tan(), values[1].tan());
+            (foot[i], foot[j]) = (values[2], values[3]);
+            // any two normals
+            let one = along.cross(&Vector3::new(0.3, 0.5, 0.7)).normalize();
+            let other = along.cross(&one).normalize();
+            for _ in 0..count {
+                let errors = [self.error(U_MM), self.error(U_MM)];
+                let joints = self.joints_where(|p| {
+                    let lever = Vector3::from(p) - foot;
+                    vec![one.dot(&lever) - errors[0], other.dot(&lever) - errors[1]]
+                });
+                let (surface, unknowns) = (Surface::Line { axis }, [first, first + 1, first + 2, first + 3]);
+                self.observe(joints, Kind::On { surface, unknowns, offset_mm: 0.0 }, U_MM);
+            }
+        }
+        self
+    }
+
+    /// Touches of two spheres, of which nothing is known.
+    fn spheres(mut self, count: usize) -> Self {
+        for (name, centre, radius) in [("dome", [420.0, 60.0, 200.0], 150.0), ("knob", [-350.0, 300.0, 250.0], 60.0)] {
+            let first = self.fixture(Fixture::Point(name), centre);
+            let unknowns = [first, first + 1, first + 2, self.fixture(Fixture::Radius(name), [radius])];
+            for _ in 0..count {
+                let out = radius + 12.7 + self.error(U_MM);
+                let joints = self.joints_where(|p| vec![norm(minus(p, centre)) - out]);
+                self.observe(joints, Kind::On { surface: Surface::Sphere, unknowns, offset_mm: 12.7 }, U_MM);
+            }
+        }
+        self
+    }
+
+    /// A second encoder on each joint.
+    fn second_encoders(mut self, count: usize) -> Self {
+        for joint in (0..6).flat_map(|joint| std::iter::repeat_n(joint, count)) {
+            let joints = self.joints();
+            let of = |name: &str| self.truth[self.robot.index(&format!("{name}_{}", joint + 1)).unwrap()];
+            let theta = of("theta") - SIX_AXES[joint][2].to_radians();
+            let value = of("gain") * joints[joint] + theta + self.error(U_RAD);
+            self.observe(joints, Kind::Joint { joint, value, is_angle: true }, U_RAD);
         }
         self
     }
@@ -257,7 +313,10 @@ fn campaign(kind: &str, seed: u64, trial: u64, errors: f64) -> Campaign {
         "coordinate" => new.coordinates(120),
         // planes alone give no scale: the nominal length of a link does
         "plane" => new.planes(60).distances(8),
-        "all" => new.poses(20).contacts(3, 8).distances(10).planes(10).coordinates(9),
+        "line" => new.lines(30).distances(8),
+        "sphere" => new.spheres(70).distances(12),
+        "joints" => new.anywhere().poses(30).second_encoders(10),
+        "all" => new.poses(20).contacts(3, 8).distances(10).planes(10).coordinates(9).lines(8).spheres(10).second_encoders(3),
         other => panic!("{other}"),
     }
 }
@@ -292,7 +351,17 @@ fn intervals_of_every_kind_hold() {
     }
 }
 
-const KINDS: [&str; 6] = ["pose", "contact, lengths", "contact, places", "distance", "plane", "coordinate"];
+const KINDS: [&str; 9] = [
+    "pose",
+    "contact, lengths",
+    "contact, places",
+    "distance",
+    "plane",
+    "coordinate",
+    "line",
+    "sphere",
+    "joints",
+];
 
 #[test]
 fn without_noise_every_kind_gives_the_truth() {
@@ -308,6 +377,36 @@ fn without_noise_every_kind_gives_the_truth() {
     }
 }
 
+/// Places of a plane, a line and a sphere, and its radius, that a certificate states: they hold the scale, and the base in the world.
+#[test]
+fn known_surfaces_hold_the_world() {
+    let mut campaign = Campaign::new(Noise::new(82, 0), 0.0).planes(30).lines(10).spheres(20);
+    let first = |name: &str| campaign.robot.index(name).unwrap();
+    let (table, groove, dome) = (first("table_slope_x"), first("groove_slope_z"), first("dome_x"));
+    let slope = |i: usize| campaign.truth[i].tan();
+    let standard_uncertainty_mm = 0.004;
+    let on = |surface, unknowns, place_mm| Known::On { surface, unknowns, place_mm, standard_uncertainty_mm };
+    let mut known = Vec::new();
+    for [a, b] in [[300.0, -200.0], [500.0, 250.0], [100.0, 400.0], [-200.0, 100.0]] {
+        let z = campaign.truth[table + 2] + a * slope(table) + b * slope(table + 1);
+        known.push(on(Surface::Plane { axis: 2 }, [table, table + 1, table + 2, table + 2], [a, b, z]));
+        let (z, x) = (campaign.truth[groove + 2] + a * slope(groove), campaign.truth[groove + 3] + a * slope(groove + 1));
+        known.push(on(Surface::Line { axis: 1 }, [groove, groove + 1, groove + 2, groove + 3], [x, a, z]));
+        let at = Vector3::new(a, b, 100.0).normalize() * campaign.truth[dome + 3];
+        let place = [0, 1, 2].map(|i| campaign.truth[dome + i] + at[i]);
+        known.push(on(Surface::Sphere, [dome, dome + 1, dome + 2, dome + 3], place));
+    }
+    known.push(Known::Length { parameter: dome + 3, length_mm: campaign.truth[dome + 3], standard_uncertainty_mm });
+    campaign.settings.known = known;
+    let found = campaign.identify();
+    assert!(found.free.iter().any(|&i| i < 3), "the world is that of the certificate");
+    for &i in &found.free {
+        let off = (found.values[i] - campaign.truth[i]).abs();
+        assert!(off < 1e-7, "{} is off by {off:e}", campaign.robot.parameters()[i].name);
+    }
+    assert!(!found.warnings.iter().any(|m| m.what.contains("length")), "{:?}", found.warnings);
+}
+
 const ROBOT: &str = r#"model = "serial"
 joint = [
     { alpha_deg = 0, a_mm = 0, theta_deg = 0, d_mm = 290 },
@@ -321,16 +420,27 @@ joint = [
 
 const HEADER: &str = "kind,pose,cycle,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,distance_mm,other,socket,\
                       plane,axis,offset_mm,u_mm,urot_deg";
+/// Columns of further kinds.
+const MORE: &str = "line,sphere,joint,value_deg";
 
 impl Campaign {
     /// The campaign as a table of observations; what is not stated is empty.
     fn table(&self) -> String {
         let names: Vec<&str> = self.robot.parameters().iter().map(|p| p.name.as_str()).collect();
         let fixture = |first: usize| names[first].rsplit_once("_slope").or(names[first].rsplit_once('_')).unwrap().0;
-        let mut rows = vec![HEADER.to_owned()];
+        let more = |c: &Condition| match c.kind {
+            Kind::On { surface, .. } => !matches!(surface, Surface::Plane { .. }),
+            Kind::Joint { .. } => true,
+            _ => false,
+        };
+        let header = match self.settings.conditions.iter().any(more) {
+            true => format!("{HEADER},{MORE}"),
+            false => HEADER.to_owned(),
+        };
+        let mut rows = vec![header.clone()];
         let mut row = |cells: &[(&str, String)]| {
             let cell = |column: &str| cells.iter().find(|c| c.0 == column).map_or("", |c| c.1.as_str());
-            rows.push(HEADER.split(',').map(cell).collect::<Vec<_>>().join(","));
+            rows.push(header.split(',').map(cell).collect::<Vec<_>>().join(","));
         };
         for c in &self.settings.conditions {
             let mut cells = vec![
@@ -359,11 +469,24 @@ impl Campaign {
                 Kind::Contact { socket } => {
                     vec![("kind", "contact".to_owned()), ("socket", fixture(socket).to_owned())]
                 }
-                Kind::Plane { plane, axis, offset_mm } => vec![
-                    ("kind", "plane".to_owned()),
-                    ("plane", fixture(plane).to_owned()),
-                    ("axis", ["x", "y", "z"][axis].to_owned()),
-                    ("offset_mm", offset_mm.to_string()),
+                Kind::On { surface, unknowns, offset_mm } => {
+                    let (kind, axis) = match surface {
+                        Surface::Plane { axis } => ("plane", ["x", "y", "z"][axis]),
+                        Surface::Line { axis } => ("line", ["x", "y", "z"][axis]),
+                        Surface::Sphere => ("sphere", ""),
+                    };
+                    vec![
+                        ("kind", kind.to_owned()),
+                        (kind, fixture(unknowns[0]).to_owned()),
+                        ("axis", axis.to_owned()),
+                        ("offset_mm", if kind == "line" { String::new() } else { offset_mm.to_string() }),
+                    ]
+                }
+                Kind::Joint { joint, value, .. } => vec![
+                    ("kind", "joints".to_owned()),
+                    ("joint", format!("q{}", joint + 1)),
+                    ("value_deg", value.to_degrees().to_string()),
+                    ("urot_deg", c.standard_uncertainty.to_degrees().to_string()),
                 ],
             };
             cells.extend(texts);
@@ -388,6 +511,7 @@ impl Campaign {
                     ("distance_mm", distance_mm.to_string()),
                     ("u_mm", standard_uncertainty_mm.to_string()),
                 ]),
+                Known::On { .. } | Known::Length { .. } => panic!("{known:?}"),
             }
         }
         rows.join("\n") + "\n"

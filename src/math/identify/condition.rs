@@ -1,16 +1,16 @@
 //! Conditions: what else than its position was observed of a target, at a pose or of fixed points alone.
 //!
 //! A condition is an equation between the place of a target, which the robot gives, and things that are fixed in the world: the
-//! orientation of a body, a socket, a point from which a distance is measured, a plane. Of these the robot's list of parameters
+//! orientation of a body, a socket, a point from which a distance is measured, a plane, a line, a sphere. Of these the robot's list of parameters
 //! has the unknowns behind its own ([`Fixture`]).
 
+use super::surface::Surface;
 use super::{Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
-use crate::base::pose::{Pose, Vector, dot, minus, norm, turning_axes, unit};
+use crate::base::pose::{Pose, Vector, minus, norm, turning_axes, unit};
 use crate::base::pose_name::PoseName;
 use crate::math::robots::{FreeBase, Parameter, Quantity, Robot, Role};
 use nalgebra::{Matrix3, Vector3};
-use std::ops::Range;
 
 /// What was observed of a target at a pose.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,14 +59,24 @@ pub enum Kind {
         /// First of the three coordinates of the socket.
         socket: usize,
     },
-    /// The target touches a plane, its centre `offset_mm` along the normal from it: the radius of a ball. Residual: mm.
-    Plane {
-        /// First of the three parameters of the plane: two slopes, and where it meets its axis.
-        plane: usize,
-        /// The axis of the world, 0, 1 or 2, that is nearest to its normal.
-        axis: usize,
-        /// Distance of the target from the plane, positive along the axis.
+    /// The target is on a surface or line, or, of a plane or sphere, its centre `offset_mm` outside of it: the radius of a ball. Residuals: mm.
+    On {
+        /// What it touches.
+        surface: Surface,
+        /// The parameters of that.
+        unknowns: [usize; 4],
+        /// Distance of the target from it, positive along the axis of a plane, and outside of a sphere.
         offset_mm: f64,
+    },
+    /// The value of a joint as it is: of a home switch, or a second encoder. Residual: the joint's value by the model, with what its gain,
+    /// offset and other errors add to the logged one, less this, mm or rad.
+    Joint {
+        /// Index of the joint.
+        joint: usize,
+        /// The value.
+        value: f64,
+        /// Whether it is an angle.
+        is_angle: bool,
     },
 }
 
@@ -93,6 +103,26 @@ pub enum Known {
         /// Its standard uncertainty.
         standard_uncertainty_mm: f64,
     },
+    /// A place on a surface or line.
+    On {
+        /// What it is on.
+        surface: Surface,
+        /// The parameters of that.
+        unknowns: [usize; 4],
+        /// The place, mm.
+        place_mm: Vector,
+        /// Standard uncertainty of its distance from it, mm.
+        standard_uncertainty_mm: f64,
+    },
+    /// The radius of a sphere.
+    Length {
+        /// Its parameter.
+        parameter: usize,
+        /// The length.
+        length_mm: f64,
+        /// Its standard uncertainty.
+        standard_uncertainty_mm: f64,
+    },
 }
 
 impl Kind {
@@ -100,24 +130,29 @@ impl Kind {
     pub fn rows(&self) -> usize {
         match self {
             Self::Orientation { .. } | Self::Contact { .. } => 3,
-            Self::Coordinate { .. } | Self::Distance { .. } | Self::Plane { .. } => 1,
+            Self::Coordinate { .. } | Self::Distance { .. } | Self::Joint { .. } => 1,
+            Self::On { surface, .. } => surface.rows(),
         }
     }
 
     /// Parameters of what it refers to.
-    pub(super) fn unknowns(&self) -> Option<Range<usize>> {
-        let first = match *self {
-            Self::Orientation { mounting: first, .. }
-            | Self::Distance { to: first, .. }
-            | Self::Contact { socket: first }
-            | Self::Plane { plane: first, .. } => first,
-            Self::Coordinate { .. } => return None,
-        };
-        Some(first..first + 3)
+    pub(super) fn unknowns(&self) -> Vec<usize> {
+        match *self {
+            Self::Orientation { mounting: first, .. } | Self::Distance { to: first, .. } | Self::Contact { socket: first } => {
+                (first..first + 3).collect()
+            }
+            Self::On { surface, unknowns, .. } => unknowns[..surface.unknowns()].to_vec(),
+            Self::Coordinate { .. } | Self::Joint { .. } => Vec::new(),
+        }
     }
 
     /// Whether residuals are angles.
     pub fn is_angle(&self) -> bool {
+        matches!(self, Self::Orientation { .. } | Self::Joint { is_angle: true, .. })
+    }
+
+    /// Whether it is about the orientation of a body.
+    pub fn is_orientation(&self) -> bool {
         matches!(self, Self::Orientation { .. })
     }
 }
@@ -127,15 +162,9 @@ pub(super) fn point(values: &[f64], first: usize) -> Vector {
     [values[first], values[first + 1], values[first + 2]]
 }
 
-/// The plane of its three parameters: a normal (towards its axis, not of length one), and where it meets the axis.
-fn plane(values: &[f64], first: usize, axis: usize) -> (Vector, Vector) {
-    let mut normal = [0.0; 3];
-    normal[axis] = 1.0;
-    normal[(axis + 1) % 3] = -values[first].tan();
-    normal[(axis + 2) % 3] = -values[first + 1].tan();
-    let mut foot = [0.0; 3];
-    foot[axis] = values[first + 2];
-    (normal, foot)
+/// Values of the parameters of a surface.
+fn of(values: &[f64], unknowns: [usize; 4]) -> [f64; 4] {
+    unknowns.map(|i| values[i])
 }
 
 impl Condition {
@@ -153,9 +182,13 @@ impl Condition {
             Kind::Coordinate { axis, at_mm } => out[0] = position[axis] - at_mm,
             Kind::Distance { to, distance_mm } => out[0] = norm(minus(position, point(values, to))) - distance_mm,
             Kind::Contact { socket } => out.copy_from_slice(&minus(position, point(values, socket))),
-            Kind::Plane { plane: first, axis, offset_mm } => {
-                let (normal, foot) = plane(values, first, axis);
-                out[0] = dot(normal, minus(position, foot)) / norm(normal) - offset_mm;
+            Kind::On { surface, unknowns, offset_mm } => {
+                let distances = surface.residuals(position, of(values, unknowns));
+                out.iter_mut().zip(distances).for_each(|(out, distance)| *out = distance - offset_mm);
+            }
+            Kind::Joint { joint, value, .. } => {
+                let model = arm.and_then(|arm| arm.joint_value(values, &self.joints, joint, &mut |_, _| ()));
+                out[0] = model.unwrap_or(f64::NAN) - value;
             }
         }
         out.iter_mut().for_each(|r| *r /= self.standard_uncertainty);
@@ -168,12 +201,16 @@ impl Condition {
         let mut left = [0.0; 3];
         self.residuals(robot.free_base(), values, position, &mut left[..self.kind.rows()]);
         let left = left.map(|r| -r * self.standard_uncertainty);
-        let along = |direction: Vector| unit(direction).unwrap_or_default().map(|v| v * left[0]);
         match self.kind {
-            Kind::Orientation { .. } | Kind::Contact { .. } => left,
+            Kind::Orientation { .. } | Kind::Contact { .. } | Kind::Joint { .. } => left,
             Kind::Coordinate { axis, .. } => [0, 1, 2].map(|i| if i == axis { left[0] } else { 0.0 }),
-            Kind::Distance { to, .. } => along(minus(position, point(values, to))),
-            Kind::Plane { plane: first, axis, .. } => along(plane(values, first, axis).0),
+            Kind::Distance { to, .. } => {
+                unit(minus(position, point(values, to))).unwrap_or_default().map(|v| v * left[0])
+            }
+            Kind::On { surface, unknowns, .. } => {
+                let [first, second] = surface.gradients(position, of(values, unknowns));
+                std::array::from_fn(|i| first[i] * left[0] + second[i] * left[1])
+            }
         }
     }
 
@@ -217,17 +254,16 @@ impl Condition {
                 out.copy_from_slice(moved);
                 (0..3).for_each(|i| out[i * n + socket + i] -= 1.0);
             }
-            Kind::Plane { plane: first, axis, .. } => {
-                let (normal, foot) = plane(values, first, axis);
-                let (length, lever) = (norm(normal), minus(position, foot));
-                (0..n).for_each(|j| out[j] = (0..3).map(|i| normal[i] * moved[i * n + j]).sum::<f64>() / length);
-                for k in 0..2 {
-                    let i = (axis + 1 + k) % 3;
-                    // of dot(normal, lever) / length by the component i of the normal, and of that by the slope
-                    let by_component = lever[i] / length - dot(normal, lever) * normal[i] / length.powi(3);
-                    out[first + k] -= by_component * (1.0 + values[first + k].tan().powi(2));
+            Kind::On { surface, unknowns, .. } => {
+                let gradients = surface.gradients(position, of(values, unknowns));
+                for (row, by) in out.chunks_exact_mut(n).zip(gradients) {
+                    (0..n).for_each(|j| row[j] = (0..3).map(|i| by[i] * moved[i * n + j]).sum());
+                    unknowns.iter().zip(&by[3..]).take(surface.unknowns()).for_each(|(&j, by)| row[j] += by);
                 }
-                out[first + 2] -= normal[axis] / length;
+            }
+            Kind::Joint { joint, .. } => {
+                let Some(arm) = arm else { return };
+                arm.joint_value(values, &self.joints, joint, &mut |parameter, by| out[parameter] += by);
             }
         }
         out.iter_mut().for_each(|d| *d /= self.standard_uncertainty);
@@ -240,6 +276,8 @@ impl Known {
         match *self {
             Self::Place { point, .. } => vec![point],
             Self::Distance { from, to, .. } => vec![from, to],
+            Self::On { unknowns, .. } => vec![unknowns[0]],
+            Self::Length { parameter, .. } => vec![parameter],
         }
     }
 
@@ -247,7 +285,8 @@ impl Known {
     pub(super) fn rows(&self) -> usize {
         match self {
             Self::Place { .. } => 3,
-            Self::Distance { .. } => 1,
+            Self::Distance { .. } | Self::Length { .. } => 1,
+            Self::On { surface, .. } => surface.rows(),
         }
     }
 
@@ -259,6 +298,13 @@ impl Known {
             }
             Self::Distance { from, to, distance_mm, standard_uncertainty_mm } => {
                 out[0] = (norm(minus(point(values, to), point(values, from))) - distance_mm) / standard_uncertainty_mm;
+            }
+            Self::On { surface, unknowns, place_mm, standard_uncertainty_mm } => {
+                let distances = surface.residuals(place_mm, of(values, unknowns));
+                out.iter_mut().zip(distances).for_each(|(out, d)| *out = d / standard_uncertainty_mm);
+            }
+            Self::Length { parameter, length_mm, standard_uncertainty_mm } => {
+                out[0] = (values[parameter] - length_mm) / standard_uncertainty_mm;
             }
         }
     }
@@ -278,6 +324,14 @@ impl Known {
                     out[from + i] -= along / standard_uncertainty_mm;
                 }
             }
+            Self::On { surface, unknowns, place_mm, standard_uncertainty_mm } => {
+                let gradients = surface.gradients(place_mm, of(values, unknowns));
+                for (row, by) in out.chunks_exact_mut(n).zip(gradients) {
+                    let by = unknowns.iter().zip(&by[3..]).take(surface.unknowns());
+                    by.for_each(|(&j, by)| row[j] += by / standard_uncertainty_mm);
+                }
+            }
+            Self::Length { parameter, standard_uncertainty_mm, .. } => out[parameter] = 1.0 / standard_uncertainty_mm,
         }
     }
 }
@@ -289,33 +343,42 @@ pub enum Fixture<'a> {
     Point(&'a str),
     /// The orientation on the flange of the body that carries a target: `TARGET_rx`, `TARGET_ry`, `TARGET_rz`, a rotation vector.
     Mounting(&'a str),
-    /// A plane with its normal near axis 0, 1 or 2 of the world: for the z axis `NAME_slope_x`, `NAME_slope_y`, `NAME_z`: angles of its
-    /// traces in the planes through z, and where it meets z. Cyclic for the others.
+    /// A plane, with its axis: for the z axis `NAME_slope_x`, `NAME_slope_y`, `NAME_z`: angles of its traces in the planes through z, and
+    /// where it meets z. Cyclic for the others.
     Plane(&'a str, usize),
+    /// A line, with its axis: for the z axis `NAME_slope_x`, `NAME_slope_y`: its angles against z in the planes through z; `NAME_x`, `NAME_y`:
+    /// where it meets z = 0.
+    Line(&'a str, usize),
+    /// The radius of a sphere: `NAME_radius`. Its centre is a point.
+    Radius(&'a str),
 }
 
 impl Fixture<'_> {
-    /// Adds the three parameters to those of `robot`, where it does not have them yet, and gives the index of the first.
+    /// Adds its parameters to those of `robot`, where it does not have them yet, and gives the index of the first.
     pub fn add_to(self, robot: &mut dyn Robot) -> usize {
         const AXES: [&str; 3] = ["x", "y", "z"];
         use Quantity::{Angle, Length};
+        let slope = |name, axis, k: usize| (format!("{name}_slope_{}", AXES[(axis + k) % 3]), Angle, Role::Fixture);
+        let along = |name, axis: usize| (format!("{name}_{}", AXES[axis % 3]), Length, Role::Fixture);
         let names = match self {
-            Self::Point(name) => AXES.map(|axis| (format!("{name}_{axis}"), Length, Role::Fixture)),
-            Self::Mounting(target) => AXES.map(|axis| (format!("{target}_r{axis}"), Angle, Role::Target)),
-            Self::Plane(name, axis) => {
-                let slope = |k: usize| (format!("{name}_slope_{}", AXES[(axis + k) % 3]), Angle, Role::Fixture);
-                [slope(1), slope(2), (format!("{name}_{}", AXES[axis]), Length, Role::Fixture)]
+            Self::Point(name) => (0..3).map(|axis| along(name, axis)).collect(),
+            Self::Mounting(target) => AXES.map(|axis| (format!("{target}_r{axis}"), Angle, Role::Target)).to_vec(),
+            Self::Plane(name, axis) => vec![slope(name, axis, 1), slope(name, axis, 2), along(name, axis)],
+            Self::Line(name, axis) => {
+                vec![slope(name, axis, 1), slope(name, axis, 2), along(name, axis + 1), along(name, axis + 2)]
             }
+            Self::Radius(name) => vec![(format!("{name}_radius"), Length, Role::Fixture)],
         };
         if let Some(first) = robot.index(&names[0].0) {
             return first;
         }
         let all = &mut robot.definition_mut().parameters;
+        let first = all.len();
         all.extend(names.into_iter().map(|(name, quantity, role)| Parameter {
             tolerance: f64::INFINITY,
             ..Parameter::new(name, quantity, role, 0.0)
         }));
-        all.len() - 3
+        first
     }
 }
 
@@ -323,7 +386,7 @@ impl Fixture<'_> {
 pub(super) fn tied_to_world(observations: &[Observation], settings: &Settings) -> bool {
     observations.iter().any(|o| o.targets.iter().any(Option::is_some))
         || settings.conditions.iter().any(|c| matches!(c.kind, Kind::Orientation { .. } | Kind::Coordinate { .. }))
-        || settings.known.iter().any(|k| matches!(k, Known::Place { .. }))
+        || settings.known.iter().any(|k| matches!(k, Known::Place { .. } | Known::On { .. }))
 }
 
 /// A warning where nothing that was observed contains a length: a robot of twice the size fits as well.
@@ -335,15 +398,16 @@ pub(super) fn without_length(
 ) -> Option<Message> {
     let contains = |c: &Condition| match c.kind {
         Kind::Distance { .. } | Kind::Coordinate { .. } => true,
-        Kind::Plane { offset_mm, .. } => offset_mm != 0.0,
-        Kind::Orientation { .. } | Kind::Contact { .. } => false,
+        Kind::On { surface: Surface::Plane { .. }, offset_mm, .. } => offset_mm != 0.0,
+        Kind::Joint { is_angle, .. } => !is_angle,
+        Kind::Orientation { .. } | Kind::Contact { .. } | Kind::On { .. } => false,
     };
     // one place alone is an origin, not a length
-    let places = settings.known.iter().filter(|k| matches!(k, Known::Place { .. })).count();
+    let places = settings.known.iter().filter(|k| matches!(k, Known::Place { .. } | Known::On { .. })).count();
     let has_length = observations.iter().any(|o| o.targets.iter().any(Option::is_some))
         || settings.conditions.iter().any(contains)
         || places > 1
-        || settings.known.iter().any(|k| matches!(k, Known::Distance { .. }));
+        || settings.known.iter().any(|k| matches!(k, Known::Distance { .. } | Known::Length { .. }));
     if has_length {
         return None;
     }
@@ -367,12 +431,12 @@ pub(super) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
     let coordinates = settings.conditions.iter().all(|c| matches!(c.kind, Kind::Coordinate { .. }));
     if robot.free_base().is_none() && !(coordinates && settings.known.is_empty() && !robot.has_assembly_modes()) {
         let what =
-            format!("orientations, distances, contacts and planes are for arms in space, not for `{}`", robot.model());
+            format!("orientations, distances, contacts, surfaces and joints are for arms in space, not for `{}`", robot.model());
         return Err(Message::error(what).hint("give positions of its targets: rows of kind `point`").into());
     }
     if settings.kind == ResidualKind::Pose || settings.common_uncertainty_mm.is_some() {
         let what =
-            "orientations, distances, contacts and planes go with residuals of targets, without a common uncertainty";
+            "orientations, distances, contacts, surfaces and joints go with residuals of targets, without a common uncertainty";
         return Err(Message::error(what).into());
     }
     if settings.standard_uncertainty_mm.is_none() {
@@ -381,4 +445,74 @@ pub(super) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
             .into());
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::noise::Noise;
+    use crate::math::robots::{Serial, SerialJoint};
+
+    #[test]
+    fn the_jacobian_of_every_kind_is_the_numeric_derivative() {
+        let joint = |&[alpha_rad, a_mm, theta_rad, d_mm]: &[f64; 4]| SerialJoint {
+            alpha_rad,
+            a_mm,
+            theta_rad,
+            d_mm,
+            prismatic: false,
+            parallel: alpha_rad == 0.0 && a_mm > 0.0,
+        };
+        let table = [[0.0, 0.0, 0.0, 290.0], [-1.5, 0.0, -1.5, 0.0], [0.0, 270.0, 0.0, 0.0], [-1.5, 70.0, 0.0, 302.0]];
+        let joints: Vec<SerialJoint> = table.iter().map(joint).collect();
+        let mut robot = Serial::new(&joints, &["ball".to_owned()], [0.0, 0.0, -1.0], &[2, 3], &[(4, 3)]);
+        let mut noise = Noise::new(18, 3);
+        let socket = Fixture::Point("s").add_to(&mut robot);
+        let (plane, line) = (Fixture::Plane("p", 1).add_to(&mut robot), Fixture::Line("l", 2).add_to(&mut robot));
+        let radius = Fixture::Radius("s").add_to(&mut robot);
+        let mounting = Fixture::Mounting("ball").add_to(&mut robot);
+        let from = |first: usize, last: usize| [first, first + 1, first + 2, last];
+        let kinds = [
+            Kind::Orientation { world_T_body: Pose::from_rotation_vector([0.3, -0.8, 1.1]), mounting },
+            Kind::Coordinate { axis: 1, at_mm: 12.0 },
+            Kind::Distance { to: socket, distance_mm: 300.0 },
+            Kind::Contact { socket },
+            Kind::On { surface: Surface::Plane { axis: 1 }, unknowns: from(plane, plane + 2), offset_mm: 3.0 },
+            Kind::On { surface: Surface::Line { axis: 2 }, unknowns: from(line, line + 3), offset_mm: 0.0 },
+            Kind::On { surface: Surface::Sphere, unknowns: from(socket, radius), offset_mm: 3.0 },
+            Kind::Joint { joint: 2, value: 0.7, is_angle: true },
+            Kind::Joint { joint: 3, value: -0.2, is_angle: true },
+        ];
+        let n = robot.parameters().len();
+        let random = |p: &Parameter| p.nominal + if p.quantity == Quantity::Length { 40.0 } else { 0.2 } * noise.uniform(1.0);
+        let values: Vec<f64> = robot.parameters().iter().map(random).collect();
+        for kind in kinds {
+            let joints = vec![0.3, -0.7, 0.5, 1.2];
+            let c = Condition { pose: 1.into(), cycle: 1, joints, target: 0, kind, standard_uncertainty: 0.5 };
+            let left = |values: &[f64]| {
+                let mut out = [0.0; 3];
+                let at = robot.position(values, &c.joints, 0);
+                c.residuals(robot.free_base(), values, at, &mut out[..kind.rows()]);
+                out
+            };
+            let (mut moved, mut exact) = (vec![0.0; 3 * n], vec![0.0; kind.rows() * n]);
+            robot.jacobian(&values, &c.joints, &mut moved);
+            c.jacobian(robot.free_base(), &values, robot.position(&values, &c.joints, 0), &moved, &mut exact);
+            assert!(exact.iter().any(|d| *d != 0.0), "{kind:?}");
+            for j in 0..n {
+                let h = if robot.parameters()[j].quantity == Quantity::Length { 1e-3 } else { 1e-5 };
+                let moved = |by: f64| {
+                    let mut values = values.clone();
+                    values[j] += by;
+                    left(&values)
+                };
+                let (plus, minus) = (moved(h), moved(-h));
+                for i in 0..kind.rows() {
+                    let numeric = (plus[i] - minus[i]) / (2.0 * h);
+                    let off = (exact[i * n + j] - numeric).abs();
+                    assert!(off < 1e-6 * (1.0 + numeric.abs()), "{kind:?} {}: {numeric}", robot.parameters()[j].name);
+                }
+            }
+        }
+    }
 }

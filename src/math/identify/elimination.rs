@@ -139,11 +139,17 @@ impl Owners {
     fn new(robot: &dyn Robot, arm: &dyn FreeBase, settings: &Settings) -> Self {
         let place = |k: usize| arm.target_place(k)..arm.target_place(k) + 3;
         let mut targets: Vec<Range<usize>> = (0..robot.targets().len()).map(place).collect();
-        let (mut mountings, mut fixtures) = (BTreeSet::new(), BTreeSet::new());
+        // of four unknowns one may be that of a point
+        let (mut mountings, mut fixtures, mut shared) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
         for c in &settings.conditions {
-            let of = c.kind.unknowns().filter(|of| of.len() <= OWN).map(|of| of.start);
-            if c.kind.is_angle() { mountings.extend(of) } else { fixtures.extend(of) }
+            let of = c.kind.unknowns();
+            match c.kind {
+                Kind::Orientation { .. } => mountings.extend(of.first()),
+                _ if of.len() == OWN => fixtures.extend(of.first()),
+                _ => shared.extend(of),
+            }
         }
+        fixtures.retain(|first| !shared.contains(first));
         // what ties two of them together is in no block
         for known in settings.known.iter().filter(|known| known.points().len() > 1) {
             fixtures.retain(|first| !known.points().contains(first));
@@ -161,8 +167,9 @@ impl Owners {
 
     /// First of the unknowns that a condition shows.
     fn of(&self, arm: &dyn FreeBase, c: &Condition) -> Option<usize> {
-        let unknowns = c.kind.unknowns().map(|of| of.start);
+        let unknowns = c.kind.unknowns().first().copied();
         match (self.of_targets, &c.kind) {
+            (_, Kind::Joint { .. }) => None,
             (true, Kind::Orientation { .. }) => unknowns,
             (true, _) => Some(arm.target_place(c.target)),
             (false, _) => unknowns.filter(|first| self.fixtures.contains(first)),

@@ -2,6 +2,7 @@
 //! at the present base and joints.
 
 use super::condition::{Condition, Kind, Known, point};
+use super::surface::Surface;
 use super::{Observation, Settings};
 use crate::base::pose::{Pose, Vector, centroid, dot, minus};
 use crate::math::fit::rotation_onto;
@@ -51,14 +52,14 @@ pub(super) fn place_fixtures(
     mount(arm, &settings.conditions, wanted, values);
     let is_unknown = |first| wanted.contains(&first) && !known.contains_key(&first) && !sockets.contains(&first);
     reach(arm, &settings.conditions, is_unknown, values);
-    lay(arm, &settings.conditions, wanted, values);
+    lay(arm, settings, wanted, values);
 }
 
 /// Known places, by the first parameter of their point.
 fn places(known: &[Known]) -> BTreeMap<usize, Vector> {
     let place = |k: &Known| match *k {
         Known::Place { point, place_mm, .. } => Some((point, place_mm)),
-        Known::Distance { .. } => None,
+        Known::Distance { .. } | Known::On { .. } | Known::Length { .. } => None,
     };
     known.iter().filter_map(place).collect()
 }
@@ -151,21 +152,54 @@ fn reach(arm: &dyn FreeBase, conditions: &[Condition], is_unknown: impl Fn(usize
     }
 }
 
-/// Planes through the targets that touch them.
-fn lay(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usize], values: &mut [f64]) {
-    let mut planes: BTreeMap<(usize, usize), Vec<Vector>> = BTreeMap::new();
-    for c in conditions {
-        if let Kind::Plane { plane, axis, offset_mm } = c.kind {
-            let mut touched = place(arm, c, values);
-            touched[axis] -= offset_mm;
-            planes.entry((plane, axis)).or_default().push(touched);
+/// Planes, lines and spheres through the targets that touch them, and the places that are known to be on them.
+fn lay(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], values: &mut [f64]) {
+    let mut touched: Vec<(Surface, [usize; 4], Vec<(Vector, f64)>)> = Vec::new();
+    let touching = |c: &Condition| match c.kind {
+        Kind::On { surface, unknowns, offset_mm } => Some((surface, unknowns, place(arm, c, values), offset_mm)),
+        _ => None,
+    };
+    let known = |k: &Known| match *k {
+        Known::On { surface, unknowns, place_mm, .. } => Some((surface, unknowns, place_mm, 0.0)),
+        _ => None,
+    };
+    let all = settings.conditions.iter().filter_map(touching).chain(settings.known.iter().filter_map(known));
+    for (surface, unknowns, at, offset_mm) in all.filter(|touch| wanted.contains(&touch.1[0])) {
+        match touched.iter_mut().find(|other| other.1 == unknowns) {
+            Some(other) => other.2.push((at, offset_mm)),
+            None => touched.push((surface, unknowns, vec![(at, offset_mm)])),
         }
     }
-    for ((first, axis), all) in planes.into_iter().filter(|plane| wanted.contains(&plane.0.0)) {
-        let rows: Vec<f64> = all.iter().flat_map(|p| [p[(axis + 1) % 3], p[(axis + 2) % 3], 1.0]).collect();
-        let right: Vec<f64> = all.iter().map(|p| p[axis]).collect();
-        if let Some(found) = Factor::new(&rows, &right, &[1.0; 3]).damped(SHORTEST).solve() {
-            values[first..first + 3].copy_from_slice(&[found[0].atan(), found[1].atan(), found[2]]);
+    let solved = |rows: Vec<f64>, right: Vec<f64>, n: usize| Factor::new(&rows, &right, &vec![1.0; n]).damped(SHORTEST).solve();
+    for (surface, unknowns, at) in touched {
+        let found = match surface {
+            Surface::Plane { axis } => {
+                let rows = at.iter().flat_map(|(p, _)| [p[(axis + 1) % 3], p[(axis + 2) % 3], 1.0]).collect();
+                let found = solved(rows, at.iter().map(|(p, offset)| p[axis] - offset).collect(), 3);
+                found.map(|f| vec![f[0].atan(), f[1].atan(), f[2]])
+            }
+            Surface::Line { axis } => {
+                let of = |k: usize| {
+                    let rows = at.iter().flat_map(|(p, _)| [p[axis], 1.0]).collect();
+                    solved(rows, at.iter().map(|(p, _)| p[(axis + k) % 3]).collect(), 2)
+                };
+                of(1).zip(of(2)).map(|(i, j)| vec![i[0].atan(), j[0].atan(), i[1], j[1]])
+            }
+            // of a sphere |p|² is linear in the centre, and in |c|² − r²
+            Surface::Sphere => {
+                let centre = centroid(&at.iter().map(|(p, _)| *p).collect::<Vec<_>>()).unwrap_or_default();
+                let off: Vec<Vector> = at.iter().map(|(p, _)| minus(*p, centre)).collect();
+                let rows = off.iter().flat_map(|p| [p[0], p[1], p[2], 1.0]).collect();
+                let offset = at.iter().map(|(_, offset)| offset).sum::<f64>() / at.len() as f64;
+                solved(rows, off.iter().map(|p| 0.5 * dot(*p, *p)).collect(), 4).map(|f| {
+                    let radius = (2.0 * f[3] + f[0] * f[0] + f[1] * f[1] + f[2] * f[2]).max(0.0).sqrt();
+                    vec![centre[0] + f[0], centre[1] + f[1], centre[2] + f[2], radius - offset]
+                })
+            }
+        };
+        let known = |i: usize| settings.known.iter().any(|k| matches!(k, Known::Place { point, .. } if (*point..point + 3).contains(&i)));
+        for (&i, value) in unknowns.iter().zip(found.into_iter().flatten()).filter(|(i, _)| !known(**i)) {
+            values[i] = value;
         }
     }
 }

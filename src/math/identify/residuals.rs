@@ -1,6 +1,6 @@
 //! Residuals between model and measurement, as a least-squares problem in the free parameters.
 
-use super::condition::{Condition, Known};
+use super::condition::{Condition, Kind, Known};
 use super::elimination::Layout;
 use super::rigid_part::{At, Shape};
 use super::weights::Weights;
@@ -271,8 +271,8 @@ impl<'a> Residuals<'a> {
             let (condition, dimension) = (met.condition, self.robot.dimension());
             let mut moved = vec![0.0; dimension * n];
             match met.arm {
-                // an orientation does not depend on where the target is
-                _ if condition.kind.is_angle() => {}
+                // an orientation, and a joint, do not depend on where the target is
+                _ if condition.kind.is_orientation() || matches!(condition.kind, Kind::Joint { .. }) => {}
                 Some(arm) => arm.target_derivatives(all, &condition.joints, &[condition.target], &mut |_, j, by| {
                     (0..3).for_each(|i| moved[i * n + j] += by[i]);
                 }),
@@ -396,7 +396,7 @@ impl<'a> Residuals<'a> {
         self.whiten(&mut rows, 6);
         for c in self.conditions {
             // an orientation that turns by w is observed w less; other conditions are met in the robot's own world
-            let turned = c.kind.is_angle() && pose.is_none_or(|key| key == (c.pose, c.cycle));
+            let turned = c.kind.is_orientation() && pose.is_none_or(|key| key == (c.pose, c.cycle));
             let one = if turned { 1.0 / c.standard_uncertainty } else { 0.0 };
             let row = |i: usize| (0..6).map(move |k| if k == 3 + i { one } else { 0.0 });
             rows.extend((0..c.kind.rows()).flat_map(row));

@@ -424,6 +424,18 @@ pub trait FreeBase: Robot {
         }
     }
 
+    /// What a joint moves by at logged joint values with its errors, mm or rad: its own value where parameters are nominal. Gives `write` the
+    /// derivatives by parameters, to be added. `None` for models whose joints have no such errors.
+    fn joint_value(
+        &self,
+        _parameters: &[f64],
+        _joints: &[f64],
+        _joint: usize,
+        _write: &mut dyn FnMut(usize, f64),
+    ) -> Option<f64> {
+        None
+    }
+
     /// base_rx, base_ry, base_rz of a rotation: a rotation vector, where the model has no other angles.
     fn base_angles(&self, rotation: &Pose) -> Vector {
         rotation.rotation_vector_rad()

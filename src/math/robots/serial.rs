@@ -699,6 +699,25 @@ impl FreeBase for Serial {
     ) {
         self.derivatives(parameters, joints, targets.iter().copied(), write);
     }
+    fn joint_value(
+        &self,
+        parameters: &[f64],
+        joints: &[f64],
+        joint: usize,
+        write: &mut dyn FnMut(usize, f64),
+    ) -> Option<f64> {
+        let loads = self.loads(joints);
+        let axis = self.axes.iter().find(|axis| axis.drive.joint == joint)?;
+        let element = &self.elements[axis.element];
+        let state = State { joints, loads: &loads };
+        let mut value = joints[joint];
+        // what the element moves by, less what it does so at nominal parameters
+        for (parameter, coefficient) in element.coefficients(state) {
+            write(parameter, coefficient / axis.drive.factor);
+            value += coefficient / axis.drive.factor * (parameters[parameter] - self.parameters()[parameter].nominal);
+        }
+        Some(value)
+    }
     fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let n = parameters.len();
         out.fill(0.0);
