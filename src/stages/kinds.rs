@@ -405,8 +405,10 @@ impl Rows {
         let name = named(kind, &(if kind == "plane" { planes } else { lines })[row])?;
         self.is_fixed_name(name)?;
         let axis = AXES.iter().position(|axis| *axis == self.axes[row]).ok_or_else(|| match kind {
-            "plane" => Message::error(format!("the plane `{name}` needs the axis of the world that is nearest to its normal"))
-                .expected("x, y or z in the column `axis`: z for a table, x or y for a wall"),
+            "plane" => {
+                Message::error(format!("the plane `{name}` needs the axis of the world that is nearest to its normal"))
+                    .expected("x, y or z in the column `axis`: z for a table, x or y for a wall")
+            }
             _ => Message::error(format!("the line `{name}` needs the axis of the world that is nearest to it"))
                 .expected("x, y or z in the column `axis`"),
         })?;

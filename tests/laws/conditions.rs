@@ -316,7 +316,9 @@ fn campaign(kind: &str, seed: u64, trial: u64, errors: f64) -> Campaign {
         "line" => new.lines(30).distances(8),
         "sphere" => new.spheres(70).distances(12),
         "joints" => new.anywhere().poses(30).second_encoders(10),
-        "all" => new.poses(20).contacts(3, 8).distances(10).planes(10).coordinates(9).lines(8).spheres(10).second_encoders(3),
+        "all" => {
+            new.poses(20).contacts(3, 8).distances(10).planes(10).coordinates(9).lines(8).spheres(10).second_encoders(3)
+        }
         other => panic!("{other}"),
     }
 }
@@ -351,17 +353,8 @@ fn intervals_of_every_kind_hold() {
     }
 }
 
-const KINDS: [&str; 9] = [
-    "pose",
-    "contact, lengths",
-    "contact, places",
-    "distance",
-    "plane",
-    "coordinate",
-    "line",
-    "sphere",
-    "joints",
-];
+const KINDS: [&str; 9] =
+    ["pose", "contact, lengths", "contact, places", "distance", "plane", "coordinate", "line", "sphere", "joints"];
 
 #[test]
 fn without_noise_every_kind_gives_the_truth() {
@@ -390,7 +383,8 @@ fn known_surfaces_hold_the_world() {
     for [a, b] in [[300.0, -200.0], [500.0, 250.0], [100.0, 400.0], [-200.0, 100.0]] {
         let z = campaign.truth[table + 2] + a * slope(table) + b * slope(table + 1);
         known.push(on(Surface::Plane { axis: 2 }, [table, table + 1, table + 2, table + 2], [a, b, z]));
-        let (z, x) = (campaign.truth[groove + 2] + a * slope(groove), campaign.truth[groove + 3] + a * slope(groove + 1));
+        let (z, x) =
+            (campaign.truth[groove + 2] + a * slope(groove), campaign.truth[groove + 3] + a * slope(groove + 1));
         known.push(on(Surface::Line { axis: 1 }, [groove, groove + 1, groove + 2, groove + 3], [x, a, z]));
         let at = Vector3::new(a, b, 100.0).normalize() * campaign.truth[dome + 3];
         let place = [0, 1, 2].map(|i| campaign.truth[dome + i] + at[i]);

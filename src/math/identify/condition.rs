@@ -138,9 +138,9 @@ impl Kind {
     /// Parameters of what it refers to.
     pub(super) fn unknowns(&self) -> Vec<usize> {
         match *self {
-            Self::Orientation { mounting: first, .. } | Self::Distance { to: first, .. } | Self::Contact { socket: first } => {
-                (first..first + 3).collect()
-            }
+            Self::Orientation { mounting: first, .. }
+            | Self::Distance { to: first, .. }
+            | Self::Contact { socket: first } => (first..first + 3).collect(),
             Self::On { surface, unknowns, .. } => unknowns[..surface.unknowns()].to_vec(),
             Self::Coordinate { .. } | Self::Joint { .. } => Vec::new(),
         }
@@ -430,13 +430,14 @@ pub(super) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
     }
     let coordinates = settings.conditions.iter().all(|c| matches!(c.kind, Kind::Coordinate { .. }));
     if robot.free_base().is_none() && !(coordinates && settings.known.is_empty() && !robot.has_assembly_modes()) {
-        let what =
-            format!("orientations, distances, contacts, surfaces and joints are for arms in space, not for `{}`", robot.model());
+        let what = format!(
+            "orientations, distances, contacts, surfaces and joints are for arms in space, not for `{}`",
+            robot.model()
+        );
         return Err(Message::error(what).hint("give positions of its targets: rows of kind `point`").into());
     }
     if settings.kind == ResidualKind::Pose || settings.common_uncertainty_mm.is_some() {
-        let what =
-            "orientations, distances, contacts, surfaces and joints go with residuals of targets, without a common uncertainty";
+        let what = "orientations, distances, contacts, surfaces and joints go with residuals of targets, without a common uncertainty";
         return Err(Message::error(what).into());
     }
     if settings.standard_uncertainty_mm.is_none() {
@@ -484,7 +485,8 @@ mod tests {
             Kind::Joint { joint: 3, value: -0.2, is_angle: true },
         ];
         let n = robot.parameters().len();
-        let random = |p: &Parameter| p.nominal + if p.quantity == Quantity::Length { 40.0 } else { 0.2 } * noise.uniform(1.0);
+        let random =
+            |p: &Parameter| p.nominal + if p.quantity == Quantity::Length { 40.0 } else { 0.2 } * noise.uniform(1.0);
         let values: Vec<f64> = robot.parameters().iter().map(random).collect();
         for kind in kinds {
             let joints = vec![0.3, -0.7, 0.5, 1.2];

@@ -170,7 +170,8 @@ fn lay(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], values: &mut [
             None => touched.push((surface, unknowns, vec![(at, offset_mm)])),
         }
     }
-    let solved = |rows: Vec<f64>, right: Vec<f64>, n: usize| Factor::new(&rows, &right, &vec![1.0; n]).damped(SHORTEST).solve();
+    let solved =
+        |rows: Vec<f64>, right: Vec<f64>, n: usize| Factor::new(&rows, &right, &vec![1.0; n]).damped(SHORTEST).solve();
     for (surface, unknowns, at) in touched {
         let found = match surface {
             Surface::Plane { axis } => {
@@ -197,7 +198,9 @@ fn lay(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], values: &mut [
                 })
             }
         };
-        let known = |i: usize| settings.known.iter().any(|k| matches!(k, Known::Place { point, .. } if (*point..point + 3).contains(&i)));
+        let known = |i: usize| {
+            settings.known.iter().any(|k| matches!(k, Known::Place { point, .. } if (*point..point + 3).contains(&i)))
+        };
         for (&i, value) in unknowns.iter().zip(found.into_iter().flatten()).filter(|(i, _)| !known(**i)) {
             values[i] = value;
         }

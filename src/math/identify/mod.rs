@@ -35,11 +35,11 @@ pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, SingularValue, WeakGroup};
 pub use observation::{Observation, joint_column, stated_modes};
 pub use predict::{Prediction, Sensitivity, predict, sensitivity};
-pub use surface::Surface;
 pub use residuals::{OF_MEDIAN, ResidualKind};
 pub use rigid_part::{Pair, RigidPart};
 pub use set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
 pub use significance::Variance;
+pub use surface::Surface;
 pub use tool::{Held, ToolError, ToolFrame, ToolPoint, held};
 pub use uncertainty::UncertaintyFrom;
 pub use verification::{
