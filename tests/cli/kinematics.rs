@@ -56,6 +56,14 @@ fn cases() -> Vec<(PathBuf, &'static str, usize)> {
             "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,20,-70,60,-50,40,30\n",
             8,
         ),
+        (
+            root().join("samples/hexapod/robot.toml"),
+            "pose,leg1_mm,leg2_mm,leg3_mm,leg4_mm,leg5_mm,leg6_mm\n1,75,75,75,75,75,75\n2,60.5,71.2,90.3,100.1,80,66\n",
+            1,
+        ),
+        // elbows inwards are beyond the limits of the arms
+        (root().join("samples/delta/robot.toml"), "pose,theta1_deg,theta2_deg,theta3_deg\n1,20,30.5,-10\n2,0,0,0\n", 1),
+        (root().join("docs/keys/robot-delta_linear.toml"), "pose,rho1_mm,rho2_mm,rho3_mm\n1,400,410,395.5\n", 1),
     ]
 }
 

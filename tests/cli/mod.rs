@@ -11,6 +11,7 @@ mod iso9283_commands;
 mod iso9283_poses;
 mod kinematics;
 mod plan;
+mod platforms;
 mod report;
 mod reports;
 mod streams;

@@ -2,7 +2,7 @@
 
 use super::fixtures::place_fixtures;
 use super::placing::{MOST_TARGETS, Placed, UNEXPLAINED, place, place_targets, readings, spread_mm, spread_over};
-use super::set_up::explain;
+use super::set_up::{explain, far_from_nominal};
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
 use crate::math::robots::{FreeBase, Robot, Role};
@@ -38,7 +38,11 @@ fn by_points(
     let nominal = robot.nominal();
     let places: Vec<usize> = wanted.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
     let subset = spread_over(observations, SUBSET);
+    let there = |o: &Observation| arm.flange(&nominal, &o.joints).translation_mm.iter().all(|v| v.is_finite());
     let Placed { rms_mm, mut values } = place(robot, arm, &subset, &nominal, &places)?.ok_or_else(|| {
+        if !subset.iter().all(there) {
+            return far_from_nominal(robot, observations, f64::INFINITY, 0.0);
+        }
         Message::error("base and targets cannot be found from these poses")
             .expected("at least four poses in which the arm moves in all directions")
             .hint("measure more poses, or state base_x .. base_rz and the targets under [nominal] in the robot file")

@@ -1,0 +1,103 @@
+//! Hexapod and delta on the command line: their samples, plans of their poses, and what is wrong with them.
+
+use super::{etalon, text, text_of};
+use crate::support::scratch::{Scratch, copy_sample, ends};
+use etalon::campaign::read_robot;
+use etalon::document::PlanDocument;
+use std::fmt::Write;
+
+const SAMPLES: [&str; 2] = ["hexapod", "delta"];
+
+/// The table of joint values of a sample under the names of its robot's joints, one row for each of three targets.
+fn candidates(scratch: &Scratch, poses: usize) -> String {
+    let robot = read_robot(&scratch.path().join("robot.toml")).unwrap().build(&["a".to_owned()]).unwrap();
+    let columns: Vec<String> = robot.joints().iter().map(etalon::math::robots::Joint::column).collect();
+    let mut csv = format!("pose,target,{}\n", columns.join(","));
+    let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
+    let mut rows = log.lines().map(|line| line.split(',').collect::<Vec<&str>>());
+    let header = rows.next().unwrap();
+    let joints: Vec<usize> = (0..header.len()).filter(|&i| header[i].len() == 2).collect();
+    for (pose, row) in rows.take(poses).enumerate() {
+        for target in ["a", "b", "c"] {
+            let values: Vec<&str> = joints.iter().map(|&i| row[i]).collect();
+            let _ = writeln!(csv, "{},{target},{}", pose + 1, values.join(","));
+        }
+    }
+    csv
+}
+
+#[test]
+fn samples_of_platforms_are_calibrated() {
+    for name in SAMPLES {
+        let scratch = copy_sample(name);
+        let before: Vec<u8> = std::fs::read(scratch.path().join("exports/poses.txt")).unwrap();
+        ends(&scratch, "simulate", 0, &[]);
+        assert_eq!(std::fs::read(scratch.path().join("exports/poses.txt")).unwrap(), before, "{name}");
+        ends(&scratch, "run", 0, &[]);
+        let read = |file: &str| -> serde_json::Value {
+            serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(file)).unwrap()).unwrap()
+        };
+        let parameters = read("parameters.json");
+        let held = parameters["parameters"].as_array().unwrap().iter();
+        assert_eq!(held.filter(|p| p["status"] == "not_identifiable").count(), 12, "{name}");
+        // residuals are those of the stated noise, and fresh poses are predicted as well
+        let chi_square = &parameters["residuals"]["chi_square"].as_f64().unwrap();
+        let degrees = parameters["residuals"]["degrees_of_freedom"].as_f64().unwrap();
+        assert!((chi_square / degrees - 1.0).abs() < 0.25, "{name}: {chi_square} of {degrees}");
+    }
+}
+
+#[test]
+fn poses_of_platforms_are_planned() {
+    for (name, legs) in SAMPLES.into_iter().zip(["leg", "_"]) {
+        let scratch = copy_sample(name);
+        let folder = scratch.path();
+        std::fs::write(folder.join("c.csv"), candidates(&scratch, 30)).unwrap();
+        let arguments = ["--candidates", "c.csv", "--positions", "20", "--nodes", "0", "--starts", "1", "--json"];
+        let answered = etalon(&folder, &[&["plan", "--robot", "robot.toml"], &arguments[..]].concat());
+        assert!(answered.status.success(), "{}", text_of(&answered));
+        let found: PlanDocument = serde_json::from_slice(&answered.stdout).unwrap();
+        assert_eq!(found.chosen.len(), 20);
+        let held: Vec<&str> = found.parameters.iter().filter(|p| !p.identifiable).map(|p| p.name.as_str()).collect();
+        assert!(held.len() == 12 && held.iter().any(|name| name.contains(legs)), "{name}: {held:?}");
+        assert!(found.value >= found.greedy.value && found.at_most_below_percent.unwrap() < 20.0, "{name}");
+    }
+}
+
+/// Slips of the log are refused by name.
+#[test]
+fn slips_of_a_platform_are_refused() {
+    // of a delta whose arms are alike any two exchanged are the same as any others
+    let exchanged = ["theta1_deg = \"J1\"\ntheta2_deg = \"J2\"", "theta1_deg = \"J2\"\ntheta2_deg = \"J1\""];
+    for (name, [from, to], says) in [
+        ("hexapod", ["leg2_mm = \"L2\"", "leg2_m = \"L2\""], "the nominal robot cannot be where the joints put it"),
+        ("delta", exchanged, " exchanged"),
+    ] {
+        let scratch = copy_sample(name);
+        scratch.replace("campaign.toml", from, to);
+        let output = etalon(scratch.root(), &["run", "campaign"]);
+        let said = text(&output.stdout) + &text(&output.stderr);
+        assert!(output.status.code() == Some(1) || output.status.code() == Some(2), "{name} {to}: {said}");
+        assert!(said.contains(says), "{name} {to}: {said}");
+    }
+}
+
+#[test]
+fn wrong_platforms_are_refused() {
+    for (name, [from, to], says) in [
+        ("hexapod", ["    { base_mm", "    # { base_mm"], "a hexapod has six legs, the file states 0"),
+        ("hexapod", ["home_xyz_mm = [0.0, 0.0, 400.0]", "home_xyz_mm = [0.0, 0.0, 0.0]"], "singular at its home pose"),
+        ("hexapod", ["home_xyz_mm", "# home_xyz_mm"], "the key `home_xyz_mm` is missing"),
+        ("hexapod", ["leg = [", "rod_mm = 800.0\nleg = ["], "`rod_mm` means nothing for this model"),
+        ("delta", ["rod_mm = 800.0", "rod_mm = -800.0"], "`rod_mm` must be positive"),
+        ("delta", ["upper_arm_mm", "# upper_arm_mm"], "the key `upper_arm_mm` is missing"),
+        ("delta", ["model = \"delta\"", "model = \"delta_linear\""], "`upper_arm_mm` means nothing for this model"),
+    ] {
+        let scratch = copy_sample(name);
+        let file = scratch.path().join("robot.toml");
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.contains(from), "{from}");
+        std::fs::write(&file, text.replace(from, to)).unwrap();
+        ends(&scratch, "check", 2, &[says]);
+    }
+}
