@@ -2,8 +2,11 @@
 
 use super::{Verdict, print_written};
 use crate::base::files;
-use crate::campaign::read_urdf;
+use crate::base::message::{Message, Problems};
+use crate::campaign::{parse, read_urdf};
 use crate::math::robots::{Joint, Quantity};
+use serde::Deserialize;
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Write a commented campaign to start from
@@ -17,6 +20,9 @@ pub struct Init {
     /// Describe the robot by this URDF, which is copied beside robot.toml: its chain with the most moving joints
     #[arg(long, value_name = "FILE", conflicts_with = "synthetic")]
     urdf: Option<PathBuf>,
+    /// Take the published geometry of this robot (ur5e, irb120 ...), or an example of a model (five-bar, xy-theta, hexapod, delta ...)
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["synthetic", "urdf"])]
+    robot: Option<String>,
     /// Print the names of the files written as JSON
     #[arg(long)]
     json: bool,
@@ -24,7 +30,8 @@ pub struct Init {
 
 const CAMPAIGN: &str = include_str!("init/campaign.toml");
 const ROBOT: &str = include_str!("init/robot.toml");
-const URDF_CAMPAIGN: &str = include_str!("init/campaign-urdf.toml");
+const ROBOT_CAMPAIGN: &str = include_str!("init/campaign-robot.toml");
+const ROBOTS: &str = include_str!("init/robots.toml");
 const TRUTH: &str = include_str!("init/truth.toml");
 
 /// In the template, a comment.
@@ -35,6 +42,9 @@ impl Init {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         if let Some(path) = &self.urdf {
             return self.describe(path);
+        }
+        if let Some(name) = &self.robot {
+            return self.known(name);
         }
         let mut texts = vec![("campaign.toml", CAMPAIGN.into()), ("robot.toml", ROBOT.into())];
         if self.synthetic {
@@ -65,11 +75,116 @@ impl Init {
         };
         let columns: String = chain.joints.iter().map(column).collect();
         let texts = [
-            ("campaign.toml", URDF_CAMPAIGN.replace("COLUMNS\n", &(columns + "\n")).into_bytes()),
+            ("campaign.toml", campaign("[\"json\", \"urdf\"]", &columns, &SMRS)),
             ("robot.toml", robot.into_bytes()),
             (name.as_str(), text.into_bytes()),
         ];
         print_written(files::write_new(&self.folder, &texts)?, self.json)?;
         Ok(Verdict::Met)
+    }
+
+    /// A campaign of a robot of the table.
+    fn known(&self, name: &str) -> anyhow::Result<Verdict> {
+        let Known { robots } = parse("robots.toml", ROBOTS)?;
+        let Some(robot) = robots.iter().find(|robot| robot.name == name) else {
+            let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
+            let message = Message::error(format!("the geometry of `{name}` is not in the table of robots"));
+            let message = message.expected(names.join(", "));
+            return Err(Problems::from(message.hint("describe it by its URDF: --urdf FILE")).into());
+        };
+        let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
+        let columns: String = robot.joints().iter().map(column).collect();
+        let targets: Vec<&str> = robot.targets.iter().map(String::as_str).collect();
+        let targets = if targets.is_empty() { &SMRS[..] } else { &targets };
+        let texts =
+            [("campaign.toml", campaign("[\"json\"]", &columns, targets)), ("robot.toml", robot.text().into_bytes())];
+        print_written(files::write_new(&self.folder, &texts)?, self.json)?;
+        Ok(Verdict::Met)
+    }
+}
+
+const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];
+
+/// The campaign of a robot whose joints are in these columns.
+fn campaign(controllers: &str, columns: &str, targets: &[&str]) -> Vec<u8> {
+    let text = ROBOT_CAMPAIGN.replace("CONTROLLERS", &format!("controllers = {controllers}"));
+    text.replace("COLUMNS\n", &format!("{columns}\n")).replace("TARGETS", &format!("{targets:?}")).into_bytes()
+}
+
+/// Robots whose geometry is known.
+#[derive(Deserialize)]
+struct Known {
+    #[serde(rename = "robot")]
+    robots: Vec<KnownRobot>,
+}
+
+/// A robot, by Denavit-Hartenberg parameters (alpha, a, theta and d of each joint), screw axes, or the text of its robot.toml.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct KnownRobot {
+    name: String,
+    title: String,
+    /// Where the geometry is from.
+    source: String,
+    note: Option<String>,
+    #[serde(default)]
+    dh: Vec<[f64; 4]>,
+    #[serde(default)]
+    mdh: Vec<[f64; 4]>,
+    #[serde(default)]
+    poe: Vec<Axis>,
+    flange_xyz_mm: Option<[f64; 3]>,
+    flange_rpy_deg: Option<[f64; 3]>,
+    #[serde(default)]
+    joints: Vec<String>,
+    #[serde(default)]
+    targets: Vec<String>,
+    #[serde(default)]
+    toml: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Axis {
+    direction: [f64; 3],
+    point_mm: [f64; 3],
+}
+
+impl KnownRobot {
+    /// Names of the joints' columns.
+    fn joints(&self) -> Vec<String> {
+        let count = self.dh.len() + self.mdh.len() + self.poe.len();
+        if count == 0 { self.joints.clone() } else { (1..=count).map(|i| format!("q{i}_deg")).collect() }
+    }
+
+    /// Its robot.toml.
+    fn text(&self) -> String {
+        let mut text = format!("# {}: nominal geometry.\n# Source: {}.\n", self.title, self.source);
+        text.extend(self.note.iter().map(|note| format!("# {note}\n")));
+        let _ = writeln!(text, "name = {:?}", self.title);
+        for (convention, rows) in [("dh", &self.dh), ("mdh", &self.mdh)] {
+            if !rows.is_empty() {
+                let _ = writeln!(text, "model = \"serial\"\nconvention = \"{convention}\"\njoint = [");
+            }
+            for [alpha, a, theta, d] in rows {
+                let _ = writeln!(
+                    text,
+                    "    {{ alpha_deg = {alpha:?}, a_mm = {a:?}, theta_deg = {theta:?}, d_mm = {d:?} }},"
+                );
+            }
+        }
+        if let (Some(xyz), Some(rpy)) = (self.flange_xyz_mm, self.flange_rpy_deg) {
+            let _ = writeln!(
+                text,
+                "model = \"serial\"\nconvention = \"poe\"                           # axes at zero joints, in the base\n\
+                 flange_xyz_mm = {xyz:?}\nflange_rpy_deg = {rpy:?}\njoint = ["
+            );
+            for Axis { direction, point_mm } in &self.poe {
+                let _ = writeln!(text, "    {{ direction = {direction:?}, point_mm = {point_mm:?} }},");
+            }
+        }
+        let end = "]\n# bending = [2, 3]                          # joints that bend under gravity\n\
+                   # tolerance = { length_mm = 5.0 }           # how far from nominal the arm may be\n";
+        text + if self.toml.is_empty() { end } else { self.toml.trim_start() }
     }
 }

@@ -72,6 +72,38 @@ fn init_takes_the_robot_of_a_urdf() {
     assert!(not_one.status.code() == Some(2) && !folder.path().join("other").exists(), "{}", text(&not_one.stderr));
 }
 
+/// Every robot of the table has a campaign that lacks its files alone.
+#[test]
+fn init_has_the_geometry_of_robots() {
+    let folder = tempfile::tempdir().unwrap();
+    let unknown = text(&etalon(folder.path(), &["init", "x", "--robot", "ur6"]).stderr);
+    let names = unknown.lines().find_map(|line| line.trim().strip_prefix("expected: ")).expect("names").to_owned();
+    assert!(names.split(", ").count() >= 18, "{names}");
+    for name in names.split(", ") {
+        let made = etalon(folder.path(), &["init", name, "--robot", name]);
+        assert!(made.status.success(), "{}", text(&made.stderr));
+        let robot = std::fs::read_to_string(folder.path().join(name).join("robot.toml")).unwrap();
+        assert!(robot.contains("# Source: "), "{robot}");
+        let said = text(&etalon(folder.path(), &["check", name]).stderr);
+        let errors: Vec<&str> = said.lines().filter(|l| l.starts_with("error: ")).collect();
+        assert!(errors.len() == 2 && errors.iter().all(|e| e.contains("there is no file")), "{name}: {said}");
+    }
+    let joints = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n2,20,-30,40,50,-60,70\n";
+    std::fs::write(folder.path().join("q.csv"), joints).unwrap();
+    let poses = |robot: &str| -> Vec<Vec<f64>> {
+        let csv = text(&etalon(folder.path(), &["kinematics", "direct", "q.csv", "--robot", robot]).stdout);
+        csv.lines().skip(1).map(|line| line.split(',').map(|v| v.parse().unwrap()).collect()).collect()
+    };
+    let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
+    // a2 + a3, d4 + d6 and d1 - d5
+    let ur5e = &poses("ur5e/robot.toml")[0];
+    assert!(near(&ur5e[1..4], &[-817.2, -232.9, 62.8]), "{ur5e:?}");
+    // the axes of the URDF and the table by the drawing
+    let drawn = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/abb-irb120/robot.toml");
+    let (urdf, drawn) = (poses("irb120/robot.toml"), poses(drawn));
+    assert!(urdf.iter().zip(&drawn).all(|(a, b)| near(&a[1..4], &b[1..4])), "{urdf:?} {drawn:?}");
+}
+
 #[test]
 fn init_writes_a_campaign_that_only_lacks_its_files() {
     let folder = tempfile::tempdir().unwrap();
