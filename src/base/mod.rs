@@ -2,6 +2,7 @@
 //! numbers, dates, order statistics.
 
 pub mod date;
+pub mod expression;
 pub mod files;
 pub mod folder;
 pub mod message;

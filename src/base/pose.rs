@@ -125,6 +125,11 @@ impl<T: Scalar> Pose<T> {
 }
 
 impl Pose {
+    /// The same with numbers of another kind.
+    pub fn constant<T: Scalar>(&self) -> Pose<T> {
+        Pose { rotation: self.rotation.map(|row| row.map(T::from)), translation_mm: self.translation_mm.map(T::from) }
+    }
+
     /// Angle of the rotation, in radians, accurate near zero.
     pub fn angle_rad(&self) -> f64 {
         let r = &self.rotation;
@@ -200,17 +205,17 @@ pub fn turning_axes(vector_rad: Vector) -> [Vector; 3] {
 }
 
 /// `a - b`.
-pub fn minus(a: Vector, b: Vector) -> Vector {
+pub fn minus<T: Scalar>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// Scalar product.
-pub fn dot(a: Vector, b: Vector) -> f64 {
+pub fn dot<T: Scalar>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Vector product.
-pub fn cross(a: Vector, b: Vector) -> Vector {
+pub fn cross<T: Scalar>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 

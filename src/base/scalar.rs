@@ -24,6 +24,10 @@ pub trait Scalar:
     fn atan2(self, x: Self) -> Self;
     /// Square root.
     fn sqrt(self) -> Self;
+    /// An angle brought to (−π, π] rad.
+    fn wrapped(self) -> Self {
+        self + (-(self.value() / std::f64::consts::TAU).round() * std::f64::consts::TAU)
+    }
     /// Tangent of an angle in radians.
     fn tan(self) -> Self {
         let (sin, cos) = self.sin_cos();

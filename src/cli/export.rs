@@ -18,7 +18,7 @@ pub struct Export {
     /// Format: json, csv and c-header if none is named; may be repeated
     #[arg(long, value_name = "NAME")]
     format: Vec<String>,
-    /// robot.toml, for formats of one kind of robot: urdf, universal-robots, linuxcnc
+    /// robot.toml, for formats that need the robot itself
     #[arg(long, value_name = "FILE")]
     robot: Option<PathBuf>,
     /// Folder to write to; the one of parameters.json by default

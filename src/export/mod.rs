@@ -4,6 +4,7 @@
 //! a number, two parameters of one name, parameters of a solver that did not converge or that cannot be a robot.
 
 mod c_header;
+mod code;
 pub mod commands;
 mod csv;
 mod json;
@@ -162,7 +163,7 @@ impl<'a> Given<'a> {
 }
 
 /// Formats of all robots come first: those that are written where none is named.
-const EXPORTERS: [(&str, &dyn Exporter); 8] = [
+const EXPORTERS: [(&str, &dyn Exporter); 11] = [
     ("json", &json::Json),
     ("csv", &csv::Csv),
     ("c-header", &c_header::CHeader),
@@ -171,6 +172,9 @@ const EXPORTERS: [(&str, &dyn Exporter); 8] = [
     ("urdf", &urdf::Urdf),
     ("universal-robots", &universal_robots::UniversalRobots),
     ("linuxcnc", &linuxcnc::LinuxCnc),
+    ("c-kinematics", &code::C99),
+    ("python-kinematics", &code::PythonCode),
+    ("structured-text", &code::StructuredText),
 ];
 const USUAL: usize = 3;
 

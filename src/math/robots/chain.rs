@@ -5,6 +5,7 @@
 
 use crate::base::pose::{Pose, Vector, cross, minus, turning_axes};
 use crate::base::scalar::Scalar;
+use std::ops::Mul;
 
 /// A motion of the frame that the motions before it have reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,19 +56,19 @@ pub(super) struct Element {
 
 /// What a chain depends on beside its parameters.
 #[derive(Clone, Copy)]
-pub(super) struct State<'a> {
+pub(super) struct State<'a, J = f64> {
     /// Joint values, rad or mm.
-    pub joints: &'a [f64],
+    pub joints: &'a [J],
     /// Loads.
-    pub loads: &'a [f64],
+    pub loads: &'a [J],
 }
 
-impl State<'_> {
-    fn coefficient(&self, term: &Term) -> f64 {
+impl<J: Scalar> State<'_, J> {
+    fn coefficient(&self, term: &Term) -> J {
         match term.coefficient {
-            Coefficient::Constant(value) => value,
-            Coefficient::Joint { joint, factor, offset } => factor * self.joints[joint] + offset,
-            Coefficient::Load(load) => self.loads.get(load).copied().unwrap_or(0.0),
+            Coefficient::Constant(value) => J::from(value),
+            Coefficient::Joint { joint, factor, offset } => self.joints[joint] * factor + offset,
+            Coefficient::Load(load) => self.loads.get(load).copied().unwrap_or(J::from(0.0)),
         }
     }
 }
@@ -77,12 +78,17 @@ pub(super) type Axis = (Vector, Vector);
 
 impl Element {
     /// Parameters and what they are multiplied by.
-    pub fn coefficients<'a>(&'a self, state: State<'a>) -> impl Iterator<Item = (usize, f64)> + 'a {
+    pub fn coefficients<'a, J: Scalar>(&'a self, state: State<'a, J>) -> impl Iterator<Item = (usize, J)> + 'a {
         self.terms.iter().map(move |term| (term.parameter, state.coefficient(term)))
     }
 
     /// The frame after this motion of `pose`.
-    pub fn advance<T: Scalar>(&self, pose: Pose<T>, p: &[T], state: State) -> Pose<T> {
+    pub fn advance<T: Scalar + Mul<J, Output = T>, J: Scalar>(
+        &self,
+        pose: Pose<T>,
+        p: &[T],
+        state: State<J>,
+    ) -> Pose<T> {
         let amount = || {
             self.coefficients(state)
                 .fold(T::from(self.constant), |sum, (parameter, factor)| sum + p[parameter] * factor)
@@ -94,10 +100,7 @@ impl Element {
             Motion::Shift(axis) => pose.shift(axis, amount()),
             Motion::Attitude(2) => pose.then(&Pose::from_rotation_vector(self.attitude(p))),
             Motion::Attitude(_) => pose,
-            Motion::Fixed(place) => {
-                let rotation = place.rotation.map(|row| row.map(T::from));
-                pose.then(&Pose { rotation, translation_mm: place.translation_mm.map(T::from) })
-            }
+            Motion::Fixed(place) => pose.then(&place.constant()),
         }
     }
 

@@ -6,7 +6,7 @@
 //! and seven: it is never identifiable beside that of the base, and only their difference has an effect.
 
 use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod};
-use super::{Description, Model, Quantity, Robot, Source, wrap, wrong_targets};
+use super::{Description, Model, Quantity, Robot, Source, wrong_targets};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use crate::base::scalar::Scalar;
@@ -209,7 +209,7 @@ impl Legs for Rotary {
         // x cos θ − z sin θ = c, of an elbow at (l cos θ, 0, −l sin θ)
         let c = (x * x + y * y + z * z + p[5] * p[5] - p[7] * p[7]) / (2.0 * p[5]);
         let (middle, half) = ((-z).atan2(x), (c / x.hypot(z)).acos());
-        [middle - half, middle + half].into_iter().filter(|q| q.is_finite()).map(|q| wrap(q - p[6])).collect()
+        [middle - half, middle + half].into_iter().filter(|q| q.is_finite()).map(|q| (q - p[6]).wrapped()).collect()
     }
 }
 

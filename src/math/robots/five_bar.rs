@@ -4,7 +4,8 @@
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
 use super::{Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role, Source};
-use super::{in_plane, in_space, wrap};
+use super::{in_plane, in_space};
+use crate::base::expression::{Formula, Recorded};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
 use crate::base::pose::Vector;
@@ -169,21 +170,22 @@ impl FiveBar {
 
     /// Direct kinematics in the base frame for encoder angles (rad) and the assembly mode ξ, +1 or −1; not a number where
     /// the arms do not meet (eq. 4.1 to 4.7, θ = encoder + δ).
-    pub fn direct<T: Scalar>(&self, p: &[T], q: [T; 2], assembly: f64) -> Linkage<T> {
+    pub fn direct<T: Scalar>(&self, p: &[T], q: [T; 2], assembly: impl Into<T>) -> Linkage<T> {
         let [l11, l12, l21, l22, d, l23, gamma, delta1, delta2] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| p[i]);
         let (sin1, cos1) = (q[0] + delta1).sin_cos();
         let (sin2, cos2) = (q[1] + delta2).sin_cos();
         let b1 = [l11 * cos1 - d * 0.5, l11 * sin1]; // eq. 4.4
         let b2 = [l21 * cos2 + d * 0.5, l21 * sin2]; // eq. 4.2
         let between = minus(b2, b1); // eq. 4.7
-        let c = plus(b1, meet(between, l12, l22, assembly)); // eq. 4.3, 4.5, 4.6
+        let c = plus(b1, meet(between, l12, l22, assembly.into())); // eq. 4.3, 4.5, 4.6
         let e = plus(b2, turn(minus(c, b2), gamma, l23 / l22)); // eq. 4.1
         Linkage { b1, b2, c, e }
     }
 
     /// Inverse kinematics: encoder angles (rad) that bring the tool to `e` (base frame) with the branch indices ζ1, ζ2; not
     /// a number where an arm does not reach (eq. 4.8 to 4.19).
-    pub fn inverse<T: Scalar>(&self, p: &[T], e: [T; 2], branches: [f64; 2]) -> [T; 2] {
+    pub fn inverse<T: Scalar>(&self, p: &[T], e: [T; 2], branches: [impl Into<T>; 2]) -> [T; 2] {
+        let branches = branches.map(Into::into);
         let [l11, l12, l21, l22, d, l23, gamma, delta1, delta2] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| p[i]);
         let half = d * 0.5;
         // the thesis' branch turns clockwise, the assembly mode counterclockwise
@@ -191,7 +193,7 @@ impl FiveBar {
         let b2 = [a2_b2[0] + half, a2_b2[1]]; // eq. 4.14
         let c = plus(b2, turn(minus(e, b2), -gamma, l22 / l23)); // eq. 4.13
         let a1_b1 = meet([c[0] + half, c[1]], l11, l12, -branches[0]); // eq. 4.9 to 4.12
-        let angle = |v: [T; 2], delta: T| wrap(v[1].atan2(v[0]) - delta); // eq. 4.8, 4.19
+        let angle = |v: [T; 2], delta: T| (v[1].atan2(v[0]) - delta).wrapped(); // eq. 4.8, 4.19
         [angle(a1_b1, delta1), angle(a2_b2, delta2)]
     }
 
@@ -294,7 +296,7 @@ fn turn<T: Scalar>(v: [T; 2], angle: T, stretch: T) -> [T; 2] {
 }
 
 /// From one end of `base`, where two links of lengths `near` and `far` from its two ends meet: on its left for `side` = +1.
-fn meet<T: Scalar>(base: [T; 2], near: T, far: T, side: f64) -> [T; 2] {
+fn meet<T: Scalar>(base: [T; 2], near: T, far: T, side: T) -> [T; 2] {
     let square = base[0] * base[0] + base[1] * base[1];
     let along = (near * near - far * far + square) / (square * 2.0); // eq. 4.5: b1 / d
     let across = (near * near / square - along * along).sqrt() * side; // eq. 4.5: ξ h / d
@@ -335,6 +337,20 @@ impl Kinematics for FiveBar {
         let assembly = joints.get(2).copied().unwrap_or(1.0);
         let [x_mm, y_mm] = FiveBar::direct(self, p, [joints[0], joints[1]], assembly).e;
         in_space(PlanarPose { x_mm, y_mm, theta_rad: 0.0 })
+    }
+    /// Working modes are the branch indices ζ1, ζ2.
+    fn formulas(&self, p: &[f64]) -> Vec<Formula> {
+        let p = || p.iter().map(|&v| Recorded::from(v)).collect::<Vec<_>>();
+        let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<String>>();
+        let direct = Formula::record("direct", &names(&["theta1", "theta2", "assembly"]), |v| {
+            let e = FiveBar::direct(self, &p(), [v[0], v[1]], v[2]).e;
+            names(&["x", "y"]).into_iter().zip(e).collect()
+        });
+        let inverse = Formula::record("inverse", &names(&["x", "y", "branch1", "branch2"]), |v| {
+            let q = FiveBar::inverse(self, &p(), [v[0], v[1]], [v[2], v[3]]);
+            names(&["theta1", "theta2"]).into_iter().zip(q).collect()
+        });
+        vec![direct, inverse]
     }
     fn base_in_world(&self, p: &[f64]) -> Option<Pose> {
         in_space(PlanarPose { x_mm: p[9], y_mm: p[10], theta_rad: p[11] })
@@ -396,7 +412,7 @@ impl Robot for FiveBar {
     }
     fn inverse(&self, parameters: &[f64], near: &[f64], position: Vector) -> Option<Vec<f64>> {
         let e = self.to_base(parameters, [position[0], position[1]]);
-        let off = |q: &[f64; 2]| q.iter().zip(near).map(|(q, n)| wrap(q - n).abs()).sum::<f64>();
+        let off = |q: &[f64; 2]| q.iter().zip(near).map(|(q, n)| (q - n).wrapped().abs()).sum::<f64>();
         let ways = WORKING_MODES.map(|branches| self.inverse(parameters, e, branches));
         let whole = ways.into_iter().filter(|q| q.iter().all(|q| q.is_finite()));
         let q = whole.min_by(|a, b| off(a).total_cmp(&off(b)))?;

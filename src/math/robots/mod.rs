@@ -24,9 +24,9 @@ pub use prexyt::Prexyt;
 pub use serial::Serial;
 pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 
+use crate::base::expression::Formula;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, norm};
-use crate::base::scalar::Scalar;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 use std::f64::consts::{PI, TAU};
@@ -254,6 +254,12 @@ pub trait Kinematics: Robot {
         None
     }
 
+    /// Its kinematics with these parameters as formulas, mm and rad: `direct`, and `inverse` where that has a closed form or `linearised`
+    /// for a search by Newton's method. None for models that have none.
+    fn formulas(&self, _parameters: &[f64]) -> Vec<Formula> {
+        Vec::new()
+    }
+
     /// Signs that change only where the robot passes a singularity: they tell its configurations (working and assembly modes) apart.
     fn branch(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<bool> {
         Vec::new()
@@ -283,11 +289,6 @@ fn nearest<R: Robot + ?Sized>(
     let why = all.first().and_then(violation);
     let within = all.into_iter().find(|q| violation(q).is_none());
     within.ok_or_else(|| why.unwrap_or_else(|| "out of reach".to_owned()))
-}
-
-/// An angle brought to (−π, π], derivative kept.
-fn wrap<T: Scalar>(angle: T) -> T {
-    angle + (-(angle.value() / TAU).round() * TAU)
 }
 
 /// The shortest rotation vector of the same rotation, rad.

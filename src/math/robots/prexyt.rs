@@ -7,7 +7,8 @@ use super::{
     Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot,
     Role, Source,
 };
-use super::{in_plane, in_space, wrap};
+use super::{in_plane, in_space};
+use crate::base::expression::{Formula, Recorded};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
 use crate::base::scalar::{Dual, Scalar, constants, duals};
@@ -174,7 +175,11 @@ impl Prexyt {
     /// Estimated minus measured pose: the summands of eq. 3.26 (mm, mm, rad).
     pub fn pose_residual<T: Scalar>(&self, p: &[T], rho: &[T], k: [T; 2], l: [T; 2]) -> [T; 3] {
         let (estimated, measured) = (self.direct(p, rho), self.measured(p, k, l));
-        [estimated.x_mm - measured.x_mm, estimated.y_mm - measured.y_mm, wrap(estimated.theta_rad - measured.theta_rad)]
+        [
+            estimated.x_mm - measured.x_mm,
+            estimated.y_mm - measured.y_mm,
+            (estimated.theta_rad - measured.theta_rad).wrapped(),
+        ]
     }
 }
 
@@ -225,6 +230,20 @@ impl Robot for Prexyt {
 impl Kinematics for Prexyt {
     fn tool_pose(&self, p: &[f64], joints: &[f64]) -> Option<Pose> {
         in_space(self.direct(p, joints))
+    }
+    fn formulas(&self, p: &[f64]) -> Vec<Formula> {
+        let p = || p.iter().map(|&v| Recorded::from(v)).collect::<Vec<_>>();
+        let names = |names: [&str; 3]| names.map(str::to_owned);
+        let (rho, pose) = (names(["rho1", "rho2", "rho3"]), names(["x", "y", "theta"]));
+        let direct = Formula::record("direct", &rho, |v| {
+            let at = self.direct(&p(), v);
+            pose.clone().into_iter().zip([at.x_mm, at.y_mm, at.theta_rad]).collect()
+        });
+        let inverse = Formula::record("inverse", &pose, |v| {
+            let pose = PlanarPose { x_mm: v[0], y_mm: v[1], theta_rad: v[2] };
+            rho.clone().into_iter().zip(self.inverse(&p(), pose)).collect()
+        });
+        vec![direct, inverse]
     }
     fn base_in_world(&self, p: &[f64]) -> Option<Pose> {
         in_space(PlanarPose { x_mm: p[8], y_mm: p[9], theta_rad: 0.0 })

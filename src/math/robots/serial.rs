@@ -5,8 +5,9 @@
 use super::chain::{self, Coefficient, Element, Motion, State, Term};
 use super::{ChainJoint, Definition, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role};
 use super::{limit_violation, nearest, shortest};
+use crate::base::expression::{Formula, Recorded, derivatives};
 use crate::base::noise::Noise;
-use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use crate::base::pose::{Pose, Vector, cross, dot, minus, norm};
 use crate::base::scalar::Scalar;
 use crate::math::solve;
 use nalgebra::Matrix6;
@@ -389,9 +390,8 @@ impl Serial {
         self
     }
 
-    /// The frames behind all axes, and the flange, in the base without loads.
-    fn frames(&self, parameters: &[f64], joints: &[f64]) -> (Vec<Pose>, Pose) {
-        let state = State { joints, loads: &[] };
+    /// The frames behind all axes, and the flange, in the base under these loads.
+    fn frames<T: Scalar>(&self, parameters: &[T], state: State<T>) -> (Vec<Pose<T>>, Pose<T>) {
         let (mut frames, mut pose) = (Vec::with_capacity(self.axes.len()), Pose::identity());
         for (i, element) in self.elements.iter().enumerate().skip(self.based) {
             pose = element.advance(pose, parameters, state);
@@ -403,26 +403,30 @@ impl Serial {
     }
 
     /// For each load its size at joint values, on nominal geometry.
-    fn loads(&self, joints: &[f64]) -> Vec<f64> {
+    fn loads<T: Scalar>(&self, joints: &[T]) -> Vec<T> {
         if self.loads.is_empty() {
             return Vec::new();
         }
-        let frames = self.frames(&self.nominal(), joints).0;
+        let nominal: Vec<T> = self.parameters().iter().map(|p| T::from(p.nominal)).collect();
+        let frames = self.frames(&nominal, State { joints, loads: &[] }).0;
+        let gravity = self.gravity.map(T::from);
         let size = |load: &Load| match *load {
             Load::Link { axis, link } => {
                 let next = frames.get(link + 1).unwrap_or(&frames[link]);
-                let along = unit(minus(next.translation_mm, frames[link].translation_mm)).unwrap_or_default();
-                dot(frames[axis].axis(2), cross(along, self.gravity))
+                let along = minus(next.translation_mm, frames[link].translation_mm);
+                let length = dot(along, along).sqrt();
+                let along = if length.value() == 0.0 { along } else { along.map(|v| v / length) };
+                dot(frames[axis].axis(2), cross(along, gravity))
             }
             Load::Moment { axis, about, largest_kg_mm } => {
-                let in_joint = |k: usize, v: Vector| self.axes[k].aligned.inverse().rotate(v);
+                let in_joint = |k: usize, v: Vector| self.axes[k].aligned.inverse().rotate(v).map(T::from);
                 let (pivot, about) = (frames[axis].translation_mm, frames[axis].rotate(in_joint(axis, about)));
                 let beyond = frames.iter().zip(&self.axes).enumerate().skip(axis);
-                let moment = |(k, (frame, a)): (usize, (&Pose, &Axis))| {
+                let moment = |(k, (frame, a)): (usize, (&Pose<T>, &Axis))| {
                     let lever = minus(frame.apply(in_joint(k, a.body.center_mm)), pivot);
-                    a.body.mass_kg * dot(about, cross(lever, self.gravity))
+                    dot(about, cross(lever, gravity)) * a.body.mass_kg
                 };
-                beyond.map(moment).sum::<f64>() / largest_kg_mm
+                beyond.map(moment).fold(T::from(0.0), |sum, m| sum + m) * (1.0 / largest_kg_mm)
             }
         };
         self.loads.iter().map(size).collect()
@@ -430,7 +434,7 @@ impl Serial {
 
     /// Pose of the base in the world.
     fn base_pose(&self, parameters: &[f64]) -> Pose {
-        chain::end(&self.elements[..self.based], parameters, State { joints: &[], loads: &[] })
+        chain::end(&self.elements[..self.based], parameters, State::<f64> { joints: &[], loads: &[] })
     }
 
     /// The same way to a pose, with the turns that bring each angle nearest to `near` within its limits; `None` where a gain other than one
@@ -596,7 +600,7 @@ impl Robot for Serial {
     }
     fn joint_chain(&self, parameters: &[f64]) -> Option<JointChain> {
         let zero = vec![0.0; self.joints().len()];
-        let (mut frames, flange) = self.frames(parameters, &zero);
+        let (mut frames, flange) = self.frames(parameters, State { joints: &zero, loads: &[] });
         frames.insert(0, Pose::identity());
         let gain = |axis: &Axis| {
             let gain = self.index(&format!("gain_{}", axis.drive.label)).map_or(1.0, |i| parameters[i]);
@@ -614,6 +618,13 @@ impl Robot for Serial {
 
 /// A turn by one radian weighs like this path in a pose, mm.
 const TURNED_MM: f64 = 1000.0;
+/// Position and rotation matrix, row by row.
+fn pose_outputs(pose: &Pose<Recorded>) -> Vec<(String, Recorded)> {
+    let place = ["x", "y", "z"].map(str::to_owned).into_iter().zip(pose.translation_mm);
+    let cells = (0..9).map(|i| (format!("r{}{}", i / 3 + 1, i % 3 + 1), pose.rotation[i / 3][i % 3]));
+    place.chain(cells).collect()
+}
+
 /// Starts from which all ways to a pose are searched, at least, and without a new one before the search ends.
 const STARTS: usize = 96;
 /// Starts at most.
@@ -634,6 +645,29 @@ impl Kinematics for Serial {
 
     fn base_in_world(&self, parameters: &[f64]) -> Option<Pose> {
         Some(self.base_pose(parameters))
+    }
+
+    /// Direct kinematics, and the same with derivatives: of the position by the joint values, and of the rotation as vectors in the base.
+    fn formulas(&self, parameters: &[f64]) -> Vec<Formula> {
+        let joints: Vec<String> = self.joints().iter().map(|joint| joint.name.clone()).collect();
+        let record = |name, with_derivatives| {
+            Formula::record(name, &joints, |q| {
+                let p: Vec<Recorded> = parameters.iter().map(|&v| Recorded::from(v)).collect();
+                let flange = self.frames(&p, State { joints: q, loads: &self.loads(q) }).1;
+                let mut outputs = pose_outputs(&flange);
+                let numbers: Vec<Recorded> = outputs.iter().map(|(_, v)| *v).collect();
+                for (q, joint) in q.iter().zip(&joints).filter(|_| with_derivatives) {
+                    let by = derivatives(&numbers, *q);
+                    let column = |of: &[Recorded], j: usize| [of[3 + j], of[6 + j], of[9 + j]];
+                    let turns = (0..3).map(|j| cross(column(&numbers, j), column(&by, j)));
+                    let turn = turns.fold([Recorded::from(0.0); 3], |sum, t| [0, 1, 2].map(|i| sum[i] + t[i] * 0.5));
+                    let rows = by[..3].iter().chain(&turn).zip(["x", "y", "z", "rx", "ry", "rz"]);
+                    outputs.extend(rows.map(|(v, row)| (format!("{row}_by_{joint}"), *v)));
+                }
+                outputs
+            })
+        };
+        vec![record("direct", false), record("linearised", true)]
     }
 
     /// That of the Jacobian's determinant, for six joints.
