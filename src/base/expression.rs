@@ -2,11 +2,11 @@
 
 use super::scalar::Scalar;
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// One step of a formula; its operands are steps before it, by their numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Operation {
     /// A number, by its bits.
     Constant(u64),
@@ -64,7 +64,7 @@ pub struct Formula {
 #[derive(Default)]
 struct Recorder {
     steps: Vec<Operation>,
-    known: HashMap<Operation, usize>,
+    known: BTreeMap<Operation, usize>,
 }
 
 thread_local! {

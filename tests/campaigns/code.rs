@@ -6,7 +6,7 @@ use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
 use etalon::campaign::read_robot;
 use etalon::math::robots::{Kinematics, Quantity, Robot};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -204,7 +204,7 @@ fn python_computes_what_the_program_does() {
 fn run_block(text: &str, block: &str, inputs: &[f64]) -> Vec<f64> {
     let begin = text.find(&format!("FUNCTION_BLOCK {block}\n")).unwrap();
     let body = text[begin..].split("END_FUNCTION_BLOCK").next().unwrap().split("valid := TRUE;\n").nth(1).unwrap();
-    let mut known: HashMap<String, f64> = inputs.iter().enumerate().map(|(i, v)| (format!("q[{i}]"), *v)).collect();
+    let mut known: BTreeMap<String, f64> = inputs.iter().enumerate().map(|(i, v)| (format!("q[{i}]"), *v)).collect();
     let mut out = Vec::new();
     let (mut skipping, mut negative) = (false, false);
     for line in body.lines().map(str::trim) {

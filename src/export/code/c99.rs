@@ -127,7 +127,7 @@ impl Exporter for C99 {
                 let _ = writeln!(out, "    out[{i}] = {name};");
             }
             let used = if body.is_empty() { "    (void)t;\n" } else { "" };
-            let _ = write!(out, "{used}}}\n");
+            let _ = writeln!(out, "{used}}}");
             if formula.name == "linearised" {
                 out += "\nint etalon_inverse(const double pose[12], double q[ETALON_JOINTS]);\n";
                 out += INVERSE;
