@@ -16,6 +16,7 @@ mod init;
 mod iso9283;
 mod kinematics;
 mod plan;
+mod recommend;
 mod report;
 mod run;
 mod schema;
@@ -58,6 +59,7 @@ enum Command {
     Run(run::Run),
     Batch(batch::Batch),
     Identify(identify::Identify),
+    Recommend(recommend::Recommend),
     Validate(validate::Validate),
     Verify(verify::Verify),
     Kinematics(kinematics::Kinematics),
@@ -95,6 +97,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Run(command) => command.run(),
         Command::Batch(command) => command.run(),
         Command::Identify(command) => command.run(),
+        Command::Recommend(command) => command.run(),
         Command::Validate(command) => command.run(),
         Command::Verify(command) => command.run(),
         Command::Kinematics(command) => command.run(),

@@ -1,6 +1,7 @@
 //! When a change is more than chance.
 
 use crate::base::noise::Noise;
+pub use crate::math::identify::holm;
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor, Normal, StudentsT};
 
@@ -112,20 +113,6 @@ pub fn ratio_of_scales((earlier, degrees): (f64, f64), (later, more): (f64, f64)
     let end = |share: f64| change / f.inverse_cdf(share).sqrt();
     let p = (2.0 * f.cdf(squared).min(f.sf(squared))).min(1.0);
     Some(Difference { change, low: end(1.0 - LEVEL / 2.0), high: end(LEVEL / 2.0), p })
-}
-
-/// Probabilities of a family of tests, corrected for their number (Holm 1979): whatever the tests have in common, none of
-/// the unchanged is called changed with 95 %. In the order of `p`.
-pub fn holm(p: &[f64]) -> Vec<f64> {
-    let mut order: Vec<usize> = (0..p.len()).collect();
-    order.sort_by(|&a, &b| p[a].total_cmp(&p[b]));
-    let mut corrected = vec![1.0; p.len()];
-    let mut largest = 0.0f64;
-    for (rank, &i) in order.iter().enumerate() {
-        largest = largest.max((p.len() - rank) as f64 * p[i]).min(1.0);
-        corrected[i] = largest;
-    }
-    corrected
 }
 
 /// Draws of a family: a probability of 5 % comes out with a standard deviation of 0.2 %.

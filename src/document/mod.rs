@@ -17,6 +17,7 @@ mod kinematics;
 mod manifest;
 mod parameters;
 mod plan;
+mod recommendation;
 pub mod schema;
 mod verification;
 
@@ -35,6 +36,7 @@ pub use kinematics::*;
 pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;
+pub use recommendation::*;
 pub use verification::*;
 
 use crate::base::message::{Message, Result};

@@ -27,6 +27,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("manifest", schema::<ManifestDocument>()),
         ("parameters", schema::<ParametersDocument>()),
         ("plan", schema::<PlanDocument>()),
+        ("recommendation", schema::<RecommendationDocument>()),
         ("verification", schema::<VerificationDocument>()),
         ("written", schema::<WrittenDocument>()),
     ]

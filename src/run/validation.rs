@@ -1,28 +1,51 @@
-//! The pipeline as far as the observations, to judge given parameters on them.
+//! The pipeline as far as the observations, to judge parameters on them.
 
 use super::check::{Prepared, check};
 use crate::base::message::{Message, Place, Result};
-use crate::campaign::Campaign;
-use crate::document::{GivenFrames, ParametersDocument};
-use crate::stages::frames;
-use crate::stages::join;
+use crate::campaign::{Campaign, Identify};
+use crate::document::{GivenFrames, ParametersDocument, RecommendationDocument};
+use crate::math::robots::Robot;
+use crate::stages::join::{self, Joined};
 use crate::stages::validation::{self, Validated};
+use crate::stages::{frames, recommendation};
+use std::collections::BTreeMap;
 
 /// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is written.
 pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, given: GivenFrames) -> Result<Validated> {
+    let Observed { stated, mut robot, joined, messages, .. } = observed(campaign)?;
+    let mut found = validation::validate(campaign, stated, robot.as_mut(), &joined, document, given)?;
+    found.messages.splice(0..0, messages);
+    Ok(found)
+}
+
+/// Judges which parameters of a campaign deserve to be loaded. Nothing is written.
+pub fn recommend(campaign: &Campaign) -> Result<RecommendationDocument> {
+    let Observed { stated, mut robot, joined, messages, inputs } = observed(campaign)?;
+    let mut found = recommendation::recommend(campaign, stated, robot.as_mut(), &joined, &inputs)?;
+    found.messages.splice(0..0, messages);
+    Ok(found)
+}
+
+/// A campaign as far as its observations.
+struct Observed<'a> {
+    stated: &'a Identify,
+    robot: Box<dyn Robot>,
+    joined: Joined,
+    messages: Vec<Message>,
+    inputs: BTreeMap<String, String>,
+}
+
+fn observed(campaign: &Campaign) -> Result<Observed<'_>> {
     let Some(stated) = &campaign.file.identify else {
         let message = Message::error("the campaign has no [identify]: nothing names the poses to judge parameters on");
-        return Err(message
-            .at(Place::file(campaign.path.as_str()))
-            .hint("state `calibration` and `validation` in [identify]")
-            .into());
+        let message = message.at(Place::file(campaign.path.as_str()));
+        return Err(message.hint("state `calibration` and `validation` in [identify]").into());
     };
-    let Prepared { mut gathered, mut robot, .. } = check(campaign)?;
+    let Prepared { gathered, robot, .. } = check(campaign)?;
     let features = frames::fit_features(campaign, &gathered.points)?;
     let frames = frames::make_frames(campaign, &gathered.points, &features, robot.dimension() == 2)?;
-    gathered.document.messages.extend(features.messages);
     let joined = join::joined(campaign, &gathered, &frames, robot.as_ref())?;
-    let mut found = validation::validate(campaign, stated, robot.as_mut(), &joined, document, given)?;
-    found.messages.splice(0..0, gathered.document.messages.into_iter().chain(joined.messages));
-    Ok(found)
+    let inputs = gathered.document.inputs();
+    let messages = [gathered.document.messages, features.messages, joined.messages.clone()].concat();
+    Ok(Observed { stated, robot, joined, messages, inputs })
 }

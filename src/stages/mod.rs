@@ -15,6 +15,7 @@ pub(crate) mod labelled_points;
 pub mod parameters;
 pub mod plausible;
 pub mod qif_fit;
+pub mod recommendation;
 pub mod repeats;
 pub(crate) mod table_file;
 pub mod tool;

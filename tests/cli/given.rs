@@ -168,3 +168,46 @@ fn a_verification_refuses_what_it_cannot_compare() {
     );
     assert!(refused(&good, &["--standard-uncertainty-um", "0.0027"]).contains("in micrometres"));
 }
+
+#[test]
+fn a_recommendation_loads_what_is_proven_and_nothing_else() {
+    // a synthetic table of which only gamma, d3 and delta are not as drawn
+    let folder = copy_sample("prexyt-cmm");
+    for (from, to) in [
+        ("beta = -0.0142", "beta = 0.0"),
+        ("s = 393.9288", "s = 394.0"),
+        ("d = 116.2344", "d = 116.0"),
+        ("delta2 = 0.9996", "delta2 = 1.0"),
+        ("delta3 = 0.9998", "delta3 = 1.0"),
+    ] {
+        folder.replace("truth.toml", from, to);
+    }
+    let simulated = etalon(&folder.path(), &["simulate", "."]);
+    assert_eq!(code(&simulated), Some(0), "{}", text(&simulated.stderr));
+    let answer = etalon(&folder.path(), &["recommend", ".", "--json", "--write", "recommended.json"]);
+    assert_eq!(code(&answer), Some(0), "{}", text(&answer.stderr));
+    let answer = json(&answer);
+    let parameters = answer["parameters"].as_array().unwrap();
+    let load = parameters.iter().filter(|p| p["verdict"] == "load").map(|p| p["name"].as_str().unwrap());
+    assert_eq!(load.collect::<Vec<_>>(), ["gamma", "d3", "delta"], "{answer}");
+    let rms = |which: &str| answer["held_out"][which]["rms"].as_f64().unwrap();
+    assert!(rms("recommended") < rms("all") && rms("all") < 0.1 * rms("none"), "{}", answer["held_out"]);
+    // what is held has its nominal value, and the others are identified again
+    let again = &answer["recommended"]["parameters"];
+    let entry = |name: &str| again.as_array().unwrap().iter().find(|p| p["name"] == name).unwrap();
+    assert!(entry("s")["value"] == 394.0 && entry("s")["status"] == "fixed" && entry("d3")["status"] == "identified");
+    assert!((entry("d3")["value"].as_f64().unwrap() - 0.8528).abs() < 0.005, "{}", entry("d3"));
+    let exported = etalon(&folder.path(), &["export", "recommended.json", "--format", "json"]);
+    assert_eq!(code(&exported), Some(0), "{}", text(&exported.stderr));
+    // nothing is written over
+    let refused = etalon(&folder.path(), &["recommend", ".", "--write", "robot.toml"]);
+    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("is there already"));
+    // a table as drawn: nothing is invented
+    for (from, to) in [("gamma = 0.0828", "gamma = 0.0"), ("d3 = 0.8528", "d3 = 0.0"), ("delta = 0.9992", "delta = 1.0")] {
+        folder.replace("truth.toml", from, to);
+    }
+    assert_eq!(code(&etalon(&folder.path(), &["simulate", "."])), Some(0));
+    let nothing = json(&etalon(&folder.path(), &["recommend", ".", "--json"]));
+    let parameters = nothing["parameters"].as_array().unwrap();
+    assert!(parameters.iter().all(|p| p["verdict"] == "hold"), "{}", nothing["parameters"]);
+}

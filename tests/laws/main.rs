@@ -30,6 +30,7 @@ mod plans;
 mod platforms;
 mod probes;
 mod qkm;
+mod recommendation;
 mod rigid;
 mod robots;
 mod serial;

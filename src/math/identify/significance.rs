@@ -58,6 +58,20 @@ impl Variance {
     }
 }
 
+/// Probabilities of a family of tests, corrected for their number (Holm 1979): whatever the tests have in common, none of
+/// the unchanged is called changed with 95 %. In the order of `p`.
+pub fn holm(p: &[f64]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..p.len()).collect();
+    order.sort_by(|&a, &b| p[a].total_cmp(&p[b]));
+    let mut corrected = vec![1.0; p.len()];
+    let mut largest = 0.0f64;
+    for (rank, &i) in order.iter().enumerate() {
+        largest = largest.max((p.len() - rank) as f64 * p[i]).min(1.0);
+        corrected[i] = largest;
+    }
+    corrected
+}
+
 /// The least non-negative number for which this holds, as it does for all larger ones.
 pub(super) fn bisect(holds: impl Fn(f64) -> bool) -> f64 {
     let mut upper = 1.0;

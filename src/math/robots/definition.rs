@@ -47,6 +47,21 @@ pub enum Role {
     Robot,
 }
 
+/// What a parameter of the robot itself describes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Effect {
+    /// The zero of a joint.
+    Zeros,
+    /// A length or an angle of a part.
+    Geometry,
+    /// What a joint moves for each mm or rad of its value.
+    Gains,
+    /// What it moves for each mm or rad of another.
+    Coupling,
+    /// What it bends under load.
+    Bending,
+}
+
 /// One parameter of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {

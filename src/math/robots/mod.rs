@@ -18,7 +18,7 @@ mod urdf;
 
 pub use compensation::{Calibrated, Compensated};
 pub use conventions::SerialJoint;
-pub use definition::{Definition, Joint, Parameter, Quantity, Role};
+pub use definition::{Definition, Effect, Joint, Parameter, Quantity, Role};
 pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
 pub use prexyt::Prexyt;
 pub use serial::Serial;
@@ -195,6 +195,11 @@ pub trait Robot: Send + Sync {
     /// The robot that the same numbers describe in another convention of the field, and its name.
     fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
         Vec::new()
+    }
+
+    /// What a parameter describes, by its index; a zero of a joint is geometry here.
+    fn effect(&self, parameter: usize) -> Effect {
+        if self.parameters()[parameter].quantity == Quantity::Ratio { Effect::Gains } else { Effect::Geometry }
     }
 
     /// What to measure so that these parameters become separately identifiable, where a model has an answer.

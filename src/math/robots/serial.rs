@@ -3,7 +3,9 @@
 //! A convention pushes its motions and parameters into an [`ArmBuilder`]; gains, coupling and bending are the same for all.
 
 use super::chain::{self, Coefficient, Element, Motion, State, Term};
-use super::{ChainJoint, Definition, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role};
+use super::{
+    ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role,
+};
 use super::{limit_violation, nearest, shortest};
 use crate::base::expression::{Formula, Recorded, derivatives};
 use crate::base::noise::Noise;
@@ -591,6 +593,17 @@ impl Robot for Serial {
     }
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
         limit_violation(self.joints(), &self.limits, joints)
+    }
+    fn effect(&self, parameter: usize) -> Effect {
+        let loaded = |term: &Term| term.parameter == parameter && matches!(term.coefficient, Coefficient::Load(_));
+        let p = &self.parameters()[parameter];
+        match p.quantity {
+            _ if self.elements.iter().flat_map(|e| &e.terms).any(loaded) => Effect::Bending,
+            // a gain is 1 without error, a coupling 0
+            Quantity::Ratio if p.nominal == 0.0 => Effect::Coupling,
+            Quantity::Ratio => Effect::Gains,
+            _ => Effect::Geometry,
+        }
     }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)

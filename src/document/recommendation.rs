@@ -1,0 +1,116 @@
+//! What `etalon recommend` answers: which effects the data prove, and which parameters deserve to be loaded.
+
+use super::{ParametersDocument, Statistics};
+use crate::base::message::Message;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Which of the parameters that a campaign can identify make the robot better at poses that were not used.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RecommendationDocument {
+    /// `etalon/recommendation/1`
+    pub schema: String,
+    /// Model of the robot.
+    pub robot: String,
+    /// The recommendation in words.
+    pub meaning: Vec<String>,
+    /// Calibration poses.
+    pub poses: usize,
+    /// Parts into which they are cut: each is predicted from the others.
+    pub folds: usize,
+    /// How often, with other parts.
+    pub repeats: usize,
+    /// Effects in the order in which they were tried; those that were accepted are in every later one.
+    pub steps: Vec<EffectStep>,
+    /// Every identified parameter of the robot itself.
+    pub parameters: Vec<ParameterVerdict>,
+    /// Position errors at poses that were left out, mm.
+    pub held_out: HeldOutErrors,
+    /// The recommended parameters, identified again with all others at their nominal values.
+    pub recommended: ParametersDocument,
+    /// Warnings, with remedies.
+    pub messages: Vec<Message>,
+}
+
+/// What parameters of a robot describe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum EffectName {
+    /// Zeros of the joints.
+    Zeros,
+    /// Lengths and angles of the parts.
+    Geometry,
+    /// Gains: leads, ratios of the transmissions.
+    Gains,
+    /// Coupling of one joint to another.
+    Coupling,
+    /// Bending of joints and links under loads.
+    Bending,
+}
+
+/// An effect that was tried beside those accepted before it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EffectStep {
+    /// The effect; absent of base and targets alone, with which it begins.
+    pub effect: Option<EffectName>,
+    /// Parameters that are identified with it.
+    pub identified: usize,
+    /// Root mean square of the residuals of all calibration poses, mm.
+    pub rms_mm: f64,
+    /// F statistic of what it explains more than the step before.
+    pub f: Option<f64>,
+    /// Its p value, if residuals were independent.
+    pub p_value: Option<f64>,
+    /// Root mean square position error at poses that were left out, mm.
+    pub held_out_rms_mm: f64,
+    /// By how much their mean square became smaller, over its standard uncertainty.
+    pub gain_over_u: Option<f64>,
+    /// Whether it is part of the recommended model.
+    pub accepted: bool,
+}
+
+/// Whether a parameter deserves to be loaded.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ParameterVerdict {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// What it describes.
+    pub effect: EffectName,
+    /// Identified minus nominal value, with all parameters.
+    pub change: f64,
+    /// The change over its standard uncertainty.
+    pub change_over_u: f64,
+    /// Probability of such a change of a parameter that has its nominal value, corrected for their number (Holm 1979).
+    pub p_value: f64,
+    /// Standard deviation over the folds, over the standard uncertainty that a fold has.
+    pub fold_sd_over_u: f64,
+    /// Load or hold.
+    pub verdict: LoadVerdict,
+}
+
+/// What to do with a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum LoadVerdict {
+    /// It differs from its nominal value.
+    Load,
+    /// It is not proven to differ: its nominal value stays.
+    Hold,
+}
+
+/// Errors at poses that were left out of the identification, which chose its parameters without them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HeldOutErrors {
+    /// With nominal parameters, base and targets fitted.
+    pub none: Statistics,
+    /// With all parameters.
+    pub all: Statistics,
+    /// With those that are recommended.
+    pub recommended: Statistics,
+}

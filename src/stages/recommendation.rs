@@ -1,0 +1,369 @@
+//! Recommend: which effects the data prove by the poses that are left out, and which parameters deserve to be loaded.
+//!
+//! The calibration poses are cut into folds, each predicted from the others (Stone 1974); of the effects that are left the one that
+//! predicts them best is added while its gain exceeds its standard uncertainty and the F test of nested models does not reject it. Parameters
+//! are chosen within every fold again, so that the error stated for the choice has not seen the poses that it is of (Hastie, Tibshirani &
+//! Friedman, 7.10.2).
+
+use super::evaluate::{self, Sets, summarise};
+use super::identification::{Selected, select};
+use super::join::Joined;
+use super::parameters::parameters_document;
+use crate::base::message::{Message, Result, count};
+use crate::base::noise::Noise;
+use crate::base::pose::norm;
+use crate::base::pose_name::PoseName;
+use crate::campaign::{Campaign, Identify};
+use crate::document::*;
+use crate::math::identify::{self, Identification, Observation, Settings, Status, effects};
+use crate::math::robots::{Effect, Robot};
+use rayon::prelude::*;
+use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal, StudentsT};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Parts into which the poses are cut.
+const FOLDS: usize = 5;
+/// How often they are cut: once where they are many, at most three times.
+fn repeats(poses: usize) -> usize {
+    (300 / poses).clamp(1, 3)
+}
+
+/// Seed of the parts.
+const SEED: u64 = 4;
+/// Significance of a parameter's change, corrected for their number, and of an effect.
+const SIGNIFICANCE: f64 = 0.05;
+
+/// Judges what a campaign identifies; `inputs` are the files and their SHA-256.
+pub fn recommend(
+    campaign: &Campaign,
+    stated: &Identify,
+    robot: &mut dyn Robot,
+    joined: &Joined,
+    inputs: &BTreeMap<String, String>,
+) -> Result<RecommendationDocument> {
+    let Selected { sets, settings, messages, .. } = select(campaign, stated, robot, joined)?;
+    if !settings.conditions.is_empty() {
+        let message = Message::error("parameters are recommended from measured positions alone");
+        return Err(message.hint("leave rows of other kinds out").into());
+    }
+    Study::new(robot, &sets.calibration, settings)?.document(inputs, messages)
+}
+
+/// What is tried on which poses.
+struct Study<'a> {
+    robot: &'a dyn Robot,
+    observations: &'a [Observation],
+    settings: Settings,
+    effects: Vec<Option<Effect>>,
+    /// base and targets alone, fitted to all poses
+    before: Vec<f64>,
+    /// poses that are left out together
+    folds: Vec<BTreeSet<PoseName>>,
+    poses: usize,
+}
+
+/// Settings from what those before have identified.
+type Again<'a> = &'a (dyn Fn(&Identification) -> Settings + Sync);
+
+/// What a choice of parameters leaves.
+struct Tried {
+    found: Identification,
+    /// squared errors at poses that were left out: mean of each pose, mm²
+    left_out: BTreeMap<PoseName, f64>,
+}
+
+impl<'a> Study<'a> {
+    fn new(robot: &'a dyn Robot, observations: &'a [Observation], settings: Settings) -> Result<Self> {
+        let mut names: Vec<PoseName> =
+            observations.iter().map(|o| o.pose).collect::<BTreeSet<_>>().into_iter().collect();
+        let (poses, parts) = (names.len(), FOLDS.min(names.len()));
+        if parts < 3 {
+            let message = Message::error(format!("{} are too few to leave some out", count(poses, "calibration pose")));
+            return Err(message.hint("measure more, or name more in `calibration`").into());
+        }
+        let mut folds = Vec::new();
+        for repeat in 0..repeats(poses) {
+            let mut noise = Noise::new(SEED, repeat as u64);
+            for i in (1..poses).rev() {
+                let j = ((noise.uniform(0.5) + 0.5) * (i + 1) as f64) as usize;
+                names.swap(i, j.min(i));
+            }
+            folds.extend((0..parts).map(|part| names.iter().copied().skip(part).step_by(parts).collect()));
+        }
+        let before = identify::fit_frames(robot, observations, &settings)?;
+        Ok(Self { robot, observations, effects: effects(robot, observations), before, folds, poses, settings })
+    }
+
+    /// The settings that identify these effects, or these parameters, and base and targets.
+    fn settings(&self, identified: impl Fn(usize) -> bool) -> Settings {
+        let mut settings = self.settings.clone();
+        let held = self.effects.iter().enumerate().filter(|(i, effect)| effect.is_some() && !identified(*i));
+        settings.hold.extend(held.map(|(i, _)| self.robot.parameters()[i].name.clone()));
+        settings
+    }
+
+    fn of_effects(&self, chosen: &[Effect]) -> Settings {
+        self.settings(|i| self.effects[i].is_some_and(|effect| chosen.contains(&effect)))
+    }
+
+    /// Identifies from some of the poses, from where base and targets are.
+    fn identify(&self, observations: &[Observation], settings: &Settings) -> Result<Identification> {
+        identify::identify_from(self.robot, observations, settings, &self.before)
+    }
+
+    /// Tries a choice of parameters, which may be made anew in each fold from what that identifies.
+    fn tried(&self, settings: &Settings, again: Option<Again>) -> Result<Tried> {
+        let choose = |observations: &[Observation]| -> Result<Identification> {
+            let found = self.identify(observations, settings)?;
+            match again {
+                Some(again) => self.identify(observations, &again(&found)),
+                None => Ok(found),
+            }
+        };
+        let of_fold = |fold: &BTreeSet<PoseName>| -> Result<_> {
+            let (out, used): (Vec<_>, Vec<_>) = self.observations.iter().cloned().partition(|o| fold.contains(&o.pose));
+            Ok(self.squared_errors(out, &choose(&used)?.values))
+        };
+        let mut left_out: BTreeMap<PoseName, Vec<f64>> = BTreeMap::new();
+        for errors in self.folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()? {
+            errors.into_iter().for_each(|(pose, squared)| left_out.entry(pose).or_default().push(squared));
+        }
+        let mean = |all: Vec<f64>| all.iter().sum::<f64>() / all.len() as f64;
+        let left_out = left_out.into_iter().map(|(pose, all)| (pose, mean(all))).collect();
+        Ok(Tried { found: choose(self.observations)?, left_out })
+    }
+
+    /// Squared position errors at poses that were left out, mm².
+    fn squared_errors(&self, out: Vec<Observation>, values: &[f64]) -> Vec<(PoseName, f64)> {
+        let sets = Sets { validation: out, ..Sets::default() };
+        let errors = evaluate::errors(self.robot, &sets, &self.before, values);
+        errors.iter().map(|e| (e.pose, norm(e.after_mm).powi(2))).collect()
+    }
+
+    fn document(
+        &self,
+        inputs: &BTreeMap<String, String>,
+        mut messages: Vec<Message>,
+    ) -> Result<RecommendationDocument> {
+        let none = self.tried(&self.of_effects(&[]), None)?;
+        let (steps, chosen) = self.steps(&none)?;
+        let all = self.tried(&self.of_effects(&ALL), None)?;
+        let model = self.of_effects(&chosen);
+        let choose = |found: &Identification| {
+            let load = self.proven(found);
+            self.settings(move |i| load.contains(&i))
+        };
+        let full = self.identify(self.observations, &model)?;
+        let recommended = self.tried(&model, Some(&choose))?;
+        let held_out =
+            HeldOutErrors { none: none.statistics(), all: all.statistics(), recommended: recommended.statistics() };
+        let parameters = self.verdicts(&all.found, &full)?;
+        let settings = choose(&full);
+        let document = parameters_document(self.robot, &settings, &self.before, &recommended.found, inputs);
+        messages
+            .extend(document.messages.iter().filter(|m| m.severity == crate::base::message::Severity::Error).cloned());
+        Ok(RecommendationDocument {
+            schema: "etalon/recommendation/1".to_owned(),
+            robot: self.robot.model().to_owned(),
+            meaning: meaning(&chosen, &parameters, &held_out),
+            poses: self.poses,
+            folds: self.folds.len() / repeats(self.poses),
+            repeats: repeats(self.poses),
+            steps,
+            parameters,
+            held_out,
+            recommended: document,
+            messages,
+        })
+    }
+
+    /// Adds effects one by one, the best of those that are left first, while the poses that were left out become better.
+    fn steps(&self, none: &Tried) -> Result<(Vec<EffectStep>, Vec<Effect>)> {
+        let mut steps = vec![none.step(None, None, true)];
+        let mut chosen: Vec<Effect> = Vec::new();
+        let mut last: Option<Tried> = None;
+        loop {
+            let before = last.as_ref().unwrap_or(none);
+            let left =
+                ALL.into_iter().filter(|effect| !chosen.contains(effect) && self.effects.contains(&Some(*effect)));
+            let mut tried = Vec::new();
+            for effect in left {
+                // what the data do not determine at all is no effect of theirs; too few poses for it neither
+                if let Ok(found) = self.tried(&self.of_effects(&[&chosen[..], &[effect]].concat()), None) {
+                    tried.push((effect, found));
+                }
+            }
+            tried.sort_by(|a, b| a.1.mean_square().total_cmp(&b.1.mean_square()));
+            let accepted = tried.first().is_some_and(|(_, best)| best.improves(before));
+            for (i, (effect, found)) in tried.iter().enumerate().filter(|(i, _)| !accepted || *i == 0) {
+                steps.push(found.step(Some(*effect), Some(before), accepted && i == 0));
+            }
+            if !accepted {
+                return Ok((steps, chosen));
+            }
+            let (effect, best) = tried.swap_remove(0);
+            chosen.push(effect);
+            last = Some(best);
+        }
+    }
+
+    /// Parameters of the robot itself whose change from nominal is proven.
+    fn proven(&self, found: &Identification) -> Vec<usize> {
+        let changes = self.changes(found);
+        changes.into_iter().filter(|c| c.p_value < SIGNIFICANCE).map(|c| c.index).collect()
+    }
+
+    /// Changes of the parameters of the robot itself from nominal.
+    fn changes(&self, found: &Identification) -> Vec<Change> {
+        let identified = found.free.iter().copied().filter(|&i| self.effects[i].is_some());
+        let change = |index: usize| {
+            let change = found.values[index] - self.robot.parameters()[index].nominal;
+            let u = found.standard_uncertainty(index)?;
+            let t = (change / u).abs();
+            let p_value = match found.degrees_of_freedom(index).map(|nu| StudentsT::new(0.0, 1.0, nu)) {
+                Some(Ok(student)) => 2.0 * student.sf(t),
+                _ => 2.0 * Normal::standard().sf(t),
+            };
+            Some(Change { index, change, u, p_value })
+        };
+        let mut changes: Vec<Change> = identified.filter_map(change).collect();
+        let corrected = identify::holm(&changes.iter().map(|c| c.p_value).collect::<Vec<_>>());
+        changes.iter_mut().zip(corrected).for_each(|(c, p)| c.p_value = p);
+        changes
+    }
+
+    /// The verdict on each parameter that can be identified; those of the model that is recommended are judged in it.
+    fn verdicts(&self, all: &Identification, model: &Identification) -> Result<Vec<ParameterVerdict>> {
+        let (of_all, of_model) = (self.changes(all), self.changes(model));
+        let settings = self.settings(|i| all.status[i] == Status::Identified);
+        // of the first cut alone: every pose is left out once
+        let mut folds = Vec::new();
+        for fold in &self.folds[..self.folds.len() / repeats(self.poses)] {
+            let used: Vec<_> = self.observations.iter().filter(|o| !fold.contains(&o.pose)).cloned().collect();
+            folds.push(self.identify(&used, &settings)?);
+        }
+        let verdict = |c: &Change| {
+            let p = &self.robot.parameters()[c.index];
+            let judged = of_model.iter().find(|m| m.index == c.index).unwrap_or(c);
+            let in_model = model.status[c.index] == Status::Identified;
+            let values: Vec<f64> = folds.iter().map(|found| found.values[c.index]).collect();
+            let mean = values.iter().sum::<f64>() / values.len() as f64;
+            let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (values.len() - 1) as f64;
+            // two folds share all but two parts of their poses: their values differ by less than independent ones
+            let u_fold = judged.u * ((values.len() as f64) / (values.len() as f64 - 1.0)).sqrt();
+            ParameterVerdict {
+                name: p.name.clone(),
+                unit: p.quantity.unit().to_owned(),
+                effect: effect_name(self.effects[c.index]),
+                change: p.quantity.outward(judged.change),
+                change_over_u: (judged.change / judged.u).abs(),
+                p_value: judged.p_value,
+                fold_sd_over_u: variance.sqrt() / u_fold,
+                verdict: if in_model && judged.p_value < SIGNIFICANCE { LoadVerdict::Load } else { LoadVerdict::Hold },
+            }
+        };
+        Ok(of_all.iter().map(verdict).collect())
+    }
+}
+
+/// A change from nominal (mm, rad, 1).
+struct Change {
+    index: usize,
+    change: f64,
+    u: f64,
+    p_value: f64,
+}
+
+/// All effects, the plainer first.
+const ALL: [Effect; 5] = [Effect::Zeros, Effect::Geometry, Effect::Gains, Effect::Coupling, Effect::Bending];
+
+fn effect_name(effect: Option<Effect>) -> EffectName {
+    match effect {
+        Some(Effect::Zeros) => EffectName::Zeros,
+        Some(Effect::Gains) => EffectName::Gains,
+        Some(Effect::Coupling) => EffectName::Coupling,
+        Some(Effect::Bending) => EffectName::Bending,
+        Some(Effect::Geometry) | None => EffectName::Geometry,
+    }
+}
+
+impl Tried {
+    fn mean_square(&self) -> f64 {
+        self.left_out.values().sum::<f64>() / self.left_out.len() as f64
+    }
+
+    /// By how much the mean square at poses that were left out is smaller than `before`, and its standard uncertainty, from the poses.
+    fn gain(&self, before: &Self) -> [f64; 2] {
+        let of = |(pose, squared): (&PoseName, &f64)| before.left_out.get(pose).map_or(0.0, |b| b - squared);
+        let gains: Vec<f64> = self.left_out.iter().map(of).collect();
+        let n = gains.len() as f64;
+        let mean = gains.iter().sum::<f64>() / n;
+        let variance = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / (n - 1.0);
+        [mean, (variance / n).sqrt()]
+    }
+
+    /// F of what this explains more, and its p value.
+    fn f_test(&self, before: &Self) -> Option<[f64; 2]> {
+        let squares = |found: &Identification| {
+            let n = found.degrees_of_freedom + found.free.len();
+            found.chi_square.unwrap_or(found.rms.powi(2) * n as f64)
+        };
+        let more = self.found.free.len().checked_sub(before.found.free.len()).filter(|k| *k > 0)? as f64;
+        let dof = self.found.degrees_of_freedom as f64;
+        let f = (squares(&before.found) - squares(&self.found)) / more / (squares(&self.found) / dof);
+        let p = FisherSnedecor::new(more, dof).ok()?.sf(f.max(0.0));
+        Some([f, p])
+    }
+
+    fn improves(&self, before: &Self) -> bool {
+        let [gain, u] = self.gain(before);
+        gain > u && self.f_test(before).is_some_and(|[_, p]| p < SIGNIFICANCE)
+    }
+
+    fn step(&self, effect: Option<Effect>, before: Option<&Self>, accepted: bool) -> EffectStep {
+        let test = before.and_then(|before| self.f_test(before));
+        let gain = before.map(|before| self.gain(before));
+        EffectStep {
+            effect: effect.map(|effect| effect_name(Some(effect))),
+            identified: self.found.free.len(),
+            rms_mm: self.found.rms,
+            f: test.map(|t| t[0]),
+            p_value: test.map(|t| t[1]),
+            held_out_rms_mm: self.mean_square().sqrt(),
+            gain_over_u: gain.map(|[gain, u]| gain / u).filter(|v| v.is_finite()),
+            accepted,
+        }
+    }
+
+    fn statistics(&self) -> Statistics {
+        summarise(self.left_out.values().map(|squared| squared.sqrt()).collect())
+    }
+}
+
+/// The recommendation in sentences.
+fn meaning(chosen: &[Effect], parameters: &[ParameterVerdict], errors: &HeldOutErrors) -> Vec<String> {
+    let word = |effect: &Effect| match effect {
+        Effect::Zeros => "zeros of the joints",
+        Effect::Geometry => "geometry",
+        Effect::Gains => "gains",
+        Effect::Coupling => "coupling",
+        Effect::Bending => "bending",
+    };
+    let words: Vec<&str> = chosen.iter().map(word).collect();
+    let load = parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count();
+    let first = match words[..] {
+        [] => "no effect makes poses better that were left out: load nothing".to_owned(),
+        _ => format!("identify {}: each makes poses better that were left out", words.join(", ")),
+    };
+    let rms = |s: &Statistics| format!("{:.4}", s.rms);
+    vec![
+        first,
+        format!("load {load} of {}: their change from nominal is proven", count(parameters.len(), "parameter")),
+        format!(
+            "error at poses that were left out (root mean square): {} mm with nominal parameters, {} mm with all, {} mm with those recommended",
+            rms(&errors.none),
+            rms(&errors.all),
+            rms(&errors.recommended)
+        ),
+    ]
+}

@@ -1,0 +1,25 @@
+//! What is recommended for a real robot, by poses that were left out.
+
+use crate::support::scratch::copy_sample;
+use etalon::campaign::Campaign;
+use etalon::document::{EffectName, LoadVerdict};
+use etalon::run::validation::recommend;
+
+#[test]
+fn bending_and_coupling_of_the_irb120_are_recommended() {
+    if crate::reference_data("robots/irb120_faro_ets").is_none() {
+        return;
+    }
+    let folder = copy_sample("abb-irb120");
+    let answer = recommend(&Campaign::read(&folder.path()).unwrap()).unwrap();
+    let accepted: Vec<EffectName> = answer.steps.iter().filter(|s| s.accepted).filter_map(|s| s.effect).collect();
+    println!("{}", answer.meaning.join("\n"));
+    assert!(accepted.contains(&EffectName::Bending) && accepted.contains(&EffectName::Coupling), "{accepted:?}");
+    let load: Vec<&str> =
+        answer.parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).map(|p| p.name.as_str()).collect();
+    println!("{} of {}: {}", load.len(), answer.parameters.len(), load.join(", "));
+    assert!(load.iter().any(|name| name.starts_with("compliance_")), "{load:?}");
+    let errors = answer.held_out;
+    // the choice costs nothing at poses that it has not seen
+    assert!(errors.recommended.rms < 1.05 * errors.all.rms && errors.all.rms < 0.15 * errors.none.rms, "{errors:?}");
+}
