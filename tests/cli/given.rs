@@ -203,7 +203,9 @@ fn a_recommendation_loads_what_is_proven_and_nothing_else() {
     let refused = etalon(&folder.path(), &["recommend", ".", "--write", "robot.toml"]);
     assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("is there already"));
     // a table as drawn: nothing is invented
-    for (from, to) in [("gamma = 0.0828", "gamma = 0.0"), ("d3 = 0.8528", "d3 = 0.0"), ("delta = 0.9992", "delta = 1.0")] {
+    for (from, to) in
+        [("gamma = 0.0828", "gamma = 0.0"), ("d3 = 0.8528", "d3 = 0.0"), ("delta = 0.9992", "delta = 1.0")]
+    {
         folder.replace("truth.toml", from, to);
     }
     assert_eq!(code(&etalon(&folder.path(), &["simulate", "."])), Some(0));
