@@ -7,10 +7,13 @@ mod c_header;
 mod code;
 pub mod commands;
 mod csv;
+mod delta;
+mod hexapod_hal;
 mod json;
 mod linuxcnc;
 mod matlab;
 mod python;
+mod reprap_five_bar;
 mod targets;
 #[cfg(test)]
 mod tests;
@@ -163,7 +166,7 @@ impl<'a> Given<'a> {
 }
 
 /// Formats of all robots come first: those that are written where none is named.
-const EXPORTERS: [(&str, &dyn Exporter); 11] = [
+const EXPORTERS: [(&str, &dyn Exporter); 16] = [
     ("json", &json::Json),
     ("csv", &csv::Csv),
     ("c-header", &c_header::CHeader),
@@ -172,6 +175,11 @@ const EXPORTERS: [(&str, &dyn Exporter); 11] = [
     ("urdf", &urdf::Urdf),
     ("universal-robots", &universal_robots::UniversalRobots),
     ("linuxcnc", &linuxcnc::LinuxCnc),
+    ("linuxcnc-hexapod", &hexapod_hal::HexapodHal),
+    ("linuxcnc-delta", &delta::DeltaHal),
+    ("klipper-delta", &delta::Klipper),
+    ("reprap-delta", &delta::RepRapDelta),
+    ("reprap-five-bar", &reprap_five_bar::RepRapFiveBar),
     ("c-kinematics", &code::C99),
     ("python-kinematics", &code::PythonCode),
     ("structured-text", &code::StructuredText),
@@ -196,6 +204,12 @@ pub fn file_names() -> impl Iterator<Item = &'static str> {
 /// Names of all formats.
 pub fn names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|(name, _)| *name)
+}
+
+/// Value of a parameter of a robot by its name.
+fn value(robot: &dyn Robot, values: &[f64], name: &str) -> Result<f64> {
+    let index = robot.index(name).ok_or_else(|| Message::error(format!("the robot has no parameter `{name}`")))?;
+    Ok(values[index])
 }
 
 /// The status as the documents spell it.

@@ -9,6 +9,7 @@ mod geometric_campaign;
 mod joins;
 mod mixed;
 mod own_formats;
+mod platform_controllers;
 mod pose_names;
 mod repeatability;
 mod standstills;

@@ -102,17 +102,14 @@ fn thirds() -> [f64; 3] {
 }
 
 /// A robot of three equal legs; `lengths` must be positive.
-fn build<L: Legs>(
+fn build<L: Legs + 'static>(
     legs: L,
     nominal: &[f64],
     limits: [Option<[f64; 2]>; 3],
     lengths: &[(&str, f64)],
     targets: &[String],
     source: &dyn Source,
-) -> Result<Box<dyn Robot>>
-where
-    L: 'static,
-{
+) -> Result<Box<dyn Robot>> {
     let mut problems = wrong_targets(targets);
     for (key, _) in lengths.iter().filter(|(_, length)| !(*length > 0.0 && length.is_finite())) {
         problems.0.push(Message::error(format!("`{key}` must be positive")).at(source.place(&[key])));

@@ -257,9 +257,9 @@ impl<L: Legs> Robot for Parallel<L> {
         for (k, out) in out.chunks_exact_mut(3 * n).enumerate() {
             let (place, on_platform) = (self.target_place(k), self.on_platform(parameters, k));
             let from_base = base.rotate(platform.apply(on_platform));
-            for i in 0..3 {
+            for (i, axis) in axes.into_iter().enumerate() {
                 write(out, n, i, Pose::identity().axis(i));
-                write(out, n, 3 + i, cross(axes[i], from_base));
+                write(out, n, 3 + i, cross(axis, from_base));
                 write(out, n, place + i, flange.axis(i));
             }
             for (j, twist) in twists.by_parameters.iter().enumerate() {
