@@ -143,6 +143,10 @@ pub struct ObservationsDefinition {
     /// The table: CSV with a header.
     #[schemars(with = "String")]
     pub file: Spanned<String>,
+    /// Order in which the three angles of an orientation (columns `a_deg`, `b_deg`, `c_deg`) turn: about the axes of the body, one after the other,
+    /// or `fixed`, about those of the world.
+    #[schemars(with = "Option<String>")]
+    pub orientation: Option<Spanned<String>>,
 }
 
 impl Instrument {

@@ -13,7 +13,7 @@ use crate::math::robots::Robot;
 use crate::report::Faces;
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::exclusions::{Exclusion, exclude, excluded_rows};
-use crate::stages::kinds::{self, Observed, Uncertainties};
+use crate::stages::kinds::{self, Observed, Stated};
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
@@ -42,6 +42,9 @@ pub struct Identify {
     /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, where the table has no `urot_deg`
     #[arg(long, value_name = "DEG")]
     rotation_uncertainty_deg: Option<f64>,
+    /// Order of the three angles `a_deg`, `b_deg`, `c_deg` of an orientation: "zyx" (about the axes of the body, one after the other), "fixed xyz" ..
+    #[arg(long, value_name = "ORDER")]
+    orientation: Option<String>,
     /// Compare poses as in eq. 3.26 instead of targets (planar robots)
     #[arg(long)]
     pose_residuals: bool,
@@ -85,9 +88,15 @@ impl Identify {
             hold: self.hold.clone(),
             ..Settings::default()
         };
-        let without = Uncertainties {
+        let without = Stated {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
+            order: self
+                .orientation
+                .as_deref()
+                .map(str::parse)
+                .transpose()
+                .map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))?,
         };
         let Observed { mut observations, mut settings } =
             kinds::observed(robot.as_mut(), &observed.table, without, settings, &mut messages).map_err(here)?;

@@ -10,7 +10,8 @@ use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::Joined;
-use crate::stages::kinds::{self, Observed, Uncertainties};
+use crate::stages::kinds::{self, Observed, Stated};
+use crate::stages::orientations::AngleOrder;
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
@@ -141,9 +142,10 @@ fn observed(
     messages: &mut Vec<Message>,
 ) -> Result<Observed> {
     let settings = campaign.settings(stated);
-    let without = Uncertainties {
+    let without = Stated {
         length_mm: settings.standard_uncertainty_mm,
         rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
+        order: angle_order(campaign)?,
     };
     let found = kinds::observed(robot, table, without, settings, messages);
     let place = |problems: Problems| match &campaign.file.observations {
@@ -151,6 +153,13 @@ fn observed(
         None => problems,
     };
     found.map_err(place)
+}
+
+/// The order of angles that the campaign states.
+fn angle_order(campaign: &Campaign) -> Result<Option<AngleOrder>> {
+    let Some(text) = campaign.file.observations.as_ref().and_then(|o| o.orientation.as_ref()) else { return Ok(None) };
+    let order = text.get_ref().parse().map_err(|message: Message| message.at(campaign.place(text)))?;
+    Ok(Some(order))
 }
 
 /// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is

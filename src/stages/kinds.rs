@@ -3,25 +3,36 @@
 //! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
 
 use crate::base::message::{Message, Place, Problems, Result, count};
-use crate::base::pose::{Pose, Vector};
+use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use crate::base::table;
 use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Settings, Surface, joint_column};
 use crate::math::robots::{Joint, Quantity, Robot};
+use crate::stages::orientations::{AngleOrder, Orientations, unstated};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 
 /// Kinds of rows.
 const KINDS: [&str; 8] = ["point", "pose", "distance", "contact", "plane", "line", "sphere", "joints"];
-/// Columns of an orientation: the quaternion that turns vectors of the body to the world.
-const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 /// Columns of all kinds beside those of positions.
-pub const COLUMNS: [&str; 18] = [
+pub const COLUMNS: [&str; 30] = [
     "kind",
     "qw",
     "qx",
     "qy",
     "qz",
+    "rx_deg",
+    "ry_deg",
+    "rz_deg",
+    "rx_rad",
+    "ry_rad",
+    "rz_rad",
+    "a_deg",
+    "b_deg",
+    "c_deg",
+    "a_rad",
+    "b_rad",
+    "c_rad",
     "socket",
     "other",
     "plane",
@@ -36,18 +47,18 @@ pub const COLUMNS: [&str; 18] = [
     "u_mm",
     "urot_deg",
 ];
-/// How far a quaternion of a measurement may be from length one: it has a few decimals.
-const LENGTH_ONE: f64 = 1e-3;
 /// Axes of the world.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Standard uncertainties of rows that state none.
+/// What is stated of all rows: standard uncertainties of those that have none, and the order of angles.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Uncertainties {
+pub struct Stated {
     /// Of a coordinate, a distance, a contact, mm.
     pub length_mm: Option<f64>,
     /// Of a rotation about any axis, rad.
     pub rotation_rad: Option<f64>,
+    /// The order of three angles of an orientation.
+    pub order: Option<AngleOrder>,
 }
 
 /// What was observed, and what is identified from it.
@@ -107,24 +118,28 @@ fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
 pub fn observed(
     robot: &mut dyn Robot,
     observations: &DataFrame,
-    without: Uncertainties,
+    without: Stated,
     mut settings: Settings,
     messages: &mut Vec<Message>,
 ) -> Result<Observed> {
     let of_kinds = |name: &str| observations.column(name).is_ok();
     if !partial_rows(robot, observations)?.contains(&true)
         && !of_kinds("kind")
-        && !QUATERNION.into_iter().any(of_kinds)
+        && !Orientations::are_in(observations)
         && !fixed_rows(observations)?.contains(&true)
     {
         return Ok(Observed { observations: Observation::from_table(robot, observations, messages)?, settings });
     }
     let rows = Rows::new(robot, observations, without)?;
     let mut problems = Problems::default();
+    let mut angles = Vec::new();
     for row in 0..observations.height() {
+        let before = settings.conditions.len();
         if let Err(more) = rows.condition(row, robot, &mut settings) {
             problems.0.extend(more.at(&rows.place(row)).0);
         }
+        let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
+        angles.extend(added.filter_map(|_| rows.orientations.angles(row)));
     }
     problems.check()?;
     let names = robot.parameters();
@@ -148,6 +163,9 @@ pub fn observed(
         true => Observation::from_table(robot, &observations.filter(&has_position)?, messages)?,
         false => Vec::new(),
     };
+    if !angles.is_empty() && without.order.is_none() {
+        return Err(unstated(robot, &observations, &settings, &angles).at(header()).into());
+    }
     Ok(Observed { observations, settings })
 }
 
@@ -161,7 +179,7 @@ struct Rows {
     targets: Vec<String>,
     robot_targets: Vec<String>,
     xyz: Vec<Vector>,
-    quaternions: Option<Vec<[f64; 4]>>,
+    orientations: Orientations,
     joints: Vec<Vec<f64>>,
     sockets: Vec<String>,
     others: Vec<String>,
@@ -179,11 +197,11 @@ struct Rows {
     partial: Vec<bool>,
     u_rotation_rad: Vec<f64>,
     lines: Vec<i64>,
-    without: Uncertainties,
+    without: Stated,
 }
 
 impl Rows {
-    fn new(robot: &dyn Robot, observations: &DataFrame, without: Uncertainties) -> Result<Self> {
+    fn new(robot: &dyn Robot, observations: &DataFrame, without: Stated) -> Result<Self> {
         let height = observations.height();
         let has = |name: &str| observations.column(name).is_ok();
         let numbers = |name: &str, default: f64| match has(name) {
@@ -193,21 +211,6 @@ impl Rows {
         let texts = |name: &str| match has(name) {
             true => table::texts(observations, name),
             false => Ok(vec![String::new(); height]),
-        };
-        let given = QUATERNION.iter().filter(|name| has(name)).count();
-        if !matches!(given, 0 | 4) {
-            let missing: Vec<&str> = QUATERNION.into_iter().filter(|name| !has(name)).collect();
-            let message = Message::error(format!("an orientation lacks {}", missing.join(", ")));
-            return Err(message.at(header()).expected("qw, qx, qy, qz: body in world").into());
-        }
-        let quaternions = match given {
-            4 => {
-                let columns = QUATERNION.map(|name| table::numbers(observations, name));
-                let [w, x, y, z] = columns;
-                let (w, x, y, z) = (w?, x?, y?, z?);
-                Some((0..height).map(|i| [w[i], x[i], y[i], z[i]]).collect())
-            }
-            _ => None,
         };
         let mut joints = Vec::new();
         for joint in robot.joints() {
@@ -231,7 +234,7 @@ impl Rows {
             targets: table::texts(observations, "target")?,
             robot_targets: robot.targets().to_vec(),
             xyz: (0..height).map(|i| [x[i], y[i], z[i]]).collect(),
-            quaternions,
+            orientations: Orientations::new(observations)?,
             joints: (0..height).map(|row| joints.iter().map(|j| j[row]).collect()).collect(),
             sockets: texts("socket")?,
             others: texts("other")?,
@@ -260,9 +263,8 @@ impl Rows {
 
     /// The kind of a row: a point with an orientation is a pose.
     fn kind(&self, row: usize) -> &str {
-        let turned = || self.quaternions.as_ref().is_some_and(|q| q[row].iter().any(|v| !v.is_nan()));
         match self.kinds[row].as_str() {
-            "" if turned() => "pose",
+            "" if self.orientations.is_given(row) => "pose",
             "" => "point",
             kind => kind,
         }
@@ -290,7 +292,7 @@ impl Rows {
         let kind = match kind {
             "pose" => {
                 let mounting = Fixture::Mounting(&self.targets[row]).add_to(robot);
-                Kind::Orientation { world_T_body: self.orientation(row)?, mounting }
+                Kind::Orientation { world_T_body: self.orientations.pose(row, self.without.order)?, mounting }
             }
             "distance" => {
                 let to = self.fixture(row, "other", &self.others, robot)?;
@@ -474,22 +476,6 @@ impl Rows {
                 .into()),
             false => Ok(()),
         }
-    }
-
-    fn orientation(&self, row: usize) -> Result<Pose> {
-        let [w, x, y, z] = self.quaternions.as_ref().map_or([f64::NAN; 4], |all| all[row]);
-        let length = (w * w + x * x + y * y + z * z).sqrt();
-        if length.is_nan() {
-            let message = Message::error("the orientation is missing or not a number");
-            return Err(message.expected("qw, qx, qy, qz: body in world").into());
-        }
-        if (length - 1.0).abs() > LENGTH_ONE {
-            return Err(Message::error(format!("the quaternion has the length {length:.4}"))
-                .expected("1: qw, qx, qy, qz, the scalar first")
-                .hint("check the columns, and that these are not angles")
-                .into());
-        }
-        Ok(Pose::from_quaternion([w, x, y, z]))
     }
 }
 

@@ -110,7 +110,8 @@ fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Mes
     let calibration = errors.iter().filter(|e| e.set == "calibration");
     let median_deg = median(calibration.filter_map(|e| e.after_deg)).filter(|deg| *deg > TURNED_DEG)?;
     let what = format!("observed orientations differ from those of the robot by {median_deg:.1} deg (median)");
-    Some(Message::error(what).hint("check that qw, qx, qy, qz turn vectors of the body to the world, the scalar first"))
+    Some(Message::error(what).hint("check that qw, qx, qy, qz turn vectors of the body to the world, the scalar first; or the order of angles: without \
+         `orientation` those that fit are named"))
 }
 
 /// A warning about validation readings that lie far from the others: their errors are in the accuracy.

@@ -113,3 +113,93 @@ fn names_of_targets_points_and_planes_do_not_meet_in_a_parameter() {
         assert!(error.contains(&format!("`{name}_z` would be the name of two parameters")), "{error}");
     }
 }
+
+/// Orientations of a probe in one form or another: the same robot, and where the order of angles is not stated, the one that fits is named.
+#[test]
+fn orientations_in_any_form_are_the_same() {
+    use crate::support::arms::{SIX_AXES, serial};
+    use etalon::base::noise::Noise;
+    use etalon::base::pose::Pose;
+    use etalon::math::robots::{FreeBase, Robot};
+    let robot = serial(&SIX_AXES, &["probe"], &[]);
+    let mut truth = robot.nominal();
+    truth[..9].copy_from_slice(&[900.0, -300.0, 150.0, 0.3, -0.2, 1.1, 40.0, -20.0, 65.0]);
+    let mut noise = Noise::new(18, 9);
+    let mounting = Pose::from_rotation_vector([0.4, -1.1, 0.7]);
+    let poses: Vec<(Vec<f64>, Pose, [f64; 3])> = (0..24)
+        .map(|_| {
+            let joints = [2.8, 1.0, 1.0, 2.6, 1.9, 3.0].map(|range| noise.uniform(range)).to_vec();
+            let body = robot
+                .flange(&truth, &joints)
+                .then(&mounting)
+                .then(&Pose::from_rotation_vector([0; 3].map(|_| noise.gaussian(1e-4))));
+            let at = robot.position(&truth, &joints, 0).map(|v| v + noise.gaussian(0.02));
+            (joints, body, at)
+        })
+        .collect();
+    let robot_toml = {
+        let joint = |[alpha, a, theta, d]: &[f64; 4]| {
+            format!("[[joint]]\nalpha_deg = {alpha}\na_mm = {a}\ntheta_deg = {theta}\nd_mm = {d}\n")
+        };
+        format!("model = \"serial\"\n{}", SIX_AXES.iter().map(joint).collect::<String>())
+    };
+    let run = |columns: &str, numbers: &dyn Fn(&Pose) -> Vec<f64>, more: &[&str]| {
+        let mut table =
+            format!("pose,cycle,target,q1_rad,q2_rad,q3_rad,q4_rad,q5_rad,q6_rad,x_mm,y_mm,z_mm,{columns}\n");
+        for (i, (joints, body, at)) in poses.iter().enumerate() {
+            let cells = joints.iter().copied().chain(*at).chain(numbers(body)).map(|v| v.to_string());
+            table += &format!("{},1,probe,{}\n", i + 1, cells.collect::<Vec<_>>().join(","));
+        }
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("robot.toml"), &robot_toml).unwrap();
+        std::fs::write(folder.path().join("o.csv"), table).unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_etalon"))
+            .current_dir(folder.path())
+            .args(["identify", "--robot", "robot.toml", "--observations", "o.csv", "--standard-uncertainty-um", "20"])
+            .args(["--rotation-uncertainty-deg", "0.0057", "--hold", "gain_*", "--hold", "a_*", "--json"])
+            .args(more)
+            .output()
+            .unwrap();
+        (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+    };
+    let values = |(code, answer, error): (Option<i32>, String, String)| -> Vec<f64> {
+        assert_eq!(code, Some(0), "{error}");
+        let document: serde_json::Value = serde_json::from_str(&answer).unwrap();
+        document["parameters"].as_array().unwrap().iter().map(|p| p["value"].as_f64().unwrap()).collect()
+    };
+    // roll, pitch, yaw: about x, y, z of the world in this order
+    let rpy = |body: &Pose| body.rpy_rad().map(f64::to_degrees).to_vec();
+    let zyz = |body: &Pose| {
+        let r = body.rotation;
+        vec![r[1][2].atan2(r[0][2]), r[2][2].acos(), r[2][1].atan2(-r[2][0])]
+    };
+    let expected = values(run("qw,qx,qy,qz", &|body| body.quaternion().to_vec(), &[]));
+    for (columns, numbers, order) in [
+        (
+            "rx_rad,ry_rad,rz_rad",
+            &(|body: &Pose| body.rotation_vector_rad().to_vec()) as &dyn Fn(&Pose) -> Vec<f64>,
+            None,
+        ),
+        ("a_deg,b_deg,c_deg", &rpy, Some("fixed xyz")),
+        ("c_deg,b_deg,a_deg", &rpy, Some("zyx")),
+        ("a_rad,b_rad,c_rad", &zyz, Some("zyz")),
+    ] {
+        let stated: Vec<&str> = order.into_iter().flat_map(|order| ["--orientation", order]).collect();
+        let found = values(run(columns, numbers, &stated));
+        for (a, b) in found.iter().zip(&expected) {
+            assert!((a - b).abs() < 1e-6, "{columns} {order:?}: {a} {b}");
+        }
+        let Some(order) = order else { continue };
+        let (code, _, error) = run(columns, numbers, &[]);
+        assert_eq!(code, Some(2), "{error}");
+        let named = ["the order of the angles is not stated", "o.csv:1", &format!("`{order}` leaves 0.0")];
+        named.iter().for_each(|part| assert!(error.contains(part), "{order} lacks {part:?}: {error}"));
+        assert!(!error.contains("`yzx`") && !error.contains("`xyx`"), "{error}");
+    }
+    let (code, _, error) = run("a_deg,b_deg,c_deg", &rpy, &["--orientation", "xyz"]);
+    assert!(matches!(code, Some(1 | 2)) && error.contains("orientation"), "{code:?} {error}");
+    let (code, _, error) = run("a_deg,b_deg,c_deg", &rpy, &["--orientation", "rpy"]);
+    assert!(code == Some(2) && error.contains("`rpy` is not an order of three angles"), "{error}");
+    let (code, _, error) = run("a_deg,b_deg,c_deg,qw", &|body| [rpy(body), vec![1.0]].concat(), &[]);
+    assert!(code == Some(2) && error.contains("orientations twice"), "{error}");
+}

@@ -6,7 +6,7 @@ use super::surface::Surface;
 use super::{Observation, Settings};
 use crate::base::pose::{Pose, Vector, centroid, dot, minus};
 use crate::math::fit::rotation_onto;
-use crate::math::robots::FreeBase;
+use crate::math::robots::{FreeBase, Robot};
 use crate::math::solve::Factor;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -126,6 +126,17 @@ fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usize], values:
         let mean = Pose { rotation: rotation_onto(all.into_iter()), translation_mm: [0.0; 3] };
         values[mounting..mounting + 3].copy_from_slice(&mean.rotation_vector_rad());
     }
+}
+
+/// Root mean square angle that observed orientations are from those of the robot with `values`, with their bodies mounted where they
+/// explain these best, rad; not a number where there are none.
+pub fn mounted_misfit_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> f64 {
+    let Some(arm) = robot.free_base() else { return f64::NAN };
+    let mut values = values.to_vec();
+    let all: Vec<usize> = (0..values.len()).collect();
+    mount(arm, conditions, &all, &mut values);
+    let squares = conditions.iter().map(|c| dot(c.error(robot, &values), c.error(robot, &values)));
+    (squares.sum::<f64>() / conditions.len() as f64).sqrt()
 }
 
 /// Points from their distances to targets: differences of squares are linear in the point.

@@ -31,6 +31,7 @@ use condition::tied_to_world;
 pub use condition::{Condition, Fixture, Kind, Known};
 pub use diagnosis::{OUTLIER, Reading, RobustFit};
 pub use effects::effects;
+pub use fixtures::mounted_misfit_rad;
 pub use frame_error::FrameError;
 pub use identifiability::{Group, RANK_TOLERANCE};
 pub use logs::{LogComparison, compare_logs};

@@ -1,0 +1,224 @@
+//! Measured orientations of a table: quaternions, rotation vectors, or three angles in a stated order.
+
+use crate::base::message::{Message, Place, Result};
+use crate::base::pose::Pose;
+use crate::base::table;
+use crate::math::identify::{Condition, Kind, Observation, Settings, fit_frames, mounted_misfit_rad};
+use crate::math::robots::Robot;
+use polars::prelude::DataFrame;
+use std::fmt;
+use std::str::FromStr;
+
+/// Columns of an orientation: the quaternion that turns vectors of the body to the world.
+pub const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
+/// The same as a rotation vector, and as angles.
+const TRIPLES: [([&str; 3], f64, bool); 4] = [
+    (["rx_deg", "ry_deg", "rz_deg"], DEG, false),
+    (["rx_rad", "ry_rad", "rz_rad"], 1.0, false),
+    (["a_deg", "b_deg", "c_deg"], DEG, true),
+    (["a_rad", "b_rad", "c_rad"], 1.0, true),
+];
+const DEG: f64 = std::f64::consts::PI / 180.0;
+/// How far a quaternion of a measurement may be from length one: it has a few decimals.
+const LENGTH_ONE: f64 = 1e-3;
+/// Orders that a message names.
+const NAMED: usize = 4;
+/// Orders whose misfit is at most this many times the least are named beside it.
+const AS_GOOD: f64 = 3.0;
+/// A misfit beyond this is none of the robot.
+const MISFIT_DEG: f64 = 10.0;
+
+/// In which order three angles turn a body, and whether about its own axes, as they are after each turn, or about those of the world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AngleOrder {
+    axes: [usize; 3],
+    fixed: bool,
+}
+
+impl AngleOrder {
+    /// All there are.
+    fn all() -> Vec<Self> {
+        let axes = (0..27).map(|k| [k / 9, k / 3 % 3, k % 3]).filter(|[a, b, c]| a != b && b != c);
+        axes.flat_map(|axes| [false, true].map(|fixed| Self { axes, fixed })).collect()
+    }
+
+    /// The orientation of a body that these angles (rad) turn.
+    fn pose(self, angles: [f64; 3]) -> Pose {
+        let turn = |pose: Pose, k: usize| match self.axes[k] {
+            0 => pose.turn_x(angles[k]),
+            1 => pose.turn_y(angles[k]),
+            _ => pose.turn_z(angles[k]),
+        };
+        // turns about fixed axes are those about moving ones in the other order
+        let order = if self.fixed { [2, 1, 0] } else { [0, 1, 2] };
+        order.into_iter().fold(Pose::identity(), turn)
+    }
+}
+
+impl FromStr for AngleOrder {
+    type Err = Message;
+
+    fn from_str(text: &str) -> std::result::Result<Self, Message> {
+        let found = Self::all().into_iter().find(|order| order.to_string() == text);
+        found.ok_or_else(|| {
+            Message::error(format!("`{text}` is not an order of three angles")).expected(
+                "\"zyx\", \"xyz\", \"zyz\" .. about the axes of the body, or \"fixed xyz\" .. about those of the world",
+            )
+        })
+    }
+}
+
+impl fmt::Display for AngleOrder {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let axes: String = self.axes.iter().map(|&axis| ["x", "y", "z"][axis]).collect();
+        write!(f, "{}{axes}", if self.fixed { "fixed " } else { "" })
+    }
+}
+
+/// The orientations of a table, row by row.
+pub struct Orientations {
+    form: Form,
+    /// Numbers of each row, of three the last is 0: rad.
+    rows: Vec<[f64; 4]>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Form {
+    None,
+    Quaternion,
+    Vector,
+    Angles,
+}
+
+impl Orientations {
+    /// Whether a table has any.
+    pub fn are_in(observations: &DataFrame) -> bool {
+        let columns = QUATERNION.into_iter().chain(TRIPLES.iter().flat_map(|t| t.0));
+        columns.into_iter().any(|name| observations.column(name).is_ok())
+    }
+
+    /// Of a table.
+    ///
+    /// # Errors
+    /// Columns that lack one, or are of two forms.
+    pub fn new(observations: &DataFrame) -> Result<Self> {
+        let has = |name: &&str| observations.column(name).is_ok();
+        let forms = [(&QUATERNION[..], 1.0, Form::Quaternion)].into_iter().chain(
+            TRIPLES
+                .iter()
+                .map(|(names, unit, angles)| (&names[..], *unit, if *angles { Form::Angles } else { Form::Vector })),
+        );
+        let mut given = forms.filter(|(names, ..)| names.iter().any(|name| has(&name)));
+        let header = || Place { line: Some(1), ..Place::default() };
+        let Some((names, unit, form)) = given.next() else {
+            return Ok(Self { form: Form::None, rows: vec![[f64::NAN; 4]; observations.height()] });
+        };
+        if let Some((others, ..)) = given.next() {
+            let what = format!("the table has orientations twice: {} and {}", names.join(", "), others.join(", "));
+            return Err(Message::error(what).at(header()).hint("leave one of them out").into());
+        }
+        let missing: Vec<&str> = names.iter().copied().filter(|name| !has(&name)).collect();
+        if !missing.is_empty() {
+            let message = Message::error(format!("an orientation lacks {}", missing.join(", ")));
+            return Err(message.at(header()).expected(format!("{}: body in world", names.join(", "))).into());
+        }
+        let mut rows = vec![[0.0; 4]; observations.height()];
+        for (k, name) in names.iter().enumerate() {
+            rows.iter_mut().zip(table::numbers(observations, name)?).for_each(|(row, v)| row[k] = v * unit);
+        }
+        Ok(Self { form, rows })
+    }
+
+    /// Whether a row has one.
+    pub fn is_given(&self, row: usize) -> bool {
+        self.rows[row].iter().any(|v| !v.is_nan()) && self.form != Form::None && !self.first_is_nan(row)
+    }
+
+    fn first_is_nan(&self, row: usize) -> bool {
+        let count = if self.form == Form::Quaternion { 4 } else { 3 };
+        self.rows[row][..count].iter().all(|v| v.is_nan())
+    }
+
+    /// The angles of a row, where it needs their order (rad).
+    pub fn angles(&self, row: usize) -> Option<[f64; 3]> {
+        let [a, b, c, _] = self.rows[row];
+        (self.form == Form::Angles).then_some([a, b, c])
+    }
+
+    /// The body in the world; angles without an order in any.
+    ///
+    /// # Errors
+    /// A number that is missing, or a quaternion that is not of length one.
+    pub fn pose(&self, row: usize, order: Option<AngleOrder>) -> Result<Pose> {
+        let [a, b, c, d] = self.rows[row];
+        if !(a + b + c + d).is_finite() {
+            let message = Message::error("the orientation is missing or not a number");
+            return Err(message
+                .expected("qw, qx, qy, qz: body in world; or a rotation vector, or three angles")
+                .into());
+        }
+        let any = AngleOrder { axes: [2, 1, 0], fixed: false };
+        let length = (a * a + b * b + c * c + d * d).sqrt();
+        match self.form {
+            Form::Vector => Ok(Pose::from_rotation_vector([a, b, c])),
+            Form::Angles => Ok(order.unwrap_or(any).pose([a, b, c])),
+            _ if (length - 1.0).abs() > LENGTH_ONE => {
+                Err(Message::error(format!("the quaternion has the length {length:.4}"))
+                    .expected("1: qw, qx, qy, qz, the scalar first")
+                    .hint("check the columns, and that these are not angles")
+                    .into())
+            }
+            _ => Ok(Pose::from_quaternion([a, b, c, d])),
+        }
+    }
+}
+
+/// The error about angles whose order is not stated, with those that fit the nominal robot where positions place it: `angles` are those of the
+/// orientations among the conditions of `settings`, in their order.
+pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Settings, angles: &[[f64; 3]]) -> Message {
+    let message = Message::error("the order of the angles is not stated");
+    let state = "state `orientation = \"zyx\"` in [observations], or --orientation";
+    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
+    let positions = Settings { conditions: Vec::new(), known: Vec::new(), ..settings.clone() };
+    let Ok(values) = fit_frames(robot, observations, &positions) else { return message.hint(state) };
+    let misfit = |order: AngleOrder| {
+        let turned = conditions.iter().zip(angles).map(|(c, angles)| match c.kind {
+            Kind::Orientation { mounting, .. } => {
+                Condition { kind: Kind::Orientation { world_T_body: order.pose(*angles), mounting }, ..(*c).clone() }
+            }
+            _ => (*c).clone(),
+        });
+        (mounted_misfit_rad(robot, &turned.collect::<Vec<_>>(), &values).to_degrees(), order)
+    };
+    let mut all: Vec<(f64, AngleOrder)> =
+        AngleOrder::all().into_iter().map(misfit).filter(|m| m.0.is_finite()).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let Some(&(least, best)) = all.first() else { return message.hint(state) };
+    if least > MISFIT_DEG {
+        let what =
+            format!("no order of angles fits the nominal robot: `{best}` leaves {least:.1} deg (root mean square)");
+        return message.hint(format!("{what}; check that they turn the body to the world, and the joints"));
+    }
+    let fits = all.iter().take_while(|m| m.0 <= AS_GOOD * least).take(NAMED);
+    let named: Vec<String> = fits.map(|(deg, order)| format!("`{order}` leaves {deg:.3} deg")).collect();
+    message.hint(format!("{state}; of the nominal robot {} (root mean square)", named.join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn orders_are_products_of_turns() {
+        let order = |text: &str| text.parse::<AngleOrder>().unwrap();
+        let [x, y, z] = [0.3, -0.7, 1.9];
+        let turned = Pose::identity().turn_z(z).turn_y(y).turn_x(x);
+        assert_eq!(order("zyx").pose([z, y, x]), turned);
+        assert_eq!(order("fixed xyz").pose([x, y, z]), turned);
+        assert_eq!(order("zyz").pose([x, y, z]), Pose::identity().turn_z(x).turn_y(y).turn_z(z));
+        assert_eq!(AngleOrder::all().len(), 24);
+        for wrong in ["xxz", "zy", "ZYX ", "rpy"] {
+            assert!(wrong.parse::<AngleOrder>().is_err(), "{wrong}");
+        }
+    }
+}
