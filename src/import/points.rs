@@ -5,12 +5,13 @@ use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use crate::base::table::pose_column;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
+use std::sync::Arc;
 
 /// A row of an export. A reader fills in what the row states; what the campaign states of the export comes after.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// File, as the campaign names it.
-    pub export: String,
+    pub export: Arc<str>,
     /// Number among the data rows of its export, from 1, refused ones counted.
     pub row: i64,
     /// Line of the file, from 1.
@@ -30,9 +31,9 @@ pub struct Point {
     /// Place; no numbers where one of them does not read.
     pub xyz_mm: Vector,
     /// Of x, y and z, where the file states it.
-    pub standard_uncertainty_mm: Option<Vector>,
+    pub standard_uncertainty_mm: Option<Box<Vector>>,
     /// Direction of surface or probe, of length 1, where the file states it.
-    pub direction: Option<Vector>,
+    pub direction: Option<Box<Vector>>,
     /// The rule that refuses it.
     pub refused: Option<String>,
 }
@@ -64,11 +65,11 @@ pub fn table(points: &[Point]) -> Result<DataFrame> {
     ];
     // few files state these
     if p.iter().any(|p| p.standard_uncertainty_mm.is_some()) {
-        let of = |axis: usize| move |p: &Point| p.standard_uncertainty_mm.map(|u| u[axis]);
+        let of = |axis: usize| move |p: &Point| p.standard_uncertainty_mm.as_ref().map(|u| u[axis]);
         columns.extend([real("ux_mm", &of(0)), real("uy_mm", &of(1)), real("uz_mm", &of(2))]);
     }
     if p.iter().any(|p| p.direction.is_some()) {
-        let of = |axis: usize| move |p: &Point| p.direction.map(|d| d[axis]);
+        let of = |axis: usize| move |p: &Point| p.direction.as_ref().map(|d| d[axis]);
         columns.extend([real("i", &of(0)), real("j", &of(1)), real("k", &of(2))]);
     }
     Ok(DataFrame::new(p.len(), columns)?)

@@ -48,10 +48,10 @@ pub fn check(campaign: &Campaign) -> Result<Prepared> {
 pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
     let mut found = find(campaign);
     // what reads, and what has a coordinate that does not
-    let (points, unreadable): (Vec<Point>, Vec<Point>) =
-        std::mem::take(&mut found.gathered.points).into_iter().partition(|p| p.xyz_mm.iter().all(|v| v.is_finite()));
+    let reads = |p: &Point| p.xyz_mm.iter().all(|v| v.is_finite());
+    let unreadable: Vec<Point> = found.gathered.points.iter().filter(|p| !reads(p)).cloned().collect();
     // what is joined has none of those
-    found.gathered.points = points;
+    found.gathered.points.retain(reads);
     let points = &found.gathered.points;
     let unread = &campaign.unread;
     if unread.affects(&["export"]) {

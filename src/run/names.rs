@@ -170,7 +170,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
 fn other_form(campaign: &Campaign, export: &Export, imported: &Gathered) -> Option<Message> {
     let form = export.label.as_ref()?;
     let pattern = import::LabelPattern::parse(form.get_ref()).ok()?;
-    let own = || imported.points.iter().filter(|p| p.export == *export.file.get_ref());
+    let own = || imported.points.iter().filter(|p| *p.export == **export.file.get_ref());
     let first = &own().next()?.label;
     if own().any(|p| p.pose.is_some() || pattern.read(&p.label, |_| false).is_some()) {
         return None;

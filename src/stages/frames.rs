@@ -205,8 +205,10 @@ fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, no
             continue;
         }
         for axis in 0..3 {
-            let (at, u_mm) =
-                (points[i].xyz_mm[axis], points[i].standard_uncertainty_mm.map_or(instrument_mm, |u| u[axis]));
+            let (at, u_mm) = (
+                points[i].xyz_mm[axis],
+                points[i].standard_uncertainty_mm.as_deref().map_or(instrument_mm, |u| u[axis]),
+            );
             let mut moved = |by: f64| {
                 points[i].xyz_mm[axis] = at + by;
                 let features = elements(&campaign, &points)?;

@@ -36,7 +36,7 @@ pub const COLUMNS: [&str; 30] = [
     "socket",
     "other",
     "plane",
-    "line",
+    LINE,
     "sphere",
     "axis",
     "joint",
@@ -47,6 +47,8 @@ pub const COLUMNS: [&str; 30] = [
     "u_mm",
     "urot_deg",
 ];
+/// Column of the name of a line: `line` are the lines of the file.
+const LINE: &str = "line_name";
 /// Axes of the world.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -238,7 +240,7 @@ impl Rows {
             joints: (0..height).map(|row| joints.iter().map(|j| j[row]).collect()).collect(),
             sockets: texts("socket")?,
             others: texts("other")?,
-            surfaces: [texts("plane")?, texts("line")?, texts("sphere")?],
+            surfaces: [texts("plane")?, texts(LINE)?, texts("sphere")?],
             axes: texts("axis")?,
             joint_names: texts("joint")?,
             robot_joints: robot.joints().to_vec(),
@@ -404,8 +406,10 @@ impl Rows {
             let (first, radius) = (Fixture::Point(name).add_to(robot), Fixture::Radius(name).add_to(robot));
             return Ok((Surface::Sphere, [first, first + 1, first + 2, radius]));
         }
-        let name = named(kind, &(if kind == "plane" { planes } else { lines })[row])?;
-        self.is_fixed_name(name)?;
+        let name = match kind {
+            "plane" => named(kind, &planes[row])?,
+            _ => named(LINE, &lines[row])?,
+        };
         let axis = AXES.iter().position(|axis| *axis == self.axes[row]).ok_or_else(|| match kind {
             "plane" => {
                 Message::error(format!("the plane `{name}` needs the axis of the world that is nearest to its normal"))

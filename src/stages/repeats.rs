@@ -126,7 +126,7 @@ pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Ve
         };
         let spoilt = !most && all.len() > 2 && worst > SPOILS * u_mm;
         let message = if spoilt { Message::error(what) } else { Message::warning(what) };
-        let message = message.at(Place::line(&away[0].export, away[0].line, &away[0].text));
+        let message = message.at(Place::line(&*away[0].export, away[0].line, &away[0].text));
         messages.push(message.hint(hint));
     }
     messages

@@ -415,7 +415,7 @@ joint = [
 const HEADER: &str = "kind,pose,cycle,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,distance_mm,other,socket,\
                       plane,axis,offset_mm,u_mm,urot_deg";
 /// Columns of further kinds.
-const MORE: &str = "line,sphere,joint,value_deg";
+const MORE: &str = "line_name,sphere,joint,value_deg";
 
 impl Campaign {
     /// The campaign as a table of observations; what is not stated is empty.
@@ -471,7 +471,7 @@ impl Campaign {
                     };
                     vec![
                         ("kind", kind.to_owned()),
-                        (kind, fixture(unknowns[0]).to_owned()),
+                        (if kind == "line" { "line_name" } else { kind }, fixture(unknowns[0]).to_owned()),
                         ("axis", axis.to_owned()),
                         ("offset_mm", if kind == "line" { String::new() } else { offset_mm.to_string() }),
                     ]

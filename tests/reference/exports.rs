@@ -211,7 +211,7 @@ fn plates_are_drilled_where_the_published_fit_says() {
 fn a_plate_of_25_4_mm_is_read_in_mm_with_its_normals() {
     let Some(folder) = reference("exports/xyzijk_cmm_plain") else { return };
     let all = points(&folder, "fixture.xyz", "\"xyzijk\"");
-    assert!(all.iter().all(|p| p.direction.is_some_and(|d| d[2] > 0.999)));
+    assert!(all.iter().all(|p| p.direction.as_ref().is_some_and(|d| d[2] > 0.999)));
     let mut x: Vec<f64> = all.iter().map(|p| p.xyz_mm[0]).collect();
     x.sort_by(f64::total_cmp);
     // eleven columns of eleven points
@@ -226,8 +226,8 @@ fn leica_rows_of_both_kinds_become_points() {
     // the first row is spherical: the distance is its third number, all others are Cartesian as they stand
     let distance = etalon::base::pose::norm(all[0].xyz_mm);
     assert!((distance - 9928.352440561106).abs() < 1e-8, "{distance}");
-    let u = all[0].standard_uncertainty_mm.unwrap();
-    let total = etalon::base::pose::norm(u);
+    let u = all[0].standard_uncertainty_mm.as_deref().unwrap();
+    let total = etalon::base::pose::norm(*u);
     // stdTotal of the file is 0.0204
     assert!((total - 0.02043).abs() < 0.0003, "{u:?}");
     assert_eq!(all[1].label, "MDUp");

@@ -129,7 +129,9 @@ pub(crate) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) 
         }
     };
     let reader = Reader { file, dialect, unit, roles };
-    let points: Vec<Point> = rows.iter().filter_map(|row| reader.point(row, &mut problems)).collect();
+    // each row goes as its point comes: exports have millions
+    let mut points = Vec::with_capacity(rows.len());
+    points.extend(rows.into_iter().filter_map(|row| reader.point(&row, &mut problems)));
     problems.0.extend(reader.looks_spherical(&points));
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     (points, problems)
@@ -301,11 +303,11 @@ impl Reader<'_> {
         let uncertain: Vec<f64> =
             uncertain.iter().zip(&coordinates).map(|((_, u), (of, _))| u * self.factor(*of)).collect();
         let (place, spread) = cartesian(&coordinates, Some(&uncertain[..]).filter(|u| !u.is_empty()));
-        (point.xyz_mm, point.standard_uncertainty_mm) = (place, spread);
+        (point.xyz_mm, point.standard_uncertainty_mm) = (place, spread.map(Box::new));
         direction.sort_by_key(|(role, _)| *role as usize);
         if let [(_, i), (_, j), (_, k)] = direction[..] {
             match unit_vector([i, j, k]) {
-                Ok(direction) => point.direction = Some(direction),
+                Ok(direction) => point.direction = Some(Box::new(direction)),
                 Err(message) => problems.0.push(message.at(line())),
             }
         }

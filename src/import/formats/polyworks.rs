@@ -39,7 +39,7 @@ impl ExportFormat for Polyworks {
 /// Points of a PolyWorks text, and what does not read; directions are not read.
 fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
     let (rows, mut problems) = split(file, text, &columns_in(Delimiter::Blank, &[]));
-    let mut points = Vec::new();
+    let mut points = Vec::with_capacity(rows.len());
     for row in rows {
         let named = match row.fields.len() {
             3 | 6 => 0,

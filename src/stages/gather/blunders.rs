@@ -68,8 +68,8 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
             };
             let target = point.target.as_deref().unwrap_or("");
             let what = format!("row {}: `{target}` is refused: {reason}", point.row);
-            problems.0.push(Message::warning(what).at(Place::line(&point.export, point.line, &point.text)));
-            if let Some(source) = sources.iter_mut().find(|s| s.file == point.export) {
+            problems.0.push(Message::warning(what).at(Place::line(&*point.export, point.line, &point.text)));
+            if let Some(source) = sources.iter_mut().find(|s| s.file == *point.export) {
                 source.refused.push(Refused { line: point.line, text: point.text.clone(), reason });
                 source.refused.sort_by_key(|r| r.line);
             }
@@ -133,7 +133,7 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
     let mut measured = BTreeSet::new();
     for (i, point) in points.iter().enumerate() {
         let Some(k) = point.target.as_deref().and_then(|t| names.iter().position(|n| *n == t)) else { continue };
-        let at = || Place::line(&point.export, point.line, &point.text);
+        let at = || Place::line(&*point.export, point.line, &point.text);
         let key = Together::of(point).ok_or_else(|| {
             let what = format!("[[rigid]] names `{}`, and its row has neither pose nor time", names[k]);
             Message::error(what).at(at()).hint("name the pose in label or columns, or take the target out of [[rigid]]")

@@ -25,7 +25,7 @@ pub(super) fn leave_out(
                 continue;
             }
         };
-        let of_file = columns.points.iter().filter(|point| point.export == *file);
+        let of_file = columns.points.iter().filter(|point| *point.export == **file);
         if of_file.clone().next().is_none() {
             let names = campaign.file.exports.iter().map(|export| export.file.get_ref().as_str());
             problems.0.push(wrong(format!("`{file}` is not an export with rows to exclude")).hint_names(file, names));
@@ -40,13 +40,14 @@ pub(super) fn leave_out(
         };
         let reason = format!("excluded: {}", rule.reason);
         if let Some(source) = sources.iter_mut().find(|source| source.file == *file && source.kind == "export") {
-            let left_out = columns.points.iter().filter(|point| point.export == *file && excluded.contains(&point.row));
+            let left_out =
+                columns.points.iter().filter(|point| *point.export == **file && excluded.contains(&point.row));
             let refused =
                 |p: &crate::import::Point| Refused { line: p.line, text: p.text.clone(), reason: reason.clone() };
             source.refused.extend(left_out.map(refused));
             source.refused.sort_by_key(|refused| refused.line);
         }
-        columns.points.retain(|point| point.export != *file || !excluded.contains(&point.row));
+        columns.points.retain(|point| *point.export != **file || !excluded.contains(&point.row));
         let what = format!("excluded: {} of `{file}`, rows {rows}: {}", count(excluded.len(), "row"), rule.reason);
         problems.0.push(Message::warning(what));
     }

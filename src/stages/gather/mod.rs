@@ -165,7 +165,7 @@ fn other_spelling(points: &[Point], logs: &[JointLog]) -> Option<Message> {
     let names = points.iter().map(|point| point.pose).chain(logged().map(|(_, row)| row.pose));
     let (message, at) = two_spellings(names)?;
     let of_log = |(log, row): (&JointLog, &LogRow)| Place { line: Some(row.line), ..Place::file(&log.file) };
-    let place = points.get(at).map(|point| Place::line(&point.export, point.line, &point.text));
+    let place = points.get(at).map(|point| Place::line(&*point.export, point.line, &point.text));
     Some(message.at(place.or_else(|| logged().nth(at - points.len()).map(of_log)).unwrap_or_default()))
 }
 

@@ -6,6 +6,7 @@ use crate::campaign::{Campaign, JoinBy};
 use crate::document::{Refused, Source};
 use crate::import::{Export, LabelNames, LabelPattern as Pattern, Point};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// All points of a campaign.
 #[derive(Clone, Debug, Default)]
@@ -45,12 +46,14 @@ impl PointColumns {
         let frame_targets = world.and_then(|world| world.targets.as_deref()).unwrap_or_default();
         let targets = known_targets(campaign);
         let known = |named: &LabelNames| named.target.as_ref().is_none_or(|target| targets.contains(target));
-        for (i, row) in rows.into_iter().enumerate() {
+        let file: Arc<str> = export.file.get_ref().as_str().into();
+        // in the memory of the rows: exports have millions
+        let kept = rows.into_iter().enumerate().filter_map(|(i, row)| {
             let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
             let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
             if let Some(reason) = reason {
                 source.refused.push(Refused { line: row.line, text: row.text, reason });
-                continue;
+                return None;
             }
             let named = pattern.as_ref().and_then(|p| p.read(&row.label, known)).unwrap_or_default();
             let target = row.target.clone().or(named.target).or_else(|| export.target.clone());
@@ -59,7 +62,7 @@ impl PointColumns {
                 let message = Message::error(format!("the target `{target}` would be a formula in a spreadsheet"));
                 let hint = "give it another name, or state a `label` that leaves the first character out";
                 problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
-                continue;
+                return None;
             }
             let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|from| from.number(i as i64 + 1).into()));
             let unreadable = row.xyz_mm.iter().any(|v| v.is_nan());
@@ -69,16 +72,21 @@ impl PointColumns {
                 let message = Message::error("the row names a target but no pose");
                 let hint = "name the pose in the label, or state `pose = \"row\"` for this export";
                 problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
-                continue;
+                return None;
             }
-            self.points.push(Point {
-                export: export.file.get_ref().clone(),
+            Some(Point {
+                export: file.clone(),
                 row: i as i64 + 1,
                 cycle: row.cycle.or(named.cycle).or(target.as_ref().map(|_| 1)),
                 target,
                 pose,
                 ..row
-            });
+            })
+        });
+        let kept: Vec<Point> = kept.collect();
+        match self.points.is_empty() {
+            true => self.points = kept,
+            false => self.points.extend(kept),
         }
         problems
     }
@@ -93,13 +101,17 @@ impl PointColumns {
             if !std::ptr::eq(before, point) {
                 let cycle = point.cycle.map(|c| format!(", cycle {c}")).unwrap_or_default();
                 let what = format!("target `{target}` is there twice at pose {pose}{cycle}");
-                let repair =
-                    match campaign.file.exports.iter().any(|e| e.pose.is_some() && *e.file.get_ref() == point.export) {
-                        true if point.export != before.export => "state `pose = \"row + 100\"` for one of the files",
-                        _ => "number repeats as cycles, or remove one",
-                    };
+                let repair = match campaign
+                    .file
+                    .exports
+                    .iter()
+                    .any(|e| e.pose.is_some() && *e.file.get_ref() == *point.export)
+                {
+                    true if point.export != before.export => "state `pose = \"row + 100\"` for one of the files",
+                    _ => "number repeats as cycles, or remove one",
+                };
                 let hint = format!("the first is {}:{}; {repair}", before.export, before.line);
-                errors.push(Message::error(what).at(Place::line(&point.export, point.line, &point.text)).hint(hint));
+                errors.push(Message::error(what).at(Place::line(&*point.export, point.line, &point.text)).hint(hint));
             }
         }
         errors
@@ -126,7 +138,7 @@ impl PointColumns {
         );
         vec![
             Message::warning(what)
-                .at(Place::line(&first.export, first.line, &first.text))
+                .at(Place::line(&*first.export, first.line, &first.text))
                 .hint("correct the label, or `label` of this export"),
         ]
     }

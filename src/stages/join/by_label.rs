@@ -80,7 +80,8 @@ fn means(points: &[Point]) -> BTreeMap<&str, Mean> {
     }
     let mean = |all: Vec<&Point>| {
         let n = all.len() as f64;
-        let stated: Option<Vec<Vector>> = all.iter().map(|point| point.standard_uncertainty_mm).collect();
+        let stated: Option<Vec<Vector>> =
+            all.iter().map(|point| point.standard_uncertainty_mm.as_deref().copied()).collect();
         let variance = |u: &[Vector], axis: usize| u.iter().map(|u| u[axis] * u[axis]).sum::<f64>() / (n * n);
         Mean {
             at_mm: [0, 1, 2].map(|axis| all.iter().map(|point| point.xyz_mm[axis]).sum::<f64>() / n),

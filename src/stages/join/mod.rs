@@ -239,7 +239,8 @@ fn targets_in_world<'a>(
             remarks.unmatched.push(At::point(point).unmatched(key, "its pose has no world frame"));
             continue;
         };
-        let covariance_mm2 = point.standard_uncertainty_mm.map(|u| in_world(u.map(|u| u * u), &world_T_export));
+        let covariance_mm2 =
+            point.standard_uncertainty_mm.as_deref().map(|u| in_world(u.map(|u| u * u), &world_T_export));
         targets.push(Target { point, index, world_mm: world_T_export.apply(point.xyz_mm), covariance_mm2 });
     }
     if !lost.is_empty() {
@@ -291,7 +292,7 @@ fn equal_counts<'a>(
     points: impl Iterator<Item = &'a Point>,
     log: &JointLog,
 ) -> Result<()> {
-    let exports: BTreeSet<&str> = points.map(|p| p.export.as_str()).collect();
+    let exports: BTreeSet<&str> = points.map(|p| &*p.export).collect();
     let mut problems = Problems::default();
     for source in imported.document.sources.iter().filter(|s| s.kind == "export" && exports.contains(s.file.as_str())) {
         if source.rows_read != log.rows.len() {
