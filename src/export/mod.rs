@@ -8,6 +8,7 @@ mod code;
 pub mod commands;
 mod csv;
 mod delta;
+mod galil;
 mod hexapod_hal;
 mod json;
 mod linuxcnc;
@@ -17,6 +18,7 @@ mod reprap_five_bar;
 mod targets;
 #[cfg(test)]
 mod tests;
+mod twincat;
 mod universal_robots;
 mod urdf;
 
@@ -166,12 +168,14 @@ impl<'a> Given<'a> {
 }
 
 /// Formats of all robots come first: those that are written where none is named.
-const EXPORTERS: [(&str, &dyn Exporter); 16] = [
+const EXPORTERS: [(&str, &dyn Exporter); 18] = [
     ("json", &json::Json),
     ("csv", &csv::Csv),
     ("c-header", &c_header::CHeader),
     ("matlab", &matlab::Matlab),
     ("python", &python::Python),
+    ("galil", &galil::Galil),
+    ("twincat", &twincat::TwinCat),
     ("urdf", &urdf::Urdf),
     ("universal-robots", &universal_robots::UniversalRobots),
     ("linuxcnc", &linuxcnc::LinuxCnc),

@@ -1,9 +1,11 @@
 //! ABB IRB 120 with a FARO tracker (real data): blunders, accuracy of an independent SciPy fit, and the two logs.
 
 use etalon::base::message::Message;
-use etalon::campaign::Campaign;
+use etalon::base::pose::{minus, norm};
+use etalon::campaign::{Campaign, read_robot};
 use etalon::document::{ImportDocument, ParameterStatus, VerificationDocument, VerificationVerdict};
 use etalon::math::identify::Observation;
+use etalon::math::robots::Calibrated;
 use etalon::run::pipeline::{self, Outcome};
 use etalon::stages::verification::verify;
 use std::collections::{BTreeMap, BTreeSet};
@@ -141,4 +143,42 @@ fn gravity_that_points_up_is_named() {
         let said = found.messages().any(|m| m.what.contains("the joint bends against gravity"));
         assert_eq!(said, named, "{gravity}");
     }
+}
+
+/// Validation poses whose joints are replaced by their compensated ones: what is left is the test error of the calibration. The arm
+/// is no longer there to be measured: its errors at the new joints are taken to be those that were measured beside them.
+#[test]
+fn compensated_joints_predict_the_test_error() {
+    let Some((outcome, _)) = run("[]") else { return };
+    let found = outcome.identified.as_ref().unwrap();
+    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
+    let robot = read_robot(&sample).unwrap().build(&["SMR_1", "SMR_2", "SMR_3"].map(str::to_owned)).unwrap();
+    let arm = robot.kinematics().unwrap();
+    let identified = &found.found.values;
+    let calibrated = Calibrated { arm, nominal: arm.nominal(), identified: identified.clone() };
+    let base = arm.base_in_world(identified).unwrap();
+    let (mut before, mut after) = (Vec::new(), Vec::new());
+    for o in &found.sets.validation {
+        // where the programme puts the flange, and the joints that bring it there
+        let wanted = arm.tool_pose(&calibrated.nominal, &o.joints).unwrap();
+        let command = calibrated.compensate(&wanted, &o.joints).unwrap();
+        assert!(command.same_configuration);
+        for (target, measured) in o.targets.iter().enumerate().filter_map(|(k, seen)| Some((k, (*seen)?))) {
+            let place = robot.free_base().unwrap().target_place(target);
+            let desired = base.then(&wanted).apply([identified[place], identified[place + 1], identified[place + 2]]);
+            let at = |joints: &[f64]| robot.position(identified, joints, target);
+            let (measured_error, predicted) = (minus(measured, at(&o.joints)), at(&command.joints));
+            before.push(norm(minus(measured, desired)));
+            after.push(norm(minus([0, 1, 2].map(|i| predicted[i] + measured_error[i]), desired)));
+        }
+    }
+    let mean = |errors: &[f64]| errors.iter().sum::<f64>() / errors.len() as f64;
+    println!(
+        "{} positions: mean {:.4} mm without compensation, {:.4} mm with",
+        after.len(),
+        mean(&before),
+        mean(&after)
+    );
+    assert_eq!(after.len(), 882);
+    assert!(mean(&before) > 0.5 && mean(&after) <= 0.122, "{} {}", mean(&before), mean(&after));
 }

@@ -9,7 +9,7 @@ mod structured_text;
 
 pub(super) use c99::C99;
 pub(super) use python::PythonCode;
-pub(super) use structured_text::StructuredText;
+pub(super) use structured_text::{StructuredText, real_literal};
 
 use super::Given;
 use crate::base::expression::{Formula, Operation};

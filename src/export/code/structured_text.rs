@@ -10,15 +10,19 @@ pub(in crate::export) struct StructuredText;
 
 struct Iec;
 
+/// A real literal of IEC 61131-3 has a point, and digits on both sides of it.
+pub(in crate::export) fn real_literal(value: f64) -> String {
+    let text = format!("{value:?}");
+    match text.split_once('e') {
+        Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0E{exponent}"),
+        Some((digits, exponent)) => format!("{digits}E{exponent}"),
+        None => text,
+    }
+}
+
 impl Notation for Iec {
-    /// A real literal has a point and digits on both sides of it.
     fn constant(&self, value: f64) -> String {
-        let text = format!("{value:?}");
-        let text = match text.split_once('e') {
-            Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0E{exponent}"),
-            Some((digits, exponent)) => format!("{digits}E{exponent}"),
-            None => text,
-        };
+        let text = real_literal(value);
         if value.is_sign_negative() { format!("({text})") } else { text }
     }
     fn call(&self, function: &str, operands: &[&str]) -> String {

@@ -46,6 +46,9 @@ impl Calibrated<'_> {
     pub fn compensate(&self, target: &Pose, uncompensated: &[f64]) -> Result<Compensated, String> {
         let joints = self.arm.nearest_joints(&self.identified, target, uncompensated)?;
         let command = self.arm.tool_pose(&self.nominal, &joints).ok_or("out of reach of the nominal robot")?;
+        if let Some(why) = self.arm.limit_violation(&self.nominal, &joints) {
+            return Err(format!("the controller refuses its command: {why}"));
+        }
         let turned = |i: usize| (joints[i] - uncompensated[i]).abs() > SAME_RAD;
         let angles = self.arm.joints().iter().enumerate().filter(|(_, joint)| joint.quantity == Quantity::Angle);
         let branch = |q: &[f64]| self.arm.branch(&self.nominal, q);
