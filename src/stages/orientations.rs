@@ -108,7 +108,7 @@ impl Orientations {
                 .iter()
                 .map(|(names, unit, angles)| (&names[..], *unit, if *angles { Form::Angles } else { Form::Vector })),
         );
-        let mut given = forms.filter(|(names, ..)| names.iter().any(|name| has(&name)));
+        let mut given = forms.filter(|(names, ..)| names.iter().any(|name| has(name)));
         let header = || Place { line: Some(1), ..Place::default() };
         let Some((names, unit, form)) = given.next() else {
             return Ok(Self { form: Form::None, rows: vec![[f64::NAN; 4]; observations.height()] });
@@ -117,7 +117,7 @@ impl Orientations {
             let what = format!("the table has orientations twice: {} and {}", names.join(", "), others.join(", "));
             return Err(Message::error(what).at(header()).hint("leave one of them out").into());
         }
-        let missing: Vec<&str> = names.iter().copied().filter(|name| !has(&name)).collect();
+        let missing: Vec<&str> = names.iter().copied().filter(|name| !has(name)).collect();
         if !missing.is_empty() {
             let message = Message::error(format!("an orientation lacks {}", missing.join(", ")));
             return Err(message.at(header()).expected(format!("{}: body in world", names.join(", "))).into());

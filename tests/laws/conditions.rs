@@ -418,10 +418,58 @@ const HEADER: &str = "kind,pose,cycle,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,
 const MORE: &str = "line_name,sphere,joint,value_deg";
 
 impl Campaign {
+    /// Name of what a parameter is of.
+    fn fixture_name(&self, first: usize) -> &str {
+        let name = &self.robot.parameters()[first].name;
+        name.rsplit_once("_slope").or(name.rsplit_once('_')).unwrap().0
+    }
+
+    /// The cells that a condition has of its own.
+    fn cells(&self, c: &Condition) -> Vec<(&'static str, String)> {
+        let fixture = |first: usize| self.fixture_name(first);
+        match c.kind {
+            Kind::Orientation { world_T_body, .. } => {
+                let at = self.observations.iter().find(|o| o.pose == c.pose).unwrap().targets[0].unwrap();
+                let q = world_T_body.quaternion();
+                let place = ["x_mm", "y_mm", "z_mm"].into_iter().zip(at.map(|v| v.to_string()));
+                let turn = ["qw", "qx", "qy", "qz"].into_iter().zip(q.map(|v| v.to_string()));
+                let u = ("urot_deg", c.standard_uncertainty.to_degrees().to_string());
+                [("kind", "pose".to_owned()), u].into_iter().chain(place).chain(turn).collect()
+            }
+            Kind::Coordinate { axis, at_mm } => vec![(["x_mm", "y_mm", "z_mm"][axis], at_mm.to_string())],
+            Kind::Distance { to, distance_mm } => vec![
+                ("kind", "distance".to_owned()),
+                ("other", fixture(to).to_owned()),
+                ("distance_mm", distance_mm.to_string()),
+            ],
+            Kind::Contact { socket } => {
+                vec![("kind", "contact".to_owned()), ("socket", fixture(socket).to_owned())]
+            }
+            Kind::On { surface, unknowns, offset_mm } => {
+                let (kind, axis) = match surface {
+                    Surface::Plane { axis } => ("plane", ["x", "y", "z"][axis]),
+                    Surface::Line { axis } => ("line", ["x", "y", "z"][axis]),
+                    Surface::Sphere => ("sphere", ""),
+                };
+                vec![
+                    ("kind", kind.to_owned()),
+                    (if kind == "line" { "line_name" } else { kind }, fixture(unknowns[0]).to_owned()),
+                    ("axis", axis.to_owned()),
+                    ("offset_mm", if kind == "line" { String::new() } else { offset_mm.to_string() }),
+                ]
+            }
+            Kind::Joint { joint, value, .. } => vec![
+                ("kind", "joints".to_owned()),
+                ("joint", format!("q{}", joint + 1)),
+                ("value_deg", value.to_degrees().to_string()),
+                ("urot_deg", c.standard_uncertainty.to_degrees().to_string()),
+            ],
+        }
+    }
+
     /// The campaign as a table of observations; what is not stated is empty.
     fn table(&self) -> String {
-        let names: Vec<&str> = self.robot.parameters().iter().map(|p| p.name.as_str()).collect();
-        let fixture = |first: usize| names[first].rsplit_once("_slope").or(names[first].rsplit_once('_')).unwrap().0;
+        let fixture = |first: usize| self.fixture_name(first);
         let more = |c: &Condition| match c.kind {
             Kind::On { surface, .. } => !matches!(surface, Surface::Plane { .. }),
             Kind::Joint { .. } => true,
@@ -445,45 +493,7 @@ impl Campaign {
             ];
             let columns = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"];
             cells.extend(columns.into_iter().zip(&c.joints).map(|(name, q)| (name, q.to_degrees().to_string())));
-            let texts: Vec<(&str, String)> = match c.kind {
-                Kind::Orientation { world_T_body, .. } => {
-                    let at = self.observations.iter().find(|o| o.pose == c.pose).unwrap().targets[0].unwrap();
-                    let q = world_T_body.quaternion();
-                    let place = ["x_mm", "y_mm", "z_mm"].into_iter().zip(at.map(|v| v.to_string()));
-                    let turn = ["qw", "qx", "qy", "qz"].into_iter().zip(q.map(|v| v.to_string()));
-                    let u = ("urot_deg", c.standard_uncertainty.to_degrees().to_string());
-                    [("kind", "pose".to_owned()), u].into_iter().chain(place).chain(turn).collect()
-                }
-                Kind::Coordinate { axis, at_mm } => vec![(["x_mm", "y_mm", "z_mm"][axis], at_mm.to_string())],
-                Kind::Distance { to, distance_mm } => vec![
-                    ("kind", "distance".to_owned()),
-                    ("other", fixture(to).to_owned()),
-                    ("distance_mm", distance_mm.to_string()),
-                ],
-                Kind::Contact { socket } => {
-                    vec![("kind", "contact".to_owned()), ("socket", fixture(socket).to_owned())]
-                }
-                Kind::On { surface, unknowns, offset_mm } => {
-                    let (kind, axis) = match surface {
-                        Surface::Plane { axis } => ("plane", ["x", "y", "z"][axis]),
-                        Surface::Line { axis } => ("line", ["x", "y", "z"][axis]),
-                        Surface::Sphere => ("sphere", ""),
-                    };
-                    vec![
-                        ("kind", kind.to_owned()),
-                        (if kind == "line" { "line_name" } else { kind }, fixture(unknowns[0]).to_owned()),
-                        ("axis", axis.to_owned()),
-                        ("offset_mm", if kind == "line" { String::new() } else { offset_mm.to_string() }),
-                    ]
-                }
-                Kind::Joint { joint, value, .. } => vec![
-                    ("kind", "joints".to_owned()),
-                    ("joint", format!("q{}", joint + 1)),
-                    ("value_deg", value.to_degrees().to_string()),
-                    ("urot_deg", c.standard_uncertainty.to_degrees().to_string()),
-                ],
-            };
-            cells.extend(texts);
+            cells.extend(self.cells(c));
             row(&cells);
         }
         for known in &self.settings.known {

@@ -214,7 +214,7 @@ mod tests {
             let joints: Vec<f64> = (0..4).map(|_| noise.uniform(1.4)).collect();
             let mut seen = |k: usize| {
                 let at = robot.position(&truth, &joints, k).map(|v| v + noise.gaussian(0.01));
-                ((i as usize + k) % 7 > 0).then_some(at)
+                (!(i as usize + k).is_multiple_of(7)).then_some(at)
             };
             let targets = (0..targets).map(&mut seen).collect();
             Observation { pose: i.into(), cycle: 1, joints, targets, ..Observation::default() }

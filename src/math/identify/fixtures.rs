@@ -165,7 +165,8 @@ fn reach(arm: &dyn FreeBase, conditions: &[Condition], is_unknown: impl Fn(usize
 
 /// Planes, lines and spheres through the targets that touch them, and the places that are known to be on them.
 fn lay(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], values: &mut [f64]) {
-    let mut touched: Vec<(Surface, [usize; 4], Vec<(Vector, f64)>)> = Vec::new();
+    type Touches = Vec<(Vector, f64)>;
+    let mut touched: Vec<(Surface, [usize; 4], Touches)> = Vec::new();
     let touching = |c: &Condition| match c.kind {
         Kind::On { surface, unknowns, offset_mm } => Some((surface, unknowns, place(arm, c, values), offset_mm)),
         _ => None,
