@@ -4,7 +4,7 @@ use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, print_with, remark};
 use crate::base::files;
-use crate::base::message::{Message, Problems};
+use crate::base::message::{Message, Problems, count};
 use crate::campaign::read_robot;
 use crate::document::{DetectionPower, VerificationDocument, VerificationVerdict, to_json};
 use crate::math::identify::Observation;
@@ -96,13 +96,13 @@ fn text(answer: &VerificationDocument) -> String {
     };
     let _ = writeln!(
         out,
-        "p = {}, {verdict} {}; residuals {:.4} mm, expected {:.4} mm (root mean square of {} coordinates at {} poses)",
-        shown(answer.p_value),
+        "p {}, {verdict} {}; residuals {:.4} mm, expected {:.4} mm (root mean square of {} coordinates at {})",
+        if answer.p_value < 1e-4 { shown(answer.p_value) } else { format!("= {}", shown(answer.p_value)) },
         answer.significance,
         answer.rms_mm,
         answer.expected_rms_mm,
         answer.of_changes.degrees_of_freedom + answer.of_rest.degrees_of_freedom,
-        answer.poses,
+        count(answer.poses, "pose"),
     );
     let percent = |p: f64| format!("{:.0} %", 100.0 * p);
     let DetectionPower { probability, naming, least } = &answer.power;

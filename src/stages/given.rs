@@ -53,7 +53,8 @@ fn entry<'d>(document: &'d ParametersDocument, p: &Parameter) -> Option<&'d Para
 }
 
 fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &[&Parameter]) -> Message {
-    let names = missing.iter().map(|p| format!("`{}`", p.name)).collect::<Vec<_>>().join(", ");
+    let shown = missing.iter().take(5).map(|p| format!("`{}`", p.name)).collect::<Vec<_>>().join(", ");
+    let names = if missing.len() > 5 { shown + ", ..." } else { shown };
     if document.robot == robot.model() && missing.iter().all(|p| p.role != Role::Robot) {
         let message = Message::error(format!("the parameters have no {names}: another base or other targets"));
         return message.hint("observe the targets of the calibration, where they were on the moving part");

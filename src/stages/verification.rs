@@ -3,6 +3,8 @@
 use super::given::{Noise, given, other_nominal};
 use super::repeats::stale;
 use crate::base::message::{Message, Result, count};
+use crate::base::pose::{minus, norm};
+use crate::base::pose_name::PoseName;
 use crate::document::*;
 use crate::math::identify::{
     self, Detectable, Explanation, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings, Verification,
@@ -33,6 +35,16 @@ pub fn verify(
     let settings = noise.applied(&mut observations, Settings::default());
     let found = identify::verify(robot, &observations, &settings, &parameters, noise.variance)?;
     let poses: BTreeSet<_> = observations.iter().map(|o| o.pose).collect();
+    if found.is_changed() && found.cause().is_none() {
+        if let Some(exchanged) = exchanged_targets(robot, &parameters.values, &observations, &found) {
+            return Err(exchanged.into());
+        }
+        messages.extend(wrong_pose(&poses, |kept| {
+            let kept: Vec<Observation> = observations.iter().filter(|o| kept(o.pose)).cloned().collect();
+            identify::verify(robot, &kept, &settings, &parameters, noise.variance)
+                .is_ok_and(|found| !found.is_changed())
+        }));
+    }
     let explanations: Vec<Movement> = found.explanations.iter().map(|e| movement(robot, e)).collect();
     let moved = found.cause().map(|e| movement(robot, e));
     let verdict = match found.cause().map(|cause| cause.moved) {
@@ -67,6 +79,60 @@ pub fn verify(
         messages,
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: None },
     })
+}
+
+/// An error where two targets with each other's names are where the parameters put them.
+fn exchanged_targets(
+    robot: &dyn Robot,
+    values: &[f64],
+    observations: &[Observation],
+    found: &Verification,
+) -> Option<Message> {
+    let rms = |order: &dyn Fn(usize) -> usize| {
+        let miss = |o: &Observation| {
+            let seen = o.targets.iter().enumerate().filter_map(|(k, at)| Some((order(k), (*at)?)));
+            seen.map(|(k, at)| norm(minus(at, robot.position(values, &o.joints, k))).powi(2)).collect::<Vec<_>>()
+        };
+        let all: Vec<f64> = observations.iter().flat_map(miss).collect();
+        (all.iter().sum::<f64>() / (robot.dimension() * all.len()) as f64).sqrt()
+    };
+    let count = robot.targets().len();
+    let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
+    let of_pair = pairs.map(|(a, b)| {
+        let order = move |k: usize| {
+            if k == a {
+                b
+            } else if k == b {
+                a
+            } else {
+                k
+            }
+        };
+        (rms(&order), a, b)
+    });
+    let (left_mm, a, b) = of_pair.min_by(|x, y| x.0.total_cmp(&y.0))?;
+    let names = robot.targets();
+    (left_mm < 0.1 * found.rms_mm).then(|| {
+        let what = format!("targets `{}` and `{}` are exchanged", names[a], names[b]);
+        let hint =
+            format!("with the names the other way the residuals fall from {:.3} to {left_mm:.3} mm", found.rms_mm);
+        Message::error(what).hint(hint)
+    })
+}
+
+/// Poses that are tried without.
+const MOST_POSES: usize = 100;
+
+/// A warning where the parameters are valid without one of the poses.
+fn wrong_pose(poses: &BTreeSet<PoseName>, valid: impl Fn(&dyn Fn(PoseName) -> bool) -> bool) -> Option<Message> {
+    if !(3..=MOST_POSES).contains(&poses.len()) {
+        return None;
+    }
+    let without = poses.iter().filter(|wrong| valid(&|pose| pose != **wrong));
+    let names: Vec<String> = without.map(|pose| format!("`{pose}`")).collect();
+    let [name] = &names[..] else { return None };
+    let what = format!("without pose {name} the observations do not contradict the parameters");
+    Some(Message::warning(what).hint("measure this pose again, and log its joints again"))
 }
 
 fn sum_of_squares(test: &identify::Test) -> SumOfSquares {
@@ -123,7 +189,9 @@ fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>) -> String {
     match (verdict, moved) {
         (VerificationVerdict::Valid, _) => "the parameters are still valid for these poses".to_owned(),
         (VerificationVerdict::BaseMoved, _) => format!("the base has moved by {by}"),
-        (VerificationVerdict::Joint, _) => format!("the zero of joint {name} has moved by {by}"),
+        (VerificationVerdict::Joint, _) => {
+            format!("the zero of joint {name} has moved by {}", by.trim_start_matches(name).trim_start())
+        }
         (VerificationVerdict::Other, Some(_)) => format!("the target {name} has moved on its part by {by}"),
         (VerificationVerdict::Other, None) => {
             "the parameters are no longer valid, and no motion of the base, one joint or one target explains why"
@@ -149,5 +217,5 @@ fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
     }
     let what =
         format!("{} would explain these residuals too: {}", count(others.len(), "other motion"), others.join(", "));
-    Some(Message::warning(what).hint("observe poses with other values of the joints, which tell them apart by `power`"))
+    Some(Message::warning(what).hint("observe poses that differ more in the values of the joints"))
 }

@@ -179,6 +179,18 @@ fn verification_measures_the_change() {
             let found = verify(case.robot.as_ref(), &observed, &settings, &given, Variance::Stated).unwrap();
             let of = |e: &&etalon::math::identify::Explanation| e.moved == Moved::Joint(j);
             let explained = found.explanations.iter().find(of).unwrap();
+            // and a large one, where nothing is linear
+            let large = if joint.quantity == Quantity::Angle { 0.06 } else { 8.0 };
+            let observed = observe(case.robot.as_ref(), &case.truth, &case.joints, &Change::Joint(j, large), None);
+            let slipped = verify(case.robot.as_ref(), &observed, &settings, &given, Variance::Stated).unwrap();
+            let cause = slipped.cause().unwrap();
+            assert_eq!(cause.moved, Moved::Joint(j), "{} {:?}", case.robot.model(), slipped.explanations);
+            assert!(
+                (cause.change[0] - large).abs() < 0.02 * large,
+                "{} joint {j}: {:?}",
+                case.robot.model(),
+                cause.change
+            );
             assert!(
                 (explained.change[0] / by - 1.0).abs() < 0.02,
                 "{} joint {j}: {:?}",
@@ -198,6 +210,12 @@ fn verification_measures_the_change() {
             2 => vec![moved[0] - at[0], moved[1] - at[1], 0.001],
             _ => vec![moved[0] - at[0], moved[1] - at[1], 0.0, 0.0, 0.0, 0.001],
         };
+        let far = Pose { translation_mm: [25.0, -10.0, 0.0], ..Pose::from_rotation_vector([0.0, 0.0, 0.1]) };
+        let observed = observe(case.robot.as_ref(), &case.truth, &case.joints, &Change::Base(far), None);
+        let carried = verify(case.robot.as_ref(), &observed, &settings, &given, Variance::Stated).unwrap();
+        let cause = carried.cause().unwrap();
+        let turned = *cause.change.last().unwrap();
+        assert!(cause.moved == Moved::Base && (turned - 0.1).abs() < 1e-6, "{} {cause:?}", case.robot.model());
         for (a, b) in base.change.iter().zip(expected) {
             assert!((a - b).abs() < 2e-3, "{}: {:?}", case.robot.model(), base.change);
         }

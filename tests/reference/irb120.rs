@@ -89,6 +89,23 @@ fn ten_poses_verify_the_parameters() {
     assert!(moved.iter().filter(named).count() >= 27, "{:?}", moved.iter().map(|m| &m.meaning).collect::<Vec<_>>());
     let mean = moved.iter().filter(named).map(|m| m.moved.as_ref().unwrap().by[0].value).sum::<f64>() / 29.0;
     assert!((mean - by_deg).abs() < 0.02, "{mean}");
+    // slips are named
+    let usual = still.iter().position(|answer| answer.p_value > 0.3).unwrap();
+    let group = &found.sets.validation[10 * usual..][..10];
+    let changed = |change: &dyn Fn(usize, &mut Observation)| {
+        let mut observations = group.to_vec();
+        observations.iter_mut().enumerate().for_each(|(i, o)| change(i, o));
+        let mut robot = campaign.build_robot().unwrap();
+        verify(robot.as_mut(), &found.parameters, observations, None, BTreeMap::new())
+    };
+    let exchanged = changed(&|_, o| o.targets.swap(0, 1)).unwrap_err();
+    assert!(exchanged.to_string().contains("targets `SMR_1` and `SMR_2` are exchanged"), "{exchanged}");
+    let wrong = changed(&|i, o| o.joints[2] += if i == 4 { 0.05 } else { 0.0 }).unwrap();
+    let said: Vec<&str> = wrong.messages.iter().map(|m| m.what.as_str()).collect();
+    let expected = format!("without pose `{}` the observations do not contradict the parameters", group[4].pose);
+    assert!(wrong.verdict == VerificationVerdict::Other && said.contains(&expected.as_str()), "{said:?}");
+    let reversed = changed(&|_, o| o.joints[2] = -o.joints[2]).unwrap_err();
+    assert!(reversed.to_string().contains("with `q3` reversed"), "{reversed}");
 }
 
 #[test]

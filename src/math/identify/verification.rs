@@ -9,7 +9,7 @@ use super::residuals::Residuals;
 use super::significance::{Variance, bisect};
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
-use crate::base::pose::{Vector, cross};
+use crate::base::pose::{Pose, Vector, cross, minus};
 use crate::math::robots::Robot;
 use crate::math::solve::Problem;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
@@ -23,6 +23,10 @@ pub const POWER: f64 = 0.95;
 pub const NAMING: f64 = 0.9;
 /// A change explains the residuals where what it leaves is more probable than this.
 pub const EXPLAINED: f64 = 0.01;
+/// Steps towards a large motion.
+const ITERATIONS: usize = 20;
+/// A step that explains less than this of the sum of squares is the last.
+const CONVERGED: f64 = 1e-3;
 /// Directions of changes that the observations show less than this, over the best shown, are not shown.
 const RANK: f64 = 1e-10;
 
@@ -151,12 +155,20 @@ pub fn verify(
     let parts = all.parts.iter().map(|&(moved, first, count)| (moved, all.columns.columns(first, count).into_owned()));
     let targets = space.targets().into_iter().map(|(target, columns)| (Moved::Target(target), columns));
     let mut explanations: Vec<Explanation> = parts.chain(targets).map(explain).collect();
+    let limits = Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom);
+    let p_value = limits.p_value(&of_changes, &of_rest);
     let suffices = |e: &Explanation| e.p_left > EXPLAINED;
+    if !(p_value >= SIGNIFICANCE) && !explanations.iter().any(suffices) {
+        // a large motion is not linear
+        for explanation in &mut explanations {
+            let refined = refine(robot, observations, settings, given, explanation.moved, variance, whole);
+            *explanation = refined.unwrap_or_else(|| explanation.clone());
+        }
+    }
     explanations.sort_by(|a, b| {
         let needs = |e: &Explanation| if suffices(e) { e.change.len() } else { usize::MAX };
         needs(a).cmp(&needs(b)).then(b.explained.total_cmp(&a.explained))
     });
-    let limits = Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom);
     let information = all.columns.transpose() * space.solve(&all.columns);
     let detectable = all.parts.iter().map(|&(moved, first, count)| {
         let shifts = if moved == Moved::Base { count - count / 2 } else { 0 };
@@ -169,7 +181,7 @@ pub fn verify(
     });
     let [rms_mm, expected_rms_mm] = space.rms_mm();
     Ok(Verification {
-        p_value: limits.p_value(&of_changes, &of_rest),
+        p_value,
         of_changes,
         of_rest,
         rms_mm,
@@ -177,6 +189,74 @@ pub fn verify(
         detectable: detectable.collect(),
         explanations,
     })
+}
+
+/// The motion that explains most, where it is too large to be linear, by Gauss and Newton's method; `None` where that does not end.
+fn refine(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+    moved: Moved,
+    variance: Variance,
+    whole: f64,
+) -> Option<Explanation> {
+    let mut change = vec![0.0; 3];
+    let mut motion = Pose::identity();
+    for _ in 0..ITERATIONS {
+        let (mut back, mut place) = (observations.to_vec(), given.clone());
+        let origin = base_origin(robot, given);
+        match moved {
+            Moved::Joint(j) => back.iter_mut().for_each(|o| o.joints[j] += change[0]),
+            Moved::Target(k) => {
+                let first = robot.free_base()?.target_place(k);
+                place.values[first..first + 3].iter_mut().zip(&change).for_each(|(v, c)| *v += c);
+            }
+            Moved::Base => back.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| {
+                let placed = motion.inverse().apply(minus(*p, origin));
+                *p = std::array::from_fn(|i| origin[i] + placed[i]);
+            }),
+        }
+        let space = Space::new(robot, &back, settings, &place).ok()?;
+        let fit = space.fit(&space.columns_of(moved)?);
+        let left = space.sum() - fit.explained;
+        change.iter_mut().zip(fit.change.iter()).for_each(|(sum, step)| *sum += step);
+        if moved == Moved::Base {
+            let small = |i: usize| fit.change[i];
+            let (shift, turn) = match fit.change.len() {
+                3 => ([small(0), small(1), 0.0], [0.0, 0.0, small(2)]),
+                _ => ([small(0), small(1), small(2)], [small(3), small(4), small(5)]),
+            };
+            motion = motion.then(&Pose { translation_mm: shift, ..Pose::from_rotation_vector(turn) });
+        }
+        if fit.explained < CONVERGED {
+            let ([x, y, z], [rx, ry, rz]) = (motion.translation_mm, motion.rotation_vector_rad());
+            let change = match (moved, robot.dimension()) {
+                (Moved::Base, 2) => vec![x, y, rz],
+                (Moved::Base, _) => vec![x, y, z, rx, ry, rz],
+                (Moved::Joint(_), _) => vec![change[0]],
+                (Moved::Target(_), _) => change,
+            };
+            let (p_left, explained) = (variance.exceedance(left.max(0.0), space.r.len() - fit.rank), whole - left);
+            return Some(Explanation {
+                moved,
+                change,
+                standard_uncertainty: fit.standard_uncertainty,
+                p_left,
+                explained,
+            });
+        }
+    }
+    None
+}
+
+/// The origin of the base in the world; that of the world where the model has none.
+fn base_origin(robot: &dyn Robot, given: &GivenParameters) -> Vector {
+    let values = |axis: &str| {
+        let names = [format!("base_{axis}"), format!("{axis}_o")];
+        names.iter().find_map(|name| robot.index(name)).map_or(0.0, |i| given.values[i])
+    };
+    ["x", "y", "z"].map(values)
 }
 
 /// Both tests together.
@@ -349,7 +429,7 @@ impl<'a> Space<'a> {
         let axes: &[usize] = if planar { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] };
         let mut columns = DMatrix::zeros(m, axes.len());
         // a rotation about the origin of the base: p moves by ω × (p − o)
-        let origin = self.base_origin();
+        let origin = base_origin(self.robot, self.given);
         for (k, &axis) in axes.iter().enumerate() {
             let mut column = frame.column(axis).into_owned();
             if axis > 2 {
@@ -369,13 +449,14 @@ impl<'a> Space<'a> {
         Columns { columns: all, parts: parts.collect() }
     }
 
-    /// The origin of the base in the world; that of the world where the model has none.
-    fn base_origin(&self) -> Vector {
-        let values = |axis: &str| {
-            let names = [format!("base_{axis}"), format!("{axis}_o")];
-            names.iter().find_map(|name| self.robot.index(name)).map_or(0.0, |i| self.given.values[i])
-        };
-        ["x", "y", "z"].map(values)
+    /// How measured minus predicted changes with one of these.
+    fn columns_of(&self, moved: Moved) -> Option<DMatrix<f64>> {
+        if let Moved::Target(k) = moved {
+            return self.targets().into_iter().find(|(target, _)| *target == k).map(|(_, columns)| columns);
+        }
+        let all = self.columns();
+        let (_, first, count) = *all.parts.iter().find(|part| part.0 == moved)?;
+        Some(all.columns.columns(first, count).into_owned())
     }
 
     /// How measured minus predicted changes with each target's place on the part, where the model has such parameters.
