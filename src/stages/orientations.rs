@@ -108,7 +108,7 @@ impl Orientations {
                 .iter()
                 .map(|(names, unit, angles)| (&names[..], *unit, if *angles { Form::Angles } else { Form::Vector })),
         );
-        let mut given = forms.filter(|(names, ..)| names.iter().any(|name| has(name)));
+        let mut given = forms.filter(|(names, ..)| names.iter().any(&has));
         let header = || Place { line: Some(1), ..Place::default() };
         let Some((names, unit, form)) = given.next() else {
             return Ok(Self { form: Form::None, rows: vec![[f64::NAN; 4]; observations.height()] });

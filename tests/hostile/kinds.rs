@@ -114,6 +114,14 @@ fn names_of_targets_points_and_planes_do_not_meet_in_a_parameter() {
     }
 }
 
+/// robot.toml of an arm by its table.
+fn robot_toml(rows: &[[f64; 4]]) -> String {
+    let joint = |[alpha, a, theta, d]: &[f64; 4]| {
+        format!("[[joint]]\nalpha_deg = {alpha}\na_mm = {a}\ntheta_deg = {theta}\nd_mm = {d}\n")
+    };
+    format!("model = \"serial\"\n{}", rows.iter().map(joint).collect::<String>())
+}
+
 /// Orientations of a probe in one form or another: the same robot, and where the order of angles is not stated, the one that fits is named.
 #[test]
 fn orientations_in_any_form_are_the_same() {
@@ -137,12 +145,7 @@ fn orientations_in_any_form_are_the_same() {
             (joints, body, at)
         })
         .collect();
-    let robot_toml = {
-        let joint = |[alpha, a, theta, d]: &[f64; 4]| {
-            format!("[[joint]]\nalpha_deg = {alpha}\na_mm = {a}\ntheta_deg = {theta}\nd_mm = {d}\n")
-        };
-        format!("model = \"serial\"\n{}", SIX_AXES.iter().map(joint).collect::<String>())
-    };
+    let robot_toml = robot_toml(&SIX_AXES);
     let run = |columns: &str, numbers: &dyn Fn(&Pose) -> Vec<f64>, more: &[&str]| {
         let mut table =
             format!("pose,cycle,target,q1_rad,q2_rad,q3_rad,q4_rad,q5_rad,q6_rad,x_mm,y_mm,z_mm,{columns}\n");

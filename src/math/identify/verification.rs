@@ -113,7 +113,7 @@ pub struct Verification {
 impl Verification {
     /// Whether the observations contradict the parameters.
     pub fn is_changed(&self) -> bool {
-        !(self.p_value >= SIGNIFICANCE)
+        self.p_value.is_nan() || self.p_value < SIGNIFICANCE
     }
 
     /// What has moved, where something has and one thing explains it.
@@ -158,7 +158,7 @@ pub fn verify(
     let limits = Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom);
     let p_value = limits.p_value(&of_changes, &of_rest);
     let suffices = |e: &Explanation| e.p_left > EXPLAINED;
-    if !(p_value >= SIGNIFICANCE) && !explanations.iter().any(suffices) {
+    if p_value < SIGNIFICANCE && !explanations.iter().any(suffices) {
         // a large motion is not linear
         for explanation in &mut explanations {
             let refined = refine(robot, observations, settings, given, explanation.moved, variance, whole);
@@ -291,7 +291,7 @@ impl Limits {
     fn detectable(&self, information: &DMatrix<f64>, first: usize, count: usize) -> f64 {
         let own = information.view((first, first), (count, count)).into_owned();
         let (shown, least) = (own.trace(), SymmetricEigen::new(own).eigenvalues.min());
-        if !(least > RANK * shown) || self.dof == 0 {
+        if least <= RANK * shown || self.dof == 0 {
             return f64::INFINITY;
         }
         (bisect(|noncentrality| self.power(noncentrality) >= POWER) / least).sqrt()
@@ -310,7 +310,7 @@ impl Limits {
             let one = |apart: &f64| 0.5 * erfc((0.5 * apart * noncentrality).sqrt());
             EXPLAINED + apart.iter().map(one).sum::<f64>()
         };
-        if !(own > 0.0) || self.dof == 0 || apart.iter().any(|apart| *apart < RANK) {
+        if own <= 0.0 || self.dof == 0 || apart.iter().any(|apart| *apart < RANK) {
             return f64::INFINITY;
         }
         let suffices = |noncentrality: f64| {
@@ -508,7 +508,7 @@ fn root(covariance: DMatrix<f64>) -> Result<DMatrix<f64>> {
         s => covariance[(i, j)] / s,
     });
     let eigen = SymmetricEigen::new(divided);
-    if !(eigen.eigenvalues.min() > -1e-6) {
+    if eigen.eigenvalues.min() <= -1e-6 {
         return Err(Message::error("the covariance of the parameters is not positive definite").into());
     }
     let mut root = eigen.eigenvectors;
