@@ -104,6 +104,11 @@ fn pseudo_poses_land_on_their_targets() {
                 refused += 1;
                 continue;
             };
+            // a singularity between: the program says so
+            if !found.same_configuration {
+                refused += 1;
+                continue;
+            }
             // the controller goes to the command by its own inverse, the true robot follows its joints; of more than six joints a
             // pose leaves some free
             let away = if arm.joints().len() > 6 { 0.0 } else { 1e-3 };
