@@ -166,8 +166,17 @@ impl Source for RobotFile {
 impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
     pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
-        let own = MODELS.into_iter().flat_map(|model| model.keys.iter().filter_map(|path| path.first().copied()));
-        let top: Vec<&str> = COMMON.into_iter().chain(own).collect();
+        // what a wrong key may be meant as: keys of the model that is stated, of any where none is
+        let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
+        let stated = |model: &&&Model| written.trim_matches(['"', '\'']) == model.name;
+        let models = MODELS.iter().find(stated).map_or(&MODELS[..], std::slice::from_ref);
+        let own = models.iter().flat_map(|model| model.keys.iter().filter_map(|path| path.first().copied()));
+        let mut top: Vec<&str> = COMMON.into_iter().collect();
+        own.for_each(|key| {
+            if !top.contains(&key) {
+                top.push(key)
+            }
+        });
         let Recovered { value, problems, unread } = toml_file::recover_with(name, text, &top, read);
         let mut problems = problems;
         let mut robot = value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), unread, ..robot });
