@@ -10,7 +10,7 @@ use etalon::math::identify::{
 use etalon::math::robots::{FiveBar, Prexyt, Quantity, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-const TRIALS: u64 = 300;
+const TRIALS: u64 = 800;
 const U_MM: f64 = 0.01;
 
 /// Joint values of a pose.
@@ -140,6 +140,10 @@ fn verification_finds_what_its_power_states() {
         let one = case.trial(&Change::Nothing, 0);
         for found in &one.detectable {
             let Moved::Joint(j) = found.moved else { continue };
+            // of an arm every other joint: it takes its time
+            if case.robot.dimension() == 3 && j % 2 == 1 {
+                continue;
+            }
             let [changed, named] = case.found(&Change::Joint(j, found.change[0]), |m| m == Moved::Joint(j));
             println!(
                 "{model} joint {j}: {:.6}: found {:.1} %, named {:.1} %",
