@@ -15,8 +15,9 @@ use crate::base::pose::norm;
 use crate::base::pose_name::PoseName;
 use crate::campaign::{Campaign, Identify};
 use crate::document::*;
-use crate::math::identify::{self, Identification, Observation, Settings, Status, effects};
+use crate::math::identify::{self, Identification, Observation, Settings, Status, Variance, effects};
 use crate::math::robots::{Effect, Robot};
+use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal, StudentsT};
 use std::collections::{BTreeMap, BTreeSet};
@@ -207,10 +208,37 @@ impl<'a> Study<'a> {
         }
     }
 
-    /// Parameters of the robot itself whose change from nominal is proven.
+    /// Parameters of the robot itself whose change from nominal is proven: each by itself, and of the others those without which the rest
+    /// is not proven together. Correlated parameters may each be unproven, and matter.
     fn proven(&self, found: &Identification) -> Vec<usize> {
         let changes = self.changes(found);
-        changes.into_iter().filter(|c| c.p_value < SIGNIFICANCE).map(|c| c.index).collect()
+        let (load, held): (Vec<&Change>, Vec<&Change>) = changes.iter().partition(|c| c.p_value < SIGNIFICANCE);
+        let mut load: Vec<usize> = load.iter().map(|c| c.index).collect();
+        let mut held: Vec<usize> = held.iter().map(|c| c.index).collect();
+        let together = |held: &[usize]| self.together(found, held);
+        while !held.is_empty() && together(&held).is_some_and(|[_, p]| p < SIGNIFICANCE) {
+            let without = |k: usize| -> Vec<usize> { held.iter().copied().filter(|&i| i != held[k]).collect() };
+            let left = |k: usize| together(&without(k)).map_or(0.0, |[sum, _]| sum);
+            let Some(k) = (0..held.len()).min_by(|&a, &b| left(a).total_cmp(&left(b))) else { break };
+            load.push(held.remove(k));
+        }
+        load
+    }
+
+    /// Changes of several parameters together over their covariance, as a sum of squares, and its p value.
+    fn together(&self, found: &Identification, indices: &[usize]) -> Option<[f64; 2]> {
+        let places: Vec<usize> =
+            indices.iter().map(|i| found.free.iter().position(|f| f == i)).collect::<Option<_>>()?;
+        let (n, covariance) = (found.free.len(), found.covariance.as_ref()?);
+        let u = |k: usize| covariance[places[k] * n + places[k]].sqrt();
+        let correlation =
+            DMatrix::from_fn(places.len(), places.len(), |i, j| covariance[places[i] * n + places[j]] / (u(i) * u(j)));
+        let change = |k: usize| (found.values[indices[k]] - self.robot.parameters()[indices[k]].nominal) / u(k);
+        let change = DVector::from_fn(places.len(), |k, _| change(k));
+        let sum = change.dot(&Cholesky::new(correlation)?.solve(&change));
+        let degrees = indices.iter().filter_map(|&i| found.degrees_of_freedom(i)).reduce(f64::min);
+        let variance = degrees.map_or(Variance::Stated, Variance::Estimated);
+        Some([sum, variance.exceedance(sum, places.len())])
     }
 
     /// Changes of the parameters of the robot itself from nominal.
@@ -234,7 +262,7 @@ impl<'a> Study<'a> {
 
     /// The verdict on each parameter that can be identified; those of the model that is recommended are judged in it.
     fn verdicts(&self, all: &Identification, model: &Identification) -> Result<Vec<ParameterVerdict>> {
-        let (of_all, of_model) = (self.changes(all), self.changes(model));
+        let (of_all, of_model, load) = (self.changes(all), self.changes(model), self.proven(model));
         let settings = self.settings(|i| all.status[i] == Status::Identified);
         // of the first cut alone: every pose is left out once
         let mut folds = Vec::new();
@@ -245,7 +273,6 @@ impl<'a> Study<'a> {
         let verdict = |c: &Change| {
             let p = &self.robot.parameters()[c.index];
             let judged = of_model.iter().find(|m| m.index == c.index).unwrap_or(c);
-            let in_model = model.status[c.index] == Status::Identified;
             let values: Vec<f64> = folds.iter().map(|found| found.values[c.index]).collect();
             let mean = values.iter().sum::<f64>() / values.len() as f64;
             let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (values.len() - 1) as f64;
@@ -259,7 +286,7 @@ impl<'a> Study<'a> {
                 change_over_u: (judged.change / judged.u).abs(),
                 p_value: judged.p_value,
                 fold_sd_over_u: variance.sqrt() / u_fold,
-                verdict: if in_model && judged.p_value < SIGNIFICANCE { LoadVerdict::Load } else { LoadVerdict::Hold },
+                verdict: if load.contains(&c.index) { LoadVerdict::Load } else { LoadVerdict::Hold },
             }
         };
         Ok(of_all.iter().map(verdict).collect())
@@ -358,7 +385,10 @@ fn meaning(chosen: &[Effect], parameters: &[ParameterVerdict], errors: &HeldOutE
     let rms = |s: &Statistics| format!("{:.4}", s.rms);
     vec![
         first,
-        format!("load {load} of {}: their change from nominal is proven", count(parameters.len(), "parameter")),
+        format!(
+            "load {load} of {}: their change from nominal is proven, alone or together",
+            count(parameters.len(), "parameter")
+        ),
         format!(
             "error at poses that were left out (root mean square): {} mm with nominal parameters, {} mm with all, {} mm with those recommended",
             rms(&errors.none),

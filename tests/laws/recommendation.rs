@@ -4,6 +4,7 @@ use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
 use etalon::document::{EffectName, LoadVerdict};
 use etalon::run::validation::recommend;
+use std::path::Path;
 
 #[test]
 fn bending_of_the_irb120_is_recommended() {
@@ -26,4 +27,12 @@ fn bending_of_the_irb120_is_recommended() {
     let errors = answer.held_out;
     // the choice costs nothing at poses that it has not seen
     assert!(errors.recommended.rms < 1.05 * errors.all.rms && errors.all.rms < 0.2 * errors.none.rms, "{errors:?}");
+}
+
+/// Parameters that are correlated may each be uncertain, and matter: what is held costs little at poses that were left out.
+#[test]
+fn parameters_that_matter_together_are_loaded() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/column-arm");
+    let errors = recommend(&Campaign::read(&folder).unwrap()).unwrap().held_out;
+    assert!(errors.recommended.rms < 1.1 * errors.all.rms && errors.all.rms < 0.1 * errors.none.rms, "{errors:?}");
 }
