@@ -9,6 +9,7 @@ use crate::document::{KinematicsDocument, KinematicsEntry, ParametersDocument, U
 use crate::math::identify::{joint_column, stated_modes};
 use crate::math::robots::{Kinematics as Arm, Robot, Role};
 use crate::run::documents::read_parameters;
+use crate::stages::given::robot_values;
 use crate::stages::table_file::TableFile;
 use std::path::{Path, PathBuf};
 
@@ -127,22 +128,8 @@ pub(super) fn joint_names(arm: &dyn Arm) -> Vec<String> {
 
 /// The parameters of a run: those of the robot, and its base where it was identified. Targets have their nominal places.
 pub(super) fn identified(robot: &dyn Robot, document: &ParametersDocument, path: &Path) -> Result<Vec<f64>> {
-    let mut values = robot.nominal();
-    let mut missing = Vec::new();
-    for (value, p) in values.iter_mut().zip(robot.parameters()) {
-        match document.parameters.iter().find(|entry| entry.name == p.name && entry.unit == p.quantity.unit()) {
-            Some(entry) if matches!(p.role, Role::Robot | Role::Base) => *value = p.quantity.inward(entry.value),
-            None if p.role == Role::Robot => missing.push(format!("`{}`", p.name)),
-            _ => {}
-        }
-    }
-    if document.robot != robot.model() || !missing.is_empty() {
-        let what = format!("the parameters of `{}` are not those of this robot (`{}`)", document.robot, robot.model());
-        let message = Message::error(what).at(Place::file(path.display().to_string()));
-        let hint = if missing.is_empty() { String::new() } else { format!("they lack {}", missing.join(", ")) };
-        return Err(message.hint(hint + "; name the robot.toml that they were identified with").into());
-    }
-    Ok(values)
+    let values = robot_values(robot, document, &[Role::Robot, Role::Base]);
+    values.map_err(|problems| problems.at(&Place::file(path.display().to_string())))
 }
 
 /// Joint values of a table, row by row, in rad and mm, with the assembly mode behind them.

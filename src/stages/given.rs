@@ -64,17 +64,18 @@ fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &
     Message::error(what).hint(lack + "name the robot.toml that they were identified with")
 }
 
-/// Nominal values of base and targets, and those of the robot itself as a document has them.
+/// Nominal values, and those of parameters of these roles as a document has them: of the robot itself all, of others where it has them.
 ///
 /// # Errors
 /// A document of another robot.
-pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument) -> Result<Vec<f64>> {
+pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[Role]) -> Result<Vec<f64>> {
     let mut values = robot.nominal();
     let mut missing = Vec::new();
-    for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| p.role == Role::Robot) {
+    for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| roles.contains(&p.role)) {
         match entry(document, p) {
             Some(entry) => *value = p.quantity.inward(entry.value),
-            None => missing.push(p),
+            None if p.role == Role::Robot => missing.push(p),
+            None => {}
         }
     }
     if document.robot != robot.model() || !missing.is_empty() {

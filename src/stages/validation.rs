@@ -71,7 +71,7 @@ impl Values {
         }
         let before = identify::fit_frames(robot, &sets.calibration, settings)?;
         let Some(document) = document else { return Ok(Self { after: before.clone(), before }) };
-        let values = robot_values(robot, document)?;
+        let values = robot_values(robot, document, &[Role::Robot])?;
         robot.definition_mut().set_nominal(&values);
         let after = identify::fit_frames(robot, &sets.calibration, settings);
         robot.definition_mut().set_nominal(&nominal);
