@@ -100,7 +100,7 @@ fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settin
     let parameters = given(robot, document)?;
     let noise = Noise::of(document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
     let settings = noise.applied(&mut observations, Settings::default());
-    Ok(identify::verify(robot, &observations, &settings, &parameters, noise.variance).ok().map(|found| found.p_value))
+    Ok(identify::p_value(robot, &observations, &settings, &parameters, noise.variance).ok())
 }
 
 /// What before and after are.

@@ -41,8 +41,7 @@ pub fn verify(
         }
         messages.extend(wrong_pose(&poses, |kept| {
             let kept: Vec<Observation> = observations.iter().filter(|o| kept(o.pose)).cloned().collect();
-            identify::verify(robot, &kept, &settings, &parameters, noise.variance)
-                .is_ok_and(|found| !found.is_changed())
+            identify::p_value(robot, &kept, &settings, &parameters, noise.variance).is_ok_and(|p| p >= SIGNIFICANCE)
         }));
     }
     let explanations: Vec<Movement> = found.explanations.iter().map(|e| movement(robot, e)).collect();

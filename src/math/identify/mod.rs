@@ -46,7 +46,8 @@ pub use surface::Surface;
 pub use tool::{Held, ToolError, ToolFrame, ToolPoint, held};
 pub use uncertainty::UncertaintyFrom;
 pub use verification::{
-    Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test, Verification, verify,
+    Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test, Verification,
+    p_value, verify,
 };
 pub use weights::{Covariance, turned, weigh};
 

@@ -137,10 +137,7 @@ pub fn verify(
     let space = Space::new(robot, observations, settings, given)?;
     let all = space.columns();
     let (whole, n) = (space.sum(), space.r.len());
-    let fit = space.fit(&all.columns);
-    let test = |sum: f64, dof: usize| Test { sum, degrees_of_freedom: dof, p_value: variance.exceedance(sum, dof) };
-    let of_changes = test(fit.explained, fit.rank);
-    let of_rest = test((whole - fit.explained).max(0.0), n - fit.rank);
+    let [of_changes, of_rest] = space.tests(&all, variance);
     let explain = |(moved, columns): (Moved, DMatrix<f64>)| {
         let fit = space.fit(&columns);
         let left = (whole - fit.explained).max(0.0);
@@ -156,7 +153,7 @@ pub fn verify(
     let targets = space.targets().into_iter().map(|(target, columns)| (Moved::Target(target), columns));
     let mut explanations: Vec<Explanation> = parts.chain(targets).map(explain).collect();
     let limits = Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom);
-    let p_value = limits.p_value(&of_changes, &of_rest);
+    let p_value = Test::together(&of_changes, &of_rest);
     let suffices = |e: &Explanation| e.p_left > EXPLAINED;
     if p_value < SIGNIFICANCE && !explanations.iter().any(suffices) {
         // a large motion is not linear
@@ -189,6 +186,22 @@ pub fn verify(
         detectable: detectable.collect(),
         explanations,
     })
+}
+
+/// The p value of [`verify`] alone.
+///
+/// # Errors
+/// As there.
+pub fn p_value(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+    variance: Variance,
+) -> Result<f64> {
+    let space = Space::new(robot, observations, settings, given)?;
+    let [of_changes, of_rest] = space.tests(&space.columns(), variance);
+    Ok(Test::together(&of_changes, &of_rest))
 }
 
 /// The motion that explains most, where it is too large to be linear, by Gauss and Newton's method; `None` where that does not end.
@@ -266,7 +279,8 @@ struct Limits {
     bound: f64,
     /// probability that the rest, which no change reaches, is within its bound
     quiet: f64,
-    two: bool,
+    /// noncentrality that is detected with [`POWER`]; infinite where the observations show no change
+    detected: f64,
 }
 
 impl Limits {
@@ -274,12 +288,12 @@ impl Limits {
         let two = rest > 0 && dof > 0;
         let level = if two { 1.0 - (1.0 - SIGNIFICANCE).sqrt() } else { SIGNIFICANCE };
         let quiet = if two { 1.0 - level } else { 1.0 };
-        Self { variance, dof, bound: variance.bound(level, dof.max(1)), quiet, two }
-    }
-
-    fn p_value(&self, changes: &Test, rest: &Test) -> f64 {
-        let least = changes.p_value.min(rest.p_value);
-        if self.two { 1.0 - (1.0 - least).powi(2) } else { least }
+        let bound = variance.bound(level, dof.max(1));
+        let mut limits = Self { variance, dof, bound, quiet, detected: f64::INFINITY };
+        if dof > 0 {
+            limits.detected = bisect(|noncentrality| limits.power(noncentrality) >= POWER);
+        }
+        limits
     }
 
     /// The probability to call a robot changed whose change adds this noncentrality.
@@ -291,10 +305,10 @@ impl Limits {
     fn detectable(&self, information: &DMatrix<f64>, first: usize, count: usize) -> f64 {
         let own = information.view((first, first), (count, count)).into_owned();
         let (shown, least) = (own.trace(), SymmetricEigen::new(own).eigenvalues.min());
-        if least <= RANK * shown || self.dof == 0 {
+        if least <= RANK * shown {
             return f64::INFINITY;
         }
-        (bisect(|noncentrality| self.power(noncentrality) >= POWER) / least).sqrt()
+        (self.detected / least).sqrt()
     }
 
     /// The least change of one column that is detected and that no other one explains better.
@@ -351,6 +365,15 @@ struct Fit {
     rank: usize,
 }
 
+impl Test {
+    /// Probability of two tests, of which one may have no degrees of freedom.
+    fn together(changes: &Self, rest: &Self) -> f64 {
+        let least = changes.p_value.min(rest.p_value);
+        let two = changes.degrees_of_freedom > 0 && rest.degrees_of_freedom > 0;
+        if two { 1.0 - (1.0 - least).powi(2) } else { least }
+    }
+}
+
 impl<'a> Space<'a> {
     fn new(
         robot: &'a dyn Robot,
@@ -399,6 +422,17 @@ impl<'a> Space<'a> {
     fn sum(&self) -> f64 {
         let r = DMatrix::from_column_slice(self.r.len(), 1, self.r.as_slice());
         r.dot(&self.solve(&r))
+    }
+
+    /// The tests of what these changes can make, and of the rest.
+    fn tests(&self, all: &Columns, variance: Variance) -> [Test; 2] {
+        let fit = self.fit(&all.columns);
+        let rest = (self.sum() - fit.explained).max(0.0);
+        [(fit.explained, fit.rank), (rest, self.r.len() - fit.rank)].map(|(sum, degrees_of_freedom)| Test {
+            sum,
+            degrees_of_freedom,
+            p_value: variance.exceedance(sum, degrees_of_freedom),
+        })
     }
 
     /// Root mean square of a coordinate's residual, and what is expected of it, mm.
