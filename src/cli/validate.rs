@@ -22,30 +22,18 @@ pub struct Validate {
     #[arg(long, value_name = "FILE")]
     parameters: Option<PathBuf>,
     /// Where base and targets come from
-    #[arg(long, value_enum, default_value_t = Frames::Refit)]
-    frames: Frames,
+    #[arg(long, value_enum, default_value_t = GivenFrames::Refit)]
+    frames: GivenFrames,
     /// Print accuracy.json
     #[arg(long)]
     json: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Frames {
-    /// From the parameters: errors in the absolute sense, in the world frame of the campaign
-    Given,
-    /// Fitted to the calibration poses of the campaign
-    Refit,
 }
 
 impl Validate {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let campaign = Campaign::read(&self.campaign)?;
         let document = self.parameters.as_deref().map(read_parameters).transpose()?;
-        let frames = match self.frames {
-            Frames::Given => GivenFrames::Given,
-            Frames::Refit => GivenFrames::Refit,
-        };
-        let Validated { accuracy, messages } = validate(&campaign, document.as_ref(), frames)?;
+        let Validated { accuracy, messages } = validate(&campaign, document.as_ref(), self.frames)?;
         remark(&messages);
         let verdict = Verdict::of(accuracy.limits.iter().all(|limit| limit.met));
         let answer = if self.json { to_json(&accuracy)? } else { text(&accuracy).into_bytes() };

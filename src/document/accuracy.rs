@@ -44,12 +44,12 @@ pub struct GivenSummary {
 }
 
 /// Where base and targets come from when parameters are judged that were identified elsewhere.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum)]
 #[serde(rename_all = "snake_case")]
 pub enum GivenFrames {
-    /// From the parameters.
+    /// From the parameters: errors in the absolute sense, in the world frame of the campaign
     Given,
-    /// Fitted to the calibration poses.
+    /// Fitted to the calibration poses of the campaign
     #[default]
     Refit,
 }

@@ -2,6 +2,7 @@
 
 use super::{ParametersDocument, Statistics};
 use crate::base::message::Message;
+use crate::math::robots::Effect;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -33,28 +34,12 @@ pub struct RecommendationDocument {
     pub messages: Vec<Message>,
 }
 
-/// What parameters of a robot describe.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum EffectName {
-    /// Zeros of the joints.
-    Zeros,
-    /// Lengths and angles of the parts.
-    Geometry,
-    /// Gains: leads, ratios of the transmissions.
-    Gains,
-    /// Coupling of one joint to another.
-    Coupling,
-    /// Bending of joints and links under loads.
-    Bending,
-}
-
 /// An effect that was tried beside those accepted before it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EffectStep {
     /// The effect; absent of base and targets alone, with which it begins.
-    pub effect: Option<EffectName>,
+    pub effect: Option<Effect>,
     /// Parameters that are identified with it.
     pub identified: usize,
     /// Root mean square of the residuals of all calibration poses, mm.
@@ -80,7 +65,7 @@ pub struct ParameterVerdict {
     /// Its unit.
     pub unit: String,
     /// What it describes.
-    pub effect: EffectName,
+    pub effect: Effect,
     /// Identified minus nominal value, with all parameters.
     pub change: f64,
     /// The change over its standard uncertainty.

@@ -19,7 +19,7 @@ use crate::math::identify::{self, Identification, Observation, Settings, Status,
 use crate::math::robots::{Effect, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
-use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal, StudentsT};
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Parts into which the poses are cut.
@@ -189,7 +189,7 @@ impl<'a> Study<'a> {
                 ALL.into_iter().filter(|effect| !chosen.contains(effect) && self.effects.contains(&Some(*effect)));
             let mut tried = Vec::new();
             for effect in left {
-                // what the data do not determine at all is no effect of theirs; too few poses for it neither
+                // an effect that these poses do not suffice to identify is not tried
                 if let Ok(found) = self.tried(&self.of_effects(&[&chosen[..], &[effect]].concat()), None) {
                     tried.push((effect, found));
                 }
@@ -271,25 +271,25 @@ impl<'a> Study<'a> {
             folds.push(self.identify(&used, &settings)?);
         }
         let verdict = |c: &Change| {
-            let p = &self.robot.parameters()[c.index];
+            let (p, effect) = (&self.robot.parameters()[c.index], self.effects[c.index]?);
             let judged = of_model.iter().find(|m| m.index == c.index).unwrap_or(c);
             let values: Vec<f64> = folds.iter().map(|found| found.values[c.index]).collect();
             let mean = values.iter().sum::<f64>() / values.len() as f64;
             let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (values.len() - 1) as f64;
             // two folds share all but two parts of their poses: their values differ by less than independent ones
             let u_fold = judged.u * ((values.len() as f64) / (values.len() as f64 - 1.0)).sqrt();
-            ParameterVerdict {
+            Some(ParameterVerdict {
                 name: p.name.clone(),
                 unit: p.quantity.unit().to_owned(),
-                effect: effect_name(self.effects[c.index]),
+                effect,
                 change: p.quantity.outward(judged.change),
                 change_over_u: (judged.change / judged.u).abs(),
                 p_value: judged.p_value,
                 fold_sd_over_u: variance.sqrt() / u_fold,
                 verdict: if load.contains(&c.index) { LoadVerdict::Load } else { LoadVerdict::Hold },
-            }
+            })
         };
-        Ok(of_all.iter().map(verdict).collect())
+        Ok(of_all.iter().filter_map(verdict).collect())
     }
 }
 
@@ -303,16 +303,6 @@ struct Change {
 
 /// All effects, the plainer first.
 const ALL: [Effect; 5] = [Effect::Zeros, Effect::Geometry, Effect::Gains, Effect::Coupling, Effect::Bending];
-
-fn effect_name(effect: Option<Effect>) -> EffectName {
-    match effect {
-        Some(Effect::Zeros) => EffectName::Zeros,
-        Some(Effect::Gains) => EffectName::Gains,
-        Some(Effect::Coupling) => EffectName::Coupling,
-        Some(Effect::Bending) => EffectName::Bending,
-        Some(Effect::Geometry) | None => EffectName::Geometry,
-    }
-}
 
 impl Tried {
     fn mean_square(&self) -> f64 {
@@ -335,11 +325,10 @@ impl Tried {
             let n = found.degrees_of_freedom + found.free.len();
             found.chi_square.unwrap_or(found.rms.powi(2) * n as f64)
         };
-        let more = self.found.free.len().checked_sub(before.found.free.len()).filter(|k| *k > 0)? as f64;
+        let more = self.found.free.len().checked_sub(before.found.free.len()).filter(|k| *k > 0)?;
         let dof = self.found.degrees_of_freedom as f64;
-        let f = (squares(&before.found) - squares(&self.found)) / more / (squares(&self.found) / dof);
-        let p = FisherSnedecor::new(more, dof).ok()?.sf(f.max(0.0));
-        Some([f, p])
+        let f = (squares(&before.found) - squares(&self.found)) / more as f64 / (squares(&self.found) / dof);
+        Some([f, Variance::Estimated(dof).exceedance(more as f64 * f, more)])
     }
 
     fn improves(&self, before: &Self) -> bool {
@@ -351,7 +340,7 @@ impl Tried {
         let test = before.and_then(|before| self.f_test(before));
         let gain = before.map(|before| self.gain(before));
         EffectStep {
-            effect: effect.map(|effect| effect_name(Some(effect))),
+            effect,
             identified: self.found.free.len(),
             rms_mm: self.found.rms,
             f: test.map(|t| t[0]),

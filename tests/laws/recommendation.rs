@@ -2,7 +2,8 @@
 
 use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
-use etalon::document::{EffectName, LoadVerdict};
+use etalon::document::LoadVerdict;
+use etalon::math::robots::Effect;
 use etalon::run::validation::recommend;
 use std::path::Path;
 
@@ -13,13 +14,13 @@ fn bending_of_the_irb120_is_recommended() {
     }
     let folder = copy_sample("abb-irb120");
     let answer = recommend(&Campaign::read(&folder.path()).unwrap()).unwrap();
-    let accepted: Vec<EffectName> = answer.steps.iter().filter(|s| s.accepted).filter_map(|s| s.effect).collect();
+    let accepted: Vec<Effect> = answer.steps.iter().filter(|s| s.accepted).filter_map(|s| s.effect).collect();
     println!("{}", answer.meaning.join("\n"));
     // the bending first of what is not geometry; that coupling improves poses that were left out is not proven by these data
-    assert!(accepted.contains(&EffectName::Bending) && accepted.contains(&EffectName::Geometry), "{accepted:?}");
+    assert!(accepted.contains(&Effect::Bending) && accepted.contains(&Effect::Geometry), "{accepted:?}");
     let loaded =
         |name: &str| answer.parameters.iter().any(|p| p.name.starts_with(name) && p.verdict == LoadVerdict::Load);
-    assert_eq!(accepted.contains(&EffectName::Coupling), loaded("coupling_"));
+    assert_eq!(accepted.contains(&Effect::Coupling), loaded("coupling_"));
     let load: Vec<&str> =
         answer.parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).map(|p| p.name.as_str()).collect();
     println!("{} of {}: {}", load.len(), answer.parameters.len(), load.join(", "));

@@ -1,5 +1,6 @@
 //! What a parameter and a joint are.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What is measured: decides the unit at the door.
@@ -48,17 +49,18 @@ pub enum Role {
 }
 
 /// What a parameter of the robot itself describes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Effect {
-    /// The zero of a joint.
+    /// Zeros of the joints.
     Zeros,
-    /// A length or an angle of a part.
+    /// Lengths and angles of the parts.
     Geometry,
-    /// What a joint moves for each mm or rad of its value.
+    /// Gains: leads, ratios of the transmissions.
     Gains,
-    /// What it moves for each mm or rad of another.
+    /// Coupling of one joint to another.
     Coupling,
-    /// What it bends under load.
+    /// Bending of joints and links under loads.
     Bending,
 }
 
