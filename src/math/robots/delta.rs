@@ -6,6 +6,7 @@
 //! and seven: it is never identifiable beside that of the base, and only their difference has an effect.
 
 use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod};
+use super::prexyt::Travel;
 use super::{Description, Model, Quantity, Robot, Source, wrong_targets};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
@@ -87,14 +88,6 @@ struct LinearKeys {
     /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
     #[serde(default)]
     reach: Travel,
-}
-
-/// Limits of a delta with towers.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-struct Travel {
-    /// Travel of each actuator from zero.
-    travel_mm: Option<[f64; 3]>,
 }
 
 fn thirds() -> [f64; 3] {

@@ -52,9 +52,9 @@ struct Keys<const FULL: bool> {
 /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Travel {
+pub(super) struct Travel {
     /// Travel of each actuator from zero.
-    travel_mm: Option<[f64; 3]>,
+    pub travel_mm: Option<[f64; 3]>,
 }
 
 impl<const FULL: bool> Description for Keys<FULL> {
