@@ -156,7 +156,7 @@ pub(super) fn implausible(option: &str, stated_um: Option<f64>) -> Option<Messag
 }
 
 /// A warning about columns that nothing reads.
-fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message> {
+pub(super) fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message> {
     let joints = observed.table.get_column_names().into_iter().map(|name| name.as_str());
     let joints = joints.filter(|name| robot.joints().iter().any(|joint| joint.factor(name).is_some()));
     let known =

@@ -1,5 +1,6 @@
 //! `etalon verify`
 
+use super::identify::unread;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, print_with, remark};
@@ -57,7 +58,7 @@ impl Verify {
         let here = |problems: Problems| observed.place(problems);
         let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
         only_points(&observed)?;
-        let mut messages = Vec::new();
+        let mut messages: Vec<Message> = unread(robot.as_ref(), &observed).into_iter().collect();
         let observations = Observation::from_table(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
         let described = robot_file.description_path();
         let inputs =
@@ -76,7 +77,8 @@ impl Verify {
 
 /// Other kinds of observations are refused: they would be left out.
 fn only_points(observed: &TableFile) -> Result<(), Problems> {
-    let others = ["kind", "qw", "socket", "distance_mm", "plane"];
+    // the uncertainty of a row is that of its position
+    let others = kinds::COLUMNS.into_iter().filter(|name| *name != "u_mm");
     match others.into_iter().find(|name| observed.table.column(name).is_ok()) {
         Some(name) => {
             let message =

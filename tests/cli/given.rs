@@ -117,6 +117,12 @@ fn a_verification_says_what_has_moved() {
     };
     let valid = verify(&observations(&folder.path(), |_, _| {}));
     assert_eq!((code(&valid), json(&valid)["verdict"].as_str()), (Some(0), Some("valid")), "{}", text(&valid.stderr));
+    // a column that nothing reads is named
+    let misspelt = observations(&folder.path(), |_, cells| cells.push("0.01".to_owned()));
+    let misspelt = verify(&misspelt.replacen('\n', ",uncertainty\n", 1));
+    assert!(code(&misspelt) == Some(0) && text(&misspelt.stderr).is_empty(), "{}", text(&misspelt.stderr));
+    let messages = json(&misspelt)["messages"].to_string();
+    assert!(messages.contains("uncertainty"), "{messages}");
     // a carriage that is elsewhere than its encoder reads
     let slipped = verify(&observations(&folder.path(), |header, cells| add(header, cells, "rho2_mm", -0.2)));
     let answer = json(&slipped);
@@ -154,6 +160,10 @@ fn a_verification_refuses_what_it_cannot_compare() {
     assert!(refused(&good.replace(",K,", ",M,"), &[]).contains("`M`"));
     assert!(refused(&good.replace("pose,", "kind,").replace('\n', "\npoint,"), &[]).contains("error"));
     assert!(refused(&good.replace("rho1_mm", "rho1_deg"), &[]).contains("rho1"));
+    // what would be left out: a measured orientation in any form
+    let with_angle = observations(&folder.path(), |_, cells| cells.push("0".to_owned()));
+    let with_angles = with_angle.replacen('\n', ",rx_rad\n", 1);
+    assert!(refused(&with_angles, &[]).contains("column `rx_rad`: only positions are compared"));
     // inches, and actuators that are exchanged
     let inch = observations(&folder.path(), |header, cells| {
         for column in ["x_mm", "y_mm"] {
