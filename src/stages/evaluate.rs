@@ -101,7 +101,7 @@ fn condition_error(
     let target = &robot.targets()[condition.target];
     let (b, a) = (condition.error(robot, before), condition.error(robot, after));
     if matches!(condition.kind, Kind::Joint { .. }) {
-        // the value of a joint is no error of a target
+        // the value of a joint is not an error of a target
         return;
     }
     if condition.kind.is_orientation() {

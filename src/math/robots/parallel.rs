@@ -39,7 +39,7 @@ impl<T: Scalar> Rod<T> {
 /// A parameter of every leg.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LegParameter {
-    /// `#` stands for the number of the leg, from 1.
+    /// `#` is the number of the leg, from 1.
     pub name: &'static str,
     pub quantity: Quantity,
 }
@@ -50,7 +50,7 @@ pub(super) trait Legs: Clone + Debug + Send + Sync {
     const MODEL: &'static str;
     /// Parameters of each leg, in their order; at most nine.
     const PARAMETERS: &'static [LegParameter];
-    /// Joints: `#` stands for the number of the leg, from 1.
+    /// Joints: `#` is the number of the leg, from 1.
     const JOINT: LegParameter;
     /// Number of legs: six, or three of a platform that does not turn.
     const COUNT: usize;
