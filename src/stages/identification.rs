@@ -172,11 +172,16 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     let robot: &dyn Robot = robot;
     leave_out(campaign, stated, robot, &mut observed)?;
     let mut messages = stale(robot, &observed.observations);
-    if !observed.observations.is_empty() {
-        let u_mm = observed.settings.coordinate_uncertainty_mm();
-        messages.extend(identify::set_up_problem(robot, &observed.observations, u_mm));
-    }
+    messages.extend(wrong_set_up(robot, &observed.observations, &observed.settings));
     Ok(messages)
+}
+
+/// An error where the nominal robot is nowhere near the measurements.
+pub(super) fn wrong_set_up(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Message> {
+    if observations.is_empty() {
+        return None;
+    }
+    identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm())
 }
 
 /// Leaves out what the campaign excludes.

@@ -6,7 +6,7 @@
 //! Friedman, 7.10.2).
 
 use super::evaluate::{self, Sets, summarise};
-use super::identification::{Selected, select};
+use super::identification::{Selected, select, wrong_set_up};
 use super::join::Joined;
 use super::parameters::parameters_document;
 use crate::base::message::{Message, Result, count};
@@ -46,6 +46,9 @@ pub fn recommend(
     if !settings.conditions.is_empty() {
         let message = Message::error("parameters are recommended from measured positions alone");
         return Err(message.hint("leave rows of other kinds out").into());
+    }
+    if let Some(error) = wrong_set_up(robot, &sets.calibration, &settings) {
+        return Err(error.into());
     }
     Study::new(robot, &sets.calibration, settings)?.document(inputs, messages)
 }

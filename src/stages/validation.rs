@@ -2,7 +2,7 @@
 
 use super::evaluate::{self, Sets};
 use super::given::{Noise, given, other_nominal, robot_values};
-use super::identification::{Selected, select};
+use super::identification::{Selected, select, wrong_set_up};
 use super::join::Joined;
 use crate::base::message::{Message, Result};
 use crate::campaign::{Campaign, Identify};
@@ -29,6 +29,9 @@ pub fn validate(
     frames: GivenFrames,
 ) -> Result<Validated> {
     let Selected { sets, settings, mut messages, .. } = select(campaign, stated, robot, joined)?;
+    if let Some(error) = wrong_set_up(robot, &sets.calibration, &settings) {
+        return Err(error.into());
+    }
     messages.extend(document.and_then(|document| other_nominal(robot, document)));
     let values = Values::of(robot, document, frames, &sets, &settings)?;
     let robot: &dyn Robot = robot;

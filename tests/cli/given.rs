@@ -180,6 +180,17 @@ fn a_verification_refuses_what_it_cannot_compare() {
 }
 
 #[test]
+fn a_wrong_set_up_is_neither_judged_nor_recommended() {
+    let folder = copy_sample("prexyt-cmm");
+    folder.replace("campaign.toml", "rho2_mm = \"RP2\", rho3_mm = \"RP3\"", "rho2_mm = \"RP3\", rho3_mm = \"RP2\"");
+    for command in ["validate", "recommend"] {
+        let refused = etalon(&folder.path(), &[command, "."]);
+        let said = text(&refused.stderr);
+        assert!(code(&refused) == Some(2) && said.contains("`rho2` and `rho3` exchanged"), "{command}: {said}");
+    }
+}
+
+#[test]
 fn a_recommendation_loads_what_is_proven_and_nothing_else() {
     // a synthetic table of which only gamma, d3 and delta are not as drawn
     let folder = copy_sample("prexyt-cmm");
