@@ -80,7 +80,7 @@ impl Exported {
         let description = self.file.as_ref().and_then(|robot| robot.description());
         Given {
             parameters: &self.parameters,
-            campaign: self.summary.as_ref().map(|summary| summary.name.as_str()),
+            summary: self.summary.as_ref(),
             name: self.file.as_ref().and_then(|robot| robot.name.as_deref()),
             robot: self.robot.as_deref(),
             description: description.map(|(file, text)| Description { file, text }),

@@ -7,6 +7,7 @@ mod c_header;
 mod code;
 pub mod commands;
 mod csv;
+mod dcc;
 mod delta;
 mod galil;
 mod hexapod_hal;
@@ -14,6 +15,7 @@ mod json;
 mod linuxcnc;
 mod matlab;
 mod python;
+mod qif;
 mod reprap_five_bar;
 mod targets;
 #[cfg(test)]
@@ -21,13 +23,14 @@ mod tests;
 mod twincat;
 mod universal_robots;
 mod urdf;
+mod xml;
 
 pub use targets::{places, targets};
 
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result, Severity};
 use crate::base::pose::{Pose, Vector};
-use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument, to_json};
+use crate::document::{CampaignSummary, ParameterEntry, ParameterStatus, ParametersDocument, to_json};
 use crate::math::robots::{Robot, Role};
 use c_header::comment;
 use std::collections::BTreeSet;
@@ -54,8 +57,8 @@ pub trait Exporter {
 pub struct Given<'a> {
     /// Identified parameters.
     pub parameters: &'a ParametersDocument,
-    /// Name of the campaign.
-    pub campaign: Option<&'a str>,
+    /// What the campaign states about itself.
+    pub summary: Option<&'a CampaignSummary>,
     /// Name of the robot.
     pub name: Option<&'a str>,
     /// The robot with nominal parameters, for formats of its kind.
@@ -78,7 +81,7 @@ pub struct Description<'a> {
 impl<'a> Given<'a> {
     /// Parameters alone.
     pub fn parameters(parameters: &'a ParametersDocument) -> Self {
-        Self { parameters, campaign: None, name: None, robot: None, description: None, force: false }
+        Self { parameters, summary: None, name: None, robot: None, description: None, force: false }
     }
 
     /// What the identification failed of its own checks.
@@ -128,7 +131,7 @@ impl<'a> Given<'a> {
         let hash = files::sha256(&to_json(self.parameters)?);
         let mut lines = vec![format!("Written by etalon {}", self.parameters.provenance.version)];
         lines.extend(self.warning());
-        lines.extend(self.campaign.map(|name| format!("campaign: {name}")));
+        lines.extend(self.summary.map(|summary| format!("campaign: {}", summary.name)));
         lines.push(format!("robot: {}", self.name.unwrap_or(&self.parameters.robot)));
         lines.push(format!("units: {units}"));
         lines.push(format!("sha256 of parameters.json: {hash}"));
@@ -168,12 +171,14 @@ impl<'a> Given<'a> {
 }
 
 /// Formats of all robots come first: those that are written where none is named.
-const EXPORTERS: [(&str, &dyn Exporter); 18] = [
+const EXPORTERS: [(&str, &dyn Exporter); 20] = [
     ("json", &json::Json),
     ("csv", &csv::Csv),
     ("c-header", &c_header::CHeader),
     ("matlab", &matlab::Matlab),
     ("python", &python::Python),
+    ("dcc", &dcc::Dcc),
+    ("qif", &qif::Qif),
     ("galil", &galil::Galil),
     ("twincat", &twincat::TwinCat),
     ("urdf", &urdf::Urdf),

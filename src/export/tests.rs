@@ -1,5 +1,7 @@
 //! Every format against the same parameters: what is written reads back bit for bit.
 
+mod certificates;
+
 use super::*;
 use crate::document::ResidualKind;
 use crate::document::Termination;
@@ -263,12 +265,18 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
     lost.solver.termination = Termination::LostPatience;
     let mut wrong = whole.clone();
     wrong.messages.push(Message::error("*/ joint 2 turns the other way \n"));
+    let summary = certificates::summary();
     // formats of other robots refuse this one
     let of_other_robots =
         ["urdf", "linuxcnc-hexapod", "linuxcnc-delta", "klipper-delta", "reprap-delta", "reprap-five-bar"];
     for name in names().filter(|name| !of_other_robots.contains(name)) {
         let exporter = by_name(name).unwrap();
-        let given = |parameters, force| Given { robot: Some(&arm), force, ..Given::parameters(parameters) };
+        let given = |parameters, force| Given {
+            robot: Some(&arm),
+            summary: Some(&summary),
+            force,
+            ..Given::parameters(parameters)
+        };
         let fit = exporter.write(&given(&whole, false)).unwrap();
         assert_eq!(fit, exporter.write(&given(&whole, true)).unwrap(), "{name}");
         for (document, why) in [(&lost, "not converged"), (&wrong, "joint 2 turns the other way")] {

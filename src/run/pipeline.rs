@@ -171,7 +171,7 @@ fn write(
         let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
         let given = export::Given {
             parameters: &found.parameters,
-            campaign: Some(&summary.name),
+            summary: Some(&summary),
             name: summary.robot.as_deref(),
             robot: Some(robot.as_ref()),
             description: campaign.robot.description().map(|(file, text)| export::Description { file, text }),

@@ -1,0 +1,161 @@
+//! Certificates against the schemas that PTB and the DMSC publish, and read back by Python.
+
+use super::*;
+use std::path::Path;
+
+/// Parameters with all units, a full covariance and texts that are hostile to XML.
+fn certified() -> ParametersDocument {
+    let hostile = "<!-- ]]> & \" \u{1} -- é";
+    let mut document = document(vec![
+        parameter("l11", "mm", 300.000_000_000_000_06),
+        parameter("gamma", "deg", -1.0 / 3.0),
+        parameter("delta2", "1", 1.000_023_1),
+        parameter(hostile, "mm", 1.234_567_890_123_456_7e-9),
+        parameter("d", "mm", 90.0),
+        parameter("ratio", "1", 1.0),
+    ]);
+    for p in &mut document.parameters[4..] {
+        (p.status, p.standard_uncertainty) = (ParameterStatus::Fixed, None);
+    }
+    document.covariance = (0..4).map(|i| (0..4).map(|j| if i == j { 1e-14 } else { 1e-15 / 3.0 }).collect()).collect();
+    document
+}
+
+pub(super) fn summary() -> CampaignSummary {
+    let stated = serde_json::json!({
+        "name": "--> <x/> spring check", "robot": null, "synthetic": null, "notes": null, "date": "2026-03-02 to 2026-03-04",
+        "operator": "A. \u{2}B.", "instrument": "CMM", "expanded_uncertainty_um": 2.7, "coverage_factor": 2.0, "contact": null,
+        "temperature_c": 20.1, "conditions": { "robot": "maker, type, 17" }
+    });
+    serde_json::from_value(stated).unwrap()
+}
+
+fn written(format: &str) -> String {
+    let (document, summary) = (certified(), summary());
+    let given = Given { summary: Some(&summary), ..Given::parameters(&document) };
+    String::from_utf8(by_name(format).unwrap().write(&given).unwrap()).unwrap()
+}
+
+/// What `xmllint` finds wrong in a text by a schema of the reference, nothing in a valid one; `None` where there is no schema or no `xmllint`.
+#[allow(clippy::print_stdout, reason = "a skipped validation is said")]
+fn valid(text: &str, schema: &str) -> Option<String> {
+    let schema = Path::new(&std::env::var_os("ETALON_REFERENCE").unwrap_or_default()).join("xsd").join(schema);
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("document.xml");
+    std::fs::write(&file, text).unwrap();
+    let run = Command::new("xmllint").args(["--nonet", "--noout", "--schema"]).arg(&schema).arg(&file).output();
+    match run {
+        Ok(output) if schema.is_file() => {
+            let said = String::from_utf8_lossy(&output.stderr).into_owned();
+            Some(if output.status.success() { String::new() } else { said })
+        }
+        _ => {
+            println!("skipped: no `xmllint`, or no schema {}", schema.display());
+            None
+        }
+    }
+}
+
+const DCC: &str = "dcc/v3.3.0/dcc.xsd";
+const QIF: &str = "qif-3.0/QIFApplications/QIFDocument_bindings_variant.xsd";
+
+#[test]
+fn certificates_are_valid_and_a_decimal_comma_is_not() {
+    for (format, schema, number) in [("dcc", DCC, "1.0000231"), ("qif", QIF, "1.0000231")] {
+        let text = written(format);
+        if let Some(answer) = valid(&text, schema) {
+            assert_eq!(answer, "", "{text}");
+            assert!(text.contains(number));
+            let comma = valid(&text.replace(number, &number.replace('.', ",")), schema).unwrap();
+            assert!(comma.contains("1,0000231"), "{format}");
+        }
+        // parameters alone, without a covariance: what is not stated is named
+        let (mut bare, mut summary) = (certified(), summary());
+        bare.covariance.clear();
+        (summary.operator, summary.instrument, summary.temperature_c) = (None, None, None);
+        let given = Given { summary: Some(&summary), ..Given::parameters(&bare) };
+        let text = String::from_utf8(by_name(format).unwrap().write(&given).unwrap()).unwrap();
+        assert!(valid(&text, schema).is_none_or(|answer| answer.is_empty()), "{text}");
+        let named = "country (ZZ), customer, laboratory, responsible person, instrument, calibration of the instrument, temperature";
+        assert!(format != "dcc" || text.contains(named), "{text}");
+    }
+}
+
+#[test]
+fn a_certificate_needs_the_date_of_the_measurements() {
+    let mut summary = summary();
+    summary.date = Some("in spring".to_owned());
+    let document = certified();
+    for summary in [Some(&summary), None] {
+        let given = Given { summary, ..Given::parameters(&document) };
+        let refused = by_name("dcc").unwrap().write(&given).unwrap_err().to_string();
+        assert!(refused.contains("needs the date of the measurements"), "{refused}");
+    }
+}
+
+/// Python's own reader of XML, which knows neither schema: values, uncertainties and covariances bit for bit.
+#[test]
+#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
+fn certificates_read_back_bit_for_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    for format in ["dcc", "qif"] {
+        std::fs::write(folder.path().join(format), written(format)).unwrap();
+    }
+    let script = r#"
+import xml.etree.ElementTree as E
+si = '{https://ptb.de/si}'
+for quantities in E.parse('dcc').getroot().iter(si + 'realListXMLList'):
+    values = quantities.find(si + 'valueXMLList').text.split()
+    units = quantities.find(si + 'unitXMLList').text.split()
+    names = quantities.find(si + 'labelXMLList').text.split()
+    assert len(values) == len(units)
+    print(*zip(values, units))
+    columns = list(quantities.iter(si + 'columnXMLList'))
+    for column in columns:
+        row = column.find('.//' + si + 'valueXMLList').text.split()
+        assert len(row) == len(columns) == len(values) == len(column.find('.//' + si + 'unitXMLList').text.split())
+        print('covariance', *row)
+    for factor in quantities.iter(si + 'coverageFactorXMLList'): print('factor', factor.text)
+q = '{http://qifstandards.org/xsd/qif3}'
+root = E.parse('qif').getroot()
+byid = {e.get('id'): e for e in root.iter() if e.get('id')}
+assert int(root.get('idMax')) == max(map(int, byid))
+for measured in root.find('.//' + q + 'CharacteristicMeasurements'):
+    nominal = byid[byid[measured.find(q + 'CharacteristicItemId').text].find(q + 'CharacteristicNominalId').text]
+    value = measured.find(q + 'Value')
+    print('qif', nominal.find(q + 'Name').text.encode('ascii', 'replace').decode(), nominal.find(q + 'TargetValue').text, value.text, value.get('combinedUncertainty'))
+"#;
+    let Ok(output) = Command::new("python3").args(["-c", script]).current_dir(folder.path()).output() else {
+        return println!("skipped: there is no `python3`");
+    };
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = String::from_utf8(output.stdout).unwrap();
+    let document = certified();
+    let lists: Vec<&str> = read.lines().filter(|line| line.starts_with("('")).collect();
+    let dsi = |unit: &str| match unit {
+        "mm" => r"'\\milli\\metre'",
+        "deg" => r"'\\degree'",
+        _ => r"'\\one'",
+    };
+    let expected = |parameters: &[ParameterEntry]| {
+        parameters.iter().map(|p| format!("('{:?}', {})", p.value, dsi(&p.unit))).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(lists, [expected(&document.parameters[..4]), expected(&document.parameters[4..])]);
+    let rows = read.lines().filter_map(|line| line.strip_prefix("covariance "));
+    let rows: Vec<Vec<f64>> = rows.map(|row| row.split(' ').map(|v| v.parse().unwrap()).collect()).collect();
+    assert_eq!(rows, document.covariance);
+    // √χ² of four degrees of freedom at 95 %: 9.4877 in every table
+    let factor: f64 = read.lines().find_map(|line| line.strip_prefix("factor ")).unwrap().parse().unwrap();
+    assert!((factor - 9.487_729_036_781_154_f64.sqrt()).abs() < 1e-9, "{factor}");
+    let qif: Vec<Vec<&str>> =
+        read.lines().filter_map(|line| line.strip_prefix("qif ")).map(|line| line.rsplitn(4, ' ').collect()).collect();
+    for (fields, p) in qif.iter().zip(&document.parameters) {
+        // a decimal has 24 decimals
+        let same = |read: &str, value: f64| {
+            (read.parse::<f64>().unwrap() - value).abs() <= if value.abs() < 1e-8 { 1e-24 } else { 0.0 }
+        };
+        assert!(same(fields[1], p.value) && same(fields[2], p.nominal), "{fields:?}");
+        assert_eq!(fields[0].parse::<f64>().ok(), p.standard_uncertainty);
+    }
+    assert_eq!(qif.len(), document.parameters.len());
+}
