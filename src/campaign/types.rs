@@ -1,7 +1,7 @@
 //! The keys of `campaign.toml`.
 
 use super::{Join, JoinBy, StatedPoses};
-use crate::document::{Conditions, Language};
+use crate::document::{Conditions, DecisionRule, Language};
 use crate::import::{Export, Log};
 use crate::math::identify::{ResidualKind, RigidPart, ToolFrame, ToolPoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -132,6 +132,8 @@ pub struct Instrument {
     pub expanded_uncertainty_um: f64,
     /// Its coverage factor.
     pub coverage_factor: f64,
+    /// Expanded uncertainty of a measured position, with the same coverage factor; without it √3 times that of a coordinate (planar robots: √2).
+    pub expanded_position_uncertainty_um: Option<f64>,
     /// Expanded uncertainty of a measured orientation about any axis, with the same coverage factor.
     pub expanded_rotation_uncertainty_deg: Option<f64>,
 }
@@ -153,6 +155,11 @@ impl Instrument {
     /// Standard uncertainty of one coordinate in millimetres.
     pub fn standard_uncertainty_mm(&self) -> f64 {
         self.expanded_uncertainty_um / self.coverage_factor / 1000.0
+    }
+
+    /// Standard uncertainty of a position in millimetres, where it is stated.
+    pub fn position_uncertainty_mm(&self) -> Option<f64> {
+        Some(self.expanded_position_uncertainty_um? / self.coverage_factor / 1000.0)
     }
 
     /// Standard uncertainty of an orientation about any axis in radians.
@@ -405,6 +412,8 @@ pub struct Limits {
     pub repeatability_max_mm: Option<f64>,
     /// Largest accuracy AP of all poses.
     pub accuracy_max_mm: Option<f64>,
+    /// How uncertainty counts when these are judged; guarded where none is stated.
+    pub decision_rule: Option<DecisionRule>,
 }
 
 impl Limits {

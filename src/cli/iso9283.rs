@@ -6,11 +6,12 @@ mod stream;
 use super::table_file::TableFile;
 use super::{Verdict, answer, remark};
 use crate::base::message::{Message, Problems};
-use crate::document::{Characteristics, to_json};
+use crate::campaign::Limits;
+use crate::document::{Characteristics, DecisionRule, to_json};
 use crate::iso9283::pose::{DRAWS, Settings};
 use crate::report::Faces;
-use crate::stages::iso9283::load;
 use crate::stages::iso9283::pose::PoseTables;
+use crate::stages::iso9283::{limits, load};
 use plan::PlanOptions;
 use std::path::{Path, PathBuf};
 use stream::StreamOptions;
@@ -121,15 +122,18 @@ struct ByOptions {
 /// What a test of poses is evaluated with.
 #[derive(Debug, clap::Args)]
 struct PoseOptions {
-    /// Expanded uncertainty of a measured position in micrometres, for the intervals and the 25 % rule
+    /// Expanded uncertainty of a measured coordinate in micrometres (k = 2), for the intervals and, with that of a position, the 25 % rule
     #[arg(long, value_name = "UM")]
     expanded_uncertainty_um: Option<f64>,
-    /// Limit of AP, decided by its interval: conforming, not conforming or undecided; exit code 1 unless conforming
+    /// Limit of AP: conforming, not conforming or undecided by the decision rule; exit code 1 unless conforming
     #[arg(long, value_name = "MM", requires_all = ["poses", "commanded"])]
     ap_limit_mm: Option<f64>,
     /// Limit of RP, decided in the same way
     #[arg(long, value_name = "MM", requires = "poses")]
     rp_limit_mm: Option<f64>,
+    /// How uncertainty counts when limits are judged
+    #[arg(long, value_enum, default_value_t, value_name = "RULE", requires = "poses")]
+    decision_rule: DecisionRule,
     /// Reference targets, which do not move: cycle,target,x_mm,y_mm[,z_mm], measured from time to time. Positions, and angles
     /// whose order is stated, are compensated to the first time
     #[arg(long, value_name = "FILE", requires = "poses")]
@@ -198,7 +202,17 @@ impl PoseOptions {
             draws: DRAWS,
             ap_limit_mm: self.ap_limit_mm,
             rp_limit_mm: self.rp_limit_mm,
+            position_uncertainty_mm: None,
+            decision_rule: self.decision_rule,
         })?;
+        let stated = Limits {
+            accuracy_max_mm: self.ap_limit_mm,
+            repeatability_max_mm: self.rp_limit_mm,
+            decision_rule: Some(self.decision_rule),
+            ..Limits::default()
+        };
+        // a pose without such a value is undecided
+        document.limits = limits(&stated, &document.poses).unwrap_or_default();
         if commanded.is_none() {
             let what = "no commanded poses are stated: AP is not determined, and null; RP needs none";
             document

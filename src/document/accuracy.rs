@@ -1,5 +1,6 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
+use super::LimitVerdict;
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use crate::math::identify::ToolFrame;
@@ -125,6 +126,9 @@ pub struct ErrorStatistics {
     pub before: Statistics,
     /// With the identified parameters.
     pub after: Statistics,
+    /// Expanded uncertainty (k = 2) of one error, by what the instrument measures; absent where it is not known.
+    #[serde(default)]
+    pub expanded_uncertainty: Option<f64>,
 }
 
 /// Statistics of errors by size.
@@ -139,22 +143,6 @@ pub struct Statistics {
     pub p95: f64,
     /// Largest.
     pub max: f64,
-}
-
-/// One limit of the campaign.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct LimitVerdict {
-    /// Name of the limit in the campaign.
-    pub name: String,
-    /// Unit of both numbers.
-    pub unit: String,
-    /// What the campaign allows.
-    pub limit: f64,
-    /// What was reached, on the validation poses if there are any.
-    pub value: f64,
-    /// Whether the value is within the limit.
-    pub met: bool,
 }
 
 /// One error, before or after: what the pictures of a report show.

@@ -1,5 +1,6 @@
 //! `campaign.json`: what the campaign states about itself, the conditions of a test, and the presentation of the report.
 
+use super::DecisionRule;
 use crate::base::pose::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -28,6 +29,12 @@ pub struct CampaignSummary {
     pub expanded_uncertainty_um: Option<f64>,
     /// Its coverage factor.
     pub coverage_factor: Option<f64>,
+    /// Expanded uncertainty of a position, where it is stated.
+    #[serde(default)]
+    pub expanded_position_uncertainty_um: Option<f64>,
+    /// Decision rule for limits as stated.
+    #[serde(default)]
+    pub decision_rule: Option<DecisionRule>,
     /// How well the robot finds a measured point again, where stated.
     pub contact: Option<ContactSummary>,
     /// Temperature during the campaign.

@@ -1,6 +1,6 @@
 //! ISO 9283: poses, recorded motions, compliance, and the layout of a test.
 
-use super::LimitVerdict;
+use super::{Conformity, LimitVerdict};
 use crate::base::message::Message;
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
@@ -39,7 +39,7 @@ pub struct Iso9283Document {
     pub visits: Vec<Iso9283Visit>,
     /// Limits that the campaign states.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub limits: Vec<super::LimitVerdict>,
+    pub limits: Vec<LimitVerdict>,
     /// Measurements of the reference targets by which positions were carried back, where there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub reference: Vec<Iso9283Epoch>,
@@ -186,13 +186,13 @@ pub struct Iso9283Pose {
     /// Standard deviation of one reading, by coordinate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub noise_mm: Option<crate::base::pose::Vector>,
-    /// What the interval of AP proves about the stated limit.
+    /// AP judged by the stated limit.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub ap_conformity: Option<Iso9283Conformity>,
-    /// What the interval of RP proves about the stated limit.
+    pub ap_conformity: Option<Conformity>,
+    /// RP likewise.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub rp_conformity: Option<Iso9283Conformity>,
-    /// The instrument's expanded uncertainty over AP, where it is stated.
+    pub rp_conformity: Option<Conformity>,
+    /// The instrument's expanded uncertainty of a position (k = 2) over AP, where it is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_over_ap: Option<f64>,
     /// The instrument's expanded uncertainty over RP.
@@ -211,18 +211,6 @@ pub struct Iso9283Ellipsoid {
     pub semi_axes_mm: crate::base::pose::Vector,
     /// Their unit vectors.
     pub axes: [crate::base::pose::Vector; 3],
-}
-
-/// Conformity with a limit by ISO 14253-1's decision rule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Iso9283Conformity {
-    /// The whole interval is within the limit.
-    Conforming,
-    /// The whole interval is beyond the limit.
-    NotConforming,
-    /// The limit is within the interval: neither is proved.
-    Neither,
 }
 
 /// Distance between two poses (7.3).

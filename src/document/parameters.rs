@@ -126,6 +126,9 @@ pub struct ResidualSummary {
     pub common_standard_uncertainty_mm: Option<f64>,
     /// Chi-square against both.
     pub chi_square: Option<f64>,
+    /// Whether chi-square rejects that the measurement explains the residuals: a right model is rejected once in a thousand times.
+    #[serde(default)]
+    pub chi_square_rejected: bool,
     /// What standard uncertainties rest on.
     pub uncertainties_from: UncertaintyFrom,
     /// By how much standard uncertainties are larger than the instrument's alone makes them (median); 1 where chi-square

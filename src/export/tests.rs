@@ -43,6 +43,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             common_standard_uncertainty_mm: None,
             chi_square: None,
             uncertainties_from: crate::document::UncertaintyFrom::Instrument,
+            chi_square_rejected: false,
             uncertainties_enlarged_by: 1.0,
         },
         observability: Some(ObservabilitySummary {

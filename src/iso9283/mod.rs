@@ -25,7 +25,7 @@
 //! | uncertainty at most 25 % of the characteristic | 6 | [`statistics::uncertainty_ratio`] | unverified |
 //!
 //! Not of the standard: smallest enclosing sphere and circle beside mean + 3 s ([`pose::repeatability`]), intervals of AP and RP
-//! ([`statistics::interval`], [`statistics::bootstrap`]) and of AT and RT ([`path::bootstrap`]), conformity with a limit ([`statistics::interval::conformity`]), the ellipsoid of the next position
+//! ([`statistics::interval`], [`statistics::bootstrap`]) and of AT and RT ([`path::bootstrap`]), conformity with a limit ([`DecisionRule`](crate::document::DecisionRule)), the ellipsoid of the next position
 //! ([`pose::ellipsoid`]), RP without the instrument's noise ([`pose::noise_free`]), drift of the set-up by reference targets
 //! ([`pose::reference`], [`pose::rotations`]), spread by the pose approached from ([`pose::directions`]), coplanarity of mean positions ([`pose::coplanarity`],
 //! thesis 2.4).

@@ -49,6 +49,12 @@ pub(crate) fn with_uncertainty(value: f64, u: Option<f64>) -> String {
     fixed(value, u.and_then(|u| decimals(u, 2)).unwrap_or(4))
 }
 
+/// `value` with so many decimals, or as many more as tell it from its limit.
+pub(super) fn apart(value: f64, limit: f64, decimals: usize) -> String {
+    let alike = |n: &usize| value != limit && fixed(value, *n) == fixed(limit, *n);
+    fixed(value, (decimals..9).find(|n| !alike(n)).unwrap_or(9))
+}
+
 /// The largest of 1, 2 or 5 times a power of ten that is at most `value`.
 pub(super) fn round_down_125(value: f64) -> f64 {
     let Some(exponent) = magnitude(value, 17) else { return 1.0 };

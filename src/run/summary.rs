@@ -16,6 +16,8 @@ pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
         instrument: Some(file.instrument.name.clone()),
         expanded_uncertainty_um: Some(file.instrument.expanded_uncertainty_um),
         coverage_factor: Some(file.instrument.coverage_factor),
+        expanded_position_uncertainty_um: file.instrument.expanded_position_uncertainty_um,
+        decision_rule: file.limits.decision_rule,
         contact: file
             .contact
             .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),

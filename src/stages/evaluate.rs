@@ -1,13 +1,13 @@
 //! Errors before and after: measured against predicted, on calibration and validation poses apart.
 
 use crate::base::message::{Message, Result};
-use crate::base::pose::{Vector, minus, norm};
+use crate::base::pose::{Vector, centroid, minus, norm};
 use crate::base::pose_name::PoseName;
 use crate::base::table::{self, XYZ};
-use crate::campaign::{Limits, Selections};
+use crate::campaign::{Campaign, Limits, Selections};
 use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, PointError, Statistics};
 use crate::math::fit;
-use crate::math::identify::{Condition, Kind, Observation};
+use crate::math::identify::{Condition, Kind, Observation, Settings};
 use crate::math::robots::Robot;
 use crate::stages::kinds::Observed;
 use polars::prelude::{Column, DataFrame};
@@ -159,14 +159,71 @@ const MEASURED_CENTRE: &str = "the platform's centre as the balls measure it";
 /// Whose errors those of other robots are.
 const MEASURED_TARGETS: &str = "the targets as measured";
 
+/// Standard uncertainty (k = 1) of measured errors, by what the instrument measures; the parameters are what is judged, and add nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct ErrorUncertainty {
+    /// Of a coordinate, mm.
+    pub coordinate_mm: f64,
+    /// Of a position, mm.
+    pub position_mm: f64,
+    /// Of an orientation, degrees; `None` where it is not known.
+    pub orientation_deg: Option<f64>,
+}
+
+impl ErrorUncertainty {
+    /// As the campaign states it: a position has √3 (planar robots √2) times the uncertainty of a coordinate where no other is stated, an
+    /// orientation that of the targets about their centroid, of the observation with the largest.
+    pub fn of(campaign: &Campaign, robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Self {
+        let instrument = &campaign.file.instrument;
+        let coordinate_mm = settings.coordinate_uncertainty_mm();
+        let all = || sets.calibration.iter().chain(&sets.validation);
+        let turned = |o| rotation_per_mm(o, robot.dimension() == 2);
+        let of_targets = all().filter_map(turned).reduce(f64::max).map(|per_mm| (per_mm * coordinate_mm).to_degrees());
+        let stated = instrument.rotation_uncertainty_rad().map(|u| 3f64.sqrt() * u.to_degrees());
+        let coordinates = (robot.dimension() as f64).sqrt() * coordinate_mm;
+        Self {
+            coordinate_mm,
+            position_mm: instrument.position_uncertainty_mm().unwrap_or(coordinates),
+            orientation_deg: stated.or(of_targets),
+        }
+    }
+
+    /// Expanded uncertainty (k = 2) of a quantity.
+    fn expanded(self, quantity: &str) -> Option<f64> {
+        let standard = match quantity {
+            "position" => Some(self.position_mm),
+            "orientation" => self.orientation_deg,
+            _ => Some(self.coordinate_mm),
+        };
+        standard.map(|u| 2.0 * u)
+    }
+}
+
+/// Standard uncertainty of the rotation of the targets of an observation, rad for 1 mm of a coordinate: the root of the trace of the
+/// inverse of Σ(|r|²I - r rᵀ), r from their centroid; planar robots turn about z alone.
+fn rotation_per_mm(o: &Observation, planar: bool) -> Option<f64> {
+    let measured: Vec<Vector> = o.targets.iter().flatten().copied().collect();
+    let middle = centroid(&measured)?;
+    let arms = measured.iter().map(|p| nalgebra::Vector3::from(minus(*p, middle)));
+    let inertia: nalgebra::Matrix3<f64> =
+        arms.map(|r| nalgebra::Matrix3::identity() * r.norm_squared() - r * r.transpose()).sum();
+    let trace = if planar { inertia[(2, 2)].recip() } else { inertia.try_inverse()?.trace() };
+    Some(trace.sqrt()).filter(|u| u.is_finite())
+}
+
 /// Statistics of the errors, and the verdict on the campaign's limits.
-pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Result<AccuracyDocument> {
+pub fn evaluate(
+    robot: &dyn Robot,
+    errors: &[PointError],
+    limits: &Limits,
+    uncertainty: ErrorUncertainty,
+) -> Result<AccuracyDocument> {
     let planar = robot.dimension() == 2;
     let mut sets = Vec::new();
     for name in ["calibration", "validation"] {
         let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name).collect();
         if !of.is_empty() {
-            sets.push(accuracy_of(name, &of, planar));
+            sets.push(accuracy_of(name, &of, planar, uncertainty));
         }
     }
     let judged = sets.last();
@@ -180,6 +237,7 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
         ("position_rms_mm", limits.position_rms_mm, value("position", |s| s.rms)),
         ("orientation_max_deg", limits.orientation_max_deg, value("orientation", |s| s.max)),
     ];
+    let rule = limits.decision_rule.unwrap_or_default();
     let mut verdicts = Vec::new();
     for (name, limit, value) in stated {
         let Some(limit) = limit else { continue };
@@ -187,7 +245,8 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
             Message::error(format!("the limit `{name}` cannot be judged: these data give no such error"))
                 .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")
         })?;
-        verdicts.push(LimitVerdict { name: name.to_owned(), unit, limit, value, met: value <= limit });
+        let expanded = uncertainty.expanded(if unit == "deg" { "orientation" } else { "position" });
+        verdicts.push(LimitVerdict::of(name, &unit, limit, value, expanded, rule));
     }
     let (point, error) = if robot.platform().is_some() {
         (
@@ -217,7 +276,7 @@ pub fn evaluate(robot: &dyn Robot, errors: &[PointError], limits: &Limits) -> Re
     })
 }
 
-fn accuracy_of(name: &str, errors: &[&PointError], planar: bool) -> AccuracySet {
+fn accuracy_of(name: &str, errors: &[&PointError], planar: bool, uncertainty: ErrorUncertainty) -> AccuracySet {
     let poses: BTreeSet<PoseName> = errors.iter().map(|e| e.pose).collect();
     let mut quantities = vec![statistics("position", "mm", errors, &|v, _| Some(norm(v)))];
     for (axis, quantity) in ["x", "y", "z"].into_iter().enumerate().take(if planar { 2 } else { 3 }) {
@@ -226,6 +285,9 @@ fn accuracy_of(name: &str, errors: &[&PointError], planar: bool) -> AccuracySet 
     let orientation = statistics("orientation", "deg", errors, &|_, deg| deg.map(f64::abs));
     if errors.iter().any(|e| e.after_deg.is_some()) {
         quantities.push(orientation);
+    }
+    for of in &mut quantities {
+        of.expanded_uncertainty = uncertainty.expanded(&of.quantity);
     }
     AccuracySet { name: name.to_owned(), poses: poses.len(), count: errors.len(), errors: quantities }
 }
@@ -239,6 +301,7 @@ fn statistics(quantity: &str, unit: &str, errors: &[&PointError], size: Size) ->
         unit: unit.to_owned(),
         before: of(&|e| size(e.before_mm, e.before_deg)),
         after: of(&|e| size(e.after_mm, e.after_deg)),
+        expanded_uncertainty: None,
     }
 }
 

@@ -133,7 +133,7 @@ impl Noise {
         };
         let u = u.hypot(residuals.common_standard_uncertainty_mm.unwrap_or(0.0));
         // only where chi-square rejects that the instrument explains all
-        let rejected = residuals.uncertainties_enlarged_by > 1.0 && dof > 0.0;
+        let rejected = residuals.chi_square_rejected && dof > 0.0;
         let excess = residuals.chi_square.map_or(0.0, |chi_square| (chi_square / dof - 1.0).max(0.0));
         let model_mm = if rejected { u * excess.sqrt() } else { 0.0 };
         let variance = if model_mm > 0.0 { Variance::Estimated(dof) } else { Variance::Stated };

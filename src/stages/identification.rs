@@ -7,7 +7,7 @@ use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDoc
 use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings, ToolPoint};
 use crate::math::robots::Robot;
 use crate::stages::distance::{far_or_near, validation_distance};
-use crate::stages::evaluate::{self, Sets};
+use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::Joined;
 use crate::stages::kinds::{self, Observed, Stated};
@@ -74,7 +74,8 @@ pub fn identify(
     let errors = evaluate::errors(robot, &sets, &before, &found.values);
     let messages = plausibility(robot, &sets.calibration, &settings, &before, &found, &errors);
     found.warnings.splice(0..0, messages);
-    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits)?;
+    let uncertainty = ErrorUncertainty::of(campaign, robot, &sets, &settings);
+    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.validation_distance = validation_distance(robot, &sets);
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
     let tool = campaign.file.tool.map(|tool| tool.point()).or_else(|| ToolPoint::centre(robot));

@@ -71,6 +71,9 @@ pub fn parameters_document(
             stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
             common_standard_uncertainty_mm: settings.common_uncertainty_mm,
             chi_square: found.chi_square,
+            chi_square_rejected: found
+                .chi_square
+                .is_some_and(|c| crate::math::identify::chi_square_exceeds(c, found.degrees_of_freedom)),
             uncertainties_from: found.uncertainty_from,
             uncertainties_enlarged_by: found.inflation_factor,
         },

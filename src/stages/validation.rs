@@ -1,6 +1,6 @@
 //! Validate: given parameters judged on the data of a campaign; nothing of the robot is identified.
 
-use super::evaluate::{self, Sets};
+use super::evaluate::{self, ErrorUncertainty, Sets};
 use super::given::{Noise, given, other_nominal, robot_values};
 use super::identification::{Selected, select, wrong_set_up};
 use super::join::Joined;
@@ -36,7 +36,8 @@ pub fn validate(
     let values = Values::of(robot, document, frames, &sets, &settings)?;
     let robot: &dyn Robot = robot;
     let errors = evaluate::errors(robot, &sets, &values.before, &values.after);
-    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits)?;
+    let uncertainty = ErrorUncertainty::of(campaign, robot, &sets, &settings);
+    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.definition = definition(&accuracy, document.is_some(), frames);
     let consistency = document.filter(|_| frames == GivenFrames::Given && sets.calibration_conditions.is_empty());
     let p_value = consistency.map(|document| p_value(robot, document, &sets, &settings)).transpose()?.flatten();

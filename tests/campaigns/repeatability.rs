@@ -102,10 +102,10 @@ fn the_sample_repeats_about_as_the_thesis_robot_did() {
         found.iter().zip(expected).for_each(|(f, e)| assert!((f / e - 1.0).abs() < 0.4, "P{}: {f} {e}", p.pose));
     }
     assert!(document.homing.as_ref().unwrap().rp_mm.unwrap() < 0.002);
-    // 2.7 um are a quarter of 10.8 um: P1 to P3 scatter more, P4 and P5 less
+    // 2.7 um of a coordinate are 4.68 um of a position, a quarter of 18.7 um: P1 scatters more, the others less
     let verdicts: Vec<Option<bool>> = document.poses.iter().map(|p| p.quarter_rule_met).collect();
-    assert_eq!(verdicts, [Some(true), Some(true), Some(true), Some(false), Some(false)]);
-    assert!(document.messages.iter().any(|m| m.what.ends_with("at pose 4, 5")), "{:?}", document.messages);
+    assert_eq!(verdicts, [Some(true), Some(false), Some(false), Some(false), Some(false)]);
+    assert!(document.messages.iter().any(|m| m.what.ends_with("at pose 2, 3, 4, 5")), "{:?}", document.messages);
     assert!(document.limits[0].met && document.poses.iter().all(|p| p.ap_mm.is_none()));
 }
 

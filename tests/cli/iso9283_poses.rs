@@ -52,7 +52,7 @@ fn readings_are_averaged_and_limits_judged_by_the_interval() {
     // two visits have no interval: nothing is proved
     std::fs::write(here.join("poses.csv"), "pose,cycle,x_mm,y_mm,c_deg\n1,1,100,0,0\n1,2,100.001,0,0\n").unwrap();
     let (status, judged) = pose(" --rp-limit-mm 10");
-    assert_eq!((status, judged.rp_conformity), (Some(1), Some(etalon::document::Iso9283Conformity::Neither)));
+    assert_eq!((status, judged.rp_conformity), (Some(1), Some(etalon::document::Conformity::Neither)));
     std::fs::write(here.join("poses.csv"), table.replacen("reading", "label", 1)).unwrap();
     assert!(text_of(&run(here, line)).contains("pose 1 is there twice in cycle 0"));
 }

@@ -3,13 +3,12 @@
 use super::iso9283::cloud;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, dot, minus, norm};
-use etalon::document::{Iso9283Conformity as Conformity, Iso9283Ellipsoid as Ellipsoid, Iso9283Interval as Interval};
+use etalon::document::{Conformity, DecisionRule, Iso9283Ellipsoid as Ellipsoid, Iso9283Interval as Interval};
 use etalon::iso9283::pose::ellipsoid::ellipsoid;
 use etalon::iso9283::pose::noise_free::{repeatability_of_scatter, without_noise};
 use etalon::iso9283::pose::reference::epochs;
 use etalon::iso9283::pose::repeatability::pose_repeatability;
 use etalon::iso9283::statistics::bootstrap::Bootstrap;
-use etalon::iso9283::statistics::interval::conformity;
 use std::f64::consts::PI;
 
 const TESTS: usize = 2000;
@@ -70,7 +69,7 @@ fn conformity_is_proved_only_where_the_whole_interval_is_on_one_side() {
         (0.04, Conformity::Conforming),
         (f64::NAN, Conformity::Neither),
     ] {
-        assert_eq!(conformity(interval, limit), expected, "{limit}");
+        assert_eq!(DecisionRule::Guarded.judge(0.03, Some(interval), limit), expected, "{limit}");
     }
 }
 
@@ -85,7 +84,8 @@ fn a_robot_at_its_limit_is_judged_wrongly_in_no_more_tests_than_stated() {
         for _ in 0..TESTS {
             let points = cloud(&mut noise, 30, [5.0, 6.0, 7.0], sigma);
             let found = pose_repeatability(&points).unwrap();
-            match conformity(bootstrap.repeatability(&points, &found).unwrap(), limit) {
+            let interval = bootstrap.repeatability(&points, &found).unwrap();
+            match DecisionRule::Guarded.judge(found.rp_mm, Some(interval), limit) {
                 Conformity::Conforming => counts[0] += 1,
                 Conformity::NotConforming => counts[1] += 1,
                 Conformity::Neither => {}

@@ -26,11 +26,11 @@ use self::test::{Pair, PoseTest, TestedPose};
 use crate::base::message::{Message, Result, one_line};
 use crate::base::pose::{Vector, minus};
 use crate::document::{
-    Iso9283Approach, Iso9283Conformity, Iso9283Distance, Iso9283Document, Iso9283Drift, Iso9283Interval, Iso9283Pose,
-    Iso9283Variation,
+    Conformity, DecisionRule, Iso9283Approach, Iso9283Distance, Iso9283Document, Iso9283Drift, Iso9283Interval,
+    Iso9283Pose, Iso9283Variation,
 };
 use crate::iso9283::statistics::bootstrap::Bootstrap;
-use crate::iso9283::statistics::interval::{accuracy_interval, conformity, repeatability_interval};
+use crate::iso9283::statistics::interval::{accuracy_interval, repeatability_interval};
 use crate::iso9283::statistics::uncertainty_ratio::uncertainty_ratio;
 use std::collections::BTreeSet;
 use std::collections::btree_map::{BTreeMap, Entry};
@@ -38,8 +38,10 @@ use std::collections::btree_map::{BTreeMap, Entry};
 /// What the data do not say.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// Expanded uncertainty of a measured position.
+    /// Expanded uncertainty of a measured coordinate (k = 2).
     pub expanded_uncertainty_mm: Option<f64>,
+    /// Expanded uncertainty of a measured position (k = 2) where it is not that of its coordinates together.
+    pub position_uncertainty_mm: Option<f64>,
     /// Cycles of one set of a drift test; without it there is none.
     pub drift_set: Option<usize>,
     /// Order of the rotations a, b, c, in words.
@@ -52,6 +54,8 @@ pub struct Settings {
     pub ap_limit_mm: Option<f64>,
     /// Limit of RP likewise.
     pub rp_limit_mm: Option<f64>,
+    /// How these limits are judged.
+    pub decision_rule: DecisionRule,
 }
 
 /// Cycles that the standard asks for (read).
@@ -118,10 +122,15 @@ fn conventions(visits: &PoseTest, settings: &Settings) -> Vec<String> {
         conventions.push("no commanded poses: AP, distances and drift are not determined, and null".to_owned());
     }
     if settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
-        conventions.push(
-            "conformity: ISO 14253-1's rule with the 95 % interval (unverified): proved only where all of it is on one side"
-                .to_owned(),
-        );
+        conventions.push(match settings.decision_rule {
+            DecisionRule::Guarded => {
+                "conformity: guarded acceptance (ISO 14253-1) with the interval of 95 %: proven only where all of it is on one side"
+            }
+            DecisionRule::SimpleAcceptance => "conformity: simple acceptance (ILAC-G8:09/2019, 4.2.1)",
+            DecisionRule::SharedRisk => {
+                "conformity: shared risk (JCGM 106:2012, 8.2.1): decided where the expanded uncertainty is at most a quarter of the limit"
+            }
+        }.to_owned());
     }
     let robots = visits.robots();
     if let (Some(first), true) = (robots.first(), robots.len() > 1) {
@@ -198,7 +207,9 @@ fn poses(visits: &PoseTest, settings: &Settings) -> Result<Vec<Iso9283Pose>> {
             pose.rp_interval = pose.rp_interval.map(|interval| without_noise_of(interval, expanded_mm, visits.spatial));
         }
         beyond(&mut pose, p, &positions, settings)?;
-        if let Some(uncertainty) = settings.expanded_uncertainty_mm {
+        let of_coordinates =
+            || settings.expanded_uncertainty_mm.map(|u| u * if visits.spatial { 3f64 } else { 2.0 }.sqrt());
+        if let Some(uncertainty) = settings.position_uncertainty_mm.or_else(of_coordinates) {
             let ap = pose.ap_mm.map(|ap| uncertainty_ratio(uncertainty, ap));
             let rp = pose.rp_mm.map(|rp| uncertainty_ratio(uncertainty, rp));
             // over nothing there is no ratio
@@ -234,11 +245,12 @@ fn beyond(pose: &mut Iso9283Pose, p: &TestedPose, positions: &[Vector], settings
     // too few visits have none
     pose.ellipsoid = ellipsoid(positions).ok();
     // too few visits prove nothing
-    let proved = |interval: Option<Iso9283Interval>, limit_mm: Option<f64>| {
-        limit_mm.map(|limit| interval.map_or(Iso9283Conformity::Neither, |interval| conformity(interval, limit)))
+    let judged = |mm: Option<f64>, interval: Option<Iso9283Interval>, limit_mm: Option<f64>| {
+        let judge = |limit| mm.map_or(Conformity::Neither, |mm| settings.decision_rule.judge(mm, interval, limit));
+        limit_mm.map(judge)
     };
-    pose.ap_conformity = proved(pose.ap_interval, settings.ap_limit_mm);
-    pose.rp_conformity = proved(pose.rp_interval, settings.rp_limit_mm);
+    pose.ap_conformity = judged(pose.ap_mm, pose.ap_interval, settings.ap_limit_mm);
+    pose.rp_conformity = judged(pose.rp_mm, pose.rp_interval, settings.rp_limit_mm);
     if p.attained.len() > 2 && p.attained.iter().any(|v| v.readings_mm.len() > 1) {
         let readings: Vec<Vec<Vector>> = p.attained.iter().map(|v| v.readings_mm.clone()).collect();
         let free = without_noise(&readings)?;

@@ -2,7 +2,7 @@
 
 use crate::base::message::Result;
 use crate::base::pose::{Vector, minus, norm};
-use crate::document::{Iso9283Conformity, Iso9283Interval};
+use crate::document::Iso9283Interval;
 use crate::iso9283::pose::accuracy::PoseAccuracy;
 use crate::iso9283::pose::repeatability::PoseRepeatability;
 use crate::iso9283::statistics::scatter::{FARTHEST, Scatter, dimensions};
@@ -74,17 +74,4 @@ fn worth(variances: Vector) -> f64 {
     let cubes: f64 = variances.iter().map(|v| v.powi(3)).sum();
     let skew = d * (cubes / variances.iter().sum::<f64>().powi(3)).sqrt() - 1.0;
     equal * (1.0 - UNEQUAL * skew)
-}
-
-/// Conformity with a limit (ISO 14253-1's decision rule, unverified against a bought copy) of a characteristic that may be at
-/// most `limit_mm`: proved only where the whole interval is on one side of it. With intervals of 95 % either verdict is wrong in at most
-/// 5 % of tests: 2.5 % where scatter is alike in all directions, up to 4 % where it is not.
-pub fn conformity(interval: Iso9283Interval, limit_mm: f64) -> Iso9283Conformity {
-    if interval.high_mm <= limit_mm {
-        Iso9283Conformity::Conforming
-    } else if interval.low_mm > limit_mm {
-        Iso9283Conformity::NotConforming
-    } else {
-        Iso9283Conformity::Neither
-    }
 }

@@ -38,7 +38,7 @@ fn positions(document: &Iso9283Document, words: &Words) -> Table {
         .page("AP y", "µm", |p| um(p.ap_y_mm))
         .page("AP z", "µm", |p| um(p.ap_z_mm))
         .page("U/AP", "", |p| fixed(p.uncertainty_over_ap, 2))
-        .page("verdict (ISO 14253-1)", "", |p| conformity(p.ap_conformity, words));
+        .page("verdict", "", |p| conformity(p.ap_conformity, words));
     let commanded: Vec<&Iso9283Pose> = document.poses.iter().filter(|p| p.ap_mm.is_some()).collect();
     Table::of(words, &commanded, columns).without_empty_columns()
 }

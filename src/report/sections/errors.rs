@@ -40,6 +40,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
             unit: "mm".to_owned(),
             before: tool.before,
             after: tool.after,
+            expanded_uncertainty: None,
         };
         let set =
             AccuracySet { name: "tool point".to_owned(), poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
@@ -214,7 +215,7 @@ mod tests {
     fn errors(quantity: &str, before_mm: f64, after_mm: f64) -> ErrorStatistics {
         let of = |size: f64| Statistics { mean: 0.8 * size, rms: size, p95: 1.8 * size, max: 2.0 * size };
         let (quantity, unit) = (quantity.to_owned(), "mm".to_owned());
-        ErrorStatistics { quantity, unit, before: of(before_mm), after: of(after_mm) }
+        ErrorStatistics { quantity, unit, before: of(before_mm), after: of(after_mm), expanded_uncertainty: None }
     }
 
     /// Rows of the table of a set as a page shows them.

@@ -1,21 +1,61 @@
 //! Limits of the campaign, what was reached, and whether they are met.
 
-use crate::document::{Characteristics, LimitVerdict};
-use crate::report::model::{Cell, Columns, Section, Table, strong_term, term};
+use crate::document::{Characteristics, Conformity, DecisionRule, LimitVerdict};
+use crate::report::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term};
 use crate::report::number;
 use crate::report::words::Words;
 use crate::report::{Identified, Report};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let columns = Columns::<LimitVerdict>::new()
+    let all = limits(report.identified.as_ref(), report.tested);
+    let columns = Columns::<&LimitVerdict>::new()
         .both("limit", "", |l| l.name.as_str())
         .both("allowed", "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
         .both("reached", "", |l| Cell::Number { value: l.value, shown: reached(l) })
+        .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
         .both("unit", "", |l| l.unit.as_str())
-        .both("verdict", "", |l| if l.met { term(words, "met") } else { strong_term(words, "not met") });
+        .both("verdict", "", |l| judged(l.conformity, words))
+        .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));
     let mut section = Section::new("limits", words.say("Limits"));
-    section.table("", "", Table::of(words, limits(report.identified.as_ref(), report.tested), columns).on("Limits"));
+    section.table("", "", Table::of(words, &all, columns).on("Limits"));
+    if let Some(limit) = all.first() {
+        section.push(Block::text(rule(limit.decision_rule, report.campaign.decision_rule.is_none(), words)));
+    }
     section.on_terminal().whole()
+}
+
+/// What a decision rule says of a limit.
+pub(super) fn judged(conformity: Conformity, words: &Words) -> Cell {
+    match conformity {
+        Conformity::Conforming => term(words, "met"),
+        Conformity::NotConforming => strong_term(words, "not met"),
+        Conformity::Neither => strong_term(words, "undecided"),
+    }
+}
+
+/// A decision rule by name.
+pub(super) fn name(rule: DecisionRule, words: &Words) -> String {
+    match rule {
+        DecisionRule::SimpleAcceptance => words.say("simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
+        DecisionRule::Guarded => words.say("guarded acceptance (ISO 14253-1)"),
+        DecisionRule::SharedRisk => words.say("shared risk (JCGM 106:2012, 8.2.1)"),
+    }
+}
+
+/// The rule by which limits are judged, what it means, and whether somebody chose it.
+fn rule(rule: DecisionRule, default: bool, words: &Words) -> String {
+    let means = match rule {
+        DecisionRule::SimpleAcceptance => {
+            words.say("a limit is met where the value is within it, whatever its uncertainty U")
+        }
+        DecisionRule::Guarded => words.say("a limit is met where the value is within it by its expanded uncertainty U, not met where it is beyond it by U, and undecided between"),
+        DecisionRule::SharedRisk => {
+            words.say("a limit is met where the value is within it, and undecided where U exceeds a quarter of the limit")
+        }
+    };
+    let named = words.fill("Decision rule: {0}: {1}.", &[&name(rule, words), &means]);
+    let none = words.say("The campaign states no rule; this one then applies.");
+    if default { format!("{named} {none}") } else { named }
 }
 
 /// Every limit that the campaign states, judged.
@@ -23,10 +63,11 @@ pub(super) fn limits<'a>(identified: Option<&'a Identified>, tested: &'a Charact
     identified.iter().flat_map(|i| &i.accuracy.limits).chain(tested.limits()).collect()
 }
 
-/// The value with the digits that decide, also where it is close to the limit.
+/// The value to the second digit of its uncertainty, or as many as tell it from its limit.
 fn reached(l: &LimitVerdict) -> String {
-    let decisive = number::decimals((l.limit - l.value).abs(), 2).unwrap_or(0);
-    number::fixed(l.value, decisive.max(number::decimals(l.limit, 3).unwrap_or(4)).min(9))
+    let least =
+        l.expanded_uncertainty.and_then(|u| number::decimals(u, 2)).or(number::decimals(l.limit, 3)).unwrap_or(4);
+    number::apart(l.value, l.limit, least)
 }
 
 #[cfg(test)]
@@ -35,7 +76,10 @@ mod tests {
 
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {
-        let close = LimitVerdict { name: "p".into(), unit: "mm".into(), limit: 0.05, value: 0.050_000_4, met: false };
-        assert_eq!(reached(&close), "0.05000040");
+        let of = |value, u| reached(&LimitVerdict::of("p", "mm", 0.05, value, u, DecisionRule::Guarded));
+        assert_eq!(of(0.050_000_4, None), "0.0500004");
+        assert_eq!(of(0.050_04, Some(0.0123)), "0.05004");
+        assert_eq!(of(0.034_567, Some(0.0123)), "0.035");
+        assert_eq!(of(0.05, Some(0.0123)), "0.050");
     }
 }

@@ -3,8 +3,8 @@
 use crate::base::pose::{Vector, centroid, minus};
 use crate::base::pose_name::PoseName;
 use crate::document::{
-    Characteristics, Iso9283Approach, Iso9283Conformity, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane,
-    Iso9283Pose, Iso9283Variation, Iso9283Visit,
+    Characteristics, Conformity, Iso9283Approach, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane, Iso9283Pose,
+    Iso9283Variation, Iso9283Visit,
 };
 use crate::report::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
 use crate::report::number;
@@ -63,11 +63,11 @@ pub(super) fn interval(of: Option<Iso9283Interval>, words: &Words) -> Cell {
 }
 
 /// What the interval proves about a stated limit.
-pub(super) fn conformity(of: Option<Iso9283Conformity>, words: &Words) -> Cell {
+pub(super) fn conformity(of: Option<Conformity>, words: &Words) -> Cell {
     of.map_or(Cell::Missing, |c| match c {
-        Iso9283Conformity::Conforming => term(words, "conforming"),
-        Iso9283Conformity::NotConforming => strong_term(words, "not conforming"),
-        Iso9283Conformity::Neither => term(words, "undecided"),
+        Conformity::Conforming => term(words, "conforming"),
+        Conformity::NotConforming => strong_term(words, "not conforming"),
+        Conformity::Neither => term(words, "undecided"),
     })
 }
 
@@ -112,7 +112,7 @@ fn intervals(poses: &[Named], words: &Words) -> Table {
         .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
         .page("RP without noise", "µm", |n| um(n.pose.rp_without_noise_mm))
         .page("ellipsoid, semi-axes", "µm", axes)
-        .page("verdict (ISO 14253-1)", "", |n| conformity(n.pose.rp_conformity, words));
+        .page("verdict", "", |n| conformity(n.pose.rp_conformity, words));
     let known = poses.iter().filter(|n| n.pose.rp_interval.is_some());
     Table::of(words, known, columns).without_empty_columns()
 }
@@ -149,11 +149,11 @@ pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> Str
 
 /// Everything of every pose, for the workbook.
 fn characteristics(poses: &[Named], words: &Words) -> Table {
-    let proved = |c: Option<Iso9283Conformity>| {
+    let proved = |c: Option<Conformity>| {
         c.map(|c| match c {
-            Iso9283Conformity::Conforming => "proved",
-            Iso9283Conformity::NotConforming => "disproved",
-            Iso9283Conformity::Neither => "neither proved nor disproved",
+            Conformity::Conforming => "proved",
+            Conformity::NotConforming => "disproved",
+            Conformity::Neither => "neither proved nor disproved",
         })
     };
     let columns = Columns::<Named>::new()

@@ -1,10 +1,10 @@
 //! The first thing a reader wants to know: are the limits met, and how much better did the robot get.
 
-use super::limits::limits;
+use super::limits::{judged, limits, name};
 use super::repeatability::quarter_sentence;
 use crate::document::{
-    AccuracyDocument, AccuracySet, Characteristics, ErrorStatistics, Iso9283Conformity, Iso9283Document, Iso9283Pose,
-    ParametersDocument, Statistics, ToolAccuracy,
+    AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorStatistics, Iso9283Document,
+    Iso9283Pose, LimitVerdict, ParametersDocument, ResidualSummary, Statistics, ToolAccuracy,
 };
 use crate::report::Identified;
 use crate::report::model::{Headline, Verdict};
@@ -24,26 +24,19 @@ pub(in crate::report) fn title(tested: &Characteristics, words: &Words) -> Strin
 /// campaign states.
 pub(in crate::report) fn verdict(identified: Option<&Identified>, tested: &Characteristics, words: &Words) -> Verdict {
     let (limits, alarm) = (limits(identified, tested), identified.and_then(|i| alarm(i.parameters, words)));
-    let (within, missed) = (limits.iter().all(|l| l.met), limits.iter().filter(|l| !l.met).count());
-    let class = match limits.is_empty() {
-        _ if alarm.is_some() || limits.iter().any(|l| l.value > l.limit) => "bad",
-        false if within && proven(tested) => "good",
+    let class = match Conformity::of_all(limits.iter().map(|l| l.conformity)) {
+        _ if alarm.is_some() => "bad",
+        Conformity::NotConforming => "bad",
+        Conformity::Conforming if !limits.is_empty() => "good",
         _ => "open",
     };
-    let counted = match (limits.len(), missed) {
-        (0, _) => words.say("The campaign states no limits."),
-        (1, 0) => words.say("The limit of the campaign is met."),
-        (2, 0) => words.say("Both limits of the campaign are met."),
-        (n, 0) => words.fill("All {0} limits of the campaign are met.", &[&n]),
-        (1, _) => words.say("The limit of the campaign is not met."),
-        (n, 1) => words.fill("1 of {0} limits of the campaign is not met.", &[&n]),
-        (n, m) => words.fill("{0} of {1} limits of the campaign are not met.", &[&m, &n]),
-    };
+    let set = identified.and_then(|i| headline_set(i.accuracy));
     let mut sentences: Vec<String> = alarm.into_iter().collect();
+    sentences.extend(identified.zip(set).and_then(|(i, set)| largest_error(i.accuracy, set, words)));
+    sentences.extend(identified.and_then(|i| unexplained(&i.parameters.residuals, words)));
     sentences.extend(characteristics(tested, words));
     // of a test alone, the sentences on its characteristics say whether a limit is met
-    sentences.extend((identified.is_some() || limits.is_empty()).then_some(counted));
-    let set = identified.and_then(|i| headline_set(i.accuracy));
+    sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
     let point = identified.map(|i| words.say(&i.accuracy.point)).filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
@@ -61,6 +54,71 @@ pub(in crate::report) fn verdict(identified: Option<&Identified>, tested: &Chara
     }
 }
 
+/// How many limits are met, which are undecided, and by which rule.
+fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
+    let missed = limits.iter().filter(|l| l.conformity == Conformity::NotConforming).count();
+    let undecided: Vec<&str> =
+        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| l.name.as_str()).collect();
+    let sentence = match (limits.len(), missed) {
+        (0, _) => return words.say("The campaign states no limits."),
+        (_, 0) if !undecided.is_empty() => String::new(),
+        (1, 0) => words.say("The limit of the campaign is met."),
+        (2, 0) => words.say("Both limits of the campaign are met."),
+        (n, 0) => words.fill("All {0} limits of the campaign are met.", &[&n]),
+        (1, _) => words.say("The limit of the campaign is not met."),
+        (n, 1) => words.fill("1 of {0} limits of the campaign is not met.", &[&n]),
+        (n, m) => words.fill("{0} of {1} limits of the campaign are not met.", &[&m, &n]),
+    };
+    let open = match &undecided[..] {
+        [] => String::new(),
+        names => {
+            words.fill("Within its uncertainty it is undecided whether the limit is met: {0}.", &[&names.join(", ")])
+        }
+    };
+    let rule = limits.first().map(|l| words.fill("Decision rule: {0}.", &[&name(l.decision_rule, words)]));
+    let said = [sentence, open, rule.unwrap_or_default()];
+    said.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+/// How the largest error changed, with its uncertainty and its limit.
+fn largest_error(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Option<String> {
+    let e = set.errors.iter().find(|e| e.quantity == "position")?;
+    let Shown { unit, factor } = number::shown(&e.unit, e.before.max);
+    let limit = accuracy.limits.iter().find(|l| l.name == "position_max_mm");
+    let u = e.expanded_uncertainty.map(|u| u * factor);
+    let (before, after) = (e.before.max * factor, e.after.max * factor);
+    let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after, 3)).unwrap_or(1);
+    let reached =
+        limit.map_or_else(|| number::fixed(after, decimals), |l| number::apart(after, l.limit * factor, decimals));
+    let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
+    let (n, set) = (set.poses, words.say(&set.name));
+    let values: [&dyn std::fmt::Display; 5] = [&n, &set, &number::fixed(before, decimals), &reached, &unit];
+    let changed = match after <= before {
+        true => words.fill("The largest position error at {0} {1} poses fell from {2} to {3} {4}", &values),
+        false => words.fill("The largest position error at {0} {1} poses rose from {2} to {3} {4}", &values),
+    };
+    let judged = limit.map(|l| {
+        let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
+        let verdict = judged(l.conformity, words).shown().plain();
+        words.fill("(limit {0} {1}: {2})", &[&allowed, &unit, &verdict])
+    });
+    Some(judged.map_or_else(|| format!("{changed}."), |judged| format!("{changed} {judged}.")))
+}
+
+/// How large the residuals are beside what the measurement explains.
+fn unexplained(r: &ResidualSummary, words: &Words) -> Option<String> {
+    let ratio = (r.chi_square? / r.degrees_of_freedom as f64).sqrt();
+    let times = number::significant(ratio, 3);
+    let of = match r.common_standard_uncertainty_mm {
+        Some(_) => words.say("the uncertainty of instrument and contact"),
+        None => words.say("the instrument's uncertainty"),
+    };
+    ratio.is_finite().then(|| match r.chi_square_rejected {
+        true => words.fill("What is left is {0} times {1}: the model does not explain everything.", &[&times, &of]),
+        false => words.fill("What is left is {0} times {1}: the model explains the measurements.", &[&times, &of]),
+    })
+}
+
 /// Whether every limit is met and proven, and the result can be that of a robot.
 pub(in crate::report) fn met(identified: Option<&Identified>, tested: &Characteristics) -> bool {
     limits(identified, tested).iter().all(|l| l.met)
@@ -76,7 +134,7 @@ pub(in crate::report) fn of_test(tested: &Characteristics, words: &Words) -> Ver
 /// Whether the intervals of every pose prove every limit. They contain the instrument's uncertainty: that it exceeds a quarter of what
 /// it verifies is a warning.
 fn proven(tested: &Characteristics) -> bool {
-    judged(tested).all(|c| c == Iso9283Conformity::Conforming)
+    conformities(tested).all(|c| c == Conformity::Conforming)
 }
 
 /// Of an identification without a campaign.
@@ -86,7 +144,7 @@ pub(in crate::report) fn of_identification(document: &ParametersDocument, words:
 }
 
 /// What the intervals prove of every limit of every pose.
-fn judged(tested: &Characteristics) -> impl Iterator<Item = Iso9283Conformity> {
+fn conformities(tested: &Characteristics) -> impl Iterator<Item = Conformity> {
     tested.poses.iter().flat_map(|d| &d.poses).flat_map(|p| [p.ap_conformity, p.rp_conformity]).flatten()
 }
 
@@ -166,15 +224,15 @@ fn within(within: bool, allowed: &str, words: &Words) -> String {
 }
 
 /// What the interval of a pose proves of a limit.
-type Proved = fn(&Iso9283Pose) -> Option<Iso9283Conformity>;
+type Proved = fn(&Iso9283Pose) -> Option<Conformity>;
 
 /// Which poses conform by ISO 14253-1, where a limit is stated.
 fn conformity(document: &Iso9283Document, proved: Proved, words: &Words) -> Option<String> {
     let of = |what| -> Vec<String> {
         document.poses.iter().filter(|p| proved(p) == Some(what)).map(|p| p.pose.to_string()).collect()
     };
-    let conforming = of(Iso9283Conformity::Conforming);
-    let (not, neither) = (of(Iso9283Conformity::NotConforming), of(Iso9283Conformity::Neither));
+    let conforming = of(Conformity::Conforming);
+    let (not, neither) = (of(Conformity::NotConforming), of(Conformity::Neither));
     let all = conforming.len() + not.len() + neither.len();
     let first = match conforming.len() {
         0 => None,
@@ -194,7 +252,8 @@ fn conformity(document: &Iso9283Document, proved: Proved, words: &Words) -> Opti
         several => Some(words.fill("poses {0} are undecided", &[&several.join(", ")])),
     };
     let said: Vec<String> = [first, second, third].into_iter().flatten().collect();
-    (all > 0).then(|| words.fill("By ISO 14253-1 and the intervals of 95 %: {0}.", &[&said.join("; ")]))
+    let rule = document.limits.first().map_or_else(DecisionRule::default, |l| l.decision_rule);
+    (all > 0).then(|| words.fill("By {0}: {1}.", &[&name(rule, words), &said.join("; ")]))
 }
 
 #[cfg(test)]
@@ -213,11 +272,27 @@ mod tests {
     fn limits_are_judged_as_stated() {
         let mut documents = Documents::demo();
         let good = of(&documents);
-        assert_eq!((good.class, good.sentences[0].as_str()), ("good", "Both limits of the campaign are met."));
-        let limit = &mut documents.accuracy.limits[0];
-        (limit.met, limit.limit) = (false, 0.9 * limit.value);
+        let expected = [
+            "The largest position error at 51 validation poses fell from 2.0895 to 0.0442 ± 0.0038 mm (limit 0.05 mm: met).",
+            "What is left is 1.19 times the instrument's uncertainty: the model does not explain everything.",
+            "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
+        ];
+        assert_eq!((good.class, &good.sentences[..]), ("good", &expected.map(str::to_owned)[..]));
+        let limit = |u| LimitVerdict::of("position_max_mm", "mm", 0.05, 0.0442, u, DecisionRule::Guarded);
+        documents.accuracy.limits[0] = limit(Some(0.038));
+        let open = of(&documents);
+        assert!(
+            open.class == "open" && !open.met && open.sentences[0].ends_with("(limit 0.05 mm: undecided)."),
+            "{open:?}"
+        );
+        assert!(
+            open.sentences[2]
+                .starts_with("Within its uncertainty it is undecided whether the limit is met: position_max")
+        );
+        documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
         let bad = of(&documents);
-        assert_eq!((bad.class, bad.sentences[0].as_str()), ("bad", "1 of 2 limits of the campaign is not met."));
+        assert_eq!(bad.class, "bad");
+        assert!(bad.sentences[2].starts_with("1 of 2 limits of the campaign is not met. Decision rule"), "{bad:?}");
         documents.accuracy.limits.clear();
         assert_eq!(of(&documents).class, "open");
     }
@@ -226,27 +301,27 @@ mod tests {
     fn every_verdict_counts_beside_an_identification() {
         let mut documents = Documents::demo();
         documents.tested = whole();
-        // within the limit, and not proven to be
-        documents.tested.poses.as_mut().unwrap().limits[0].met = false;
         let open = of(&documents);
         let expected = [
-            "The accuracy is 51.20 µm, at pose 2. This is within the limit of 52.00 µm. By ISO 14253-1 and the intervals of \
-             95 %: poses 1, 2 are undecided.",
-            "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By ISO 14253-1 and the intervals \
-             of 95 %: all 2 poses conform.",
+            "The accuracy is 51.20 µm, at pose 2. This is within the limit of 52.00 µm. By guarded acceptance (ISO \
+             14253-1): poses 1, 2 are undecided.",
+            "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By guarded acceptance \
+             (ISO 14253-1): all 2 poses conform.",
             "The instrument is good enough for every pose.",
-            "1 of 4 limits of the campaign is not met.",
+            "Within its uncertainty it is undecided whether the limit is met: accuracy_max_mm. Decision rule: guarded acceptance \
+             (ISO 14253-1).",
         ];
-        assert_eq!((open.class, open.met, &open.sentences[..]), ("open", false, &expected.map(str::to_owned)[..]));
+        assert_eq!((open.class, open.met, &open.sentences[2..]), ("open", false, &expected.map(str::to_owned)[..]));
         let poses = documents.tested.poses.as_mut().unwrap();
-        (poses.limits[0].met, poses.poses[0].ap_conformity) = (true, Some(Iso9283Conformity::Conforming));
-        (poses.limits[1].met, poses.limits[1].limit) = (false, 0.02);
-        poses.poses[1].rp_conformity = Some(Iso9283Conformity::NotConforming);
+        poses.poses[0].ap_conformity = Some(Conformity::Conforming);
+        poses.limits[0] = poses.limits[0].clone().with(Conformity::Conforming);
+        poses.limits[1] = LimitVerdict { limit: 0.02, ..poses.limits[1].clone() }.with(Conformity::NotConforming);
+        poses.poses[1].rp_conformity = Some(Conformity::NotConforming);
         let bad = of(&documents);
         assert_eq!((bad.class, bad.met), ("bad", false));
-        assert_eq!(bad.sentences.last().unwrap(), "1 of 4 limits of the campaign is not met.");
-        assert!(bad.sentences[0].ends_with("1 of 2 poses conforms; pose 2 is undecided."), "{bad:?}");
-        assert!(bad.sentences[1].ends_with("1 of 2 poses conforms; pose 2 does not conform."), "{bad:?}");
+        assert!(bad.sentences[5].starts_with("1 of 4 limits of the campaign is not met."), "{bad:?}");
+        assert!(bad.sentences[2].ends_with("1 of 2 poses conforms; pose 2 is undecided."), "{bad:?}");
+        assert!(bad.sentences[3].ends_with("1 of 2 poses conforms; pose 2 does not conform."), "{bad:?}");
     }
 
     #[test]

@@ -62,6 +62,7 @@ impl Documents {
             unit: unit.to_owned(),
             before: statistics(before),
             after: statistics(after),
+            expanded_uncertainty: (quantity == "position").then_some(0.0038),
         };
         let set = |name: &str, poses: usize| AccuracySet {
             name: name.to_owned(),
@@ -74,12 +75,8 @@ impl Documents {
                 error("orientation", "deg", 0.1035, 0.0033),
             ],
         };
-        let limit = |name: &str, unit: &str, limit: f64, value: f64| LimitVerdict {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            limit,
-            value,
-            met: value <= limit,
+        let limit = |name: &str, unit: &str, limit: f64, value: f64| {
+            LimitVerdict::of(name, unit, limit, value, Some(0.0038), DecisionRule::Guarded)
         };
         Self {
             tested: Characteristics::default(),
@@ -93,6 +90,8 @@ impl Documents {
                 instrument: Some("Mitutoyo BRIGHT-STRATO 7106".to_owned()),
                 expanded_uncertainty_um: Some(2.7),
                 coverage_factor: Some(2.0),
+                expanded_position_uncertainty_um: None,
+                decision_rule: None,
                 contact: None,
                 temperature_c: Some(20.1),
                 conditions: Conditions::default(),
@@ -255,6 +254,7 @@ fn parameters() -> ParametersDocument {
             common_standard_uncertainty_mm: None,
             chi_square: Some(212.4),
             uncertainties_from: crate::document::UncertaintyFrom::Instrument,
+            chi_square_rejected: true,
             uncertainties_enlarged_by: 1.194,
         },
         observability: Some(ObservabilitySummary {

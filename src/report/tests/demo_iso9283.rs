@@ -16,7 +16,7 @@ pub(in crate::report) fn whole() -> Characteristics {
         (p.ap_mm, p.ap_x_mm, p.ap_y_mm, p.ap_z_mm) = (Some(0.0512), Some(0.03), Some(-0.04), Some(0.01));
         (p.ap_c_deg, p.rp_c_deg, p.uncertainty_over_ap) = (Some(-0.0123), Some(0.0045), Some(0.05));
         (p.ap_interval, p.rp_interval) = (interval(0.0489, 0.0536), interval(0.018, 0.0261));
-        (p.ap_conformity, p.rp_conformity) = (Some(Iso9283Conformity::Neither), Some(Iso9283Conformity::Conforming));
+        (p.ap_conformity, p.rp_conformity) = (Some(Conformity::Neither), Some(Conformity::Conforming));
         p.rp_without_noise_mm = Some(0.0201);
         p.ellipsoid = Some(Iso9283Ellipsoid {
             semi_axes_mm: [0.017, 0.009, 0.006],
@@ -45,14 +45,13 @@ pub(in crate::report) fn whole() -> Characteristics {
     poses.exchangeability_mm = Some(0.0321);
     let epoch = |cycle, moved_mm| Iso9283Epoch { cycle, moved_mm, rms_mm: 0.1 * moved_mm };
     poses.reference = vec![epoch(1, 0.0), epoch(11, 0.012), epoch(21, 0.019)];
-    let limit = |name: &str, limit, value| LimitVerdict {
-        name: name.to_owned(),
-        unit: "mm".to_owned(),
-        limit,
-        value,
-        met: value <= limit,
+    let limit = |name: &str, limit, value, conformity| {
+        LimitVerdict::of(name, "mm", limit, value, Some(0.0053), DecisionRule::Guarded).with(conformity)
     };
-    poses.limits = vec![limit("accuracy_max_mm", 0.052, 0.0512), limit("repeatability_max_mm", 0.03, 0.0217)];
+    poses.limits = vec![
+        limit("accuracy_max_mm", 0.052, 0.0512, Conformity::Neither),
+        limit("repeatability_max_mm", 0.03, 0.0217, Conformity::Conforming),
+    ];
     let direction = Iso9283Compliance {
         direction: "+x".to_owned(),
         readings: 30,

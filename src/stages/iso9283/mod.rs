@@ -7,7 +7,7 @@ mod streams;
 
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::Pose;
-use crate::campaign::{Campaign, PosesDefinition};
+use crate::campaign::{Campaign, Limits, PosesDefinition};
 use crate::document::*;
 use crate::iso9283::pose::{DRAWS, Settings};
 use crate::stages::gather::Gathered;
@@ -84,7 +84,7 @@ pub fn evaluate(
         _ => None,
     };
     if let Some(document) = &mut poses {
-        document.limits = limits(campaign, &document.poses)?;
+        document.limits = judged(campaign, &document.poses)?;
     }
     let streams = streams::evaluate_all(campaign, &data.streams)?;
     Ok(Characteristics { poses, streams, compliance: data.compliance.clone() })
@@ -135,7 +135,7 @@ fn read_poses(files: &mut CampaignTables, definition: &PosesDefinition) -> Resul
         attained.drifts(*set.get_ref()).map_err(|more| more.at(&campaign.place(set)))?;
     }
     let found = of_tables(&attained, definition, Settings { draws: 0, ..settings(campaign) })?;
-    limits(campaign, &found.poses)?;
+    judged(campaign, &found.poses)?;
     Ok(attained)
 }
 
@@ -155,41 +155,55 @@ fn of_tables(attained: &PreparedTest, definition: &PosesDefinition, settings: Se
 
 /// What the campaign states for all tests of poses.
 fn settings(campaign: &Campaign) -> Settings {
+    let instrument = &campaign.file.instrument;
     Settings {
-        expanded_uncertainty_mm: Some(COVERAGE_FACTOR * campaign.file.instrument.standard_uncertainty_mm()),
+        expanded_uncertainty_mm: Some(COVERAGE_FACTOR * instrument.standard_uncertainty_mm()),
+        position_uncertainty_mm: instrument.position_uncertainty_mm().map(|u| COVERAGE_FACTOR * u),
         drift_set: None,
         rotation_order: None,
         seed: SEED,
         draws: DRAWS,
         ap_limit_mm: campaign.file.limits.accuracy_max_mm,
         rp_limit_mm: campaign.file.limits.repeatability_max_mm,
+        decision_rule: campaign.file.limits.decision_rule.unwrap_or_default(),
     }
 }
 
-/// Limits of the largest values: met where they are within them, and the interval of every pose proves it (ISO 14253-1).
-fn limits(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
-    let limits = &campaign.file.limits;
-    // or the pose that has none
-    let largest = |value: fn(&Iso9283Pose) -> Option<f64>| {
-        let mut all = poses.iter().map(|p| value(p).ok_or(p.pose));
-        all.try_fold(0.0, |largest, value| value.map(|value| f64::max(largest, value)))
-    };
-    let proven = |conformity: fn(&Iso9283Pose) -> Option<Iso9283Conformity>| {
-        poses.iter().filter_map(conformity).all(|c| c == Iso9283Conformity::Conforming)
-    };
+/// The limits that the campaign states, judged.
+fn judged(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
+    limits(&campaign.file.limits, poses).map_err(|problems| problems.at(&campaign.place_of(&["limits"])))
+}
+
+/// Limits of the largest values: what the decision rule says of every pose.
+pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
+    let rule = limits.decision_rule.unwrap_or_default();
+    let accuracy = Judged { value: |p| p.ap_mm, interval: |p| p.ap_interval, conformity: |p| p.ap_conformity };
+    let repeatability = Judged { value: |p| p.rp_mm, interval: |p| p.rp_interval, conformity: |p| p.rp_conformity };
     let stated = [
-        ("accuracy_max_mm", limits.accuracy_max_mm, largest(|p| p.ap_mm), proven(|p| p.ap_conformity)),
-        ("repeatability_max_mm", limits.repeatability_max_mm, largest(|p| p.rp_mm), proven(|p| p.rp_conformity)),
+        ("accuracy_max_mm", limits.accuracy_max_mm, accuracy),
+        ("repeatability_max_mm", limits.repeatability_max_mm, repeatability),
     ];
-    let mut judged = Vec::new();
-    for (name, limit, value, proven) in stated {
+    let mut all = Vec::new();
+    for (name, limit, of) in stated {
         let Some(limit) = limit else { continue };
-        let value = value.map_err(|pose| {
+        if let Some(without) = poses.iter().find(|p| (of.value)(p).is_none()) {
+            let pose = without.pose;
             let message = Message::error(format!("the limit `{name}` cannot be judged: pose {pose} has no such value"));
-            message.at(campaign.place_of(&["limits", name])).hint("visit every pose twice or more, and command it")
-        })?;
-        let met = value <= limit && proven;
-        judged.push(LimitVerdict { name: name.to_owned(), unit: "mm".to_owned(), limit, value, met });
+            return Err(message.hint("visit every pose twice or more, and command it").into());
+        }
+        let largest = |p: &&Iso9283Pose| (of.value)(p).unwrap_or(0.0);
+        let Some(worst) = poses.iter().max_by(|a, b| largest(a).total_cmp(&largest(b))) else { continue };
+        let value = largest(&worst);
+        let expanded = (of.interval)(worst).map(|i| i.high_mm - value);
+        let conformity = Conformity::of_all(poses.iter().filter_map(of.conformity));
+        all.push(LimitVerdict::of(name, "mm", limit, value, expanded, rule).with(conformity));
     }
-    Ok(judged)
+    Ok(all)
+}
+
+/// What a limit of ISO 9283 is of.
+struct Judged {
+    value: fn(&Iso9283Pose) -> Option<f64>,
+    interval: fn(&Iso9283Pose) -> Option<Iso9283Interval>,
+    conformity: fn(&Iso9283Pose) -> Option<Conformity>,
 }

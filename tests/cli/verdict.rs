@@ -1,0 +1,82 @@
+//! One verdict in every output and in the exit code, by the decision rule that the campaign states.
+
+use super::reports::tool;
+use super::{etalon, text, text_of};
+use crate::support::scratch::{Scratch, copy_sample};
+use calamine::{Reader, Xlsx};
+use std::io::Cursor;
+
+/// Exit code and terminal text of a run of the CMM sample with these statements.
+fn ran(um: &str, rule: &str) -> (Scratch, Option<i32>, String) {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "expanded_uncertainty_um = 2.7", &format!("expanded_uncertainty_um = {um}"));
+    scratch.replace("campaign.toml", "[limits]", &format!("[limits]\n{rule}"));
+    let run = etalon(scratch.root(), &["run", "campaign"]);
+    assert!(run.status.code() < Some(2), "{}", text_of(&run));
+    (scratch, run.status.code(), text(&run.stdout))
+}
+
+/// By ISO 14253-1 what U leaves open is not met; simple acceptance does not ask for U, shared risk wants it small.
+#[test]
+fn a_worse_instrument_changes_the_statement_of_conformity() {
+    let rule = |name: &str| format!("decision_rule = \"{name}\"");
+    for (um, rule, code, verdict, named) in [
+        ("10", String::new(), 0, "met", "guarded acceptance (ISO 14253-1)"),
+        ("90", String::new(), 1, "undecided", "guarded acceptance (ISO 14253-1)"),
+        ("90", rule("guarded"), 1, "undecided", "guarded acceptance (ISO 14253-1)"),
+        ("90", rule("simple-acceptance"), 0, "met", "simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
+        ("90", rule("shared-risk"), 1, "undecided", "shared risk (JCGM 106:2012, 8.2.1)"),
+    ] {
+        let (_scratch, ended, shown) = ran(um, &rule);
+        assert_eq!(ended, Some(code), "{um} {rule}\n{shown}");
+        let sentence = shown.lines().nth(1).unwrap();
+        assert!(sentence.ends_with(&format!(": {verdict}).")), "{um} {rule}: {sentence}");
+        // √2 times U of a coordinate, in the plane
+        let expanded = um.parse::<f64>().unwrap() * 2f64.sqrt();
+        assert!(sentence.contains(&format!(" ± {expanded:.0} µm")), "{sentence}");
+        assert!(shown.contains(&format!("Decision rule: {named}.")), "{shown}");
+        let default = shown.contains("The campaign states no rule; this one then applies.");
+        assert_eq!(default, rule.is_empty(), "{shown}");
+    }
+}
+
+#[test]
+fn every_output_has_the_same_sentence() {
+    let (scratch, code, shown) = ran("10", "");
+    let sentence = shown.lines().nth(1).unwrap();
+    assert!(code == Some(0) && sentence.starts_with("The largest position error at 51 validation poses fell from "));
+    let out = scratch.path().join("out");
+    assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains(sentence));
+    let mut book = Xlsx::new(Cursor::new(std::fs::read(out.join("report.xlsx")).unwrap())).unwrap();
+    let first = book.worksheet_range_at(0).unwrap().unwrap();
+    assert!(first.rows().flatten().any(|cell| cell.to_string().contains(sentence)));
+    if cfg!(feature = "pdf")
+        && let Some(words) = tool("pdftotext", &["{}", "-"], &out.join("report.pdf"))
+    {
+        assert!(words.split_whitespace().collect::<Vec<_>>().join(" ").contains(sentence), "{words}");
+    }
+    for (language, part) in [("fr", "(limite 44 µm : respectée)."), ("de", "(Grenzwert 44 µm: eingehalten).")] {
+        let written = etalon(scratch.root(), &["report", "campaign/out", "--language", language]);
+        assert!(written.status.success(), "{}", text_of(&written));
+        let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+        assert!(page.contains(part) && page.contains(" ± 14 µm"), "{language}");
+        assert!(page.contains("± 2u") && !page.contains("intervalles à 95 %"), "{language}: U is k = 2, not 95 %");
+    }
+}
+
+#[test]
+fn the_quarter_rule_takes_the_uncertainty_of_a_position() {
+    let scratch = copy_sample("pose-test");
+    let ratios = |scratch: &Scratch| {
+        let run = etalon(scratch.root(), &["run", "campaign"]);
+        assert!(run.status.code() < Some(2), "{}", text_of(&run));
+        let text = std::fs::read_to_string(scratch.path().join("out/iso9283.json")).unwrap();
+        let document: etalon::document::Iso9283Document = serde_json::from_str(&text).unwrap();
+        let poses = document.poses.iter();
+        poses.map(|p| p.uncertainty_over_rp.unwrap() * p.rp_mm.unwrap()).collect::<Vec<f64>>()
+    };
+    ratios(&scratch).into_iter().for_each(|u| assert!((u - 0.010 * 3f64.sqrt()).abs() < 1e-12, "{u}"));
+    let stated = "expanded_uncertainty_um = 10\nexpanded_position_uncertainty_um = 12";
+    scratch.replace("campaign.toml", "expanded_uncertainty_um = 10", stated);
+    ratios(&scratch).into_iter().for_each(|u| assert!((u - 0.012).abs() < 1e-12, "{u}"));
+}
