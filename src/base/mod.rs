@@ -1,5 +1,5 @@
 //! What every room may use: messages, files, tables, patterns of names, poses, numbers that carry derivatives, random
-//! numbers, dates, order statistics.
+//! numbers, dates, order statistics, line drawings.
 
 pub mod date;
 pub mod expression;
@@ -11,5 +11,6 @@ pub mod pattern;
 pub mod pose;
 pub mod pose_name;
 pub mod scalar;
+pub mod sketch;
 pub mod statistics;
 pub mod table;

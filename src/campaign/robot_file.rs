@@ -304,7 +304,7 @@ impl RobotFile {
             }
             let kind = KINDS.iter().find(|(key, _)| key == name).map(|(_, quantity)| *quantity);
             let of_kind = |p: &&mut Parameter| kind == Some(p.quantity) && p.role == Role::Robot;
-            definition.parameters.iter_mut().filter(of_kind).for_each(|p| p.tolerance = p.quantity.inward(value));
+            definition.parameters.iter_mut().filter(of_kind).for_each(|p| p.state_tolerance(value));
             if kind.is_none() && definition.parameters.iter().all(|p| p.name != *name) {
                 let names = KINDS.iter().map(|k| k.0).chain(definition.parameters.iter().map(|p| p.name.as_str()));
                 let what = format!("`tolerance` names `{name}`, which is not a parameter of this robot");
@@ -313,7 +313,7 @@ impl RobotFile {
         }
         for parameter in &mut definition.parameters {
             if let Some(value) = self.tolerance.get(&parameter.name) {
-                parameter.tolerance = parameter.quantity.inward(*value);
+                parameter.state_tolerance(*value);
             }
         }
         problems.check().map(|_| ())

@@ -2,7 +2,9 @@
 
 use super::Provenance;
 use crate::base::message::Message;
+use crate::base::sketch::Sketch;
 use crate::math::identify::{ResidualKind, UncertaintyFrom};
+pub use crate::math::robots::Role;
 use crate::math::solve::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -18,6 +20,9 @@ pub struct ParametersDocument {
     pub robot: String,
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
+    /// Drawings of the model with its parameters; absent where the model has none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sketches: Vec<Sketch>,
     /// Covariance of the identified parameters, in their order and units; empty where there is none.
     pub covariance: Vec<Vec<f64>>,
     /// Identified parameters of points (targets, sockets, planes) of which the covariance is left out, because they are many: 24 points
@@ -75,8 +80,17 @@ pub struct ParameterEntry {
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
+    /// Whether it belongs to the robot, its base, a target or a fixture.
+    #[serde(default)]
+    pub role: Role,
+    /// What it is and which sign it has, in words.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub meaning: String,
     /// Nominal value.
     pub nominal: f64,
+    /// How far from nominal it may be by the robot's file, where that states it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
     /// Value with only base and targets fitted: the robot before its calibration.
     pub before: f64,
     /// Identified value, or the value at which it is held.

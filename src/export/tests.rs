@@ -15,6 +15,9 @@ fn parameter(name: &str, unit: &str, value: f64) -> ParameterEntry {
     ParameterEntry {
         name: name.to_owned(),
         unit: unit.to_owned(),
+        role: Default::default(),
+        meaning: String::new(),
+        tolerance: None,
         nominal: value,
         before: value,
         value,
@@ -31,6 +34,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
         schema: "etalon/parameters/1".to_owned(),
         robot: "prexyt".to_owned(),
         parameters,
+        sketches: vec![],
         covariance: vec![],
         covariance_without: vec![],
         residuals: ResidualSummary {

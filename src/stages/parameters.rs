@@ -27,7 +27,10 @@ pub fn parameters_document(
     let parameters = robot.parameters().iter().enumerate().map(|(i, p)| ParameterEntry {
         name: p.name.clone(),
         unit: p.quantity.unit().to_owned(),
+        role: p.role,
+        meaning: p.meaning.to_owned(),
         nominal: p.quantity.outward(p.nominal),
+        tolerance: p.tolerance_is_stated.then(|| p.quantity.outward(p.tolerance)),
         before: p.quantity.outward(before[i]),
         value: p.quantity.outward(found.values[i]),
         standard_uncertainty: found.standard_uncertainty(i).map(|u| p.quantity.outward(u)),
@@ -60,6 +63,7 @@ pub fn parameters_document(
         schema: "etalon/parameters/1".to_owned(),
         robot: robot.model().to_owned(),
         parameters: parameters.collect(),
+        sketches: robot.sketches(),
         covariance,
         covariance_without: found.eliminated.iter().map(name).collect(),
         residuals: ResidualSummary {

@@ -7,6 +7,7 @@ pub mod dialects;
 mod features;
 mod geometric_campaign;
 mod joins;
+mod meanings;
 mod mixed;
 mod own_formats;
 mod platform_controllers;

@@ -22,6 +22,9 @@ pub(super) fn identified(
     let entry = |(i, (value, u)): (usize, (&f64, &f64))| ParameterEntry {
         name: format!("p{i}"),
         unit: "mm".to_owned(),
+        role: Default::default(),
+        meaning: String::new(),
+        tolerance: None,
         nominal: 100.0,
         before: if i + 1 == values.len() { 100.5 } else { 100.0 },
         value: *value,
@@ -36,6 +39,7 @@ pub(super) fn identified(
         schema: "etalon/parameters/1".to_owned(),
         robot: "prexyt".to_owned(),
         parameters: values.iter().zip(u).enumerate().map(entry).collect(),
+        sketches: vec![],
         covariance: (0..n).map(|i| (0..n).map(|j| square(i, j)).collect()).collect(),
         covariance_without: Vec::new(),
         residuals: ResidualSummary {

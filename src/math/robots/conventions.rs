@@ -5,7 +5,7 @@
 
 use super::chain::Motion;
 use super::serial::{ArmBuilder, BaseAngles, Drive, Effects};
-use super::{Description, Model, Quantity, Robot, Role, Serial, Source, wrong_targets};
+use super::{Description, Model, Quantity, Robot, Serial, Source, meaning, wrong_targets};
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, unit};
 use schemars::JsonSchema;
@@ -339,6 +339,21 @@ impl Description for Keys {
     }
 }
 
+/// Twist and length of the link before a joint.
+const BEFORE: [&str; 2] = [
+    meaning("Twist of the link before the joint: angle from the z axis before to that of the joint, about the x axis before; counterclockwise positive."),
+    meaning("Length of the link before the joint: distance of its two axes, along the x axis before."),
+];
+/// Those of the link behind it.
+const BEHIND: [&str; 2] = [
+    meaning("Twist of the link behind the joint: angle from the z axis of the joint to the next, about the new x axis; counterclockwise positive."),
+    meaning("Length of the link behind the joint: distance of its two axes, along the new x axis."),
+];
+const THETA: &str = meaning("Joint offset: added to the logged joint value, about the z axis; counterclockwise positive.");
+const D: &str = meaning("Link offset along the z axis of the joint.");
+const BETA: &str =
+    meaning("Hayati's angle between near-parallel axes, about the y axis, in place of the link offset; counterclockwise positive.");
+
 /// Where the link of a joint comes in a table of Denavit-Hartenberg parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum TableConvention {
@@ -426,12 +441,13 @@ impl Serial {
         let mut arm = ArmBuilder::new(base, targets);
         for (i, j) in joints.iter().enumerate() {
             let n = i + 1;
-            let alpha = arm.parameter(format!("alpha_{n}"), Quantity::Angle, Role::Robot, j.alpha_rad);
-            let a = arm.parameter(format!("a_{n}"), Quantity::Length, Role::Robot, j.a_mm);
-            let theta = arm.parameter(format!("theta_{n}"), Quantity::Angle, Role::Robot, j.theta_rad);
+            let [alpha_means, a_means] = if modified { BEFORE } else { BEHIND };
+            let alpha = arm.parameter(format!("alpha_{n}"), Quantity::Angle, j.alpha_rad, alpha_means);
+            let a = arm.parameter(format!("a_{n}"), Quantity::Length, j.a_mm, a_means);
+            let theta = arm.parameter(format!("theta_{n}"), Quantity::Angle, j.theta_rad, THETA);
             let beta_or_d = match j.parallel {
-                true => arm.parameter(format!("beta_{n}"), Quantity::Angle, Role::Robot, 0.0),
-                false => arm.parameter(format!("d_{n}"), Quantity::Length, Role::Robot, j.d_mm),
+                true => arm.parameter(format!("beta_{n}"), Quantity::Angle, 0.0, BETA),
+                false => arm.parameter(format!("d_{n}"), Quantity::Length, j.d_mm, D),
             };
             let link = |arm: &mut ArmBuilder| {
                 arm.push(Motion::Turn(0), 0.0, &[alpha]);

@@ -36,7 +36,8 @@ impl Quantity {
 }
 
 /// What a parameter describes: decides what is fitted "before" the calibration.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Role {
     /// Pose of the base in the world.
     Base,
@@ -45,6 +46,7 @@ pub enum Role {
     /// What targets touch or are measured from: points and planes that are fixed in the world.
     Fixture,
     /// Geometry, joint offsets, gains and compliance of the robot itself.
+    #[default]
     Robot,
 }
 
@@ -78,18 +80,54 @@ pub struct Parameter {
     /// How far from nominal the part may be as it is drawn and mounted, in mm, rad or 1: a result beyond it is that of a wrong
     /// set-up. Infinite for base and targets without a nominal value: those of an arm.
     pub tolerance: f64,
+    /// Whether the robot's file states the tolerance.
+    pub tolerance_is_stated: bool,
+    /// What it is and which sign it has, in a sentence that is the same for parameters of a kind.
+    pub meaning: &'static str,
+}
+
+/// Marks what a parameter means, or what a drawing shows: the report translates it.
+pub const fn meaning(text: &'static str) -> &'static str {
+    text
 }
 
 impl Parameter {
     /// A parameter with its nominal value in mm, rad or 1, and the tolerance of its kind.
     pub fn new(name: impl Into<String>, quantity: Quantity, role: Role, nominal: f64) -> Self {
-        Self { name: name.into(), quantity, role, nominal, tolerance: usual_tolerance(quantity, role) }
+        let tolerance = usual_tolerance(quantity, role);
+        let meaning = usual_meaning(quantity, role);
+        Self { name: name.into(), quantity, role, nominal, tolerance, tolerance_is_stated: false, meaning }
+    }
+
+    /// The same with its meaning.
+    pub fn meaning(self, meaning: &'static str) -> Self {
+        Self { meaning, ..self }
+    }
+
+    /// Takes the tolerance that a file states, in mm, deg or 1.
+    pub fn state_tolerance(&mut self, value: f64) {
+        (self.tolerance, self.tolerance_is_stated) = (self.quantity.inward(value), true);
     }
 
     /// How well it is known before anything is identified (mm, rad, 1): as drawings have it, whatever tolerance is stated, or, where it
     /// has no nominal value, as a look at base and targets shows it.
     pub fn known_within(&self) -> f64 {
         usual_tolerance(self.quantity, if self.tolerance.is_finite() { self.role } else { Role::Base })
+    }
+}
+
+/// Meaning where a model has no other: base, targets and fixtures are alike in all.
+fn usual_meaning(quantity: Quantity, role: Role) -> &'static str {
+    match (role, quantity) {
+        (Role::Base, Quantity::Angle) => {
+            meaning("Orientation of the base in the world: angles about the axes that the names end with, counterclockwise positive.")
+        }
+        (Role::Base, _) => meaning("Origin of the base in the world, along the axis that the name ends with."),
+        (Role::Target, Quantity::Angle) => meaning("Orientation on the flange of the body that carries the target, as a rotation vector."),
+        (Role::Target, _) => meaning("Place of the target in the frame of the flange or platform, along the axis that the name ends with."),
+        (Role::Fixture, Quantity::Angle) => meaning("Direction of a surface that is fixed in the world: slope of its trace along the axis that the name ends with."),
+        (Role::Fixture, _) => meaning("Place or size of what is fixed in the world: coordinate along the axis that the name ends with, or radius."),
+        (Role::Robot, _) => "",
     }
 }
 

@@ -7,12 +7,14 @@
 
 use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod};
 use super::prexyt::Travel;
-use super::{Description, Model, Quantity, Robot, Source, wrong_targets};
+use super::{Description, Model, Quantity, Robot, Source, meaning, wrong_targets};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use crate::base::scalar::Scalar;
+use crate::base::sketch::{Sketch, StrokeKind};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::f64::consts::FRAC_PI_2;
 
 /// Delta with arms that turn.
 pub(super) const ROTARY: Model = Model::new::<RotaryKeys>(
@@ -37,6 +39,10 @@ pub(super) const LINEAR: Model = Model::new::<LinearKeys>(
 );
 
 const LEGS: usize = 3;
+const RADIUS: &str = meaning("Foot of the motor axis or tower from the z axis of the base, along the x axis of its leg, outwards.");
+const SIDE: &str = meaning("Foot of the motor axis or tower aside, along the y axis of its leg.");
+const ROD: &str = meaning("Length of the rod (forearm), between the centres of its joints.");
+const PLATFORM: &str = meaning("Joint of the rod from the z axis of the platform, along the x axis of its leg, outwards.");
 /// A platform that is turned by more is out of reach.
 const TURNED: f64 = 1e-6;
 
@@ -169,17 +175,17 @@ impl Rotary {
 impl Legs for Rotary {
     const MODEL: &'static str = "delta";
     const PARAMETERS: &'static [LegParameter] = &[
-        LegParameter { name: "base_radius_#", quantity: Quantity::Length },
-        LegParameter { name: "base_side_#", quantity: Quantity::Length },
-        LegParameter { name: "base_height_#", quantity: Quantity::Length },
-        LegParameter { name: "axis_rz_#", quantity: Quantity::Angle },
-        LegParameter { name: "axis_rx_#", quantity: Quantity::Angle },
-        LegParameter { name: "upper_arm_#", quantity: Quantity::Length },
-        LegParameter { name: "delta_#", quantity: Quantity::Angle },
-        LegParameter { name: "rod_#", quantity: Quantity::Length },
-        LegParameter { name: "platform_radius_#", quantity: Quantity::Length },
+        LegParameter { name: "base_radius_#", quantity: Quantity::Length, meaning: RADIUS },
+        LegParameter { name: "base_side_#", quantity: Quantity::Length, meaning: SIDE },
+        LegParameter { name: "base_height_#", quantity: Quantity::Length, meaning: meaning("Height of the motor axis above the base, along z.") },
+        LegParameter { name: "axis_rz_#", quantity: Quantity::Angle, meaning: meaning("Turn of the motor axis about the z axis of its leg; counterclockwise positive.") },
+        LegParameter { name: "axis_rx_#", quantity: Quantity::Angle, meaning: meaning("Turn of the motor axis about the x axis of its leg; counterclockwise positive.") },
+        LegParameter { name: "upper_arm_#", quantity: Quantity::Length, meaning: meaning("Length of the upper arm, from the motor axis to the rod.") },
+        LegParameter { name: "delta_#", quantity: Quantity::Angle, meaning: meaning("Offset of the encoder: added to its value; the arm sinks as it grows.") },
+        LegParameter { name: "rod_#", quantity: Quantity::Length, meaning: ROD },
+        LegParameter { name: "platform_radius_#", quantity: Quantity::Length, meaning: PLATFORM },
     ];
-    const JOINT: LegParameter = LegParameter { name: "theta#", quantity: Quantity::Angle };
+    const JOINT: LegParameter = LegParameter { name: "theta#", quantity: Quantity::Angle, meaning: "" };
     const COUNT: usize = LEGS;
 
     fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T> {
@@ -190,6 +196,25 @@ impl Legs for Rotary {
 
     fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
         hang(&legs.rods(joints))
+    }
+
+    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+        use StrokeKind::{Axis, Direction, Length, Part};
+        let (motor, rod, n) = (self.motor(leg, p), self.rod(leg, p, q), leg + 1);
+        let size = p[0] + p[5];
+        let tip = |frame: &Pose, axis: usize, share: f64| frame.shift(axis, share * size).translation_mm;
+        sketch.add(Part, "", &[motor.translation_mm, rod.base_mm]);
+        sketch.add(Axis, "", &[tip(&motor, 1, -0.3), tip(&motor, 1, 0.3)]);
+        sketch.add(Length, format!("base_radius_{n}"), &[[0.0; 3], motor.translation_mm]);
+        sketch.add(Length, format!("upper_arm_{n}"), &[motor.translation_mm, rod.base_mm]);
+        sketch.add(Direction, format!("base_side_{n}"), &[motor.translation_mm, tip(&motor, 1, 0.2)]);
+        sketch.add(Direction, format!("base_height_{n}"), &[motor.translation_mm, tip(&motor, 2, 0.2)]);
+        // about y from x downwards, about z and x from y
+        sketch.add(Axis, "", &[motor.translation_mm, tip(&motor, 0, 0.4)]);
+        sketch.angle(format!("theta{n} + delta_{n}"), &motor.turn_x(-FRAC_PI_2), 0.3 * size, q + p[6]);
+        sketch.angle(format!("axis_rz_{n}"), &motor.turn_z(FRAC_PI_2), 0.28 * size, 0.4);
+        sketch.angle(format!("axis_rx_{n}"), &motor.turn_z(FRAC_PI_2).turn_x(FRAC_PI_2), 0.28 * size, 0.4);
+        on_platform(n, &rod, platform, sketch);
     }
 
     /// The two elbows from which the rod reaches its joint on the platform.
@@ -218,15 +243,15 @@ impl Legs for Linear {
     const MODEL: &'static str = "delta_linear";
     const PARAMETERS: &'static [LegParameter] = &[
         // a turn about the last tower moves the foot of another one most: of its parameters the last is held
-        LegParameter { name: "offset_#", quantity: Quantity::Length },
-        LegParameter { name: "tower_ry_#", quantity: Quantity::Angle },
-        LegParameter { name: "tower_rx_#", quantity: Quantity::Angle },
-        LegParameter { name: "base_radius_#", quantity: Quantity::Length },
-        LegParameter { name: "base_side_#", quantity: Quantity::Length },
-        LegParameter { name: "rod_#", quantity: Quantity::Length },
-        LegParameter { name: "platform_radius_#", quantity: Quantity::Length },
+        LegParameter { name: "offset_#", quantity: Quantity::Length, meaning: meaning("Offset of the carriage: added to its height.") },
+        LegParameter { name: "tower_ry_#", quantity: Quantity::Angle, meaning: meaning("Turn of the tower about the y axis of its leg; counterclockwise positive.") },
+        LegParameter { name: "tower_rx_#", quantity: Quantity::Angle, meaning: meaning("Turn of the tower about the x axis of its leg; counterclockwise positive.") },
+        LegParameter { name: "base_radius_#", quantity: Quantity::Length, meaning: RADIUS },
+        LegParameter { name: "base_side_#", quantity: Quantity::Length, meaning: SIDE },
+        LegParameter { name: "rod_#", quantity: Quantity::Length, meaning: ROD },
+        LegParameter { name: "platform_radius_#", quantity: Quantity::Length, meaning: PLATFORM },
     ];
-    const JOINT: LegParameter = LegParameter { name: "rho#", quantity: Quantity::Length };
+    const JOINT: LegParameter = LegParameter { name: "rho#", quantity: Quantity::Length, meaning: "" };
     const COUNT: usize = LEGS;
 
     fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T> {
@@ -239,6 +264,20 @@ impl Legs for Linear {
         hang(&legs.rods(joints))
     }
 
+    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+        use StrokeKind::{Direction, Length, Part};
+        let (tower, rod, n) = (self.tower(leg, p), self.rod(leg, p, q), leg + 1);
+        let size = norm(minus(rod.base_mm, tower.translation_mm)).max(p[3]);
+        let tip = |frame: &Pose, axis: usize, share: f64| frame.shift(axis, share * size).translation_mm;
+        sketch.add(Part, "", &[tower.translation_mm, tip(&tower, 2, 1.2)]);
+        sketch.add(Length, format!("base_radius_{n}"), &[[0.0; 3], tower.translation_mm]);
+        sketch.add(Direction, format!("base_side_{n}"), &[tower.translation_mm, tip(&tower, 1, 0.2)]);
+        sketch.add(Direction, format!("rho{n} + offset_{n}"), &[tower.translation_mm, rod.base_mm]);
+        sketch.angle(format!("tower_rx_{n}"), &tower.turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
+        sketch.angle(format!("tower_ry_{n}"), &tower.turn_z(-FRAC_PI_2).turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
+        on_platform(n, &rod, platform, sketch);
+    }
+
     /// The carriage above the platform from which the rod reaches it.
     fn joints_at(&self, leg: usize, p: &[f64], platform: &Pose) -> Vec<f64> {
         let Some(to) = shifted(&self.rod(leg, p, 0.0), platform) else { return Vec::new() };
@@ -246,6 +285,13 @@ impl Legs for Linear {
         let rise = (p[5] * p[5] - x * x - y * y).sqrt();
         Some(z + rise - p[0]).filter(|q| q.is_finite()).into_iter().collect()
     }
+}
+
+/// Draws a rod and its joint on the platform.
+fn on_platform(n: usize, rod: &Rod, platform: &Pose, sketch: &mut Sketch) {
+    let end = platform.apply(rod.platform_mm);
+    sketch.add(StrokeKind::Length, format!("rod_{n}"), &[rod.base_mm, end]);
+    sketch.add(StrokeKind::Length, format!("platform_radius_{n}"), &[platform.translation_mm, end]);
 }
 
 /// Where the joint of a rod on the platform is in the base; `None` where the platform is turned.

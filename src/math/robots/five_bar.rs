@@ -4,31 +4,32 @@
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
 use super::{Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role, Source};
-use super::{in_plane, in_space};
+use super::{in_plane, in_space, meaning};
 use crate::base::expression::{Formula, Recorded};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
 use crate::base::pose::Vector;
 use crate::base::scalar::{Dual, Scalar, constants, duals};
+use crate::base::sketch::{Sketch, StrokeKind};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::PI;
 
 const PARAMETERS: usize = 12;
-/// Names, quantities, roles and nominal values (eq. 4.24; x_o and y_o: table 4.1).
-const TABLE: [(&str, Quantity, Role, f64); PARAMETERS] = [
-    ("l11", Quantity::Length, Role::Robot, 230.0),
-    ("l12", Quantity::Length, Role::Robot, 230.0),
-    ("l21", Quantity::Length, Role::Robot, 230.0),
-    ("l22", Quantity::Length, Role::Robot, 230.0),
-    ("d", Quantity::Length, Role::Robot, 275.0),
-    ("l23", Quantity::Length, Role::Robot, 230.0),
-    ("gamma", Quantity::Angle, Role::Robot, 0.0),
-    ("delta1", Quantity::Angle, Role::Robot, 0.0),
-    ("delta2", Quantity::Angle, Role::Robot, 0.0),
-    ("x_o", Quantity::Length, Role::Base, 263.0),
-    ("y_o", Quantity::Length, Role::Base, 75.0),
-    ("phi", Quantity::Angle, Role::Base, 0.0),
+/// Names, quantities, roles, nominal values and meanings (eq. 4.24; x_o and y_o: table 4.1).
+const TABLE: [(&str, Quantity, Role, f64, &str); PARAMETERS] = [
+    ("l11", Quantity::Length, Role::Robot, 230.0, meaning("Length of the proximal link of arm 1, A1 to B1.")),
+    ("l12", Quantity::Length, Role::Robot, 230.0, meaning("Length of the distal link of arm 1, B1 to C.")),
+    ("l21", Quantity::Length, Role::Robot, 230.0, meaning("Length of the proximal link of arm 2, A2 to B2.")),
+    ("l22", Quantity::Length, Role::Robot, 230.0, meaning("Length of the distal link of arm 2, B2 to C.")),
+    ("d", Quantity::Length, Role::Robot, 275.0, meaning("Distance of the motor axes A1 and A2.")),
+    ("l23", Quantity::Length, Role::Robot, 230.0, meaning("Distance of the tool E from B2.")),
+    ("gamma", Quantity::Angle, Role::Robot, 0.0, meaning("Angle at B2 from C to the tool E; counterclockwise positive.")),
+    ("delta1", Quantity::Angle, Role::Robot, 0.0, meaning("Offset of encoder 1: added to its value; counterclockwise positive.")),
+    ("delta2", Quantity::Angle, Role::Robot, 0.0, meaning("Offset of encoder 2: added to its value; counterclockwise positive.")),
+    ("x_o", Quantity::Length, Role::Base, 263.0, meaning("Middle between the motors in the world, along x.")),
+    ("y_o", Quantity::Length, Role::Base, 75.0, meaning("Middle between the motors in the world, along y.")),
+    ("phi", Quantity::Angle, Role::Base, 0.0, meaning("Direction from motor A1 to A2 in the world; counterclockwise positive.")),
 ];
 
 /// Five-bar with twelve parameters.
@@ -148,7 +149,9 @@ pub struct Configuration {
 
 impl Default for FiveBar {
     fn default() -> Self {
-        let parameters = TABLE.map(|(name, quantity, role, nominal)| Parameter::new(name, quantity, role, nominal));
+        let parameters = TABLE.map(|(name, quantity, role, nominal, meaning)| {
+            Parameter::new(name, quantity, role, nominal).meaning(meaning)
+        });
         let joints = ["theta1", "theta2"].map(|name| Joint { name: name.into(), quantity: Quantity::Angle });
         let definition = Definition {
             model: "five_bar",
@@ -380,6 +383,46 @@ impl Robot for FiveBar {
     }
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
+    }
+    /// With the arms half open, and the tool beside C however it is drawn, so that every parameter shows.
+    fn sketches(&self) -> Vec<Sketch> {
+        use StrokeKind::{Axis, Length, Part};
+        let title = meaning("The five-bar seen from above: links, and angles positive counterclockwise. The tool is drawn beside C.");
+        let mut sketch = Sketch::new(title, true);
+        let mut p = self.nominal();
+        (p[5], p[6]) = (1.3 * p[3], 0.5);
+        let meeting = |q: [f64; 2]| [1.0, -1.0].map(|mode| self.direct(&p, q, mode)).map(|at| (q, at));
+        let all = [[2.1, 1.1], [1.8, 1.3], [1.6, 1.5], [1.3, 1.8]].into_iter().flat_map(meeting);
+        // with C away from the motors
+        let mut away = all.filter(|(_, at)| at.e[0].is_finite() && at.c[1] > at.b1[1].max(at.b2[1]));
+        let Some((q, at)) = away.next() else {
+            return Vec::new();
+        };
+        let [a1, a2] = [-0.5, 0.5].map(|share| [share * p[4], 0.0, 0.0]);
+        let [b1, b2, c, e] = [at.b1, at.b2, at.c, at.e].map(|[x, y]| [x, y, 0.0]);
+        sketch.add(Part, "", &[a1, b1, c, b2, a2]);
+        sketch.add(Part, "", &[b2, e, c]);
+        for (name, ends) in
+            [("l11", [a1, b1]), ("l12", [b1, c]), ("l21", [b2, a2]), ("l22", [c, b2]), ("l23", [b2, e]), ("d", [a2, a1])]
+        {
+            sketch.add(Length, name, &ends);
+        }
+        let size = sketch.extent_mm();
+        for (name, from, angle) in [("theta1 + delta1", a1, q[0] + p[7]), ("theta2 + delta2", a2, q[1] + p[8])] {
+            let frame = Pose { translation_mm: from, ..Pose::identity() };
+            sketch.add(Axis, "", &[from, frame.shift(0, 0.2 * size).translation_mm]);
+            sketch.angle(name, &frame, 0.14 * size, angle);
+        }
+        let to_c = (c[1] - b2[1]).atan2(c[0] - b2[0]);
+        let elbow = Pose { translation_mm: b2, ..Pose::identity() }.turn_z(to_c);
+        sketch.angle("gamma", &elbow, 0.3 * size, p[6]);
+        sketch.frame("base", &Pose::identity(), 0.12 * size);
+        let world = Pose { translation_mm: [-p[9], -p[10], 0.0], ..Pose::identity() };
+        sketch.frame("world", &world, 0.12 * size);
+        sketch.add(Length, "x_o", &[world.translation_mm, [0.0, -p[10], 0.0]]);
+        sketch.add(Length, "y_o", &[[0.0, -p[10], 0.0], [0.0; 3]]);
+        sketch.add(Axis, "phi", &[[0.0; 3], [0.3 * size, 0.0, 0.0]]);
+        vec![sketch]
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         out.copy_from_slice(&self.tool(parameters, joints));

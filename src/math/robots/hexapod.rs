@@ -4,10 +4,11 @@
 //! zero. The frames of base and platform are free, so that twelve of them are not identifiable beside a base and targets.
 
 use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod, gaps, lengthening};
-use super::{Description, Model, Quantity, Robot, Source, wrong_targets};
+use super::{Description, Model, Quantity, Robot, Source, meaning, wrong_targets};
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Pose, Vector, norm};
 use crate::base::scalar::Scalar;
+use crate::base::sketch::{Sketch, StrokeKind};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -19,6 +20,9 @@ pub(super) const MODEL: Model = Model::new::<Keys>(
 );
 
 const LEGS: usize = 6;
+const ON_BASE: &str = meaning("Centre of the leg's joint on the base, along the axis of the base that the name ends with.");
+const ON_PLATFORM: &str =
+    meaning("Centre of the leg's joint on the platform, along the axis of the platform that the name ends with.");
 
 /// Keys of a hexapod in robot.toml.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -100,19 +104,33 @@ struct Hexapod {
 impl Legs for Hexapod {
     const MODEL: &'static str = "hexapod";
     const PARAMETERS: &'static [LegParameter] = &[
-        LegParameter { name: "leg#_bx", quantity: Quantity::Length },
-        LegParameter { name: "leg#_by", quantity: Quantity::Length },
-        LegParameter { name: "leg#_bz", quantity: Quantity::Length },
-        LegParameter { name: "leg#_ax", quantity: Quantity::Length },
-        LegParameter { name: "leg#_ay", quantity: Quantity::Length },
-        LegParameter { name: "leg#_az", quantity: Quantity::Length },
-        LegParameter { name: "leg#_l0", quantity: Quantity::Length },
+        LegParameter { name: "leg#_bx", quantity: Quantity::Length, meaning: ON_BASE },
+        LegParameter { name: "leg#_by", quantity: Quantity::Length, meaning: ON_BASE },
+        LegParameter { name: "leg#_bz", quantity: Quantity::Length, meaning: ON_BASE },
+        LegParameter { name: "leg#_ax", quantity: Quantity::Length, meaning: ON_PLATFORM },
+        LegParameter { name: "leg#_ay", quantity: Quantity::Length, meaning: ON_PLATFORM },
+        LegParameter { name: "leg#_az", quantity: Quantity::Length, meaning: ON_PLATFORM },
+        LegParameter { name: "leg#_l0", quantity: Quantity::Length, meaning: meaning("Length of the leg between the centres of its joints, at joint value zero.") },
     ];
-    const JOINT: LegParameter = LegParameter { name: "leg#", quantity: Quantity::Length };
+    const JOINT: LegParameter = LegParameter { name: "leg#", quantity: Quantity::Length, meaning: "" };
     const COUNT: usize = LEGS;
 
     fn rod<T: Scalar>(&self, _leg: usize, p: &[T], q: T) -> Rod<T> {
         Rod { base_mm: [p[0], p[1], p[2]], platform_mm: [p[3], p[4], p[5]], length_mm: p[6] + q }
+    }
+
+    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+        let (rod, leg) = (self.rod(leg, p, q), leg + 1);
+        let end = platform.apply(rod.platform_mm);
+        sketch.add(StrokeKind::Length, format!("leg{leg}_l0 + leg{leg}"), &[rod.base_mm, end]);
+        let to_base = [[0.0; 3], [p[0], 0.0, 0.0], [p[0], p[1], 0.0], rod.base_mm];
+        for (axis, ends) in ["x", "y", "z"].into_iter().zip(to_base.windows(2)) {
+            sketch.add(StrokeKind::Direction, format!("leg{leg}_b{axis}"), ends);
+        }
+        let to_platform = [[0.0; 3], [p[3], 0.0, 0.0], [p[3], p[4], 0.0], rod.platform_mm].map(|at| platform.apply(at));
+        for (axis, ends) in ["x", "y", "z"].into_iter().zip(to_platform.windows(2)) {
+            sketch.add(StrokeKind::Direction, format!("leg{leg}_a{axis}"), ends);
+        }
     }
 
     /// By Newton's method from home, in parts of the way where it does not converge at once.

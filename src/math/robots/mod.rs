@@ -18,7 +18,7 @@ mod urdf;
 
 pub use compensation::{Calibrated, Compensated};
 pub use conventions::SerialJoint;
-pub use definition::{Definition, Effect, Joint, Parameter, Quantity, Role};
+pub use definition::{Definition, Effect, Joint, Parameter, Quantity, Role, meaning};
 pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
 pub use prexyt::Prexyt;
 pub use serial::Serial;
@@ -27,6 +27,7 @@ pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 use crate::base::expression::Formula;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, norm};
+use crate::base::sketch::Sketch;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 use std::f64::consts::{PI, TAU};
@@ -200,6 +201,11 @@ pub trait Robot: Send + Sync {
     /// What a parameter describes, by its index; a zero of a joint is geometry here.
     fn effect(&self, parameter: usize) -> Effect {
         if self.parameters()[parameter].quantity == Quantity::Ratio { Effect::Gains } else { Effect::Geometry }
+    }
+
+    /// Drawings of the model with its parameters, from its nominal geometry.
+    fn sketches(&self) -> Vec<Sketch> {
+        Vec::new()
     }
 
     /// What to measure so that these parameters become separately identifiable, where a model has an answer.

@@ -4,9 +4,10 @@
 //! the joints and the leg's own parameters, from which derivatives follow exactly (implicit function theorem), however the pose was
 //! found. The platform is the flange of a robot with a free base: base and targets come first, then the legs one by one.
 
-use super::{Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, limit_violation};
+use super::{Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, limit_violation, meaning};
 use crate::base::pose::{Pose, Vector, cross, minus, norm, turning_axes};
 use crate::base::scalar::{Dual, Scalar};
+use crate::base::sketch::{Sketch, StrokeKind};
 use nalgebra::{Matrix6, Vector6};
 use std::fmt::Debug;
 
@@ -42,6 +43,7 @@ pub(super) struct LegParameter {
     /// `#` is the number of the leg, from 1.
     pub name: &'static str,
     pub quantity: Quantity,
+    pub meaning: &'static str,
 }
 
 /// The legs of a model.
@@ -60,6 +62,9 @@ pub(super) trait Legs: Clone + Debug + Send + Sync {
 
     /// Pose of the platform in the base on rods that do not move.
     fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose>;
+
+    /// Adds the parameters of a leg to a drawing of the platform where it is.
+    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch);
 
     /// Joint values of every leg by itself at a pose of the platform that the model allows.
     fn joints_at(&self, leg: usize, p: &[f64], platform: &Pose) -> Vec<f64>;
@@ -136,7 +141,7 @@ impl<L: Legs> Parallel<L> {
         let numbered = |name: &str, leg: usize| name.replace('#', &(leg + 1).to_string());
         for (leg, nominal) in nominal.chunks_exact(L::PARAMETERS.len()).enumerate() {
             let own = L::PARAMETERS.iter().zip(nominal);
-            parameters.extend(own.map(|(p, &v)| Parameter::new(numbered(p.name, leg), p.quantity, Role::Robot, v)));
+            parameters.extend(own.map(|(p, &v)| Parameter::new(numbered(p.name, leg), p.quantity, Role::Robot, v).meaning(p.meaning)));
         }
         let joint = |leg: usize| Joint { name: numbered(L::JOINT.name, leg), quantity: L::JOINT.quantity };
         let joints = (0..L::COUNT).map(joint).collect();
@@ -239,6 +244,23 @@ impl<L: Legs> Robot for Parallel<L> {
     }
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
+    }
+    fn sketches(&self) -> Vec<Sketch> {
+        let parameters = self.nominal();
+        let joints: Vec<f64> = self.limits.iter().map(|l| l.map_or(0.0, |[low, high]| 0.5 * (low + high))).collect();
+        let Some(platform) = self.place(&parameters, &joints) else { return Vec::new() };
+        let title = meaning("The robot in the middle of its joints, with the parameters of leg 1; those of the other legs are alike.");
+        let mut sketch = Sketch::new(title, false);
+        let values = self.values(&parameters);
+        let rods = values.rods(&joints);
+        let ends: Vec<Vector> = rods.iter().map(|rod| platform.apply(rod.platform_mm)).collect();
+        rods.iter().zip(&ends).for_each(|(rod, end)| sketch.add(StrokeKind::Part, "", &[rod.base_mm, *end]));
+        sketch.add(StrokeKind::Part, "", &[&ends[..], &ends[..1]].concat());
+        self.legs.sketch(0, values.of(0), joints[0], &platform, &mut sketch);
+        let size = sketch.extent_mm();
+        sketch.frame("base", &Pose::identity(), 0.14 * size);
+        sketch.frame("platform", &platform, 0.1 * size);
+        vec![sketch]
     }
     /// Not numbers where the legs do not meet the platform.
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {

@@ -7,32 +7,33 @@ use super::{
     Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot,
     Role, Source,
 };
-use super::{in_plane, in_space};
+use super::{in_plane, in_space, meaning};
 use crate::base::expression::{Formula, Recorded};
 use crate::base::message::Result;
 use crate::base::pose::Pose;
 use crate::base::scalar::{Dual, Scalar, constants, duals};
+use crate::base::sketch::{Sketch, StrokeKind};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::FRAC_PI_2;
 
 const PARAMETERS: usize = 16;
-/// Names, quantities, roles and nominal values (thesis, table 3.3; l_kl is twice the nominal x_C).
-const COMMON: [(&str, Quantity, Role, f64); 14] = [
-    ("beta", Quantity::Angle, Role::Robot, 0.0),
-    ("gamma", Quantity::Angle, Role::Robot, 0.0),
-    ("epsilon_theta", Quantity::Angle, Role::Target, 0.0),
-    ("s", Quantity::Length, Role::Robot, 394.0),
-    ("d3", Quantity::Length, Role::Robot, 0.0),
-    ("d", Quantity::Length, Role::Robot, 116.0),
-    ("x_c", Quantity::Length, Role::Target, 73.0),
-    ("y_c", Quantity::Length, Role::Target, -73.0),
-    ("x_o", Quantity::Length, Role::Base, 22.5),
-    ("y_o", Quantity::Length, Role::Base, -30.5),
-    ("delta", Quantity::Ratio, Role::Robot, 1.0),
-    ("delta2", Quantity::Ratio, Role::Robot, 1.0),
-    ("delta3", Quantity::Ratio, Role::Robot, 1.0),
-    ("l_kl", Quantity::Length, Role::Target, 146.0),
+/// Names, quantities, roles, nominal values and meanings (thesis, table 3.3; l_kl is twice the nominal x_C).
+const COMMON: [(&str, Quantity, Role, f64, &str); 14] = [
+    ("beta", Quantity::Angle, Role::Robot, 0.0, meaning("Angle of rail 3 from the y axis of the base; counterclockwise positive.")),
+    ("gamma", Quantity::Angle, Role::Robot, 0.0, meaning("Angle of the guide on carriage 1 from the y axis of the base; clockwise positive.")),
+    ("epsilon_theta", Quantity::Angle, Role::Target, 0.0, meaning("Angle from the platform's x axis to the line through the balls K and L; counterclockwise positive.")),
+    ("s", Quantity::Length, Role::Robot, 394.0, meaning("Distance of rail 3 from rail 2, along x.")),
+    ("d3", Quantity::Length, Role::Robot, 0.0, meaning("Place of carriage 3 at actuator value zero, along y.")),
+    ("d", Quantity::Length, Role::Robot, 116.0, meaning("Place of carriage 1 at actuator value zero, along x.")),
+    ("x_c", Quantity::Length, Role::Target, 73.0, meaning("Centre C of the platform from ball K, along the line of the balls.")),
+    ("y_c", Quantity::Length, Role::Target, -73.0, meaning("Centre C of the platform from ball K, across the line of the balls.")),
+    ("x_o", Quantity::Length, Role::Base, 22.5, meaning("Origin of the base in the world, along x.")),
+    ("y_o", Quantity::Length, Role::Base, -30.5, meaning("Origin of the base in the world, along y.")),
+    ("delta", Quantity::Ratio, Role::Robot, 1.0, meaning("Travel of carriage 1 along x for each millimetre commanded; 1 as drawn.")),
+    ("delta2", Quantity::Ratio, Role::Robot, 1.0, meaning("Travel of carriage 2 for each millimetre commanded; 1 as drawn.")),
+    ("delta3", Quantity::Ratio, Role::Robot, 1.0, meaning("Travel of carriage 3 for each millimetre commanded; 1 as drawn.")),
+    ("l_kl", Quantity::Length, Role::Target, 146.0, meaning("Distance of the balls K and L.")),
 ];
 
 /// Thirteen parameters.
@@ -82,13 +83,15 @@ impl Prexyt {
     pub fn new(full: bool) -> Self {
         let mut parameters: Vec<Parameter> = COMMON
             .iter()
-            .map(|&(name, quantity, role, nominal)| Parameter::new(name, quantity, role, nominal))
+            .map(|&(name, quantity, role, nominal, meaning)| Parameter::new(name, quantity, role, nominal).meaning(meaning))
             .collect();
         if full {
             parameters[5].name = "d1".into();
             parameters[10].name = "delta1".into();
-            parameters.push(Parameter::new("alpha", Quantity::Angle, Role::Robot, 0.0));
-            parameters.push(Parameter::new("h", Quantity::Length, Role::Robot, 0.0));
+            let alpha = Parameter::new("alpha", Quantity::Angle, Role::Robot, 0.0);
+            parameters.push(alpha.meaning(meaning("Angle of rail 1 from the x axis of the base; counterclockwise positive.")));
+            let h = Parameter::new("h", Quantity::Length, Role::Robot, 0.0);
+            parameters.push(h.meaning(meaning("Distance of rail 1 from the origin of the base, along y.")));
         }
         let joints = ["rho1", "rho2", "rho3"].map(|name| Joint { name: name.into(), quantity: Quantity::Length });
         let targets = vec!["K".into(), "L".into()];
@@ -189,6 +192,52 @@ impl Robot for Prexyt {
     }
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
+    }
+    /// With tilts that show, whatever is drawn.
+    fn sketches(&self) -> Vec<Sketch> {
+        use StrokeKind::{Axis, Length, Part};
+        let title = meaning("The table seen from above, with tilts drawn large: rails, carriages, platform C and balls K and L.");
+        let mut sketch = Sketch::new(title, true);
+        let mut p = self.nominal();
+        (p[0], p[1], p[2]) = (0.14, 0.16, 0.3);
+        let s = p[3];
+        p[4] = 0.12 * s;
+        let rho = [0.25 * s, 0.3 * s, 0.5 * s];
+        let pose = self.direct(&p, &rho);
+        let [[x2, y2], [x3, y3]] = self.revolutes(&p, &rho);
+        let (second, third, c) = ([x2, y2, 0.0], [x3, y3, 0.0], [pose.x_mm, pose.y_mm, 0.0]);
+        let frame = Pose::identity();
+        let on_rail = |along: f64| [s - along * p[0].sin() - p[4] * p[0].tan(), along * p[0].cos() + p[4], 0.0];
+        let guide = |y: f64| [c[0] + (y - c[1]) * p[1].tan(), y, 0.0];
+        sketch.add(Part, "rho2", &[[0.0, -0.1 * s, 0.0], [0.0, 0.8 * s, 0.0]]);
+        sketch.add(Part, "rho3", &[on_rail(-0.1 * s), on_rail(0.8 * s)]);
+        sketch.add(Part, "rho1", &[[0.1 * s, 0.0, 0.0], [0.85 * s, 0.0, 0.0]]);
+        sketch.add(Part, "", &[second, third]);
+        sketch.add(Part, "", &[guide(0.0), guide(0.8 * s)]);
+        sketch.add(Length, "s", &[[0.0; 3], [s, 0.0, 0.0]]);
+        sketch.add(Length, "d3", &[[s, 0.0, 0.0], [s, p[4], 0.0]]);
+        sketch.add(Length, if self.full { "d1" } else { "d" }, &[[p[5], 0.0, 0.0], [0.0; 3]]);
+        sketch.add(Axis, "", &[[p[5], -0.06 * s, 0.0], [p[5], 0.06 * s, 0.0]]);
+        let up = |at: [f64; 3]| Pose { translation_mm: at, ..Pose::identity() }.turn_z(FRAC_PI_2);
+        for (name, from, angle) in [("beta", on_rail(0.0), p[0]), ("gamma", guide(0.0), -p[1])] {
+            sketch.add(Axis, "", &[from, up(from).shift(0, 0.72 * s).translation_mm]);
+            sketch.angle(name, &up(from), 0.66 * s, angle);
+        }
+        let platform = Pose { translation_mm: c, ..frame }.turn_z(pose.theta_rad);
+        let balls = platform.turn_z(p[2]);
+        let [k, l] = [0.0, p[13]].map(|along| balls.apply([along - p[6], -p[7], 0.0]));
+        let foot = balls.apply([0.0, -p[7], 0.0]);
+        sketch.add(Part, "", &[c, k, l, c]);
+        sketch.add(Length, "l_kl", &[l, k]);
+        sketch.add(Length, "x_c", &[k, foot]);
+        sketch.add(Length, "y_c", &[foot, c]);
+        sketch.angle("epsilon_theta", &platform, 0.3 * s, p[2]);
+        let world = Pose { translation_mm: [-0.22 * s, -0.2 * s, 0.0], ..frame };
+        sketch.frame("world", &world, 0.1 * s);
+        sketch.frame("base", &frame, 0.1 * s);
+        sketch.add(Length, "x_o", &[world.translation_mm, [0.0, -0.2 * s, 0.0]]);
+        sketch.add(Length, "y_o", &[[0.0, -0.2 * s, 0.0], [0.0; 3]]);
+        vec![sketch]
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         out.copy_from_slice(self.balls(parameters, joints).as_flattened());

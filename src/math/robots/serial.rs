@@ -4,13 +4,14 @@
 
 use super::chain::{self, Coefficient, Element, Motion, State, Term};
 use super::{
-    ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role,
+    ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role, meaning,
 };
 use super::{limit_violation, nearest, shortest};
 use crate::base::expression::{Formula, Recorded, derivatives};
 use crate::base::noise::Noise;
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm};
 use crate::base::scalar::Scalar;
+use crate::base::sketch::{Sketch, StrokeKind};
 use crate::math::solve;
 use nalgebra::Matrix6;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -81,6 +82,14 @@ enum Load {
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
+const GAIN: &str = meaning("Gain of the joint: by how much it moves for each unit of its logged value; 1 as drawn.");
+const BENDING: &str =
+    meaning("Bending under gravity: the angle under the largest moment, arm stretched out level; positive as the load turns.");
+const COUPLING: &str = meaning("Coupling: by how much the first joint moves for each unit that the second one is moved.");
+const TILT: &str =
+    meaning("Small rotation of the joint's axis, about the axis that the name ends with; counterclockwise positive.");
+const ASIDE: &str = meaning("Small displacement of the joint's axis, along the axis that the name ends with.");
+
 /// A small error of an axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SmallError {
@@ -121,12 +130,12 @@ impl ArmBuilder {
         };
         for (quantity, turn) in [(Quantity::Length, ""), (Quantity::Angle, "r")] {
             for axis in AXES {
-                arm.parameter(format!("base_{turn}{axis}"), quantity, Role::Base, 0.0);
+                arm.free(format!("base_{turn}{axis}"), quantity, Role::Base);
             }
         }
         for target in targets {
             for axis in AXES {
-                arm.parameter(format!("{target}_{axis}"), Quantity::Length, Role::Target, 0.0);
+                arm.free(format!("{target}_{axis}"), Quantity::Length, Role::Target);
             }
         }
         for axis in 0..3 {
@@ -145,13 +154,14 @@ impl ArmBuilder {
         arm
     }
 
-    /// Adds a parameter and gives its index.
-    pub fn parameter(&mut self, name: String, quantity: Quantity, role: Role, nominal: f64) -> usize {
-        let mut parameter = Parameter::new(name, quantity, role, nominal);
-        if role != Role::Robot {
-            parameter.tolerance = f64::INFINITY;
-        }
-        self.parameters.push(parameter);
+    /// Adds a parameter of base or targets.
+    fn free(&mut self, name: String, quantity: Quantity, role: Role) {
+        self.parameters.push(Parameter { tolerance: f64::INFINITY, ..Parameter::new(name, quantity, role, 0.0) });
+    }
+
+    /// Adds a parameter of the robot with its meaning, and gives its index.
+    pub fn parameter(&mut self, name: String, quantity: Quantity, nominal: f64, meaning: &'static str) -> usize {
+        self.parameters.push(Parameter::new(name, quantity, Role::Robot, nominal).meaning(meaning));
         self.parameters.len() - 1
     }
 
@@ -216,7 +226,7 @@ impl ArmBuilder {
     pub fn gains(&mut self) {
         for k in 0..self.axes.len() {
             let Drive { ref label, joint, factor, offset, .. } = self.axes[k].drive;
-            let parameter = self.parameter(format!("gain_{label}"), Quantity::Ratio, Role::Robot, 1.0);
+            let parameter = self.parameter(format!("gain_{label}"), Quantity::Ratio, 1.0, GAIN);
             self.moved[k].push(Term { parameter, coefficient: Coefficient::Joint { joint, factor, offset } });
         }
     }
@@ -257,7 +267,7 @@ impl ArmBuilder {
     }
 
     fn load(&mut self, name: String, load: Load) -> Term {
-        let parameter = self.parameter(name, Quantity::Angle, Role::Robot, 0.0);
+        let parameter = self.parameter(name, Quantity::Angle, 0.0, BENDING);
         self.loads.push(load);
         Term { parameter, coefficient: Coefficient::Load(self.loads.len() - 1) }
     }
@@ -266,7 +276,7 @@ impl ArmBuilder {
     pub fn coupling(&mut self, pairs: &[(usize, usize)]) {
         for &(axis, by) in pairs {
             let name = format!("coupling_{}_{}", self.axes[axis].drive.label, self.axes[by].drive.label);
-            let parameter = self.parameter(name, Quantity::Ratio, Role::Robot, 0.0);
+            let parameter = self.parameter(name, Quantity::Ratio, 0.0, COUPLING);
             let joint = self.axes[by].drive.joint;
             let coefficient = Coefficient::Joint { joint, factor: 1.0, offset: 0.0 };
             let moved = &mut self.moved[axis];
@@ -288,7 +298,7 @@ impl ArmBuilder {
         for (turn, quantity) in [(false, Quantity::Length), (true, Quantity::Angle)] {
             for &k in across.iter().filter(|_| turn || !drive.prismatic) {
                 let name = format!("{}_{}{}", drive.name, if turn { "r" } else { "" }, AXES[k]);
-                let parameter = (!follows).then(|| self.parameter(name, quantity, Role::Robot, 0.0));
+                let parameter = (!follows).then(|| self.parameter(name, quantity, 0.0, if turn { TILT } else { ASIDE }));
                 let motion = if turn { Motion::Turn(k) } else { Motion::Shift(k) };
                 self.push(motion, 0.0, parameter.as_slice());
                 errors.push(SmallError { motion, parameter, element: self.elements.len() - 1 });
@@ -351,6 +361,63 @@ fn z_to(direction: Vector) -> Pose {
     let c = 1.0 / (1.0 + z);
     let rotation = [[1.0 - c * x * x, -c * x * y, x], [-c * x * y, 1.0 - c * y * y, y], [-x, -y, z]];
     Pose { rotation, ..Pose::identity() }
+}
+
+/// A link between two joints with its Denavit-Hartenberg parameters, of sizes that show them all.
+fn drawn_link(modified: bool, parallel: bool) -> Sketch {
+    const TWIST: f64 = 0.9;
+    const OFFSET: f64 = 0.7;
+    let (a, d, arc) = (160.0, 90.0, 45.0);
+    let title = match modified {
+        true => meaning("A link and its modified Denavit-Hartenberg parameters."),
+        false => meaning("A link and its standard Denavit-Hartenberg parameters."),
+    };
+    let mut sketch = Sketch::new(title, false);
+    let axis = |sketch: &mut Sketch, name: &str, frame: &Pose, ends: [f64; 2]| {
+        let ends = ends.map(|end| frame.shift(2, end).translation_mm);
+        sketch.add(StrokeKind::Axis, name, &ends);
+    };
+    let length = |sketch: &mut Sketch, name: &str, frame: Pose, k: usize, by: f64| {
+        let to = frame.shift(k, by);
+        sketch.add(StrokeKind::Part, "", &[frame.translation_mm, to.translation_mm]);
+        sketch.add(StrokeKind::Length, name, &[frame.translation_mm, to.translation_mm]);
+        to
+    };
+    // about x from z; about y from z
+    let twist = |frame: &Pose| frame.turn_y(-FRAC_PI_2);
+    let tilt = |frame: &Pose| frame.turn_x(-FRAC_PI_2).turn_z(-FRAC_PI_2);
+    // turned so that no axis is seen end on
+    let mut frame = Pose::identity().turn_z(1.2);
+    if modified {
+        axis(&mut sketch, "z i−1", &frame, [-50.0, 130.0]);
+        frame = length(&mut sketch, "a_i", frame, 0, a);
+        sketch.add(StrokeKind::Axis, "", &[frame.translation_mm, frame.shift(2, 80.0).translation_mm]);
+        sketch.angle("alpha_i", &twist(&frame), 70.0, -TWIST);
+        frame = frame.turn_x(TWIST);
+        if parallel {
+            sketch.angle("beta_i", &tilt(&frame), 100.0, 0.4);
+        }
+    } else {
+        axis(&mut sketch, "z i", &frame, [-50.0, 130.0]);
+    }
+    if modified {
+        axis(&mut sketch, "z i", &frame, [-60.0, 170.0]);
+    }
+    sketch.add(StrokeKind::Axis, "", &[frame.translation_mm, frame.shift(0, 60.0).translation_mm]);
+    sketch.angle("theta_i", &frame, arc, OFFSET);
+    frame = length(&mut sketch, "d_i", frame.turn_z(OFFSET), 2, d);
+    if !modified {
+        frame = length(&mut sketch, "a_i", frame, 0, a);
+        sketch.add(StrokeKind::Axis, "", &[frame.translation_mm, frame.shift(2, 80.0).translation_mm]);
+        sketch.angle("alpha_i", &twist(&frame), 70.0, -TWIST);
+        frame = frame.turn_x(TWIST);
+        if parallel {
+            sketch.angle("beta_i", &tilt(&frame), 100.0, 0.4);
+        }
+        axis(&mut sketch, "z i+1", &frame, [-60.0, 140.0]);
+    }
+    sketch.frame("", &frame, 60.0);
+    sketch
 }
 
 /// A robot in space whose joints follow each other, with its targets and the non-geometric effects that are modelled.
@@ -456,6 +523,34 @@ impl Serial {
         if turned == joints { Some(turned) } else { self.inverse(parameters, place, &turned) }
     }
 
+    /// The arm in its base at joint values zero, with the lengths that are not zero as drawn.
+    fn drawn(&self) -> Sketch {
+        let mut sketch = Sketch::new(meaning("The arm at joint values zero: axes of the joints and lengths of the links."), false);
+        let (p, joints) = (self.nominal(), vec![0.0; self.joints().len()]);
+        let state = State { joints: &joints[..], loads: &[] };
+        let mut pose = Pose::identity();
+        for element in &self.elements[self.based..] {
+            let next = element.advance(pose, &p, state);
+            let ends = [pose.translation_mm, next.translation_mm];
+            if norm(minus(ends[1], ends[0])) > 1e-6 {
+                sketch.add(StrokeKind::Part, "", &ends);
+                let own = element.terms.iter().find(|term| term.coefficient == Coefficient::Constant(1.0));
+                if let Some(term) = own.filter(|_| matches!(element.motion, Motion::Shift(_))) {
+                    sketch.add(StrokeKind::Length, &self.parameters()[term.parameter].name, &ends);
+                }
+            }
+            pose = next;
+        }
+        let size = sketch.extent_mm();
+        for (axis, frame) in self.axes.iter().zip(self.frames(&p, state).0) {
+            let ends = [-0.09, 0.13].map(|share| frame.shift(2, share * size).translation_mm);
+            sketch.add(StrokeKind::Axis, &axis.drive.name, &ends);
+        }
+        sketch.frame("base", &Pose::identity(), 0.15 * size);
+        sketch.frame("flange", &pose, 0.1 * size);
+        sketch
+    }
+
     /// Direct kinematics: pose of the flange in the world.
     pub fn direct(&self, parameters: &[f64], q: &[f64]) -> Pose {
         chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads(q) })
@@ -553,6 +648,15 @@ impl Robot for Serial {
     }
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
+    }
+    fn sketches(&self) -> Vec<Sketch> {
+        let mut all = vec![self.drawn()];
+        if self.index("alpha_1").is_some() {
+            let modified = matches!(self.base, BaseAngles::Successive { .. });
+            let parallel = self.parameters().iter().any(|p| p.name.starts_with("beta_"));
+            all.push(drawn_link(modified, parallel));
+        }
+        all
     }
     fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
         self.other.iter().map(|(what, other)| (what.clone(), other.clone() as _)).collect()

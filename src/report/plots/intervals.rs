@@ -16,40 +16,42 @@ const ROW: f64 = 20.0;
 const LETTERS: usize = 14;
 
 /// One picture for each unit that occurs.
-pub(in crate::report) fn pictures(parameters: &[ParameterEntry], words: &Words) -> Vec<Figure> {
+pub(in crate::report) fn pictures(parameters: &[&ParameterEntry], group: (usize, &str), words: &Words) -> Vec<Figure> {
     let mut units: Vec<&str> = parameters.iter().map(|p| p.unit.as_str()).collect();
     units.sort_unstable();
     units.dedup();
-    units.into_iter().enumerate().filter_map(|(i, unit)| picture(parameters, unit, i, words)).collect()
+    units.into_iter().enumerate().filter_map(|(i, unit)| picture(parameters, unit, group, i, words)).collect()
 }
 
-fn picture(parameters: &[ParameterEntry], unit: &str, index: usize, words: &Words) -> Option<Figure> {
+fn picture(parameters: &[&ParameterEntry], unit: &str, (key, group): (usize, &str),
+    index: usize,
+    words: &Words) -> Option<Figure> {
     let change = |p: &ParameterEntry| p.value - p.nominal;
     let expanded = |p: &ParameterEntry| 2.0 * p.standard_uncertainty.unwrap_or(0.0);
-    let drawable = |p: &&ParameterEntry| {
+    let drawable = |p: &&&ParameterEntry| {
         p.unit == unit && p.status == ParameterStatus::Identified && change(p).is_finite() && expanded(p).is_finite()
     };
-    let all: Vec<&ParameterEntry> = parameters.iter().filter(drawable).collect();
+    let all: Vec<&ParameterEntry> = parameters.iter().filter(drawable).copied().collect();
     let largest = range(all.iter().flat_map(|p| [change(p) - expanded(p), change(p) + expanded(p)]).map(f64::abs))?.1;
     let shown = number::shown(unit, largest);
     let unit = if shown.unit.is_empty() { unit } else { shown.unit };
     let bottom = TOP + ROW * all.len() as f64 + 6.0;
     // a ratio has no unit to name
     let (title, along) = match unit {
-        "1" => (words.say("Change of the ratios, with ± 2u"), words.say("identified minus nominal")),
+        "1" => (words.fill("{0}: change of the ratios, with ± 2u", &[&group]), words.say("identified minus nominal")),
         _ => (
-            words.fill("Change of the parameters in {0}, with ± 2u", &[&unit]),
+            words.fill("{0}: change in {1}, with ± 2u", &[&group, &unit]),
             words.fill("identified minus nominal in {0}", &[&unit]),
         ),
     };
     let description = words.say("One mark for each identified parameter: identified minus nominal; the line is ± 2u.");
-    let mut svg = Svg::new(&format!("intervals-{index}"), WIDTH, bottom + 40.0, &title, &description);
+    let mut svg = Svg::new(&format!("intervals-{key}-{index}"), WIDTH, bottom + 40.0, &title, &description);
     let name = |p: &ParameterEntry| match p.name.chars().count() > LETTERS {
         true => p.name.chars().take(LETTERS - 1).chain(['…']).collect(),
         false => p.name.clone(),
     };
     let longest = all.iter().map(|p| name(p).chars().count()).max().unwrap_or(0);
-    let left = 16.0 + 7.2 * longest as f64;
+    let left = 20.0 + 8.4 * longest as f64;
     let reach = Axis::from_zero(largest * shown.factor, 0.0, 1.0).high();
     let across = Axis::linear(-reach, reach, left, WIDTH - RIGHT);
     for (value, label) in across.ticks(5) {
@@ -87,7 +89,8 @@ mod tests {
     #[test]
     fn every_identified_parameter_is_drawn_once_in_its_unit() {
         let parameters = Documents::demo().parameters.parameters;
-        let pictures = pictures(&parameters, &Words::default());
+        let all: Vec<_> = parameters.iter().collect();
+        let pictures = pictures(&all, (0, "Robot"), &Words::default());
         let identified = parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
         assert_eq!(pictures.iter().map(|p| p.svg.matches("<circle").count()).sum::<usize>(), identified);
         assert!(pictures.iter().any(|p| p.title.contains("in deg")) && pictures.len() == 3);

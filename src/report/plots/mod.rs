@@ -15,6 +15,8 @@ pub(super) mod plane;
 pub(super) mod points;
 pub(super) mod residuals;
 pub(super) mod singular;
+pub(super) mod sketch;
 pub(super) mod svg;
 pub(super) mod trend;
+mod view;
 pub(super) mod visits;

@@ -1,10 +1,10 @@
 //! Parameters: each number with the digits that its uncertainty allows, covariances and correlations.
 
-use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
+use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument, Role};
 use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, term, with_uncertainty};
+use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, shown, significant, term, with_uncertainty};
 use crate::report::number;
-use crate::report::plots::{correlation, intervals};
+use crate::report::plots::{correlation, intervals, sketch};
 use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -16,35 +16,99 @@ pub(in crate::report) fn of(document: &ParametersDocument, words: &Words) -> Sec
     let mut section = Section::new("parameters", words.say("Parameters"));
     let note = words.say("u is the standard uncertainty (k = 1), U = 2u the expanded one; numbers are shown to the second digit of u. “Before” is with only base and targets fitted. The change is from nominal to identified.");
     section.push(Block::note(note));
-    section.push(Block::Table(table(&document.parameters, words)));
+    let groups = groups(&document.parameters, words);
+    for (title, of) in &groups {
+        section.table(title, "", table(of, words));
+    }
+    section.push(Block::Table(sheet(&document.parameters)));
+    section.table(words.say("What the parameters mean"), "", meanings(&document.parameters, words).detail());
+    section.figures(sketch::pictures(&document.sketches, words));
     section.push(Block::Table(matrix("Covariance", document, words, |c, i, j| c[i][j])));
     let correlated = |c: &[Vec<f64>], i: usize, j: usize| c[i][j] / (c[i][i] * c[j][j]).sqrt();
     section.push(Block::Table(matrix("Correlation", document, words, correlated)));
-    let mut figures = intervals::pictures(&document.parameters, words);
+    let mut figures: Vec<Figure> =
+        groups.iter().enumerate().flat_map(|(i, (title, of))| intervals::pictures(of, (i, title), words)).collect();
     figures.extend(correlation::picture(document, words));
     section.figures(figures);
     section
 }
 
-fn table(parameters: &[ParameterEntry], words: &Words) -> Table {
-    let change = |p: &ParameterEntry| {
-        let sign = if p.value > p.nominal { "+" } else { "" };
-        shown(p.value - p.nominal, |v| sign.to_owned() + &number::with_uncertainty(v, p.standard_uncertainty))
-    };
+/// The parameters of the robot, its base, targets and fixtures apart: their sizes differ by orders of magnitude.
+pub(in crate::report) fn groups<'a>(
+    parameters: &'a [ParameterEntry],
+    words: &Words,
+) -> Vec<(String, Vec<&'a ParameterEntry>)> {
+    let all = [
+        (Role::Robot, words.say("Parameters of the robot")),
+        (Role::Base, words.say("Place of the base")),
+        (Role::Target, words.say("Places of the targets")),
+        (Role::Fixture, words.say("What is fixed in the world")),
+    ];
+    let of = |role: Role| parameters.iter().filter(|p| p.role == role).collect::<Vec<_>>();
+    all.into_iter().map(|(role, title)| (title, of(role))).filter(|(_, of)| !of.is_empty()).collect()
+}
+
+fn change(p: &ParameterEntry) -> Cell {
+    let sign = if p.value > p.nominal { "+" } else { "" };
+    shown(p.value - p.nominal, |v| sign.to_owned() + &number::with_uncertainty(v, p.standard_uncertainty))
+}
+
+/// The change as a multiple of its standard uncertainty; nothing where that is zero or unknown.
+fn change_over_u(p: &ParameterEntry) -> Option<f64> {
+    Some((p.value - p.nominal) / p.standard_uncertainty?).filter(|ratio| ratio.is_finite())
+}
+
+fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
+    let moved = parameters.iter().any(|p| p.before != p.nominal);
+    let columns = Columns::<&ParameterEntry>::new()
+        .page("name", "", |p| p.name.as_str())
+        .page("unit", "", |p| p.unit.as_str())
+        .page("nominal", "", |p| with_uncertainty(p.nominal, p.standard_uncertainty))
+        .page("before", "", move |p| moved.then(|| with_uncertainty(p.before, p.standard_uncertainty)))
+        .page("identified", "", |p| with_uncertainty(p.value, p.standard_uncertainty))
+        .page("change", "", |p| change(p))
+        .page("u (k = 1)", "", |p| significant(p.standard_uncertainty, 2))
+        .page("U = 2u", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2))
+        .page("change/u", "", |p| fixed(change_over_u(p), 1))
+        .page("tolerance", "", |p| significant(p.tolerance, 3))
+        .page("status", "", |p| status(p.status, words))
+        .page("confounded with", "", |p| Text::name(&p.confounded_with.join(", ")));
+    Table::of(words, parameters, columns).without_empty_columns()
+}
+
+/// All parameters, for the workbook.
+fn sheet(parameters: &[ParameterEntry]) -> Table {
+    let words = &Words::default();
     let columns = Columns::<ParameterEntry>::new()
-        .both("name", "", |p| p.name.as_str())
-        .both("unit", "", |p| p.unit.as_str())
-        .both("nominal", "", |p| with_uncertainty(p.nominal, p.standard_uncertainty))
-        .both("before", "", |p| with_uncertainty(p.before, p.standard_uncertainty))
-        .both("identified", "", |p| with_uncertainty(p.value, p.standard_uncertainty))
-        .both("change", "", change)
-        .both("u (k = 1)", "", |p| significant(p.standard_uncertainty, 2))
-        .both("U = 2u", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2))
-        .both("status", "", |p| status(p.status, words))
-        .both("confounded with", "", |p| Text::name(&p.confounded_with.join(", ")));
-    let table = Table::of(words, parameters, columns).on("Parameters");
-    let confounded = parameters.iter().any(|p| !p.confounded_with.is_empty());
-    if confounded || parameters.is_empty() { table } else { table.without_empty_columns() }
+        .sheet("name", "", |p| p.name.as_str())
+        .sheet("unit", "", |p| p.unit.as_str())
+        .sheet("nominal", "", |p| p.nominal)
+        .sheet("before", "", |p| p.before)
+        .sheet("identified", "", |p| p.value)
+        .sheet("change", "", |p| p.value - p.nominal)
+        .sheet("u (k = 1)", "", |p| p.standard_uncertainty)
+        .sheet("U = 2u", "", |p| p.standard_uncertainty.map(|u| 2.0 * u))
+        .sheet("change/u", "", change_over_u)
+        .sheet("tolerance", "", |p| p.tolerance)
+        .sheet("status", "", |p| status(p.status, words))
+        .sheet("confounded with", "", |p| Text::name(&p.confounded_with.join(", ")))
+        .sheet("meaning", "", |p| p.meaning.as_str());
+    Table::of(words, parameters, columns).on("Parameters")
+}
+
+/// What parameters mean, those of one meaning in one row.
+fn meanings(parameters: &[ParameterEntry], words: &Words) -> Table {
+    let mut rows: Vec<(&str, Vec<&str>)> = Vec::new();
+    for p in parameters.iter().filter(|p| !p.meaning.is_empty()) {
+        match rows.iter_mut().find(|(meaning, _)| *meaning == p.meaning) {
+            Some((_, names)) => names.push(&p.name),
+            None => rows.push((&p.meaning, vec![&p.name])),
+        }
+    }
+    let columns = Columns::<(&str, Vec<&str>)>::new()
+        .page("parameters", "", |(_, names)| Text::name(&names.join(", ")))
+        .page("meaning and sign", "", |(meaning, _)| Text::from(words.say(meaning)));
+    Table::of(words, &rows, columns)
 }
 
 /// Why a parameter has its value, in words.
@@ -90,6 +154,9 @@ mod tests {
         let mut p = ParameterEntry {
             name: "d".into(),
             unit: "mm".into(),
+            role: Role::Robot,
+            meaning: String::new(),
+            tolerance: None,
             nominal: 300.0,
             before: 300.0,
             value: 299.123_456_789,
@@ -99,11 +166,11 @@ mod tests {
             confounded_with: vec![],
         };
         let row = |p: &ParameterEntry| {
-            let table = table(std::slice::from_ref(p), &Words::default());
+            let table = table(&[p], &Words::default());
             table.rows[0].iter().map(Cell::plain).collect::<Vec<_>>()
         };
-        assert_eq!(row(&p)[4..], ["299.1235", "-0.8765", "0.0015", "0.0030", "identified"]);
+        assert_eq!(row(&p)[3..], ["299.1235", "-0.8765", "0.0015", "0.0030", "-588.3", "identified"]);
         (p.standard_uncertainty, p.status) = (None, ParameterStatus::NotIdentifiable);
-        assert_eq!(row(&p)[4..], ["299.1235", "-0.8765", "held: not separately identifiable"]);
+        assert_eq!(row(&p)[3..], ["299.1235", "-0.8765", "held: not separately identifiable"]);
     }
 }

@@ -228,6 +228,9 @@ fn parameters() -> ParametersDocument {
         ParameterEntry {
             name: name.to_owned(),
             unit: unit.to_owned(),
+            role: Default::default(),
+            meaning: String::new(),
+            tolerance: None,
             nominal,
             before: nominal,
             value,
@@ -242,6 +245,7 @@ fn parameters() -> ParametersDocument {
         schema: "etalon/parameters/1".to_owned(),
         robot: "prexyt".to_owned(),
         parameters: names.split(' ').enumerate().map(entry).collect(),
+        sketches: vec![],
         covariance: vec![],
         covariance_without: vec![],
         residuals: ResidualSummary {

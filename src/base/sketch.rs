@@ -1,0 +1,84 @@
+//! A line drawing of a robot in its base frame, with its parameters as dimensions.
+
+use super::pose::{Pose, Vector};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A drawing; lengths in mm.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sketch {
+    /// What it shows, in words.
+    pub title: String,
+    /// It lies in the plane z = 0.
+    pub planar: bool,
+    /// Its lines.
+    pub strokes: Vec<Stroke>,
+}
+
+/// A line of a drawing, through these points.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Stroke {
+    /// What it stands for.
+    pub kind: StrokeKind,
+    /// Its name: that of a parameter, a joint or a frame; empty without one.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    /// Places in mm, two or more.
+    pub points_mm: Vec<Vector>,
+}
+
+/// What a line stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StrokeKind {
+    /// A link, a rod, a platform.
+    Part,
+    /// An axis, or the line from which an angle counts.
+    Axis,
+    /// A dimension, with an arrow at either end.
+    Length,
+    /// An angle or a direction, with an arrow at its positive end.
+    Direction,
+}
+
+/// Places of a drawn arc.
+const ARC: usize = 8;
+
+impl Sketch {
+    /// An empty drawing.
+    pub fn new(title: &str, planar: bool) -> Self {
+        Self { title: title.to_owned(), planar, strokes: Vec::new() }
+    }
+
+    /// Adds a line.
+    pub fn add(&mut self, kind: StrokeKind, name: impl Into<String>, points_mm: &[Vector]) {
+        self.strokes.push(Stroke { kind, name: name.into(), points_mm: points_mm.to_vec() });
+    }
+
+    /// Adds an angle (rad) from the x axis of a frame about its z axis.
+    pub fn angle(&mut self, name: impl Into<String>, frame: &Pose, radius_mm: f64, angle_rad: f64) {
+        let at = |i: usize| frame.turn_z(angle_rad * i as f64 / ARC as f64).apply([radius_mm, 0.0, 0.0]);
+        self.add(StrokeKind::Direction, name, &(0..=ARC).map(at).collect::<Vec<_>>());
+    }
+
+    /// Adds the axes of a frame, of which the x axis bears a name.
+    pub fn frame(&mut self, name: &str, frame: &Pose, length_mm: f64) {
+        for (axis, letter) in ["x", "y", "z"].into_iter().enumerate().take(if self.planar { 2 } else { 3 }) {
+            let tip = frame.shift(axis, length_mm).translation_mm;
+            let name = if axis == 0 { format!("{letter} {name}") } else { letter.to_owned() };
+            self.add(StrokeKind::Direction, name.trim(), &[frame.translation_mm, tip]);
+        }
+    }
+
+    /// Its largest extent along a coordinate axis, mm.
+    pub fn extent_mm(&self) -> f64 {
+        let all = || self.strokes.iter().flat_map(|s| &s.points_mm);
+        let along = |i: usize| {
+            let ends = all().map(|p| p[i]).fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(v), b.max(v)));
+            ends.1 - ends.0
+        };
+        (0..3).map(along).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,177 @@
+//! The model of the robot as a line drawing, its parameters as dimensions.
+
+use super::svg::{Place, Svg};
+use super::view::{ABOVE, ASLANT, Paper};
+use crate::base::sketch::{Sketch, StrokeKind};
+use crate::report::model::Figure;
+use crate::report::words::Words;
+
+const WIDTH: f64 = 380.0;
+const MOST_HIGH: f64 = 420.0;
+/// Room for letters around the lines.
+const MARGIN: f64 = 46.0;
+/// A dimension is drawn this far from what it measures.
+const ASIDE: f64 = 7.0;
+/// Size of letters, and width of one.
+const LETTER: f64 = 12.0;
+const LETTER_WIDTH: f64 = 6.8;
+/// Places beyond this are not places of a robot, mm.
+const REACH: f64 = 1e7;
+
+/// One picture for each drawing that can be drawn.
+pub(in crate::report) fn pictures(sketches: &[Sketch], words: &Words) -> Vec<Figure> {
+    sketches.iter().enumerate().filter_map(|(i, sketch)| picture(sketch, i, words)).collect()
+}
+
+fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
+    let view = if sketch.planar { ABOVE } else { ASLANT };
+    let places = || sketch.strokes.iter().flat_map(|s| &s.points_mm);
+    if !places().flatten().all(|v| v.abs() < REACH) {
+        return None;
+    }
+    let flat: Vec<Place> = places().map(|p| view.flat(*p)).collect();
+    let paper = Paper::around(&flat, WIDTH, MOST_HIGH, MARGIN)?;
+    let title = words.say("The model and its parameters");
+    let description = words.say(&sketch.title);
+    let mut svg = Svg::new(&format!("sketch-{index}"), WIDTH, paper.height, &title, &description);
+    let mut labels = Labels { height: paper.height, taken: Vec::new() };
+    let drawn: Vec<Vec<Place>> = sketch
+        .strokes
+        .iter()
+        .map(|s| s.points_mm.iter().map(|p| paper.at(view.flat(*p))).collect())
+        .collect();
+    for (stroke, line) in sketch.strokes.iter().zip(&drawn) {
+        let line = if stroke.kind == StrokeKind::Length { aside(line) } else { line.clone() };
+        let class = match stroke.kind {
+            StrokeKind::Part => "part",
+            StrokeKind::Axis => "line-axis",
+            StrokeKind::Length | StrokeKind::Direction => "dimension",
+        };
+        let Some(((last, before), (first, second))) = ends(&line) else { continue };
+        line.windows(2).take(line.len().saturating_sub(2)).for_each(|pair| svg.line(class, pair[0], pair[1]));
+        match stroke.kind {
+            StrokeKind::Part | StrokeKind::Axis => svg.line(class, before, last),
+            StrokeKind::Direction => svg.arrow(class, before, last),
+            StrokeKind::Length => {
+                svg.arrow(class, before, last);
+                svg.arrow(class, second, first);
+            }
+        }
+    }
+    let lines = sketch.strokes.iter().zip(&drawn).filter(|(s, _)| !s.name.is_empty());
+    // those with the least choice first
+    let (short, long): (Vec<_>, Vec<_>) = lines.partition(|(s, _)| s.kind == StrokeKind::Direction);
+    for (stroke, line) in short.into_iter().chain(long) {
+        let (at, name) = (labels.place(stroke.kind, line, &stroke.name), stroke.name.as_str());
+        let class = match stroke.kind {
+            StrokeKind::Length | StrokeKind::Direction => "mid over name",
+            _ => "mid over",
+        };
+        svg.text(class, at, name);
+    }
+    Some(Figure { title, svg: svg.finish(), caption: description, ..Figure::default() })
+}
+
+/// The last place and the one before it, and the first and the one behind it.
+fn ends(line: &[Place]) -> Option<((Place, Place), (Place, Place))> {
+    let [.., before, last] = line else { return None };
+    let [first, second, ..] = line else { return None };
+    Some(((*last, *before), (*first, *second)))
+}
+
+/// Across a line from one place to another, of length one; nothing where they are one.
+fn across(from: Place, to: Place) -> Place {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let length = dx.hypot(dy);
+    if length > 0.0 { (dy / length, -dx / length) } else { (0.0, 0.0) }
+}
+
+fn aside(line: &[Place]) -> Vec<Place> {
+    let Some(((last, _), (first, _))) = ends(line) else { return Vec::new() };
+    let (nx, ny) = across(first, last);
+    line.iter().map(|p| (p.0 + ASIDE * nx, p.1 + ASIDE * ny)).collect()
+}
+
+/// Letters that do not lie over each other.
+struct Labels {
+    height: f64,
+    taken: Vec<[f64; 4]>,
+}
+
+impl Labels {
+    /// The first place along a line and beside it where a name has room.
+    fn place(&mut self, kind: StrokeKind, line: &[Place], name: &str) -> Place {
+        let half = 0.5 * LETTER_WIDTH * name.chars().count() as f64 + 2.0;
+        let (first, last) = (line[0], line[line.len() - 1]);
+        let shares: &[f64] = match kind {
+            StrokeKind::Axis | StrokeKind::Direction => &[1.0, 0.85, 0.7, 0.5, 0.3, 0.0],
+            _ => &[0.5, 0.38, 0.62, 0.25, 0.75, 0.12, 0.88],
+        };
+        let normal = across(first, last);
+        let mut choices = Vec::new();
+        if matches!(kind, StrokeKind::Axis | StrokeKind::Direction) {
+            // beyond the tip
+            let (before, (nx, ny)) = (line[line.len() - 2], across(line[line.len() - 2], last));
+            let (ux, uy) = if before == last { (0.0, 0.0) } else { (-ny, nx) };
+            choices.extend([0.0, 8.0, 18.0].map(|more| {
+                (last.0 + ux * (6.0 + more + half), last.1 + uy * (11.0 + more) + 0.35 * LETTER)
+            }));
+        }
+        for far in [14.0, -14.0, 24.0, -24.0, 38.0, -38.0, 54.0, -54.0, 72.0, -72.0] {
+            for share in shares {
+                let along = |a: f64, b: f64| a + share * (b - a);
+                // letters are wider than high
+                let (nx, ny) = (normal.0 * (far + f64::signum(far) * half * normal.0.abs()), normal.1 * far);
+                let on = match line.len() > 2 {
+                    true => line[((line.len() - 1) as f64 * share).round() as usize],
+                    false => (along(first.0, last.0), along(first.1, last.1)),
+                };
+                choices.push((on.0 + nx, on.1 + ny + 0.35 * LETTER));
+            }
+        }
+        // around its end, where a short line has no room beside it
+        for far in [22.0, 34.0, 46.0, 60.0] {
+            choices.extend((0..12).map(|i| {
+                let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 12.0).sin_cos();
+                (last.0 + (far + half) * cos, last.1 + far * sin + 0.35 * LETTER)
+            }));
+        }
+        let frame = |(x, y): Place| [x - half, x + half, y - LETTER, y + 3.0];
+        let free = |at: &&Place| {
+            let [left, right, top, bottom] = frame(**at);
+            let apart = |b: &[f64; 4]| right < b[0] || b[1] < left || bottom < b[2] || b[3] < top;
+            left > 1.0 && right < WIDTH - 1.0 && top > 1.0 && bottom < self.height - 1.0 && self.taken.iter().all(apart)
+        };
+        let inside = |(x, y): Place| (x.clamp(half + 1.0, WIDTH - half - 1.0), y.clamp(14.0, self.height - 4.0));
+        let at = choices.iter().find(free).copied().unwrap_or_else(|| inside(choices[0]));
+        self.taken.push(frame(at));
+        at
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_a_drawing_stay_apart_and_inside() {
+        let mut sketch = Sketch::new("Twelve lengths on one line.", true);
+        (0..12).for_each(|i| sketch.add(StrokeKind::Length, format!("length_{i}"), &[[0.0; 3], [100.0, 60.0, 0.0]]));
+        let svg = &pictures(&[sketch], &Words::default())[0].svg;
+        let number = |l: &str, name: &str| l.split(name).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
+        let texts: Vec<_> =
+            svg.lines().filter(|l| l.starts_with("<text")).map(|l| (number(l, " x=\""), number(l, " y=\""))).collect();
+        assert_eq!(texts.len(), 12);
+        for (i, a) in texts.iter().enumerate() {
+            assert!(a.0 > 20.0 && a.0 < WIDTH - 20.0);
+            assert!(texts[..i].iter().all(|b| (a.0 - b.0).abs() > 40.0 || (a.1 - b.1).abs() > 10.0), "{texts:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_place_is_not_drawn() {
+        let mut sketch = Sketch::new("", false);
+        sketch.add(StrokeKind::Part, "", &[[f64::NAN; 3], [0.0; 3]]);
+        assert!(pictures(&[sketch, Sketch::new("", true)], &Words::default()).is_empty());
+    }
+}
