@@ -21,12 +21,14 @@ fn every_parameter_has_a_meaning_and_every_length_that_is_drawn_is_in_a_sketch()
         let sketches = robot.sketches();
         let places = sketches.iter().flat_map(|s| &s.strokes).flat_map(|s| &s.points_mm).flatten();
         assert!(!sketches.is_empty() && places.clone().count() > 20 && places.clone().all(|v| v.is_finite()), "{file}");
-        let named = |name: &str| sketches.iter().flat_map(|s| &s.strokes).any(|s| s.name.split(" + ").any(|n| n == name));
+        let named =
+            |name: &str| sketches.iter().flat_map(|s| &s.strokes).any(|s| s.name.split(" + ").any(|n| n == name));
         // legs are alike: the first is drawn for all
         let drawn = |name: &str| !apart || name.ends_with("_1") || name.starts_with("leg1_");
-        let lengths = robot.parameters().iter().filter(|p| {
-            p.quantity == Quantity::Length && p.role == Role::Robot && p.nominal != 0.0 && drawn(&p.name)
-        });
+        let lengths = robot
+            .parameters()
+            .iter()
+            .filter(|p| p.quantity == Quantity::Length && p.role == Role::Robot && p.nominal != 0.0 && drawn(&p.name));
         let missing: Vec<_> = lengths.filter(|p| !named(&p.name)).map(|p| &p.name).collect();
         assert!(missing.is_empty(), "{file}: {missing:?}");
     }

@@ -341,18 +341,24 @@ impl Description for Keys {
 
 /// Twist and length of the link before a joint.
 const BEFORE: [&str; 2] = [
-    meaning("Twist of the link before the joint: angle from the z axis before to that of the joint, about the x axis before; counterclockwise positive."),
+    meaning(
+        "Twist of the link before the joint: angle from the z axis before to that of the joint, about the x axis before; counterclockwise positive.",
+    ),
     meaning("Length of the link before the joint: distance of its two axes, along the x axis before."),
 ];
 /// Those of the link behind it.
 const BEHIND: [&str; 2] = [
-    meaning("Twist of the link behind the joint: angle from the z axis of the joint to the next, about the new x axis; counterclockwise positive."),
+    meaning(
+        "Twist of the link behind the joint: angle from the z axis of the joint to the next, about the new x axis; counterclockwise positive.",
+    ),
     meaning("Length of the link behind the joint: distance of its two axes, along the new x axis."),
 ];
-const THETA: &str = meaning("Joint offset: added to the logged joint value, about the z axis; counterclockwise positive.");
+const THETA: &str =
+    meaning("Joint offset: added to the logged joint value, about the z axis; counterclockwise positive.");
 const D: &str = meaning("Link offset along the z axis of the joint.");
-const BETA: &str =
-    meaning("Hayati's angle between near-parallel axes, about the y axis, in place of the link offset; counterclockwise positive.");
+const BETA: &str = meaning(
+    "Hayati's angle between near-parallel axes, about the y axis, in place of the link offset; counterclockwise positive.",
+);
 
 /// Where the link of a joint comes in a table of Denavit-Hartenberg parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -119,14 +119,22 @@ impl Parameter {
 /// Meaning where a model has no other: base, targets and fixtures are alike in all.
 fn usual_meaning(quantity: Quantity, role: Role) -> &'static str {
     match (role, quantity) {
-        (Role::Base, Quantity::Angle) => {
-            meaning("Orientation of the base in the world: angles about the axes that the names end with, counterclockwise positive.")
-        }
+        (Role::Base, Quantity::Angle) => meaning(
+            "Orientation of the base in the world: angles about the axes that the names end with, counterclockwise positive.",
+        ),
         (Role::Base, _) => meaning("Origin of the base in the world, along the axis that the name ends with."),
-        (Role::Target, Quantity::Angle) => meaning("Orientation on the flange of the body that carries the target, as a rotation vector."),
-        (Role::Target, _) => meaning("Place of the target in the frame of the flange or platform, along the axis that the name ends with."),
-        (Role::Fixture, Quantity::Angle) => meaning("Direction of a surface that is fixed in the world: slope of its trace along the axis that the name ends with."),
-        (Role::Fixture, _) => meaning("Place or size of what is fixed in the world: coordinate along the axis that the name ends with, or radius."),
+        (Role::Target, Quantity::Angle) => {
+            meaning("Orientation on the flange of the body that carries the target, as a rotation vector.")
+        }
+        (Role::Target, _) => meaning(
+            "Place of the target in the frame of the flange or platform, along the axis that the name ends with.",
+        ),
+        (Role::Fixture, Quantity::Angle) => meaning(
+            "Direction of a surface that is fixed in the world: slope of its trace along the axis that the name ends with.",
+        ),
+        (Role::Fixture, _) => meaning(
+            "Place or size of what is fixed in the world: coordinate along the axis that the name ends with, or radius.",
+        ),
         (Role::Robot, _) => "",
     }
 }

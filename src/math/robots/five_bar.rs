@@ -24,12 +24,36 @@ const TABLE: [(&str, Quantity, Role, f64, &str); PARAMETERS] = [
     ("l22", Quantity::Length, Role::Robot, 230.0, meaning("Length of the distal link of arm 2, B2 to C.")),
     ("d", Quantity::Length, Role::Robot, 275.0, meaning("Distance of the motor axes A1 and A2.")),
     ("l23", Quantity::Length, Role::Robot, 230.0, meaning("Distance of the tool E from B2.")),
-    ("gamma", Quantity::Angle, Role::Robot, 0.0, meaning("Angle at B2 from C to the tool E; counterclockwise positive.")),
-    ("delta1", Quantity::Angle, Role::Robot, 0.0, meaning("Offset of encoder 1: added to its value; counterclockwise positive.")),
-    ("delta2", Quantity::Angle, Role::Robot, 0.0, meaning("Offset of encoder 2: added to its value; counterclockwise positive.")),
+    (
+        "gamma",
+        Quantity::Angle,
+        Role::Robot,
+        0.0,
+        meaning("Angle at B2 from C to the tool E; counterclockwise positive."),
+    ),
+    (
+        "delta1",
+        Quantity::Angle,
+        Role::Robot,
+        0.0,
+        meaning("Offset of encoder 1: added to its value; counterclockwise positive."),
+    ),
+    (
+        "delta2",
+        Quantity::Angle,
+        Role::Robot,
+        0.0,
+        meaning("Offset of encoder 2: added to its value; counterclockwise positive."),
+    ),
     ("x_o", Quantity::Length, Role::Base, 263.0, meaning("Middle between the motors in the world, along x.")),
     ("y_o", Quantity::Length, Role::Base, 75.0, meaning("Middle between the motors in the world, along y.")),
-    ("phi", Quantity::Angle, Role::Base, 0.0, meaning("Direction from motor A1 to A2 in the world; counterclockwise positive.")),
+    (
+        "phi",
+        Quantity::Angle,
+        Role::Base,
+        0.0,
+        meaning("Direction from motor A1 to A2 in the world; counterclockwise positive."),
+    ),
 ];
 
 /// Five-bar with twelve parameters.
@@ -387,7 +411,9 @@ impl Robot for FiveBar {
     /// With the arms half open, and the tool beside C however it is drawn, so that every parameter shows.
     fn sketches(&self) -> Vec<Sketch> {
         use StrokeKind::{Axis, Length, Part};
-        let title = meaning("The five-bar seen from above: links, and angles positive counterclockwise. The tool is drawn beside C.");
+        let title = meaning(
+            "The five-bar seen from above: links, and angles positive counterclockwise. The tool is drawn beside C.",
+        );
         let mut sketch = Sketch::new(title, true);
         let mut p = self.nominal();
         (p[5], p[6]) = (1.3 * p[3], 0.5);
@@ -402,9 +428,14 @@ impl Robot for FiveBar {
         let [b1, b2, c, e] = [at.b1, at.b2, at.c, at.e].map(|[x, y]| [x, y, 0.0]);
         sketch.add(Part, "", &[a1, b1, c, b2, a2]);
         sketch.add(Part, "", &[b2, e, c]);
-        for (name, ends) in
-            [("l11", [a1, b1]), ("l12", [b1, c]), ("l21", [b2, a2]), ("l22", [c, b2]), ("l23", [b2, e]), ("d", [a2, a1])]
-        {
+        for (name, ends) in [
+            ("l11", [a1, b1]),
+            ("l12", [b1, c]),
+            ("l21", [b2, a2]),
+            ("l22", [c, b2]),
+            ("l23", [b2, e]),
+            ("d", [a2, a1]),
+        ] {
             sketch.add(Length, name, &ends);
         }
         let size = sketch.extent_mm();

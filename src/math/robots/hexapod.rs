@@ -20,7 +20,8 @@ pub(super) const MODEL: Model = Model::new::<Keys>(
 );
 
 const LEGS: usize = 6;
-const ON_BASE: &str = meaning("Centre of the leg's joint on the base, along the axis of the base that the name ends with.");
+const ON_BASE: &str =
+    meaning("Centre of the leg's joint on the base, along the axis of the base that the name ends with.");
 const ON_PLATFORM: &str =
     meaning("Centre of the leg's joint on the platform, along the axis of the platform that the name ends with.");
 
@@ -110,7 +111,11 @@ impl Legs for Hexapod {
         LegParameter { name: "leg#_ax", quantity: Quantity::Length, meaning: ON_PLATFORM },
         LegParameter { name: "leg#_ay", quantity: Quantity::Length, meaning: ON_PLATFORM },
         LegParameter { name: "leg#_az", quantity: Quantity::Length, meaning: ON_PLATFORM },
-        LegParameter { name: "leg#_l0", quantity: Quantity::Length, meaning: meaning("Length of the leg between the centres of its joints, at joint value zero.") },
+        LegParameter {
+            name: "leg#_l0",
+            quantity: Quantity::Length,
+            meaning: meaning("Length of the leg between the centres of its joints, at joint value zero."),
+        },
     ];
     const JOINT: LegParameter = LegParameter { name: "leg#", quantity: Quantity::Length, meaning: "" };
     const COUNT: usize = LEGS;

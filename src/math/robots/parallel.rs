@@ -141,7 +141,9 @@ impl<L: Legs> Parallel<L> {
         let numbered = |name: &str, leg: usize| name.replace('#', &(leg + 1).to_string());
         for (leg, nominal) in nominal.chunks_exact(L::PARAMETERS.len()).enumerate() {
             let own = L::PARAMETERS.iter().zip(nominal);
-            parameters.extend(own.map(|(p, &v)| Parameter::new(numbered(p.name, leg), p.quantity, Role::Robot, v).meaning(p.meaning)));
+            parameters.extend(
+                own.map(|(p, &v)| Parameter::new(numbered(p.name, leg), p.quantity, Role::Robot, v).meaning(p.meaning)),
+            );
         }
         let joint = |leg: usize| Joint { name: numbered(L::JOINT.name, leg), quantity: L::JOINT.quantity };
         let joints = (0..L::COUNT).map(joint).collect();
@@ -249,7 +251,9 @@ impl<L: Legs> Robot for Parallel<L> {
         let parameters = self.nominal();
         let joints: Vec<f64> = self.limits.iter().map(|l| l.map_or(0.0, |[low, high]| 0.5 * (low + high))).collect();
         let Some(platform) = self.place(&parameters, &joints) else { return Vec::new() };
-        let title = meaning("The robot in the middle of its joints, with the parameters of leg 1; those of the other legs are alike.");
+        let title = meaning(
+            "The robot in the middle of its joints, with the parameters of leg 1; those of the other legs are alike.",
+        );
         let mut sketch = Sketch::new(title, false);
         let values = self.values(&parameters);
         let rods = values.rods(&joints);

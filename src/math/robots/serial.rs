@@ -83,9 +83,11 @@ enum Load {
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 const GAIN: &str = meaning("Gain of the joint: by how much it moves for each unit of its logged value; 1 as drawn.");
-const BENDING: &str =
-    meaning("Bending under gravity: the angle under the largest moment, arm stretched out level; positive as the load turns.");
-const COUPLING: &str = meaning("Coupling: by how much the first joint moves for each unit that the second one is moved.");
+const BENDING: &str = meaning(
+    "Bending under gravity: the angle under the largest moment, arm stretched out level; positive as the load turns.",
+);
+const COUPLING: &str =
+    meaning("Coupling: by how much the first joint moves for each unit that the second one is moved.");
 const TILT: &str =
     meaning("Small rotation of the joint's axis, about the axis that the name ends with; counterclockwise positive.");
 const ASIDE: &str = meaning("Small displacement of the joint's axis, along the axis that the name ends with.");
@@ -298,7 +300,8 @@ impl ArmBuilder {
         for (turn, quantity) in [(false, Quantity::Length), (true, Quantity::Angle)] {
             for &k in across.iter().filter(|_| turn || !drive.prismatic) {
                 let name = format!("{}_{}{}", drive.name, if turn { "r" } else { "" }, AXES[k]);
-                let parameter = (!follows).then(|| self.parameter(name, quantity, 0.0, if turn { TILT } else { ASIDE }));
+                let parameter =
+                    (!follows).then(|| self.parameter(name, quantity, 0.0, if turn { TILT } else { ASIDE }));
                 let motion = if turn { Motion::Turn(k) } else { Motion::Shift(k) };
                 self.push(motion, 0.0, parameter.as_slice());
                 errors.push(SmallError { motion, parameter, element: self.elements.len() - 1 });
@@ -525,7 +528,8 @@ impl Serial {
 
     /// The arm in its base at joint values zero, with the lengths that are not zero as drawn.
     fn drawn(&self) -> Sketch {
-        let mut sketch = Sketch::new(meaning("The arm at joint values zero: axes of the joints and lengths of the links."), false);
+        let mut sketch =
+            Sketch::new(meaning("The arm at joint values zero: axes of the joints and lengths of the links."), false);
         let (p, joints) = (self.nominal(), vec![0.0; self.joints().len()]);
         let state = State { joints: &joints[..], loads: &[] };
         let mut pose = Pose::identity();

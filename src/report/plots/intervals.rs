@@ -23,9 +23,13 @@ pub(in crate::report) fn pictures(parameters: &[&ParameterEntry], group: (usize,
     units.into_iter().enumerate().filter_map(|(i, unit)| picture(parameters, unit, group, i, words)).collect()
 }
 
-fn picture(parameters: &[&ParameterEntry], unit: &str, (key, group): (usize, &str),
+fn picture(
+    parameters: &[&ParameterEntry],
+    unit: &str,
+    (key, group): (usize, &str),
     index: usize,
-    words: &Words) -> Option<Figure> {
+    words: &Words,
+) -> Option<Figure> {
     let change = |p: &ParameterEntry| p.value - p.nominal;
     let expanded = |p: &ParameterEntry| 2.0 * p.standard_uncertainty.unwrap_or(0.0);
     let drawable = |p: &&&ParameterEntry| {

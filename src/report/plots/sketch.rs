@@ -35,11 +35,8 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
     let description = words.say(&sketch.title);
     let mut svg = Svg::new(&format!("sketch-{index}"), WIDTH, paper.height, &title, &description);
     let mut labels = Labels { height: paper.height, taken: Vec::new() };
-    let drawn: Vec<Vec<Place>> = sketch
-        .strokes
-        .iter()
-        .map(|s| s.points_mm.iter().map(|p| paper.at(view.flat(*p))).collect())
-        .collect();
+    let drawn: Vec<Vec<Place>> =
+        sketch.strokes.iter().map(|s| s.points_mm.iter().map(|p| paper.at(view.flat(*p))).collect()).collect();
     for (stroke, line) in sketch.strokes.iter().zip(&drawn) {
         let line = if stroke.kind == StrokeKind::Length { aside(line) } else { line.clone() };
         let class = match stroke.kind {
@@ -113,9 +110,10 @@ impl Labels {
             // beyond the tip
             let (before, (nx, ny)) = (line[line.len() - 2], across(line[line.len() - 2], last));
             let (ux, uy) = if before == last { (0.0, 0.0) } else { (-ny, nx) };
-            choices.extend([0.0, 8.0, 18.0].map(|more| {
-                (last.0 + ux * (6.0 + more + half), last.1 + uy * (11.0 + more) + 0.35 * LETTER)
-            }));
+            choices.extend(
+                [0.0, 8.0, 18.0]
+                    .map(|more| (last.0 + ux * (6.0 + more + half), last.1 + uy * (11.0 + more) + 0.35 * LETTER)),
+            );
         }
         for far in [14.0, -14.0, 24.0, -24.0, 38.0, -38.0, 54.0, -54.0, 72.0, -72.0] {
             for share in shares {
@@ -158,7 +156,8 @@ mod tests {
         let mut sketch = Sketch::new("Twelve lengths on one line.", true);
         (0..12).for_each(|i| sketch.add(StrokeKind::Length, format!("length_{i}"), &[[0.0; 3], [100.0, 60.0, 0.0]]));
         let svg = &pictures(&[sketch], &Words::default())[0].svg;
-        let number = |l: &str, name: &str| l.split(name).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
+        let number =
+            |l: &str, name: &str| l.split(name).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
         let texts: Vec<_> =
             svg.lines().filter(|l| l.starts_with("<text")).map(|l| (number(l, " x=\""), number(l, " y=\""))).collect();
         assert_eq!(texts.len(), 12);

@@ -44,12 +44,7 @@ impl Paper {
         let room = |units: f64, mm: f64| (units - 2.0 * margin) / mm.max(1e-9);
         let scale = room(width, x1 - x0).min(room(most, y1 - y0)).min(1e6);
         let height = (y1 - y0) * scale + 2.0 * margin;
-        Some(Self {
-            scale,
-            middle: ((x0 + x1) / 2.0, (y0 + y1) / 2.0),
-            centre: (width / 2.0, height / 2.0),
-            height,
-        })
+        Some(Self { scale, middle: ((x0 + x1) / 2.0, (y0 + y1) / 2.0), centre: (width / 2.0, height / 2.0), height })
     }
 
     pub fn at(&self, flat: Place) -> Place {

@@ -2,7 +2,9 @@
 
 use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument, Role};
 use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, shown, significant, term, with_uncertainty};
+use crate::report::model::{
+    Block, Cell, Columns, Figure, Section, Table, Text, fixed, shown, significant, term, with_uncertainty,
+};
 use crate::report::number;
 use crate::report::plots::{correlation, intervals, sketch};
 use crate::report::words::Words;
