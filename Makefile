@@ -8,6 +8,7 @@
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
 # make test-slurm run campaigns on a Slurm cluster of two nodes on this machine, and kill one (needs root, slurm-wlm and munge)
+# make test-linuxcnc load exported kinematics into LinuxCNC and compare its joint positions (needs root; installs linuxcnc-uspace of Debian)
 # make samples make the synthetic samples again from their truth
 # make help    this text
 SHELL := /bin/bash
@@ -27,7 +28,7 @@ SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test test-slurm bench bench-fit bench-import samples help clean FORCE
+.PHONY: all report compare test test-slurm test-linuxcnc bench bench-fit bench-import samples help clean FORCE
 
 # how the run of a campaign ended: NAME.status, or NAME.failed where it is to be tried again
 ENDED := $(abspath $(CARGO_TARGET_DIR))/campaigns
@@ -98,6 +99,9 @@ bench-fit:
 
 test-slurm: $(ETALON)
 	tests/cluster/slurm.sh $(ETALON)
+
+test-linuxcnc: $(ETALON)
+	tests/linuxcnc/linuxcnc.sh $(ETALON)
 
 samples: $(ETALON)
 	for name in $(SYNTHETIC); do $(ETALON) simulate samples/$$name; done

@@ -13,6 +13,7 @@ mod galil;
 mod hexapod_hal;
 mod json;
 mod linuxcnc;
+mod linuxcnc_component;
 mod matlab;
 mod python;
 mod qif;
@@ -171,7 +172,7 @@ impl<'a> Given<'a> {
 }
 
 /// Formats of all robots come first: those that are written where none is named.
-const EXPORTERS: [(&str, &dyn Exporter); 20] = [
+const EXPORTERS: [(&str, &dyn Exporter); 21] = [
     ("json", &json::Json),
     ("csv", &csv::Csv),
     ("c-header", &c_header::CHeader),
@@ -185,6 +186,7 @@ const EXPORTERS: [(&str, &dyn Exporter); 20] = [
     ("universal-robots", &universal_robots::UniversalRobots),
     ("linuxcnc", &linuxcnc::LinuxCnc),
     ("linuxcnc-hexapod", &hexapod_hal::HexapodHal),
+    ("linuxcnc-component", &linuxcnc_component::LinuxCncComponent),
     ("linuxcnc-delta", &delta::DeltaHal),
     ("klipper-delta", &delta::Klipper),
     ("reprap-delta", &delta::RepRapDelta),

@@ -1,6 +1,7 @@
 //! C99 without dependencies but `math.h`.
 
 use super::{Notation, formulas, interface, kept, parenthesised, statements};
+use crate::base::expression::Formula;
 use crate::base::message::Result;
 use crate::export::{Exporter, Given};
 use std::fmt::Write;
@@ -113,26 +114,32 @@ impl Exporter for C99 {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let mut out = format!("/* {} */\n#include <math.h>\n{WRAP}", given.header("mm, rad")?.join("\n * "));
-        for formula in formulas(given)? {
-            let (body, outputs) = statements(&formula, &C);
-            let (inputs, count, steps) = (formula.inputs.len(), outputs.len(), kept(&formula));
-            let _ = writeln!(out, "\n/* {} */", interface(&formula));
-            if formula.name == "linearised" {
-                let _ = writeln!(out, "#define ETALON_JOINTS {inputs}");
-            }
-            let head = format!("void etalon_{}(const double q[{inputs}], double out[{count}])", formula.name);
-            let _ = write!(out, "{head};\n{head}\n{{\n    double t[{steps}];\n{body}");
-            for (i, name) in outputs.iter().enumerate() {
-                let _ = writeln!(out, "    out[{i}] = {name};");
-            }
-            let used = if body.is_empty() { "    (void)t;\n" } else { "" };
-            let _ = writeln!(out, "{used}}}");
-            if formula.name == "linearised" {
-                out += "\nint etalon_inverse(const double pose[12], double q[ETALON_JOINTS]);\n";
-                out += INVERSE;
-            }
-        }
-        Ok(out.into_bytes())
+        let header = given.header("mm, rad")?.join("\n * ");
+        Ok(format!("/* {header} */\n#include <math.h>\n{}", functions(&formulas(given)?)).into_bytes())
     }
+}
+
+/// The functions of these formulas, behind a declaration each.
+pub(in crate::export) fn functions(formulas: &[Formula]) -> String {
+    let mut out = WRAP.to_owned();
+    for formula in formulas {
+        let (body, outputs) = statements(formula, &C);
+        let (inputs, count, steps) = (formula.inputs.len(), outputs.len(), kept(formula));
+        let _ = writeln!(out, "\n/* {} */", interface(formula));
+        if formula.name == "linearised" {
+            let _ = writeln!(out, "#define ETALON_JOINTS {inputs}");
+        }
+        let head = format!("void etalon_{}(const double q[{inputs}], double out[{count}])", formula.name);
+        let _ = write!(out, "{head};\n{head}\n{{\n    double t[{steps}];\n{body}");
+        for (i, name) in outputs.iter().enumerate() {
+            let _ = writeln!(out, "    out[{i}] = {name};");
+        }
+        let used = if body.is_empty() { "    (void)t;\n" } else { "" };
+        let _ = writeln!(out, "{used}}}");
+        if formula.name == "linearised" {
+            out += "\nint etalon_inverse(const double pose[12], double q[ETALON_JOINTS]);\n";
+            out += INVERSE;
+        }
+    }
+    out
 }

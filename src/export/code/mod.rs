@@ -7,7 +7,7 @@ mod c99;
 mod python;
 mod structured_text;
 
-pub(super) use c99::C99;
+pub(super) use c99::{C99, functions};
 pub(super) use python::PythonCode;
 pub(super) use structured_text::{StructuredText, real_literal};
 
@@ -16,7 +16,7 @@ use crate::base::expression::{Formula, Operation};
 use crate::base::message::{Message, Result};
 
 /// The formulas of the robot with its identified parameters.
-fn formulas(given: &Given) -> Result<Vec<Formula>> {
+pub(super) fn formulas(given: &Given) -> Result<Vec<Formula>> {
     let (robot, values) = given.robot()?;
     let formulas = robot.kinematics().map(|arm| arm.formulas(&values)).unwrap_or_default();
     if formulas.is_empty() {
@@ -93,6 +93,6 @@ fn interface(formula: &Formula) -> String {
 }
 
 /// Digits that read back bit for bit; negative ones in parentheses.
-fn parenthesised(value: f64) -> String {
+pub(super) fn parenthesised(value: f64) -> String {
     if value.is_sign_negative() { format!("({value:?})") } else { format!("{value:?}") }
 }
