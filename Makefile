@@ -7,6 +7,7 @@
 # make bench   compare with SciPy and NumPy, side by side in the same run, and write benches/README.md; COUNT= sets how many campaigns
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
+# make thesis  the tables and figures of the thesis, printed and computed side by side: target/thesis/thesis.html and thesis.md
 # make test-slurm run campaigns on a Slurm cluster of two nodes on this machine, and kill one (needs root, slurm-wlm and munge)
 # make test-linuxcnc load exported kinematics into LinuxCNC and compare its joint positions (needs root; installs linuxcnc-uspace of Debian)
 # make samples make the synthetic samples again from their truth
@@ -28,7 +29,7 @@ SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test test-slurm test-linuxcnc bench bench-fit bench-import samples help clean FORCE
+.PHONY: all report compare test test-slurm test-linuxcnc thesis bench bench-fit bench-import samples help clean FORCE
 
 # how the run of a campaign ended: NAME.status, or NAME.failed where it is to be tried again
 ENDED := $(abspath $(CARGO_TARGET_DIR))/campaigns
@@ -96,6 +97,9 @@ bench-fit:
 	else echo "Ceres is not installed (libceres-dev of Debian): left out"; fi
 	CARGO_TARGET_DIR=$(SHARED) CERES_FIT=$(SHARED)/ceres_fit PYTHON=$(SHARED)/venv/bin/python \
 	    cargo run --release --locked --manifest-path benches/fit/Cargo.toml
+
+thesis:
+	cargo bench --locked --profile $(PROFILE) --bench thesis -- --out $(abspath $(CARGO_TARGET_DIR))/thesis
 
 test-slurm: $(ETALON)
 	tests/cluster/slurm.sh $(ETALON)

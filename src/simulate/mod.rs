@@ -4,6 +4,7 @@ mod export;
 mod geometric;
 mod log;
 mod repeatability;
+pub mod study;
 mod truth;
 
 pub use repeatability::{Repeating, Scatter};

@@ -3,6 +3,7 @@
 use etalon::base::noise::Noise;
 use etalon::math::identify::{Observation, ResidualKind, Settings, identify};
 use etalon::math::robots::{PlanarPose, Prexyt, Robot};
+use etalon::simulate::study::{Frame, Landing};
 
 /// "Actual" column of table 3.1, in the order of the model; the balls are 146 mm apart.
 fn truth() -> Vec<f64> {
@@ -153,7 +154,7 @@ fn the_spread_of_each_parameter_is_its_stated_uncertainty_and_chi_square_has_its
 }
 
 #[test]
-fn read_as_three_sigma_and_averaged_over_five_runs_it_is_the_thesis_error() {
+fn read_as_three_sigma_and_averaged_over_five_runs_the_balls_measure_two_micrometres() {
     let Some(poses) = poses("eight_poses_theta_0_33.csv") else { return };
     let robot = Prexyt::default();
     for kind in [ResidualKind::Pose, ResidualKind::Targets] {
@@ -171,8 +172,52 @@ fn read_as_three_sigma_and_averaged_over_five_runs_it_is_the_thesis_error() {
         errors.sort_by(f64::total_cmp);
         let (low, median, high) = (errors[5], median(errors.clone()), errors[94]);
         println!("{kind:?}: largest error {median:.2} um (median), 90 % between {low:.2} and {high:.2}; thesis 2.2");
-        // table 3.2, set 1: 2.2 um, one draw
+        // as the balls measure it; the true C in the base frame, which is table 3.2's error, is about four times as far off: `make thesis`
         assert!(low < 2.2 && 2.2 < high, "{low} {high}");
+    }
+}
+
+/// Table 3.2 from table 3.1: the error is the true C in the base frame minus the commanded one.
+#[test]
+fn table_3_2_follows_from_table_3_1() {
+    // what set 2₂ identified, l_kl as in truth(); printed largest and RMS errors: xy, x, y in um
+    let deg = f64::to_radians;
+    let identified = vec![
+        deg(1.203),
+        deg(-1.523),
+        deg(-0.954),
+        393.537,
+        0.648,
+        120.119,
+        73.166,
+        -72.826,
+        23.256,
+        -30.061,
+        0.986,
+        0.994,
+        0.976,
+        146.0,
+    ];
+    let printed = [[369.2, 362.4], [357.3, 354.5], [93.6, 74.9]];
+    let robot = Prexyt::default();
+    let mut errors: Vec<[f64; 2]> = Vec::new();
+    let golden = std::f64::consts::PI * (3.0 - 5f64.sqrt());
+    for i in 0..1000 {
+        let (radius, angle) = (85.0 * ((f64::from(i) + 0.5) / 1000.0).sqrt(), golden * f64::from(i));
+        for theta in [-15.0, 0.0, 15.0f64] {
+            let (x_mm, y_mm) = (201.0 + radius * angle.cos(), 137.5 + radius * angle.sin());
+            let joints = robot.inverse(&robot.nominal(), PlanarPose { x_mm, y_mm, theta_rad: theta.to_radians() });
+            let landing = Landing::of(&robot, &truth(), &identified, Frame::Base, &joints).expect("reached");
+            errors.push([landing.error_mm[0], landing.error_mm[1]].map(|e| 1000.0 * e));
+        }
+    }
+    let sizes = [|e: &[f64; 2]| e[0].hypot(e[1]), |e: &[f64; 2]| e[0].abs(), |e: &[f64; 2]| e[1].abs()];
+    for (size, [max, rms]) in sizes.into_iter().zip(printed) {
+        let found = errors.iter().map(size).fold(0.0, f64::max);
+        let mean = errors.iter().map(|e| size(e).powi(2)).sum::<f64>() / errors.len() as f64;
+        println!("largest {found:.1} [{max}], RMS {:.1} [{rms}] um", mean.sqrt());
+        // parameters are printed to 0.5 um and 0.0005 degrees, which is 2 um at 201 mm
+        assert!((found - max).abs() < 2.0 && (mean.sqrt() - rms).abs() < 2.0, "{found} {mean}");
     }
 }
 
