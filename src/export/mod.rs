@@ -3,6 +3,7 @@
 //! All of them write numbers that read back bit for bit, and refuse what must not reach a machine: a value that is not
 //! a number, two parameters of one name, parameters of a solver that did not converge or that cannot be a robot.
 
+mod arrays;
 mod c_header;
 mod code;
 pub mod commands;
@@ -172,12 +173,14 @@ impl<'a> Given<'a> {
 }
 
 /// Formats of all robots come first: those that are written where none is named.
-const EXPORTERS: [(&str, &dyn Exporter); 21] = [
+const EXPORTERS: [(&str, &dyn Exporter); 23] = [
     ("json", &json::Json),
     ("csv", &csv::Csv),
     ("c-header", &c_header::CHeader),
     ("matlab", &matlab::Matlab),
     ("python", &python::Python),
+    ("numpy", &arrays::Npz),
+    ("mat", &arrays::Mat),
     ("dcc", &dcc::Dcc),
     ("qif", &qif::Qif),
     ("galil", &galil::Galil),

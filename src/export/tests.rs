@@ -174,6 +174,56 @@ fn matlab_and_python_read_back_bit_for_bit() {
     assert!(read.contains("202e"), "{read}");
 }
 
+/// NumPy, SciPy and Octave read the arrays, whatever the names.
+#[test]
+#[allow(clippy::print_stdout, reason = "a skipped reader is said")]
+fn arrays_read_back_bit_for_bit() {
+    let mut document = numbers();
+    document.parameters.push(parameter("\u{e9}' \"%s\n\u{5d0}", "mm", 1.0));
+    (document.parameters[1].status, document.parameters[1].standard_uncertainty) = (ParameterStatus::Fixed, None);
+    document.covariance = (0..8u32).map(|i| (0..8u32).map(|j| f64::from(i * j + 1) / 3.0).collect()).collect();
+    let folder = tempfile::tempdir().unwrap();
+    for format in ["numpy", "mat"] {
+        let exporter = by_name(format).unwrap();
+        let bytes = exporter.write(&Given::parameters(&document)).unwrap();
+        std::fs::write(folder.path().join(exporter.file_name()), bytes).unwrap();
+    }
+    let numpy = "import numpy as n\na = n.load('etalon_parameters.npz')\nfirst = 0\n";
+    let scipy = "import scipy.io, numpy as n\na = {k: v if k == 'covariance' else v.ravel() for k, v in scipy.io.loadmat('etalon_parameters.mat').items() \
+                 if k[0] != '_'}\na = {k: n.array([str(t[0]) for t in v]) if v.dtype == object else v for k, v in a.items()}\nfirst = 1\n";
+    let print = "print(*[float(v).hex() for v in a['value']])\nprint(*[float(v).hex() for v in a['nominal']])\n\
+                 print(*[int(v) - first for v in a['identified']])\nprint(*[int(v) - first for v in a['covariance_of']])\n\
+                 assert a['covariance'].shape == (8, 8) and list(a['standard_uncertainty']) == [1e-7] * 8\n\
+                 assert all(a['covariance'][i, j] == (i * j + 1) / 3 for i in range(8) for j in range(8))\n\
+                 assert a['name'][8] == '\\xe9\\' \"%s\\n\\u05d0' and a['unit'][1] == 'deg' and 'sha256' in a['about'][-1]\n";
+    // what Python makes of the numbers themselves
+    let expected = NUMBERS.iter().chain(&[1.0]).map(|v| format!("{v:?}")).collect::<Vec<_>>().join(",");
+    for (reader, needs, script) in [("numpy", "numpy", numpy), ("scipy", "scipy.io", scipy)] {
+        let run = |script: &str| Command::new("python3").args(["-c", script]).current_dir(folder.path()).output();
+        if !run(&format!("import {needs}")).is_ok_and(|output| output.status.success()) {
+            println!("skipped: there is no `{reader}`");
+            continue;
+        }
+        let check = format!("{script}{print}e = [float(v).hex() for v in [{expected}]]\nprint(*e)\n");
+        let output = run(&check).unwrap();
+        assert!(output.status.success(), "{reader}: {}", String::from_utf8_lossy(&output.stderr));
+        let read = String::from_utf8(output.stdout).unwrap();
+        let lines: Vec<&str> = read.lines().collect();
+        assert!(lines[0] == lines[4] && lines[1] == lines[4], "{reader}: {read}");
+        assert_eq!((lines[2], lines[3]), ("0 2 3 4 5 6 7 8", "0 2 3 4 5 6 7 8"), "{reader}");
+    }
+    let script = "load etalon_parameters.mat; printf('%.17g ', value); printf('%d ', size(covariance)); printf('%s ', name{1}, unit{2}, about{end});";
+    match Command::new("octave-cli").args(["--quiet", "--eval", script]).current_dir(folder.path()).output() {
+        Ok(output) => {
+            let read = String::from_utf8_lossy(&output.stdout).into_owned();
+            let values: Vec<f64> = read.split(' ').take(8).map(|v| v.parse().unwrap()).collect();
+            assert_eq!(values, NUMBERS, "{read}");
+            assert!(read.contains("8 8 p0 deg ") && read.contains("sha256 of parameters.json"), "{read}");
+        }
+        Err(_) => println!("skipped: there is no `octave-cli`"),
+    }
+}
+
 #[test]
 fn names_that_are_one_in_c_are_refused() {
     let two = document(vec![parameter("d-2", "mm", 1.0), parameter("d_2", "mm", 2.0)]);
@@ -287,7 +337,9 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
         for (document, why) in [(&lost, "not converged"), (&wrong, "joint 2 turns the other way")] {
             let refused = exporter.write(&given(document, false)).unwrap_err().to_string();
             assert!(refused.contains(why), "{name}: {refused}");
-            let forced = String::from_utf8(exporter.write(&given(document, true)).unwrap()).unwrap();
+            // letters of arrays have more than one byte
+            let forced = exporter.write(&given(document, true)).unwrap();
+            let forced = String::from_utf8_lossy(&forced).replace('\0', "");
             let head: String = forced.lines().take(8).collect();
             assert!(head.contains("NOT FIT FOR A CONTROLLER") && head.contains(why), "{name}: {head}");
         }
