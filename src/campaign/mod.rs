@@ -23,8 +23,8 @@ use crate::base::files::{self, Stamp};
 use crate::base::message::{Message, Place, Problems, Result, Stated};
 use crate::document::Source;
 use crate::document::schema::schema;
-use crate::math::identify::Settings;
-use crate::math::robots::{LongestChain, Robot};
+use crate::math::identify::{FrameError, Settings, Systematic};
+use crate::math::robots::{Joint, LongestChain, Quantity, Robot};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -170,6 +170,24 @@ impl Campaign {
             hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),
             rigid: self.file.rigid.iter().filter_map(Rigid::shape).collect(),
             ..Settings::default()
+        }
+    }
+
+    /// The errors that all observations of `robot` have in common, `frames` among them.
+    pub fn systematic(&self, robot: &dyn Robot, frames: Vec<FrameError>) -> Systematic {
+        let of_joint = |homing: &Homing, joint: &Joint| {
+            let expanded = match joint.quantity {
+                Quantity::Angle => homing.expanded_uncertainty_deg.map(f64::to_radians),
+                _ => homing.expanded_uncertainty_um.map(|um| um / 1000.0),
+            };
+            expanded.unwrap_or(0.0) / homing.coverage_factor
+        };
+        let of_all = |homing: &Homing| robot.joints().iter().map(|joint| of_joint(homing, joint)).collect();
+        Systematic {
+            frames,
+            scale: self.file.instrument.scale_uncertainty(),
+            expansion: self.file.expansion.map_or(0.0, |expansion| expansion.relative_uncertainty()),
+            homing: self.file.homing.as_ref().map(of_all).unwrap_or_default(),
         }
     }
 

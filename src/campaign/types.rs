@@ -1,6 +1,7 @@
 //! The keys of `campaign.toml`.
 
 use super::{Join, JoinBy, StatedPoses};
+use crate::base::pose::{Vector, minus, norm, unit};
 use crate::document::{Conditions, DecisionRule, Language};
 use crate::import::{Export, Log};
 use crate::math::identify::{ResidualKind, RigidPart, ToolFrame, ToolPoint};
@@ -42,6 +43,10 @@ pub struct CampaignFile {
     /// How well the robot finds a measured point again, where points are measured once and touched often: the
     /// instrument's error of a point is then common to all its observations.
     pub contact: Option<Contact>,
+    /// Thermal expansion, for the uncertainty of lengths.
+    pub expansion: Option<Expansion>,
+    /// How well homing repeats.
+    pub homing: Option<Homing>,
     /// Files of the measuring system.
     #[serde(default, rename = "export")]
     pub exports: Vec<Export>,
@@ -136,6 +141,62 @@ pub struct Instrument {
     pub expanded_position_uncertainty_um: Option<f64>,
     /// Expanded uncertainty of a measured orientation about any axis, with the same coverage factor.
     pub expanded_rotation_uncertainty_deg: Option<f64>,
+    /// Expanded uncertainty of the scale, with the same coverage factor: an error common to all measured lengths, which no residual shows.
+    pub expanded_scale_uncertainty_um_per_m: Option<f64>,
+    /// What range and angles of a laser tracker, total station or scanner add to the uncertainty of a coordinate.
+    pub polar: Option<Polar>,
+}
+
+/// An instrument that measures range and two angles; expanded uncertainties have its coverage factor.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Polar {
+    /// Its centre in the coordinates of the exports.
+    pub station_mm: Vector,
+    /// Expanded uncertainty of the range.
+    #[serde(default)]
+    pub expanded_range_uncertainty_um: f64,
+    /// What it grows by with the range.
+    #[serde(default)]
+    pub expanded_range_uncertainty_um_per_m: f64,
+    /// Expanded uncertainty of either angle, across the line of sight.
+    #[serde(default)]
+    pub expanded_angle_uncertainty_um_per_m: f64,
+}
+
+/// Thermal expansion of robot and part, which have the same temperature: `temperature_c`.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Expansion {
+    /// Expanded uncertainty of the temperature.
+    pub expanded_temperature_uncertainty_c: f64,
+    /// Its coverage factor.
+    pub coverage_factor: f64,
+    /// Coefficient of expansion of the robot.
+    pub robot_per_c: f64,
+    /// Coefficient of expansion of what the coordinates refer to: a plate, the scale of a machine that does not correct for it.
+    #[serde(default)]
+    pub part_per_c: f64,
+}
+
+impl Expansion {
+    /// Standard uncertainty of the robot's lengths against those of the part, relative.
+    pub fn relative_uncertainty(&self) -> f64 {
+        let temperature = self.expanded_temperature_uncertainty_c / self.coverage_factor;
+        (self.robot_per_c - self.part_per_c).abs() * temperature
+    }
+}
+
+/// How well the joint values of a homing repeat those of another: common to a campaign, which is homed once.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Homing {
+    /// Expanded uncertainty of joints that slide.
+    pub expanded_uncertainty_um: Option<f64>,
+    /// Expanded uncertainty of joints that turn.
+    pub expanded_uncertainty_deg: Option<f64>,
+    /// Coverage factor of both.
+    pub coverage_factor: f64,
 }
 
 /// A table of observations: what was measured and the joint values, row by row.
@@ -160,6 +221,43 @@ impl Instrument {
     /// Standard uncertainty of a position in millimetres, where it is stated.
     pub fn position_uncertainty_mm(&self) -> Option<f64> {
         Some(self.expanded_position_uncertainty_um? / self.coverage_factor / 1000.0)
+    }
+
+    /// Covariance of a point by range and angles beside the uncertainty of a coordinate, along the axes of the export; `None` for
+    /// instruments that measure coordinates.
+    pub fn covariance_mm2(&self, xyz_mm: Vector) -> Option<[Vector; 3]> {
+        let polar = self.polar?;
+        let sight = minus(xyz_mm, polar.station_mm);
+        let range_m = norm(sight) / 1000.0;
+        let standard = |um: f64| um / self.coverage_factor / 1000.0;
+        let along = standard(polar.expanded_range_uncertainty_um)
+            + standard(polar.expanded_range_uncertainty_um_per_m * range_m);
+        let across = standard(polar.expanded_angle_uncertainty_um_per_m * range_m);
+        let direction = unit(sight).unwrap_or_default();
+        let round = self.standard_uncertainty_mm().powi(2) + across * across;
+        let covariance = |i: usize, j: usize| {
+            let own = if i == j { round } else { 0.0 };
+            own + (along * along - across * across) * direction[i] * direction[j]
+        };
+        Some(std::array::from_fn(|i| std::array::from_fn(|j| covariance(i, j))))
+    }
+
+    /// Standard uncertainties of the coordinates of a point, mm.
+    pub fn standard_uncertainties_mm(&self, xyz_mm: Vector) -> Vector {
+        match self.covariance_mm2(xyz_mm) {
+            Some(covariance) => [0, 1, 2].map(|i| covariance[i][i].sqrt()),
+            None => [self.standard_uncertainty_mm(); 3],
+        }
+    }
+
+    /// Standard uncertainty of a coordinate of a point, in the mean over its axes, mm.
+    pub fn standard_uncertainty_at_mm(&self, xyz_mm: Vector) -> f64 {
+        norm(self.standard_uncertainties_mm(xyz_mm)) / 3f64.sqrt()
+    }
+
+    /// Standard uncertainty of the scale, relative; 0 where none is stated.
+    pub fn scale_uncertainty(&self) -> f64 {
+        self.expanded_scale_uncertainty_um_per_m.unwrap_or(0.0) / self.coverage_factor * 1e-6
     }
 
     /// Standard uncertainty of an orientation about any axis in radians.

@@ -3,7 +3,7 @@
 use super::LimitVerdict;
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
-use crate::math::identify::ToolFrame;
+use crate::math::identify::{Figure, ToolFrame, UncertaintySource};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +23,9 @@ pub struct AccuracyDocument {
     /// How far the validation poses lie from those of the calibration: the errors hold among poses like these.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub validation_distance: Option<ValidationDistance>,
+    /// Standard uncertainties of the position errors of the validation poses after calibration; empty without a validation or a covariance.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub budget: Vec<FigureBudget>,
     /// Limits that the campaign states, and whether they are met.
     pub limits: Vec<LimitVerdict>,
     /// The error to expect at the tool point; absent where there is none, or no covariance.
@@ -31,6 +34,28 @@ pub struct AccuracyDocument {
     /// What is given, where the parameters were not identified from these data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub given: Option<GivenSummary>,
+}
+
+/// The standard uncertainty of a figure, and what it is made of (GUM 5.1.2).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FigureBudget {
+    /// Which.
+    pub figure: Figure,
+    /// Its standard uncertainty (k = 1), mm.
+    pub standard_uncertainty_mm: f64,
+    /// What each source contributes: squares add up.
+    pub contributions: Vec<FigureContribution>,
+}
+
+/// What a source contributes to the standard uncertainty of a figure.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FigureContribution {
+    /// The source.
+    pub source: UncertaintySource,
+    /// Its contribution, mm.
+    pub standard_uncertainty_mm: f64,
 }
 
 /// How given parameters were judged.

@@ -42,7 +42,7 @@ pub use recommendation::*;
 pub use verification::*;
 
 use crate::base::message::{Message, Result};
-pub use crate::math::identify::{ResidualKind, UncertaintyFrom};
+pub use crate::math::identify::{Figure, Replicates, ResidualKind, UncertaintyFrom, UncertaintySource};
 pub use crate::math::solve::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -3,8 +3,8 @@
 use super::Provenance;
 use crate::base::message::Message;
 use crate::base::sketch::Sketch;
-use crate::math::identify::{ResidualKind, UncertaintyFrom};
 pub use crate::math::robots::Role;
+use crate::math::identify::{Replicates, ResidualKind, UncertaintyFrom, UncertaintySource};
 use crate::math::solve::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,9 @@ pub struct ParametersDocument {
     /// and more. Each has its standard uncertainty.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub covariance_without: Vec<String>,
+    /// What the standard uncertainties of these parameters are made of, source by source (GUM 5.1.2).
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub budget: Vec<BudgetSource>,
     /// How well they fit.
     pub residuals: ResidualSummary,
     /// Observability; absent where it is not a number.
@@ -70,6 +73,16 @@ impl ParametersDocument {
             None => Ok(()),
         }
     }
+}
+
+/// What one source contributes to the standard uncertainties.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BudgetSource {
+    /// The source.
+    pub source: UncertaintySource,
+    /// Its contribution to the standard uncertainty of each parameter, in the order and units of the covariance: their squares add up.
+    pub standard_uncertainties: Vec<f64>,
 }
 
 /// One parameter.
@@ -143,6 +156,9 @@ pub struct ResidualSummary {
     /// Whether chi-square rejects that the measurement explains the residuals: a right model is rejected once in a thousand times.
     #[serde(default)]
     pub chi_square_rejected: bool,
+    /// Scatter of repeats against the rest; absent where no pose was repeated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub repeats: Option<Replicates>,
     /// What standard uncertainties rest on.
     pub uncertainties_from: UncertaintyFrom,
     /// By how much standard uncertainties are larger than the instrument's alone makes them (median); 1 where chi-square

@@ -37,6 +37,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
         sketches: vec![],
         covariance: vec![],
         covariance_without: vec![],
+        budget: vec![],
         residuals: ResidualSummary {
             kind: ResidualKind::Targets,
             count: 0,
@@ -45,6 +46,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             degrees_of_freedom: 0,
             stated_standard_uncertainty_mm: None,
             common_standard_uncertainty_mm: None,
+            repeats: None,
             chi_square: None,
             uncertainties_from: crate::document::UncertaintyFrom::Instrument,
             chi_square_rejected: false,

@@ -8,6 +8,7 @@ use crate::export;
 use crate::import::Export;
 use crate::import::format::Role;
 use crate::math::identify::ResidualKind;
+use crate::math::robots::Quantity;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
@@ -62,6 +63,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(message.hint("check its unit: 0.0027 mm is 2.7 um"));
         }
     }
+    common_errors(campaign, problems);
     limits(campaign, problems);
     output(campaign, problems);
     observations(campaign, problems);
@@ -316,6 +318,74 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
     for (label, key, value) in leads.chain(bars).filter(|(_, _, value)| *value <= 0.0) {
         let what = format!("`{key}` = {value:?} must be positive");
         problems.0.push(Message::error(what).at(campaign.place(label)));
+    }
+}
+
+/// Coefficients of thermal expansion: beyond them the unit is another.
+const PER_C: std::ops::RangeInclusive<f64> = 0.0..=2e-4;
+
+/// What is stated of errors that all readings have in common, and of an instrument that measures range and angles.
+fn common_errors(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
+    let mut wrong = |path: &[&str], value: f64, range: std::ops::RangeInclusive<f64>, hint: &str| {
+        if !range.contains(&value) {
+            let what = format!(
+                "`{}` = {value:?} is not between {:?} and {:?}",
+                path[path.len() - 1],
+                range.start(),
+                range.end()
+            );
+            problems.0.push(Message::error(what).at(campaign.place_of(path)).hint(hint));
+        }
+    };
+    let um = || 0.0..=*PLAUSIBLE_UM.end();
+    let factor = 0.1..=10.0;
+    if let Some(scale) = file.instrument.expanded_scale_uncertainty_um_per_m {
+        wrong(&["instrument", "expanded_scale_uncertainty_um_per_m"], scale, 0.0..=1e3, "1 um/m is 1 ppm");
+    }
+    if let Some(polar) = &file.instrument.polar {
+        let path = |key| ["instrument", "polar", key];
+        let hint = "check its unit: 10 ppm are 10 um/m, 1 arc second is 4.85 um/m";
+        wrong(&path("expanded_range_uncertainty_um"), polar.expanded_range_uncertainty_um, um(), hint);
+        let by_m = |value, key| (path(key), value, 0.0..=1e4);
+        for (path, value, range) in [
+            by_m(polar.expanded_range_uncertainty_um_per_m, "expanded_range_uncertainty_um_per_m"),
+            by_m(polar.expanded_angle_uncertainty_um_per_m, "expanded_angle_uncertainty_um_per_m"),
+        ] {
+            wrong(&path, value, range, hint);
+        }
+    }
+    if let Some(expansion) = &file.expansion {
+        let path = |key| ["expansion", key];
+        let hint = "check its unit: steel expands by 11.5e-6 per degree, aluminium by 23.5e-6";
+        wrong(&path("robot_per_c"), expansion.robot_per_c, PER_C, hint);
+        wrong(&path("part_per_c"), expansion.part_per_c, PER_C, hint);
+        let key = "expanded_temperature_uncertainty_c";
+        wrong(&path(key), expansion.expanded_temperature_uncertainty_c, 0.0..=50.0, "state it in degrees");
+        wrong(&path("coverage_factor"), expansion.coverage_factor, factor.clone(), "2 stands for 95 %");
+    }
+    if let Some(homing) = &file.homing {
+        let path = |key| ["homing", key];
+        let hint = "home the robot often and take the scatter of a joint at its switch";
+        wrong(&path("coverage_factor"), homing.coverage_factor, factor, "2 stands for 95 %");
+        wrong(&path("expanded_uncertainty_um"), homing.expanded_uncertainty_um.unwrap_or(0.0), um(), hint);
+        wrong(&path("expanded_uncertainty_deg"), homing.expanded_uncertainty_deg.unwrap_or(0.0), 0.0..=5.0, hint);
+        let Ok(robot) = campaign.build_robot() else { return };
+        for joint in robot.joints() {
+            let (key, stated) = match joint.quantity {
+                Quantity::Angle => ("expanded_uncertainty_deg", homing.expanded_uncertainty_deg),
+                _ => ("expanded_uncertainty_um", homing.expanded_uncertainty_um),
+            };
+            if stated.is_none() {
+                let what = format!(
+                    "[homing] lacks `{key}`, and the joint `{}` has values in {}",
+                    joint.name,
+                    joint.quantity.unit()
+                );
+                let hint = "state it, 0 where homing adds nothing";
+                return problems.0.push(Message::error(what).at(campaign.place_of(&["homing"])).hint(hint));
+            }
+        }
     }
 }
 

@@ -5,9 +5,12 @@ use crate::base::pose::{Vector, centroid, minus, norm};
 use crate::base::pose_name::PoseName;
 use crate::base::table::{self, XYZ};
 use crate::campaign::{Campaign, Limits, Selections};
-use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, LimitVerdict, PointError, Statistics};
+use crate::document::{
+    AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
+    Statistics,
+};
 use crate::math::fit;
-use crate::math::identify::{Condition, Kind, Observation, Settings};
+use crate::math::identify::{Condition, Figure, Kind, Observation, Settings, UncertaintySource};
 use crate::math::robots::Robot;
 use crate::stages::kinds::Observed;
 use polars::prelude::{Column, DataFrame};
@@ -270,6 +273,7 @@ pub fn evaluate(
         point: point.to_owned(),
         sets,
         validation_distance: None,
+        budget: Vec::new(),
         limits: verdicts,
         tool: None,
         given: None,
@@ -290,6 +294,20 @@ fn accuracy_of(name: &str, errors: &[&PointError], planar: bool, uncertainty: Er
         of.expanded_uncertainty = uncertainty.expanded(&of.quantity);
     }
     AccuracySet { name: name.to_owned(), poses: poses.len(), count: errors.len(), errors: quantities }
+}
+
+/// The budgets of figures, from the variances that each source contributes (mm²).
+pub fn budgets(figures: Vec<(Figure, Vec<(UncertaintySource, f64)>)>) -> Vec<FigureBudget> {
+    let contribution = |(source, variance): (UncertaintySource, f64)| FigureContribution {
+        source,
+        standard_uncertainty_mm: variance.sqrt(),
+    };
+    let of = |(figure, variances): (Figure, Vec<(UncertaintySource, f64)>)| FigureBudget {
+        figure,
+        standard_uncertainty_mm: variances.iter().map(|(_, v)| v).sum::<f64>().sqrt(),
+        contributions: variances.into_iter().map(contribution).collect(),
+    };
+    figures.into_iter().map(of).collect()
 }
 
 type Size<'a> = &'a dyn Fn(Vector, Option<f64>) -> Option<f64>;

@@ -194,7 +194,7 @@ fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, no
     let labels = used_labels(&campaign);
     let used = |p: &&Point| labels.iter().any(|name| matches_pattern(name, &p.label));
     let mut points: Vec<Point> = points.iter().filter(used).cloned().collect();
-    let instrument_mm = campaign.file.instrument.standard_uncertainty_mm();
+    let instrument = campaign.file.instrument.clone();
     let mut sum = [[0.0; 6]; 6];
     // of many points of a feature every k-th is moved, with the weight of k
     let stride = points.len().div_ceil(FEW);
@@ -207,7 +207,10 @@ fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, no
         for axis in 0..3 {
             let (at, u_mm) = (
                 points[i].xyz_mm[axis],
-                points[i].standard_uncertainty_mm.as_deref().map_or(instrument_mm, |u| u[axis]),
+                points[i]
+                    .standard_uncertainty_mm
+                    .as_deref()
+                    .map_or_else(|| instrument.standard_uncertainties_mm(points[i].xyz_mm)[axis], |u| u[axis]),
             );
             let mut moved = |by: f64| {
                 points[i].xyz_mm[axis] = at + by;
@@ -316,8 +319,8 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     if names.len() < 3 {
         return Err(wrong("a frame needs three targets or more".to_owned()).into());
     }
-    let u_mm = campaign.file.instrument.standard_uncertainty_mm();
-    let mut u_of = vec![u_mm; names.len()];
+    let u_at = |p: &Vector| campaign.file.instrument.standard_uncertainty_at_mm(*p);
+    let mut u_of = Vec::new();
     let seen = if each {
         measured(points, &names)
     } else {
@@ -327,7 +330,8 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
             points.iter().filter(bears).map(|p| p.xyz_mm).collect()
         };
         let all: Vec<Vec<Vector>> = names.iter().map(bearing).collect();
-        u_of = all.iter().map(|of| u_mm / (of.len().max(1) as f64).sqrt()).collect();
+        let mean = |of: &Vec<Vector>| of.first().map_or(0.0, u_at) / (of.len().max(1) as f64).sqrt();
+        u_of = all.iter().map(mean).collect();
         BTreeMap::from([((PoseName::default(), 0), all.iter().map(|of| centroid(of)).collect())])
     };
     let whole: BTreeMap<Key, Vec<Vector>> =
@@ -342,6 +346,9 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     }
     let mean = |k: usize| centroid(&locals.iter().map(|l| l[k]).collect::<Vec<_>>());
     let reference: Vec<Vector> = (0..names.len()).filter_map(mean).collect();
+    if let (true, Some(places)) = (each, whole.values().next()) {
+        u_of = places.iter().map(u_at).collect();
+    }
     // Each pose is a best fit to the mean places, which define the world by its origin and axes: an error of theirs is common to all
     // poses, independent of the errors of the fits, and what the covariance of that definition exceeds that of a fit by.
     let fitted = rigid_covariance(&reference, &u_of);

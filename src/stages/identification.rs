@@ -47,15 +47,15 @@ pub fn identify(
     let Selected { mut sets, settings, poses, selections, mut messages } = select(campaign, stated, robot, joined)?;
     let robot: &dyn Robot = robot;
     let mut before = identify::fit_frames(robot, &sets.calibration, &settings)?;
-    let frames = frame_errors(&frames.world);
-    let mut found = identify::identify_in_frames(robot, &sets.calibration, &settings, &before, &frames)?;
+    let systematic = campaign.systematic(robot, frame_errors(&frames.world));
+    let mut found = identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
     if stated.outliers == OutlierRule::Exclude {
         let readings: usize = sets.calibration.iter().map(|o| o.targets.iter().flatten().count()).sum();
         let fewest = (readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
         while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, &settings, &found)? {
             messages.push(left_out);
             before = identify::fit_frames(robot, &sets.calibration, &settings)?;
-            found = identify::identify_in_frames(robot, &sets.calibration, &settings, &before, &frames)?;
+            found = identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
         }
     }
     for (name, table) in joined.observations.iter().skip(1) {
@@ -78,6 +78,10 @@ pub fn identify(
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.validation_distance = validation_distance(robot, &sets);
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
+    if sets.validation_conditions.is_empty() {
+        let budgets = identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)?;
+        accuracy.budget = evaluate::budgets(budgets.unwrap_or_default());
+    }
     let tool = campaign.file.tool.map(|tool| tool.point()).or_else(|| ToolPoint::centre(robot));
     if let Some(point) = &tool {
         let found = tool_accuracy(robot, point, &sets, &settings, &before, &found, &accuracy);

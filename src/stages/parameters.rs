@@ -2,7 +2,9 @@
 
 use crate::base::message::{Message, Severity};
 use crate::document::*;
-use crate::math::identify::{Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status};
+use crate::math::identify::{
+    Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status, UncertaintySource,
+};
 use crate::math::robots::Robot;
 use std::collections::BTreeMap;
 
@@ -66,6 +68,7 @@ pub fn parameters_document(
         sketches: robot.sketches(),
         covariance,
         covariance_without: found.eliminated.iter().map(name).collect(),
+        budget: budget(found, &written, &factor),
         residuals: ResidualSummary {
             kind: settings.kind,
             count: found.degrees_of_freedom + n,
@@ -78,6 +81,7 @@ pub fn parameters_document(
             chi_square_rejected: found
                 .chi_square
                 .is_some_and(|c| crate::math::identify::chi_square_exceeds(c, found.degrees_of_freedom)),
+            repeats: found.replicates,
             uncertainties_from: found.uncertainty_from,
             uncertainties_enlarged_by: found.inflation_factor,
         },
@@ -91,6 +95,18 @@ pub fn parameters_document(
         messages,
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs: inputs.clone(), seed: None },
     }
+}
+
+/// What each source contributes to the standard uncertainties of the `written` parameters, in their units.
+fn budget(found: &Identification, written: &[usize], factor: &dyn Fn(usize) -> f64) -> Vec<BudgetSource> {
+    let mut by_source: BTreeMap<UncertaintySource, Vec<f64>> = BTreeMap::new();
+    for (row, &k) in written.iter().enumerate().filter(|_| found.covariance.is_some()) {
+        for (source, variance) in found.budget.of_parameter(k) {
+            by_source.entry(source).or_insert_with(|| vec![0.0; written.len()])[row] = variance.sqrt() * factor(k);
+        }
+    }
+    let entry = |(source, standard_uncertainties)| BudgetSource { source, standard_uncertainties };
+    by_source.into_iter().map(entry).collect()
 }
 
 /// The indices with their scaling, and the singular values with the names of their parameters.

@@ -90,7 +90,6 @@ pub fn stale(robot: &dyn Robot, observations: &[Observation]) -> Vec<Message> {
 /// and frames; `names` are those labels. An error where one repeat spoils what is made from them.
 pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Vec<Message> {
     let instrument = &campaign.file.instrument;
-    let u_mm = instrument.expanded_uncertainty_um / instrument.coverage_factor / 1000.0;
     let mut repeats: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
     for point in points.iter().filter(|p| p.pose.is_none() && names.iter().any(|name| matches_pattern(name, &p.label)))
     {
@@ -101,6 +100,7 @@ pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Ve
         let places: Vec<Vector> = all.iter().map(|p| p.xyz_mm).collect();
         let middle =
             [0, 1, 2].map(|i| middle_pair(places.iter().map(|p| p[i])).map_or(0.0, |[low, high]| 0.5 * (low + high)));
+        let u_mm = instrument.standard_uncertainty_at_mm(middle);
         let off = |p: &&&Point| norm(minus(p.xyz_mm, middle)) > APART * u_mm;
         let away: Vec<&&Point> = all.iter().filter(off).collect();
         let Some(worst) = away.iter().map(|p| norm(minus(p.xyz_mm, middle))).reduce(f64::max) else { continue };

@@ -7,7 +7,10 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Units by the ending of a key.
-const UNITS: [(&str, &str); 13] = [
+const UNITS: [(&str, &str); 16] = [
+    ("_um_per_m", "µm/m"),
+    ("_per_c", "1/°C"),
+    ("_uncertainty_c", "°C"),
     ("_mm_s", "mm/s"),
     ("_mm", "mm"),
     ("_um", "µm"),

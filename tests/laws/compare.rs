@@ -42,6 +42,7 @@ pub(super) fn identified(
         sketches: vec![],
         covariance: (0..n).map(|i| (0..n).map(|j| square(i, j)).collect()).collect(),
         covariance_without: Vec::new(),
+        budget: vec![],
         residuals: ResidualSummary {
             kind: etalon::math::identify::ResidualKind::Targets,
             count: 100,
@@ -50,6 +51,7 @@ pub(super) fn identified(
             degrees_of_freedom: 100 - n,
             stated_standard_uncertainty_mm: Some(0.001),
             common_standard_uncertainty_mm: None,
+            repeats: None,
             chi_square: None,
             chi_square_rejected: false,
             uncertainties_from: etalon::math::identify::UncertaintyFrom::Instrument,
@@ -73,6 +75,7 @@ pub(super) fn identified(
         point: String::new(),
         sets: Vec::new(),
         validation_distance: None,
+        budget: vec![],
         limits: Vec::new(),
         tool: None,
     };

@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout)] // a test says what it measured
 
 mod arms;
+mod budget;
 mod common;
 mod compare;
 mod compensation;

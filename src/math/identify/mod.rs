@@ -1,5 +1,6 @@
 //! Identification: parameters from observations, which of them the data determine, and how well.
 
+mod budget;
 mod chi_square;
 mod clusters;
 mod condition;
@@ -26,6 +27,7 @@ mod uncertainty;
 mod verification;
 mod weights;
 
+pub use budget::{Budget, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
 pub use chi_square::exceeds as chi_square_exceeds;
 use condition::tied_to_world;
 pub use condition::{Condition, Fixture, Kind, Known};
@@ -128,6 +130,10 @@ pub struct Identification {
     pub weak: Vec<WeakGroup>,
     /// Singular values of the Jacobian and what follows from them; `None` where they are not numbers.
     pub observability: Option<Observability>,
+    /// What the covariance is made of.
+    pub budget: Budget,
+    /// Scatter of repeats against the rest; `None` where no pose was repeated.
+    pub replicates: Option<Replicates>,
     /// Root mean square of the residuals, in mm (mm and rad mixed for pose residuals, as in eq. 3.26).
     pub rms: f64,
     /// Largest residual, likewise.
@@ -180,20 +186,20 @@ pub fn identify_from(
     settings: &Settings,
     start: &[f64],
 ) -> Result<Identification> {
-    identify_in_frames(robot, observations, settings, start, &[])
+    identify_with(robot, observations, settings, start, &Systematic::default())
 }
 
-/// [`identify_from`] of observations that frames with these uncertainties place.
-pub fn identify_in_frames(
+/// [`identify_from`] of observations that have these errors in common.
+pub fn identify_with(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
     start: &[f64],
-    frames: &[FrameError],
+    systematic: &Systematic,
 ) -> Result<Identification> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
-    let mut found = uncertainty::with_uncertainty(robot, (observations, frames), settings, &wanted, found)?;
+    let mut found = uncertainty::with_uncertainty(robot, (observations, systematic), settings, &wanted, found)?;
     found.warnings.extend(condition::without_length(robot, observations, settings, &found.status));
     Ok(found)
 }

@@ -363,37 +363,13 @@ impl<'a> Residuals<'a> {
     /// Derivatives of the residuals at `x`, whitened, by a small shift (mm) and rotation (rad) of the frame that places the observations
     /// of `pose` and cycle, or all: rows of six.
     pub fn frame_jacobian(&self, x: &[f64], pose: Option<(PoseName, i64)>) -> Vec<f64> {
-        let sensitivities = self.target_sensitivities(x);
-        let mut poses = sensitivities.iter().flatten();
-        let mut rows: Vec<f64> = Vec::with_capacity(6 * self.residual_count());
-        for o in self.observations {
-            let placed = pose.is_none_or(|key| key == (o.pose, o.cycle));
-            // a point p of a frame that shifts by t and turns by w is measured t + w × p less
-            let moved = |p: &Vector| {
-                let lever = [[0.0, p[2], -p[1]], [-p[2], 0.0, p[0]], [p[1], -p[0], 0.0]];
-                let axis = |i: usize| {
-                    std::array::from_fn(|c| if c < 3 { f64::from(u8::from(c == i)) } else { lever[i][c - 3] })
-                };
-                [0, 1, 2].map(axis).map(|row: [f64; 6]| row.map(|v| if placed { v } else { 0.0 }))
-            };
-            match self.platform {
-                Some(_) => {
-                    let [Some(k), Some(l)] = &o.targets[..] else { continue };
-                    let coordinates = [moved(k)[0], moved(k)[1], moved(l)[0], moved(l)[1]];
-                    let Some(sensitivity) = poses.next() else { continue };
-                    for row in sensitivity {
-                        rows.extend((0..6).map(|c| -(0..4).map(|i| row[i] * coordinates[i][c]).sum::<f64>()));
-                    }
-                }
-                None => {
-                    for measured in o.targets.iter().flatten() {
-                        let axes = moved(measured);
-                        rows.extend(axes[..self.robot.dimension()].iter().flatten().map(|v| v / self.unit));
-                    }
-                }
-            }
-        }
-        self.whiten(&mut rows, 6);
+        // a point p of a frame that shifts by t and turns by w is measured t + w × p less
+        let mut rows = self.displaced::<6>(x, pose, |p| {
+            let lever = [[0.0, p[2], -p[1]], [-p[2], 0.0, p[0]], [p[1], -p[0], 0.0]];
+            let axis =
+                |i: usize| std::array::from_fn(|c| if c < 3 { f64::from(u8::from(c == i)) } else { lever[i][c - 3] });
+            [0, 1, 2].map(axis)
+        });
         for c in self.conditions {
             // an orientation that turns by w is observed w less; other conditions are met in the robot's own world
             let turned = c.kind.is_orientation() && pose.is_none_or(|key| key == (c.pose, c.cycle));
@@ -404,8 +380,48 @@ impl<'a> Residuals<'a> {
         rows
     }
 
+    /// Derivatives of the residuals of coordinates at `x`, whitened, by a common relative error of all measured lengths.
+    pub fn scale_jacobian(&self, x: &[f64]) -> Vec<f64> {
+        self.displaced(x, None, |p| p.map(|v| [-v]))
+    }
+
+    /// Derivatives of the residuals of coordinates at `x`, whitened, by what makes a point of `pose` and cycle, or of all, be measured
+    /// `moved` less: rows of N.
+    fn displaced<const N: usize>(
+        &self,
+        x: &[f64],
+        pose: Option<(PoseName, i64)>,
+        moved: impl Fn(&Vector) -> [[f64; N]; 3],
+    ) -> Vec<f64> {
+        let sensitivities = self.target_sensitivities(x);
+        let mut poses = sensitivities.iter().flatten();
+        let mut rows: Vec<f64> = Vec::with_capacity(N * self.residual_count());
+        for o in self.observations {
+            let placed = pose.is_none_or(|key| key == (o.pose, o.cycle));
+            let moved = |p: &Vector| if placed { moved(p) } else { [[0.0; N]; 3] };
+            match self.platform {
+                Some(_) => {
+                    let [Some(k), Some(l)] = &o.targets[..] else { continue };
+                    let coordinates = [moved(k)[0], moved(k)[1], moved(l)[0], moved(l)[1]];
+                    let Some(sensitivity) = poses.next() else { continue };
+                    for row in sensitivity {
+                        rows.extend((0..N).map(|c| -(0..4).map(|i| row[i] * coordinates[i][c]).sum::<f64>()));
+                    }
+                }
+                None => {
+                    for measured in o.targets.iter().flatten() {
+                        let axes = moved(measured);
+                        rows.extend(axes[..self.robot.dimension()].iter().flatten().map(|v| v / self.unit));
+                    }
+                }
+            }
+        }
+        self.whiten(&mut rows, N);
+        rows
+    }
+
     /// Makes rows of `width` numbers, which were divided by the unit, independent and of the same variance.
-    fn whiten(&self, rows: &mut [f64], width: usize) {
+    pub fn whiten(&self, rows: &mut [f64], width: usize) {
         if let Some(common) = &self.common {
             common.whiten(rows, width);
         }

@@ -1,5 +1,6 @@
 //! Uncertainty of the parameters: covariance and chi-square.
 
+use super::budget::{self, Budget, Observed, Systematic};
 use super::chi_square::{exceeds, falls_short};
 use super::clusters::ByCluster;
 use super::elimination::Remaining;
@@ -45,7 +46,7 @@ const REGIONS_PER_PARAMETER: usize = 3;
 /// The identification that a solution is, with its uncertainty.
 pub(super) fn with_uncertainty(
     robot: &dyn Robot,
-    (observations, frames): (&[Observation], &[FrameError]),
+    (observations, systematic): (&[Observation], &Systematic),
     settings: &Settings,
     wanted: &[usize],
     found: Identifiable,
@@ -58,6 +59,7 @@ pub(super) fn with_uncertainty(
     let dof = m - n;
     let jacobian = problem.jacobian_at(&solution.x);
 
+    let frames = &systematic.frames;
     let placed: BTreeMap<(PoseName, i64), &FrameError> = frames.iter().filter_map(|f| Some((f.pose?, f))).collect();
     let stated = from_instrument((problem, solution, &jacobian), settings, &placed);
     let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
@@ -73,12 +75,25 @@ pub(super) fn with_uncertainty(
     };
     let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning } = found;
     let mut warnings: Vec<Message> = warning.into_iter().collect();
+    let mut replicates = None;
+    if settings.kind == ResidualKind::Targets && settings.conditions.is_empty() && !problem.is_whitened() {
+        replicates = budget::replicates(robot, observations, &values, dof);
+    }
+    let mut budget = Budget::default();
     if let Some(total) = &mut covariance {
+        let all = (problem, solution, &jacobian[..]);
+        budget = Budget::new(all, instrument.as_deref(), total, settings, replicates.as_ref());
+        let (common, of_poses): (Vec<_>, Vec<_>) = frames.iter().partition(|f| f.pose.is_none());
+        carry(common.into_iter(), all, total);
         // what is wrong with the frame of one pose shows in its residuals, and is in the noise above
-        let unseen = |f: &&FrameError| {
-            f.pose.is_none() || problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument
-        };
-        carry(frames.iter().filter(unseen), (problem, solution, &jacobian), total);
+        if problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument && !of_poses.is_empty() {
+            let mut by_frames = vec![0.0; total.len()];
+            carry(of_poses.into_iter(), all, &mut by_frames);
+            total.iter_mut().zip(&by_frames).for_each(|(total, more)| *total += more);
+            budget = budget.with_frames_of_poses(by_frames);
+        }
+        let observed = Observed { robot, observations, settings, free: &problem.free, values: &values };
+        budget.carry(systematic.errors(&observed)?, all, total);
     }
     let inflation_factor = match (&instrument, &covariance) {
         (Some(before), Some(after)) => {
@@ -122,6 +137,8 @@ pub(super) fn with_uncertainty(
         groups,
         weak,
         observability,
+        budget,
+        replicates,
         rms: (lengths.iter().map(|r| r * r).sum::<f64>() / lengths.len().max(1) as f64).sqrt() * problem.unit,
         max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
         degrees_of_freedom: dof,

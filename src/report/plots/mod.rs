@@ -14,6 +14,7 @@ pub(super) mod parameter_errors;
 pub(super) mod plane;
 pub(super) mod points;
 pub(super) mod residuals;
+pub(super) mod shares;
 pub(super) mod singular;
 pub(super) mod sketch;
 pub(super) mod svg;

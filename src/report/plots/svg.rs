@@ -46,8 +46,13 @@ impl Svg {
 
     /// A square of a colour of the program's own, with a tooltip.
     pub fn cell(&mut self, corner: Place, side: f64, fill: &str, tooltip: &str) {
-        let (x, y, side) = (px(corner.0), px(corner.1), px(side));
-        let _ = write!(self.out, "<rect x=\"{x}\" y=\"{y}\" width=\"{side}\" height=\"{side}\" fill=\"{fill}\"");
+        self.bar(corner, (side, side), fill, tooltip);
+    }
+
+    /// The same of a rectangle.
+    pub fn bar(&mut self, corner: Place, size: Place, fill: &str, tooltip: &str) {
+        let (x, y, w, h) = (px(corner.0), px(corner.1), px(size.0), px(size.1));
+        let _ = write!(self.out, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" fill=\"{fill}\"");
         self.close("rect", tooltip);
     }
 

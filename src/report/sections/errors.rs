@@ -228,6 +228,7 @@ mod tests {
             definition: String::new(),
             sets: vec![set.clone()],
             validation_distance: None,
+            budget: Vec::new(),
             limits: vec![],
             tool: None,
         };

@@ -1,6 +1,7 @@
 //! The sections of a report, one a file: what each contains, and nothing of how it is drawn.
 
 pub(super) mod accuracy;
+pub(super) mod budget;
 pub(super) mod changes;
 mod compliance;
 mod conditions;
@@ -28,7 +29,7 @@ use crate::document::Characteristics;
 type Make = fn(&Report, &Words) -> Option<Section>;
 
 /// In the order of reading.
-const ALL: [Make; 16] = [
+const ALL: [Make; 17] = [
     conditions::section,
     limits::section,
     messages::section,
@@ -40,6 +41,7 @@ const ALL: [Make; 16] = [
     |report, words| of_point(streams::section(report.tested, words), report, words),
     |report, words| compliance::section(report.tested, words),
     parameters::section,
+    budget::section,
     geometric::section,
     fit::section,
     frames::section,

@@ -109,6 +109,7 @@ impl Documents {
                     .to_owned(),
                 sets: vec![set("calibration", 8), set("validation", 51)],
                 validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
+                budget: Vec::new(),
                 limits: vec![
                     limit("position_max_mm", "mm", 0.050, 0.0442),
                     limit("orientation_max_deg", "deg", 0.010, 0.0056),
@@ -241,13 +242,20 @@ fn parameters() -> ParametersDocument {
         }
     };
     let termination = Termination::StepVanished;
+    let parameters: Vec<ParameterEntry> = names.split(' ').enumerate().map(entry).collect();
+    let contribution = |source, share: f64| BudgetSource {
+        source,
+        standard_uncertainties: parameters.iter().filter_map(|p| Some(share * p.standard_uncertainty?)).collect(),
+    };
+    let budget = vec![contribution(UncertaintySource::Instrument, 0.8), contribution(UncertaintySource::Frame, 0.6)];
     ParametersDocument {
         schema: "etalon/parameters/1".to_owned(),
         robot: "prexyt".to_owned(),
-        parameters: names.split(' ').enumerate().map(entry).collect(),
+        parameters,
         sketches: vec![],
         covariance: vec![],
         covariance_without: vec![],
+        budget,
         residuals: ResidualSummary {
             kind: ResidualKind::Targets,
             count: 160,
@@ -257,6 +265,12 @@ fn parameters() -> ParametersDocument {
             stated_standard_uncertainty_mm: Some(0.001_35),
             common_standard_uncertainty_mm: None,
             chi_square: Some(212.4),
+            repeats: Some(Replicates {
+                repeats_mm: 0.0031,
+                degrees_of_freedom: 96,
+                lack_of_fit_mm: 0.014,
+                p_value: 2e-9,
+            }),
             uncertainties_from: crate::document::UncertaintyFrom::Instrument,
             chi_square_rejected: true,
             uncertainties_enlarged_by: 1.194,

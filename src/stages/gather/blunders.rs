@@ -181,7 +181,8 @@ fn too_few(campaign: &Campaign, rigid: &Rigid, groups: &Groups) -> Option<Messag
 /// A message where targets measured together are at other distances than `places_mm` states, beyond the uncertainty of both.
 fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &Groups) -> Option<Message> {
     let part = rigid.shape()?;
-    let u_mm = campaign.file.instrument.standard_uncertainty_mm();
+    let u_at = |i: usize| campaign.file.instrument.standard_uncertainty_at_mm(points[i].xyz_mm);
+    let u_mm = groups.values().flatten().flatten().map(|&i| u_at(i)).fold(0.0, f64::max);
     let deviation = |pair: Pair| {
         let measured = |seen: &Vec<Option<usize>>| {
             Some(norm(minus(points[seen[pair.first]?].xyz_mm, points[seen[pair.second]?].xyz_mm)))

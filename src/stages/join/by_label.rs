@@ -1,12 +1,13 @@
 //! The log states which measured point the robot touches: a plate measured once, then encoders alone.
 
 use super::unmatched::At;
-use super::{Remarks, Row, in_world};
+use super::{Remarks, Row, own_covariance};
 use crate::base::message::{Message, Problems, Result};
 use crate::base::pose::Vector;
 use crate::campaign::Campaign;
 use crate::document::FramesDocument;
 use crate::import::{JointLog, Point};
+use crate::math::identify::{Covariance, turned};
 use crate::math::robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,7 +30,7 @@ pub(super) fn by_label(
         let message = Message::error("a join by label needs a world frame that stays the same for all poses");
         return Err(message.hint("make it of points that do not move").into());
     };
-    let measured = means(points);
+    let measured = means(campaign, points);
     let world_T_export = frame.export_T_world.inverse();
     let (mut problems, mut rows) = (Problems::default(), Vec::new());
     let mut used = BTreeSet::new();
@@ -47,7 +48,7 @@ pub(super) fn by_label(
             cycle: row.cycle.or(Some(1)),
             target: 0,
             world_mm: world_T_export.apply(mean.at_mm),
-            covariance_mm2: mean.variances_mm2.map(|variances| in_world(variances, &world_T_export)),
+            covariance_mm2: mean.covariance_mm2.map(|c| turned(&c, &world_T_export.rotation)),
             assembly: row.assembly,
             joints: row.joints.clone(),
         });
@@ -69,23 +70,22 @@ pub(super) fn by_label(
 /// The mean of the points of one label, in the coordinates of the exports.
 struct Mean {
     at_mm: Vector,
-    /// Of its coordinates, where all of the points state their uncertainties.
-    variances_mm2: Option<Vector>,
+    /// Of its coordinates, where all of the points have one.
+    covariance_mm2: Option<Covariance>,
 }
 
-fn means(points: &[Point]) -> BTreeMap<&str, Mean> {
+fn means<'p>(campaign: &Campaign, points: &'p [Point]) -> BTreeMap<&'p str, Mean> {
     let mut by_label: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
     for point in points {
         by_label.entry(&point.label).or_default().push(point);
     }
     let mean = |all: Vec<&Point>| {
         let n = all.len() as f64;
-        let stated: Option<Vec<Vector>> =
-            all.iter().map(|point| point.standard_uncertainty_mm.as_deref().copied()).collect();
-        let variance = |u: &[Vector], axis: usize| u.iter().map(|u| u[axis] * u[axis]).sum::<f64>() / (n * n);
+        let stated: Option<Vec<Covariance>> = all.iter().map(|point| own_covariance(campaign, point)).collect();
+        let of_mean = |c: &[Covariance], i: usize, j: usize| c.iter().map(|c| c[i][j]).sum::<f64>() / (n * n);
         Mean {
             at_mm: [0, 1, 2].map(|axis| all.iter().map(|point| point.xyz_mm[axis]).sum::<f64>() / n),
-            variances_mm2: stated.map(|u| [0, 1, 2].map(|axis| variance(&u, axis))),
+            covariance_mm2: stated.map(|c| [0, 1, 2].map(|i| [0, 1, 2].map(|j| of_mean(&c, i, j)))),
         }
     };
     by_label.into_iter().map(|(label, all)| (label, mean(all))).collect()

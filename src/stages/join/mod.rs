@@ -97,7 +97,7 @@ pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, r
         return Err(Message::error("a join needs [join]").at(Place::file(campaign.path.as_str())).into());
     };
     let (mut remarks, mut problems) = (Remarks::default(), Problems::default());
-    let targets = targets_in_world(imported, frames, robot, &mut remarks);
+    let targets = targets_in_world(campaign, imported, frames, robot, &mut remarks);
     let mut observations = Vec::new();
     for log in &imported.logs {
         let joined = match definition.by {
@@ -215,6 +215,7 @@ pub fn counts(campaign: &Campaign, imported: &Gathered, robot: &dyn Robot) -> Re
 
 /// The targets of the robot in the world; targets of poses without a world frame are reported.
 fn targets_in_world<'a>(
+    campaign: &Campaign,
     imported: &'a Gathered,
     frames: &FramesDocument,
     robot: &dyn Robot,
@@ -239,8 +240,7 @@ fn targets_in_world<'a>(
             remarks.unmatched.push(At::point(point).unmatched(key, "its pose has no world frame"));
             continue;
         };
-        let covariance_mm2 =
-            point.standard_uncertainty_mm.as_deref().map(|u| in_world(u.map(|u| u * u), &world_T_export));
+        let covariance_mm2 = own_covariance(campaign, point).map(|c| turned(&c, &world_T_export.rotation));
         targets.push(Target { point, index, world_mm: world_T_export.apply(point.xyz_mm), covariance_mm2 });
     }
     if !lost.is_empty() {
@@ -256,10 +256,12 @@ fn targets_in_world<'a>(
     targets
 }
 
-/// The covariance in the world of a position with these variances along the axes of its export, mm².
-fn in_world(variances_mm2: Vector, world_T_export: &Pose) -> Covariance {
-    let diagonal = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { variances_mm2[i] } else { 0.0 }));
-    turned(&diagonal, &world_T_export.rotation)
+/// The covariance of a point along the axes of its export, where its row states one or the instrument measures range and angles.
+fn own_covariance(campaign: &Campaign, point: &Point) -> Option<Covariance> {
+    let Some(u) = point.standard_uncertainty_mm.as_deref() else {
+        return campaign.file.instrument.covariance_mm2(point.xyz_mm);
+    };
+    Some([0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { u[i] * u[i] } else { 0.0 })))
 }
 
 /// An error where points and the rows of the log that they meet bear different poses or cycles.

@@ -1,0 +1,231 @@
+//! The uncertainty budget: each contribution is what the source does to an identification that is made again.
+
+use crate::support::arms::{SIX_AXES, serial};
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Vector, minus, norm};
+use etalon::math::identify::{
+    Figure, Identification, Observation, Settings, Systematic, UncertaintySource as Source, figure_budgets,
+    identify_with,
+};
+use etalon::math::robots::{Prexyt, Quantity, Robot};
+
+const U_MM: f64 = 0.002;
+
+/// A robot with a truth beside its nominal parameters, poses to calibrate and others to validate.
+struct Case {
+    robot: Box<dyn Robot>,
+    truth: Vec<f64>,
+    calibration: Vec<Vec<f64>>,
+    validation: Vec<Vec<f64>>,
+}
+
+fn cases() -> [Case; 2] {
+    let case = |robot: Box<dyn Robot>, poses: usize, q: &dyn Fn(&mut Noise) -> Vec<f64>| {
+        let mut noise = Noise::new(5, 1);
+        let off = |quantity| match quantity {
+            Quantity::Length => 0.3,
+            Quantity::Angle => 2e-3,
+            Quantity::Ratio => 1e-3,
+        };
+        let truth = robot.parameters().iter().map(|p| p.nominal + noise.gaussian(off(p.quantity))).collect();
+        let mut of = |n: usize| (0..n).map(|_| q(&mut noise)).collect();
+        Case { truth, calibration: of(poses), validation: of(20), robot }
+    };
+    let between =
+        |noise: &mut Noise, low: f64, high: f64| low + (high - low) * (0.5 + noise.gaussian(0.25)).clamp(0.0, 1.0);
+    let slide = move |n: &mut Noise| vec![between(n, 0.0, 170.0), between(n, 50.0, 250.0), between(n, 50.0, 250.0)];
+    let turn = move |n: &mut Noise| (0..6).map(|_| between(n, -1.2, 1.2)).collect();
+    [case(Box::new(Prexyt::default()), 24, &slide), case(Box::new(serial(&SIX_AXES, &["one", "two"], &[])), 40, &turn)]
+}
+
+impl Case {
+    /// Targets as the true robot has them, after a common error of the joints, scaled, each moved by `off`.
+    fn measure(&self, poses: &[Vec<f64>], shift: &[f64], scale: f64, mut off: impl FnMut() -> f64) -> Vec<Observation> {
+        let of = |(i, q): (usize, &Vec<f64>)| {
+            let mut target = |k: usize| {
+                let at = self.robot.position(&self.truth, q, k);
+                let moved: Vector = at.map(|v| (v + off()) * (1.0 + scale));
+                Some(if self.robot.dimension() == 2 { [moved[0], moved[1], 0.0] } else { moved })
+            };
+            Observation {
+                pose: (i as i64).into(),
+                cycle: 1,
+                targets: (0..self.robot.targets().len()).map(&mut target).collect(),
+                joints: q.iter().zip(shift).map(|(q, shift)| q + shift).collect(),
+                ..Observation::default()
+            }
+        };
+        poses.iter().enumerate().map(of).collect()
+    }
+
+    fn identify(&self, observations: &[Observation], systematic: &Systematic) -> Identification {
+        identify_with(self.robot.as_ref(), observations, &settings(), &self.robot.nominal(), systematic)
+            .expect("identified")
+    }
+
+    /// Mean, root mean square and largest error of validation poses.
+    fn figures(&self, observations: &[Observation], values: &[f64]) -> [f64; 3] {
+        let error = |o: &Observation| -> Vec<f64> {
+            if let Some(platform) = self.robot.platform() {
+                let [k, l] = [0, 1].map(|i| o.targets[i].map(|p| [p[0], p[1]]).expect("measured"));
+                let e = platform.pose_error(values, &o.joints, [k, l]);
+                return vec![e[0].hypot(e[1])];
+            }
+            let of = |(k, t): (usize, &Option<Vector>)| {
+                norm(minus(t.expect("measured"), self.robot.position(values, &o.joints, k)))
+            };
+            o.targets.iter().enumerate().map(of).collect()
+        };
+        let all: Vec<f64> = observations.iter().flat_map(error).collect();
+        let n = all.len() as f64;
+        let rms = (all.iter().map(|e| e * e).sum::<f64>() / n).sqrt();
+        [all.iter().sum::<f64>() / n, rms, all.iter().copied().fold(0.0, f64::max)]
+    }
+}
+
+fn settings() -> Settings {
+    Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() }
+}
+
+/// The standard uncertainty by one source.
+fn of(contributions: &[(Source, f64)], source: Source) -> f64 {
+    contributions.iter().find(|c| c.0 == source).map_or(0.0, |c| c.1.sqrt())
+}
+
+/// What the parts of the error of validation poses are that no parameter explains, so that figures are smooth functions of the rest.
+fn wave(seed: u64) -> impl FnMut() -> f64 {
+    let mut noise = Noise::new(9, seed);
+    move || noise.gaussian(0.05)
+}
+
+#[test]
+fn common_errors_contribute_what_they_change_in_an_identification_that_is_made_again() {
+    for case in cases() {
+        let joints = case.robot.joints();
+        let u_joint: Vec<f64> =
+            joints.iter().map(|j| if j.quantity == Quantity::Angle { 2e-6 } else { 2e-4 }).collect();
+        let systematic = Systematic { scale: 1e-6, expansion: 3e-6, homing: u_joint.clone(), ..Systematic::default() };
+        let none = vec![0.0; joints.len()];
+        let run = |shift: &[f64], scale: f64| {
+            let found = case.identify(&case.measure(&case.calibration, shift, scale, || 0.0), &systematic);
+            let figures = case.figures(&case.measure(&case.validation, shift, scale, wave(1)), &found.values);
+            (found, figures)
+        };
+        let (found, figures) = run(&none, 0.0);
+        let validation = case.measure(&case.validation, &none, 0.0, wave(1));
+        let budgets =
+            figure_budgets(case.robot.as_ref(), &validation, &settings(), &found, &systematic).unwrap().unwrap();
+        let scaled = run(&none, 1e-6);
+        let shifted: Vec<_> = (0..joints.len())
+            .map(|j| {
+                let mut shift = none.clone();
+                shift[j] = u_joint[j];
+                run(&shift, 0.0)
+            })
+            .collect();
+        for (k, &i) in found.free.iter().enumerate() {
+            let parts = found.budget.of_parameter(k);
+            let total: f64 = parts.iter().map(|p| p.1).sum();
+            let u = found.standard_uncertainty(i).unwrap();
+            assert!((total.sqrt() / u - 1.0).abs() < 1e-9, "{}", case.robot.parameters()[i].name);
+            let by_scale = (scaled.0.values[i] - found.values[i]).abs();
+            let by_homing = shifted.iter().map(|s| (s.0.values[i] - found.values[i]).powi(2)).sum::<f64>().sqrt();
+            let near = |a: f64, b: f64, what: &str| {
+                assert!((a - b).abs() < 2e-3 * b + 1e-3 * u, "{what} {}: {a} {b} {u}", case.robot.parameters()[i].name);
+            };
+            near(of(&parts, Source::Scale), by_scale, "scale");
+            near(of(&parts, Source::Temperature), 3.0 * by_scale, "temperature");
+            near(of(&parts, Source::Homing), by_homing, "homing");
+        }
+        for (f, (figure, parts)) in budgets.iter().enumerate() {
+            let by_scale = (scaled.1[f] - figures[f]).abs();
+            let by_homing = shifted.iter().map(|s| (s.1[f] - figures[f]).powi(2)).sum::<f64>().sqrt();
+            let near = |a: f64, b: f64| assert!((a - b).abs() < 0.01 * b + 2e-9, "{figure:?}: {a} {b}");
+            near(of(parts, Source::Scale), by_scale);
+            near(of(parts, Source::Homing), by_homing);
+        }
+    }
+}
+
+#[test]
+fn figures_scatter_over_draws_as_their_budget_states() {
+    const DRAWS: u64 = 400;
+    for case in cases() {
+        let none = vec![0.0; case.robot.joints().len()];
+        let draw = |seed: u64| {
+            let mut noise = Noise::new(77, seed);
+            let found = case.identify(
+                &case.measure(&case.calibration, &none, 0.0, || noise.gaussian(U_MM)),
+                &Systematic::default(),
+            );
+            let mut wave = wave(2);
+            let validation = case.measure(&case.validation, &none, 0.0, || wave() + noise.gaussian(U_MM));
+            let figures = case.figures(&validation, &found.values);
+            (found, validation, figures)
+        };
+        let (found, validation, _) = draw(0);
+        let budgets = figure_budgets(case.robot.as_ref(), &validation, &settings(), &found, &Systematic::default())
+            .unwrap()
+            .unwrap();
+        let drawn: Vec<[f64; 3]> = (0..DRAWS).map(|seed| draw(seed).2).collect();
+        for (f, (figure, parts)) in budgets.iter().enumerate() {
+            let mean = drawn.iter().map(|d| d[f]).sum::<f64>() / DRAWS as f64;
+            let sd = (drawn.iter().map(|d| (d[f] - mean).powi(2)).sum::<f64>() / (DRAWS - 1) as f64).sqrt();
+            let stated = parts.iter().map(|p| p.1).sum::<f64>().sqrt();
+            println!("{} {figure:?}: {:.3} of {stated:.2e} mm", case.robot.model(), sd / stated);
+            assert!((sd / stated - 1.0).abs() < 0.12, "{figure:?}: {sd} {stated}");
+        }
+        assert_eq!(budgets.iter().map(|b| b.0).collect::<Vec<_>>(), [Figure::Mean, Figure::Rms, Figure::Max]);
+    }
+}
+
+/// What the instrument and the contact contribute is what identifications from draws of either alone scatter by.
+#[test]
+fn instrument_and_contact_are_apart() {
+    use crate::support::five_bar::{SEVEN, measure, robot, truth};
+    let (robot, truth) = (robot(), truth());
+    let exact = measure(&robot, &truth, &SEVEN, &mut || 0.0);
+    let settings =
+        Settings { standard_uncertainty_mm: Some(0.003), common_uncertainty_mm: Some(0.005), ..Settings::default() };
+    let start = robot.nominal();
+    let found = identify_with(&robot, &exact, &settings, &start, &Systematic::default()).unwrap();
+    let spread = |ball_mm: f64, contact_mm: f64| {
+        let n = 300;
+        let mut squares = vec![0.0; truth.len()];
+        for seed in 0..n {
+            let mut noise = Noise::new(3, seed);
+            let mut drawn = exact.clone();
+            let mut last: Option<(Vector, Vector)> = None;
+            for o in &mut drawn {
+                let at = o.targets[0].unwrap();
+                let ball = match last {
+                    Some((of, ball)) if norm(minus(of, at)) < 1e-9 => ball,
+                    _ => [noise.gaussian(ball_mm), noise.gaussian(ball_mm), 0.0],
+                };
+                last = Some((at, ball));
+                // the reading is moved by the ball's error, the joints by that of the contact
+                let stands = [at[0] + noise.gaussian(contact_mm), at[1] + noise.gaussian(contact_mm)];
+                let branches = etalon::math::robots::WORKING_MODES
+                    .into_iter()
+                    .find(|b| {
+                        let q = robot.inverse(&truth, robot.to_base(&truth, [at[0], at[1]]), *b);
+                        q.iter().zip(&o.joints).all(|(q, j)| (q - j).abs() < 1e-9)
+                    })
+                    .expect("the mode");
+                let q = robot.inverse(&truth, robot.to_base(&truth, stands), branches);
+                o.joints[..2].copy_from_slice(&q);
+                o.targets[0] = Some([at[0] + ball[0], at[1] + ball[1], 0.0]);
+            }
+            let again = identify_with(&robot, &drawn, &settings, &start, &Systematic::default()).unwrap();
+            squares.iter_mut().zip(&again.values).zip(&truth).for_each(|((s, v), t)| *s += (v - t).powi(2) / n as f64);
+        }
+        squares
+    };
+    let (ball, contact) = (spread(0.005, 0.0), spread(0.0, 0.003));
+    for (k, &i) in found.free.iter().enumerate() {
+        let parts = found.budget.of_parameter(k);
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 0.2, "{}: {a} {b}", robot.parameters()[i].name);
+        near(of(&parts, Source::Instrument), ball[i].sqrt());
+        near(of(&parts, Source::Contact), contact[i].sqrt());
+    }
+}
