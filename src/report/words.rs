@@ -21,7 +21,7 @@ pub(crate) fn isolated(name: &str) -> String {
 
 /// Words that come from documents, not from the text of this program's reports.
 #[cfg(test)]
-const OF_DOCUMENTS: [&str; 23] = [
+const OF_DOCUMENTS: [&str; 50] = [
     "calibration",
     "validation",
     "position",
@@ -45,6 +45,33 @@ const OF_DOCUMENTS: [&str; 23] = [
     "the platform's centre C in the base frame",
     "the targets as measured",
     "the targets in the world",
+    "instrument",
+    "contact",
+    "rigid parts",
+    "known points",
+    "repeatability",
+    "model",
+    "residuals",
+    "world frame",
+    "frames of poses",
+    "scale",
+    "temperature",
+    "homing",
+    "the stated uncertainty of each reading",
+    "how well the robot finds a measured point again, as stated",
+    "stated shapes of parts that carry targets",
+    "stated places and lengths of fixed points",
+    "what repeats of a pose scatter beyond the instrument",
+    "what residuals exceed all of this by: errors of the robot that the model does not describe",
+    "scatter of the residuals; no uncertainty is stated",
+    "points that define the world frame, in common to all poses",
+    "points of the frame that was measured again at each pose",
+    "scale of the measuring system, in common to all lengths",
+    "temperature, by the expansion of robot and part, in common to all lengths",
+    "joint values after homing, in common to all poses",
+    "mean position error, validation",
+    "root mean square position error, validation",
+    "largest position error, validation",
 ];
 
 /// One language.

@@ -1,6 +1,7 @@
 //! Laws of campaigns that hold without outside data.
 
 mod blunders;
+mod budget;
 mod code;
 pub mod controllers;
 pub mod dialects;

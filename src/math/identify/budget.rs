@@ -235,7 +235,9 @@ impl Budget {
             add(Source::FrameOfPoses, form(&self.of_poses));
         }
         self.common.iter().enumerate().for_each(|(e, (source, _))| add(*source, response(e).powi(2)));
-        all.into_iter().filter(|(_, variance)| *variance > 0.0).collect()
+        // what cancels leaves the noise of its differences
+        let least = 1e-16 * all.values().sum::<f64>();
+        all.into_iter().filter(|(_, variance)| *variance > least).collect()
     }
 }
 

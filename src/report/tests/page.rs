@@ -35,11 +35,13 @@ fn the_demo_page_has_what_a_reader_needs() {
     for text in needed {
         assert!(page.contains(text), "{text}");
     }
-    for id in ["verdict", "messages", "errors", "pictures", "parameters", "fit", "frames", "import", "provenance"] {
+    for id in
+        ["verdict", "messages", "errors", "pictures", "parameters", "budget", "fit", "frames", "import", "provenance"]
+    {
         assert!(page.contains(&format!("<section id=\"{id}\">")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
     }
-    // six of the errors, three of the parameters, two of the residuals, one of the singular values
-    assert_eq!(page.matches("<svg").count(), 12);
+    // six of the errors, three of the parameters, one of the budget, two of the residuals, one of the singular values
+    assert_eq!(page.matches("<svg").count(), 13);
 }
 
 #[test]
@@ -168,7 +170,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
     documents.errors[0].at_mm[2] = 100.0;
     let page = page(&documents);
     assert!(page.contains("Position error before calibration, xz plane") && page.contains("z in mm"));
-    assert_eq!(page.matches("<svg").count(), 15);
+    assert_eq!(page.matches("<svg").count(), 16);
 }
 
 #[test]
