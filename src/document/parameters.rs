@@ -3,8 +3,8 @@
 use super::Provenance;
 use crate::base::message::Message;
 use crate::base::sketch::Sketch;
-pub use crate::math::robots::Role;
 use crate::math::identify::{Replicates, ResidualKind, UncertaintyFrom, UncertaintySource};
+pub use crate::math::robots::Role;
 use crate::math::solve::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,9 +1,8 @@
 //! Shares of the sources in the variance of each parameter, as bars.
 
 use super::svg::{COLOURS, Svg};
-use crate::document::{ParameterEntry, ParametersDocument};
+use crate::document::{ParameterEntry, ParametersDocument, UncertaintySource};
 use crate::report::model::Figure;
-use crate::report::sections::budget;
 use crate::report::words::Words;
 
 const WIDTH: f64 = 780.0;
@@ -16,8 +15,12 @@ const LETTERS: usize = 14;
 /// A share in which its number is written.
 const WRITTEN: f64 = 0.08;
 
-/// One bar for each parameter; none where there is one source alone.
-pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -> Option<Figure> {
+/// One bar for each parameter, its sources by their names; none where there is one source alone.
+pub(in crate::report) fn picture(
+    document: &ParametersDocument,
+    name_of: fn(UncertaintySource) -> &'static str,
+    words: &Words,
+) -> Option<Figure> {
     let sources = &document.budget;
     let all: Vec<(usize, &ParameterEntry)> = document.identified().enumerate().collect();
     let all = &all[all.len().saturating_sub(MOST)..];
@@ -41,7 +44,7 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
         for (j, square) in squares.iter().enumerate().filter(|(_, square)| **square > 0.0) {
             let share = square / whole;
             let percent = format!("{:.0} %", 100.0 * share);
-            let source = words.say(budget::name(sources[j].source));
+            let source = words.say(name_of(sources[j].source));
             let size = (along(from + share) - along(from), ROW - 4.0);
             svg.bar((along(from), y), size, COLOURS[j], &format!("{}: {source} {percent}", p.name));
             if share >= WRITTEN {
@@ -52,7 +55,7 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
     }
     let mut x = left;
     for (j, source) in sources.iter().enumerate() {
-        let name = words.say(budget::name(source.source));
+        let name = words.say(name_of(source.source));
         svg.bar((x, legend - 10.0), (12.0, 12.0), COLOURS[j], "");
         svg.text("", (x + 17.0, legend), &name);
         x += 30.0 + 7.2 * name.chars().count() as f64;

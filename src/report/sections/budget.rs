@@ -5,7 +5,7 @@ use crate::document::{
     UncertaintySource as Source,
 };
 use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Section, Table, significant, term};
+use crate::report::model::{Block, Cell, Columns, Section, Table, shown, significant, term};
 use crate::report::number;
 use crate::report::plots::shares;
 use crate::report::words::Words;
@@ -24,13 +24,13 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     }
     section.push(Block::Table(figures));
     section.push(Block::facts(sources(parameters, words)));
-    section.figures(shares::picture(parameters, words));
+    section.figures(shares::picture(parameters, name, words));
     section.push(Block::text(repeats(parameters, words)));
     Some(section)
 }
 
 /// The name of a source.
-pub(in crate::report) fn name(source: Source) -> &'static str {
+fn name(source: Source) -> &'static str {
     match source {
         Source::Instrument => "instrument",
         Source::Contact => "contact",
@@ -77,14 +77,22 @@ fn table(document: &ParametersDocument, words: &Words) -> Table {
         |(_, p)| p.unit.as_str(),
     );
     let columns = document.budget.iter().fold(start, |columns, source| {
-        let of = |k: usize| source.standard_uncertainties.get(k).copied().filter(|u| *u > 0.0);
-        columns.both(name(source.source), "", move |(k, _)| significant(of(*k), 2))
+        columns.both(name(source.source), "", |(k, p)| {
+            part(source.standard_uncertainties.get(*k).copied(), p.standard_uncertainty, 1.0)
+        })
     });
     let columns =
         columns.both("u (k = 1)", "", |(_, p)| significant(p.standard_uncertainty, 2)).both("largest", "", |(k, _)| {
             largest(&document.budget, *k).map_or(Cell::Missing, |s| term(words, name(s)))
         });
     Table::of(words, &identified, columns).on("Uncertainty budget")
+}
+
+/// A contribution to the second digit of the whole, which is shown `factor` times as large; nothing where that is less.
+fn part(u: Option<f64>, whole: Option<f64>, factor: f64) -> Cell {
+    let whole = whole.map(|u| factor * u);
+    let shows = |u: &f64| whole.is_none_or(|whole| factor * u > 0.005 * whole);
+    shown(u.filter(shows), |u| number::with_uncertainty(factor * u, whole))
 }
 
 /// The source that contributes most to a parameter.
@@ -99,11 +107,14 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     sources.dedup();
     let start = Columns::<FigureBudget>::new().both("figure", "", |f| term(words, figure(f)));
     let columns = sources.into_iter().fold(start, |columns, source| {
-        columns.micrometres(name(source), move |f| {
+        let of = move |f: &FigureBudget| {
             f.contributions.iter().find(|c| c.source == source).map(|c| c.standard_uncertainty_mm)
-        })
+        };
+        let cell = move |f: &FigureBudget| part(of(f), Some(f.standard_uncertainty_mm), 1e3);
+        columns.both(name(source), "mm", cell).shown_in("µm")
     });
-    let columns = columns.micrometres("u (k = 1)", |f| f.standard_uncertainty_mm);
+    let whole = |f: &FigureBudget| part(Some(f.standard_uncertainty_mm), Some(f.standard_uncertainty_mm), 1e3);
+    let columns = columns.both("u (k = 1)", "mm", whole).shown_in("µm");
     Table::of(words, &document.budget, columns).on("Budget of errors")
 }
 

@@ -1,7 +1,7 @@
 //! The sections of a report, one a file: what each contains, and nothing of how it is drawn.
 
 pub(super) mod accuracy;
-pub(super) mod budget;
+mod budget;
 pub(super) mod changes;
 mod compliance;
 mod conditions;
