@@ -2,7 +2,7 @@
 
 use etalon::campaign::Campaign;
 use etalon::run::pipeline::{Evaluated, evaluate};
-use etalon::simulate::{Truth, simulate};
+use etalon::simulate::{Truth, Unmodelled, simulate};
 use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,6 +12,8 @@ use std::path::{Path, PathBuf};
 pub struct Changes<'a> {
     pub campaign: Vec<(&'a str, &'a str)>,
     pub cycles: Option<i64>,
+    /// Errors that no parameter describes.
+    pub unmodelled: Option<Unmodelled>,
     /// Exports that are taken from the campaign with this seed: what is measured once.
     pub once: Option<(&'a str, u64)>,
 }
@@ -44,6 +46,7 @@ pub fn campaign<T>(name: &str, changes: &Changes, seed: u64, read: impl Fn(&Path
     fs::write(&path, text).expect("campaign");
     let mut truth = truth(name);
     truth.cycles = changes.cycles.unwrap_or(truth.cycles);
+    truth.unmodelled.clone_from(&changes.unmodelled);
     let campaign = Campaign::read(here).expect("campaign");
     let mut write = |seed: u64| {
         truth.seed = seed;

@@ -1,7 +1,7 @@
 //! Chapter 2: the PreXYT's repeatability, and its calibration by geometry alone.
 
 use crate::campaigns::{Changes, campaigns, truth};
-use crate::page::{Compared, Comparison, Entry, Spread, Verdict};
+use crate::page::{Compared, Comparison, Entry, Spread, Verdict, exactly};
 use crate::picture::{Form, Picture, Series};
 use etalon::base::pose::{Pose, Vector};
 use etalon::document::{GeometricDocument, Iso9283Pose};
@@ -151,9 +151,8 @@ fn figure_2_4(_: u64) -> Vec<Entry> {
         let all = corners.iter().map(|p| p[k]);
         all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
     };
-    let cell = |printed: f64, ours: f64, digits: usize| {
-        vec![Compared { printed: Some(printed), ours: Spread::exactly(ours), digits }]
-    };
+    let cell =
+        |printed: f64, ours: f64, digits: usize| vec![Compared { printed: Some(printed), ours: exactly(ours), digits }];
     let closed = |name: &str, points: Vec<[f64; 2]>| Series { name: name.into(), points, form: Form::Closed };
     let picture = Picture {
         title: "Positions of C reached with an orientation".into(),

@@ -1,33 +1,14 @@
 //! What the page is made of: entries with printed and computed values side by side, drawn as Markdown and as HTML.
 
+pub use etalon::document::Spread;
 use std::fmt::Write;
 
 /// Share of the values outside their intervals up to which an entry agrees: 95 % intervals leave one in twenty to chance.
 const OUTSIDE: f64 = 0.1;
 
-/// Share of the draws that an interval leaves out at either end.
-const TAIL: f64 = 0.025;
-
-/// Median and 95 % interval over draws.
-#[derive(Clone, Copy, Debug)]
-pub struct Spread {
-    pub low: f64,
-    pub median: f64,
-    pub high: f64,
-}
-
-impl Spread {
-    pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
-        let mut values: Vec<f64> = values.into_iter().collect();
-        values.sort_by(f64::total_cmp);
-        let last = values.len().saturating_sub(1);
-        let at = |share: f64| values.get((share * last as f64).round() as usize).copied().unwrap_or(f64::NAN);
-        Self { low: at(TAIL), median: at(0.5), high: at(1.0 - TAIL) }
-    }
-
-    pub fn exactly(value: f64) -> Self {
-        Self { low: value, median: value, high: value }
-    }
+/// A value that is not drawn.
+pub fn exactly(value: f64) -> Spread {
+    Spread { low: value, median: value, high: value }
 }
 
 /// A printed value beside ours.

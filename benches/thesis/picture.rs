@@ -125,13 +125,14 @@ fn draw(
     let places: Vec<(f64, f64)> = series.points.iter().map(at).collect();
     let path = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect::<Vec<_>>().join(" ");
     match series.form {
-        Form::Closed => drop(writeln!(
+        Form::Closed => drop_result(writeln!(
             out,
             "<polygon points=\"{path}\" fill=\"{colour}\" fill-opacity=\"0.12\" stroke=\"{colour}\"/>"
         )),
-        Form::Line => {
-            drop(writeln!(out, "<polyline points=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.6\"/>"))
-        }
+        Form::Line => drop_result(writeln!(
+            out,
+            "<polyline points=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.6\"/>"
+        )),
         Form::Marks => places.iter().for_each(|(x, y)| {
             let _ = writeln!(
                 out,
@@ -150,6 +151,9 @@ fn draw(
     }
 }
 
+/// Writing to a text cannot fail.
+fn drop_result(_: std::fmt::Result) {}
+
 fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
     let rough = (high - low) / 5.0;
     let power = 10f64.powf(rough.log10().floor());
@@ -160,5 +164,5 @@ fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
 
 fn short(value: f64) -> String {
     let text = format!("{value:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').replace("-0", "-0").to_owned()
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

@@ -21,6 +21,7 @@ mod report;
 mod run;
 mod schema;
 mod simulate;
+mod study;
 mod text_format;
 mod validate;
 mod verify;
@@ -70,6 +71,7 @@ enum Command {
     Compare(compare::Compare),
     Export(export::Export),
     Simulate(simulate::Simulate),
+    Study(study::Study),
     Schema(schema::Schema),
 }
 
@@ -108,6 +110,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Compare(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Simulate(command) => command.run(),
+        Command::Study(command) => command.run(),
         Command::Schema(command) => command.run(),
     };
     match result {

@@ -1,6 +1,6 @@
 //! `etalon simulate`
 
-use super::{Verdict, print_written};
+use super::{Verdict, print_written, say};
 use crate::campaign::Campaign;
 use crate::simulate::Truth;
 use std::path::PathBuf;
@@ -26,6 +26,9 @@ impl Simulate {
         let campaign = Campaign::read(&self.campaign)?;
         let mut truth = Truth::read(&self.truth.unwrap_or_else(|| campaign.folder.join("truth.toml")))?;
         truth.seed = self.seed.unwrap_or(truth.seed);
+        for stated in truth.unmodelled.iter().flat_map(|unmodelled| unmodelled.stated()) {
+            say(format_args!("not in any parameter: {stated}"));
+        }
         print_written(crate::simulate::simulate(&campaign, &truth)?, self.json)?;
         Ok(Verdict::Met)
     }

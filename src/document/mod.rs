@@ -20,6 +20,7 @@ mod parameters;
 mod plan;
 mod recommendation;
 pub mod schema;
+mod study;
 mod verification;
 
 pub use accuracy::*;
@@ -39,6 +40,7 @@ pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;
 pub use recommendation::*;
+pub use study::*;
 pub use verification::*;
 
 use crate::base::message::{Message, Result};

@@ -28,6 +28,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("parameters", schema::<ParametersDocument>()),
         ("plan", schema::<PlanDocument>()),
         ("recommendation", schema::<RecommendationDocument>()),
+        ("study", schema::<StudiesDocument>()),
         ("verification", schema::<VerificationDocument>()),
         ("written", schema::<WrittenDocument>()),
     ]

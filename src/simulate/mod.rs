@@ -6,9 +6,11 @@ mod log;
 mod repeatability;
 pub mod study;
 mod truth;
+mod unmodelled;
 
 pub use repeatability::{Repeating, Scatter};
 pub use truth::{Circle, LabelledPoint, Placement, Poses, Truth, true_values};
+pub use unmodelled::{Interpolation, Unmodelled};
 
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
@@ -87,17 +89,28 @@ impl Scene<'_> {
         let stated = self.campaign.file.contact.map_or(0.0, |c| c.standard_uncertainty_mm());
         let sigma_mm = self.truth.contact_um.map_or(stated, |um| um / 1000.0);
         let found = at.map(|v| v + contact.gaussian(sigma_mm));
-        self.robot.inverse(&self.values, &self.joints[pose], found).ok_or_else(|| {
-            Message::error(format!("pose {}: the true robot does not reach its point {at:?} mm", turn.pose)).into()
-        })
+        let mut stated = self.robot.inverse(&self.values, &self.joints[pose], found).ok_or_else(|| {
+            Message::error(format!("pose {}: the true robot does not reach its point {at:?} mm", turn.pose))
+        })?;
+        let errors = self.joint_errors(turn, &stated);
+        stated.iter_mut().zip(errors).for_each(|(q, error)| *q -= error);
+        Ok(stated)
     }
 
     /// Where a target is in the world at a pose.
     fn target(&self, turn: Turn, target: usize) -> Vector {
-        let q = &self.joints[turn.pose as usize - 1];
-        let mut p = self.robot.position(&self.values, q, target);
+        let mut q = self.joints[turn.pose as usize - 1].clone();
+        let errors = self.joint_errors(turn, &q);
+        q.iter_mut().zip(errors).for_each(|(q, error)| *q += error);
+        let mut p = self.robot.position(&self.values, &q, target);
         p[2] += self.truth.target_height_mm;
-        p
+        self.truth.unmodelled.as_ref().map_or(p, |u| u.moved(self, p, turn.time_s() / 3600.0))
+    }
+
+    /// True minus stated joint values, coming from the pose before.
+    fn joint_errors(&self, turn: Turn, stated: &[f64]) -> Vec<f64> {
+        let before = self.turn((turn.number - 1).max(1)).pose as usize - 1;
+        self.truth.unmodelled.as_ref().map_or_else(Vec::new, |u| u.joint_errors(self, stated, &self.joints[before]))
     }
 }
 
@@ -131,6 +144,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),
     };
     scene.check_reach()?;
+    truth.unmodelled.as_ref().map_or(Ok(()), |u| u.check(&scene))?;
     geometric::check(&scene)?;
     repeatability::check(&scene)?;
     let mut texts = Vec::new();

@@ -1,12 +1,22 @@
 //! Studies: how near parameters and tool of a robot with a known truth come to it, by what is measured (thesis 3.7 and 4.6).
 
-use crate::base::message::{Message, Result};
+use super::truth::{Circle, stated_joints, true_values};
+use crate::base::files;
+use crate::base::message::{Message, Problems, Result};
 use crate::base::noise::Noise;
-use crate::base::pose::{Pose, Vector, minus};
-use crate::math::identify::{Observation, Settings, identify_from};
-use crate::math::robots::{Kinematics, Quantity, Robot};
+use crate::base::pose::{Pose, Vector, minus, norm};
+use crate::base::pose_name::PoseName;
+use crate::campaign::parse;
+use crate::document::{DesignError, DesignParameter, Spread, StudiedDesign};
+use crate::math::identify::{Observation, ResidualKind, Settings, identify_from};
+use crate::math::plan::candidates;
+use crate::math::robots::{Kinematics, Parameter, PlanarPose, Quantity, Robot};
+use crate::stages::table_file::TableFile;
 use rayon::prelude::*;
+use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
+use std::path::Path;
 
 /// Simulated calibrations of one robot.
 pub struct Study<'a> {
@@ -77,12 +87,23 @@ impl Study<'_> {
 }
 
 /// Where poses are commanded and errors counted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Frame {
     /// The robot's own base: the base in the world and the targets cancel.
     Base,
     /// The world: an error of the base in the world is one of the tool.
     World,
+}
+
+impl Frame {
+    /// Which error it is, in words.
+    pub fn error(self) -> &'static str {
+        match self {
+            Self::Base => "true pose of the tool in the base frame minus the commanded one",
+            Self::World => "true pose of the tool in the world minus the commanded one",
+        }
+    }
 }
 
 /// A commanded pose of the tool, and how far from it the robot is.
@@ -123,4 +144,272 @@ impl Landing {
         let rotation_rad = commanded.rotate(commanded.inverse().then(&attained).rotation_vector_rad());
         Some(Self { commanded, error_mm: minus(attained.translation_mm, commanded.translation_mm), rotation_rad })
     }
+}
+
+/// `study.toml`: sets of poses that might be measured, side by side.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StudyFile {
+    /// The robot file, beside this one.
+    pub robot: String,
+    /// Seed of the noise.
+    pub seed: u64,
+    /// Calibrations whose mean is evaluated, and over which three standard deviations are stated.
+    #[serde(default = "five")]
+    pub runs: u64,
+    /// How often that is drawn, for intervals.
+    #[serde(default = "hundred")]
+    pub draws: u64,
+    /// Noise of one coordinate (one standard deviation); several compare instruments.
+    pub noise_um: Vec<f64>,
+    /// What is identified from: targets, or the pose (eq. 3.26).
+    #[serde(default)]
+    pub residuals: ResidualKind,
+    /// Targets of a robot that has none of its own.
+    #[serde(default)]
+    pub targets: Vec<String>,
+    /// Parameters held at their nominal values; `*` replaces any text.
+    #[serde(default)]
+    pub hold: Vec<String>,
+    /// Where poses are commanded and errors counted.
+    pub frame: Frame,
+    /// True parameters by name, in mm, deg and 1; those not given are nominal.
+    pub parameters: BTreeMap<String, f64>,
+    /// Where errors are evaluated.
+    pub workspace: Vec<Places>,
+    /// The sets.
+    #[serde(rename = "set")]
+    pub sets: Vec<Set>,
+}
+
+fn five() -> u64 {
+    5
+}
+
+fn hundred() -> u64 {
+    100
+}
+
+/// A set of poses, by its name.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Set {
+    /// Its name.
+    pub name: String,
+    /// Its poses.
+    pub poses: Vec<Places>,
+}
+
+/// Poses: of a table, by joint values, or on circles, discs and grids. Positions are those of the platform in the base frame, or of the only
+/// target in the world, which all working modes reach that limits allow.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Places {
+    /// Table of poses, in the form of the candidates of `etalon plan`, beside the file.
+    pub file: Option<String>,
+    /// Joint values in mm or deg, and the assembly mode behind them.
+    pub joints: Vec<Vec<f64>>,
+    /// Positions.
+    pub positions_mm: Vec<[f64; 2]>,
+    /// Positions evenly on circles.
+    pub circles: Vec<Circle>,
+    /// Positions evenly in discs (Vogel 1979).
+    pub discs: Vec<Circle>,
+    /// Positions on grids.
+    pub grids: Vec<Grid>,
+    /// Orientations at each position, of a platform; by default 0.
+    pub theta_deg: Vec<f64>,
+}
+
+/// A rectangular grid of positions.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Grid {
+    /// One corner.
+    pub from_mm: [f64; 2],
+    /// The opposite one.
+    pub to_mm: [f64; 2],
+    /// Positions along x and y, at both ends too.
+    pub count: [usize; 2],
+}
+
+impl Grid {
+    fn positions(self) -> impl Iterator<Item = [f64; 2]> {
+        let at = move |k: usize, i: usize| {
+            self.from_mm[k]
+                + (self.to_mm[k] - self.from_mm[k]) * i as f64 / self.count[k].saturating_sub(1).max(1) as f64
+        };
+        (0..self.count[0]).flat_map(move |i| (0..self.count[1]).map(move |j| [at(0, i), at(1, j)]))
+    }
+}
+
+impl Circle {
+    fn in_disc(self) -> impl Iterator<Item = [f64; 2]> {
+        let golden = PI * (3.0 - 5f64.sqrt());
+        (0..self.count).map(move |i| {
+            let radius = 0.5 * self.diameter_mm * ((i as f64 + 0.5) / self.count as f64).sqrt();
+            let (sin, cos) = (golden * i as f64).sin_cos();
+            [self.center_mm[0] + radius * cos, self.center_mm[1] + radius * sin]
+        })
+    }
+}
+
+/// Poses of `robot` as observations of all targets without measurements; tables are read from `folder`.
+///
+/// # Errors
+/// Tables that do not read, positions that a robot is not placed by, and no pose at all.
+pub fn observations(places: &[Places], robot: &dyn Robot, folder: &Path) -> Result<Vec<Observation>> {
+    let mut all: Vec<(PoseName, Vec<f64>)> = Vec::new();
+    for one in places {
+        one.add(robot, folder, &mut all)?;
+    }
+    if all.is_empty() {
+        return Err(Message::error("a set without poses, or none that the robot reaches").into());
+    }
+    let targets = vec![Some([0.0; 3]); robot.targets().len()];
+    let observe = |(k, (pose, joints)): (usize, (PoseName, Vec<f64>))| Observation {
+        pose,
+        cycle: k as i64 + 1,
+        joints,
+        targets: targets.clone(),
+        ..Observation::default()
+    };
+    Ok(all.into_iter().enumerate().map(observe).collect())
+}
+
+impl Places {
+    fn add(&self, robot: &dyn Robot, folder: &Path, all: &mut Vec<(PoseName, Vec<f64>)>) -> Result<()> {
+        let nominal = robot.nominal();
+        if let Some(file) = &self.file {
+            let table = TableFile::read(&folder.join(file))?;
+            let found = candidates::configurations(robot, &table.table).map_err(|problems| table.place(problems))?;
+            all.extend(found.observations.into_iter().map(|o| (o.pose, o.joints)));
+        }
+        let mut next = all.len() as i64;
+        let mut name = || {
+            next += 1;
+            PoseName::from(next)
+        };
+        for q in &self.joints {
+            all.push((name(), stated_joints(robot, q)?));
+        }
+        let circles = self.circles.iter().flat_map(|c| c.positions());
+        let placed = self.positions_mm.iter().copied().chain(circles);
+        let placed = placed
+            .chain(self.discs.iter().flat_map(|d| d.in_disc()))
+            .chain(self.grids.iter().flat_map(|g| g.positions()));
+        let thetas = if self.theta_deg.is_empty() { &[0.0][..] } else { &self.theta_deg };
+        for [x_mm, y_mm] in placed {
+            if let Some(platform) = robot.platform() {
+                for theta in thetas {
+                    let pose = PlanarPose { x_mm, y_mm, theta_rad: theta.to_radians() };
+                    all.push((name(), platform.joints_at(&nominal, pose)));
+                }
+                continue;
+            }
+            let ways = robot.inverse_all(&nominal, [x_mm, y_mm, 0.0]).ok_or_else(|| {
+                Message::error(format!("`{}` is not placed by positions", robot.model()))
+                    .hint("state `joints`, or a table in `file`")
+            })?;
+            let pose = name();
+            all.extend(ways.into_iter().map(|q| (pose, q)));
+        }
+        Ok(())
+    }
+}
+
+impl StudyFile {
+    /// Reads `study.toml`.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn read(path: &Path) -> Result<Self> {
+        parse(&path.display().to_string(), &files::read_text(path)?)
+    }
+
+    /// The tables that its sets name.
+    pub fn tables(&self) -> impl Iterator<Item = &String> {
+        self.sets.iter().flat_map(|set| &set.poses).chain(&self.workspace).filter_map(|places| places.file.as_ref())
+    }
+
+    /// Every set under every noise; `progress` is given the name of each before it is computed.
+    ///
+    /// # Errors
+    /// Poses out of reach, parameters that a set does not determine, and robots without a pose of the tool.
+    pub fn run(&self, robot: &dyn Robot, folder: &Path, mut progress: impl FnMut(&str)) -> Result<Vec<StudiedDesign>> {
+        let arm =
+            robot.kinematics().ok_or_else(|| Message::error(format!("`{}` has no pose of a tool", robot.model())))?;
+        let truth = true_values(robot, &self.parameters)?;
+        let commands = observations(&self.workspace, robot, folder)?;
+        let mut designs = Vec::new();
+        for set in &self.sets {
+            let poses = observations(&set.poses, robot, folder)?;
+            for &noise_um in &self.noise_um {
+                progress(&format!("{}, {noise_um} um", set.name));
+                let settings = Settings {
+                    kind: self.residuals,
+                    standard_uncertainty_mm: Some(noise_um / 1e3),
+                    hold: self.hold.clone(),
+                    ..Settings::default()
+                };
+                let study = Study { robot, truth: &truth, settings, runs: self.runs.max(1), seed: self.seed };
+                let at_set = |mut problems: Problems| {
+                    problems.0.iter_mut().for_each(|m| m.what = format!("set `{}`: {}", set.name, m.what));
+                    problems
+                };
+                let draws = study.draws(&poses, noise_um / 1e3, self.draws.max(1)).map_err(at_set)?;
+                let landings = |p: &[f64]| {
+                    commands.iter().filter_map(|o| Landing::of(arm, &truth, p, self.frame, &o.joints)).collect()
+                };
+                let errors: Vec<Vec<Landing>> = draws.par_iter().map(|d| landings(&d.mean)).collect();
+                designs.push(StudiedDesign {
+                    name: set.name.clone(),
+                    noise_um,
+                    configurations: poses.len(),
+                    parameters: parameters(robot, &truth, &draws),
+                    before: error_spreads(&[landings(&robot.nominal())]),
+                    after: error_spreads(&errors),
+                });
+            }
+        }
+        Ok(designs)
+    }
+}
+
+/// Mean and three standard deviations of every parameter over the draws.
+fn parameters(robot: &dyn Robot, truth: &[f64], draws: &[Draw]) -> Vec<DesignParameter> {
+    let one = |(i, p): (usize, &Parameter)| DesignParameter {
+        name: p.name.clone(),
+        unit: p.quantity.unit().to_owned(),
+        nominal: p.quantity.outward(p.nominal),
+        actual: p.quantity.outward(truth[i]),
+        mean: Spread::of(draws.iter().map(|d| p.quantity.outward(d.mean[i]))),
+        three_standard_deviations: Spread::of(draws.iter().map(|d| 3.0 * p.quantity.outward(d.standard_deviation[i]))),
+    };
+    robot.parameters().iter().enumerate().map(one).collect()
+}
+
+/// Largest and RMS error of position, of each coordinate and of orientation, over the draws.
+fn error_spreads(draws: &[Vec<Landing>]) -> Vec<DesignError> {
+    type Size = fn(&Landing) -> f64;
+    let quantities: [(&str, &str, Size); 5] = [
+        ("position", "mm", |l| norm(l.error_mm)),
+        ("x", "mm", |l| l.error_mm[0]),
+        ("y", "mm", |l| l.error_mm[1]),
+        ("z", "mm", |l| l.error_mm[2]),
+        ("orientation", "deg", |l| norm(l.rotation_rad).to_degrees()),
+    ];
+    let one = |(quantity, unit, size): (&str, &str, Size)| {
+        let largest = |all: &Vec<Landing>| all.iter().map(|l| size(l).abs()).fold(0.0, f64::max);
+        let rms =
+            |all: &Vec<Landing>| (all.iter().map(|l| size(l).powi(2)).sum::<f64>() / all.len().max(1) as f64).sqrt();
+        DesignError {
+            quantity: quantity.to_owned(),
+            unit: unit.to_owned(),
+            rms: Spread::of(draws.iter().map(rms)),
+            max: Spread::of(draws.iter().map(largest)),
+        }
+    };
+    let all = quantities.map(one);
+    all.into_iter().filter(|e| e.max.high > 0.0).collect()
 }

@@ -44,6 +44,8 @@ pub struct Truth {
     pub geometric: Option<Setup>,
     /// How the robot repeats where a trajectory visits its poses again and again.
     pub repeatability: Option<super::Repeating>,
+    /// Errors that no parameter describes; without them errors after calibration come out too good.
+    pub unmodelled: Option<super::Unmodelled>,
     /// Poses, numbered from 1 in the order given.
     pub poses: Vec<Poses>,
 }
@@ -118,6 +120,27 @@ pub struct Circle {
     pub count: usize,
 }
 
+impl Circle {
+    pub(super) fn positions(self) -> impl Iterator<Item = [f64; 2]> {
+        let radius = 0.5 * self.diameter_mm;
+        (0..self.count).map(move |i| {
+            let angle = std::f64::consts::TAU * i as f64 / self.count as f64;
+            [self.center_mm[0] + radius * angle.cos(), self.center_mm[1] + radius * angle.sin()]
+        })
+    }
+}
+
+/// Joint values in mm or deg, and the assembly mode behind them of robots that have several, in mm and rad.
+pub(super) fn stated_joints(robot: &dyn Robot, q: &[f64]) -> Result<Vec<f64>> {
+    let count = robot.joints().len() + usize::from(robot.has_assembly_modes());
+    if q.len() != count {
+        let what = format!("a pose has {} joint values, the robot {count} joints", q.len());
+        return Err(Message::error(what).into());
+    }
+    let inward = |(i, q): (usize, &f64)| robot.joints().get(i).map_or(*q, |j| j.quantity.inward(*q));
+    Ok(q.iter().enumerate().map(inward).collect())
+}
+
 impl Poses {
     /// Number of poses.
     fn count(&self) -> usize {
@@ -159,28 +182,15 @@ impl Truth {
         let mut all = Vec::new();
         for poses in &self.poses {
             for q in &poses.joints {
-                // the assembly mode is behind the joints of robots that have several
-                let count = robot.joints().len() + usize::from(robot.has_assembly_modes());
-                if q.len() != count {
-                    let what = format!("a pose has {} joint values, the robot {count} joints", q.len());
-                    return Err(Message::error(what).into());
-                }
-                let inward = |(i, q): (usize, &f64)| robot.joints().get(i).map_or(*q, |j| j.quantity.inward(*q));
-                all.push(q.iter().enumerate().map(inward).collect());
+                all.push(stated_joints(robot, q)?);
             }
             for circle in &poses.circles {
                 let platform = robot
                     .platform()
                     .ok_or_else(|| Message::error("`circles` are for planar robots").hint("use `joints`"))?;
-                for i in 0..circle.count {
-                    let angle = std::f64::consts::TAU * i as f64 / circle.count as f64;
-                    let radius = 0.5 * circle.diameter_mm;
+                for [x_mm, y_mm] in circle.positions() {
                     for theta in &poses.theta_deg {
-                        let pose = PlanarPose {
-                            x_mm: circle.center_mm[0] + radius * angle.cos(),
-                            y_mm: circle.center_mm[1] + radius * angle.sin(),
-                            theta_rad: theta.to_radians(),
-                        };
+                        let pose = PlanarPose { x_mm, y_mm, theta_rad: theta.to_radians() };
                         // what a controller logs: rounded to 0.1 um
                         let q = platform.joints_at(&robot.nominal(), pose);
                         all.push(q.iter().map(|q| (q * 1e4).round() / 1e4).collect());

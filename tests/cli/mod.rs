@@ -15,6 +15,7 @@ mod platforms;
 mod report;
 mod reports;
 mod streams;
+mod study;
 mod tables;
 mod verdict;
 

@@ -1,0 +1,84 @@
+//! `etalon study`
+
+use super::{Verdict, print, say};
+use crate::base::files;
+use crate::campaign::read_robot;
+use crate::document::{Provenance, Spread, StudiesDocument, to_json};
+use crate::simulate::study::StudyFile;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Compare sets of poses and instruments before anything is measured, by simulated calibrations
+#[derive(Debug, clap::Args)]
+pub struct Study {
+    /// What is studied: robot, truth, noise, sets of poses, workspace
+    study: PathBuf,
+    /// Print the answer as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Study {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let file = StudyFile::read(&self.study)?;
+        let folder = self.study.parent().unwrap_or(Path::new("."));
+        let robot_path = folder.join(&file.robot);
+        let robot = read_robot(&robot_path)?.build(&file.targets)?;
+        let designs = file.run(robot.as_ref(), folder, |name| say(format_args!("{name}: {} draws", file.draws)))?;
+        let tables = file.tables().map(|table| folder.join(table));
+        let inputs: Vec<PathBuf> = [self.study.clone(), robot_path].into_iter().chain(tables).collect();
+        let document = StudiesDocument {
+            schema: "etalon/study/1".to_owned(),
+            robot: robot.model().to_owned(),
+            error: file.frame.error().to_owned(),
+            runs: file.runs,
+            draws: file.draws,
+            designs,
+            provenance: Provenance {
+                version: env!("CARGO_PKG_VERSION").to_owned(),
+                inputs: files::sha256_of(&inputs)?,
+                seed: Some(file.seed),
+            },
+        };
+        print(if self.json { to_json(&document)? } else { text(&document).into_bytes() })?;
+        Ok(Verdict::Met)
+    }
+}
+
+/// The answer for a terminal: errors of all sets, then their parameters.
+fn text(document: &StudiesDocument) -> String {
+    let mut out = format!(
+        "Error: {}.\nMean of {} calibrations, {} draws: median [95 % of the draws].\n\n",
+        document.error, document.runs, document.draws
+    );
+    let shown = |s: &Spread| format!("{:.4} [{:.4}, {:.4}]", s.median, s.low, s.high);
+    let _ =
+        writeln!(out, "{:<22}{:>9}  {:<12}{:<5}{:>12}  {:<28}max", "set", "noise um", "error", "", "before RMS", "RMS");
+    for d in &document.designs {
+        for e in &d.after {
+            let before = d.before.iter().find(|b| b.quantity == e.quantity).map_or(f64::NAN, |b| b.rms.median);
+            let (rms, max) = (shown(&e.rms), shown(&e.max));
+            let _ = writeln!(
+                out,
+                "{:<22}{:>9}  {:<12}{:<5}{before:>12.4}  {rms:<28}{max}",
+                d.name, d.noise_um, e.quantity, e.unit
+            );
+        }
+    }
+    let _ = writeln!(
+        out,
+        "\n{:<22}{:>9}  {:<18}{:<5}{:>12}  {:<34}3 s",
+        "set", "noise um", "parameter", "", "actual", "mean"
+    );
+    for d in &document.designs {
+        for p in &d.parameters {
+            let (mean, three) = (shown(&p.mean), shown(&p.three_standard_deviations));
+            let _ = writeln!(
+                out,
+                "{:<22}{:>9}  {:<18}{:<5}{:>12.4}  {mean:<34}{three}",
+                d.name, d.noise_um, p.name, p.unit, p.actual
+            );
+        }
+    }
+    out
+}

@@ -1,0 +1,101 @@
+//! Errors of a simulated robot that no parameter of its model describes: what calibration leaves behind.
+
+use super::Scene;
+use crate::base::message::{Message, Result};
+use crate::base::noise::Noise;
+use crate::base::pose::Vector;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Stream of the noise of homing: no file has it.
+const ZEROS: u64 = 1 << 35;
+
+/// `[unmodelled]` of a truth. Joints by name; theirs are in mm or deg.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Unmodelled {
+    /// Lost motion of a joint: between where it stands after a move up and after one down.
+    pub backlash: BTreeMap<String, f64>,
+    /// Periodic error of an encoder.
+    pub interpolation: BTreeMap<String, Interpolation>,
+    /// Standard deviation of the zero of a joint, drawn once for the campaign.
+    pub homing: BTreeMap<String, f64>,
+    /// Growth of all distances from the base in an hour of the log, µm for each metre.
+    pub growth_um_per_m_h: f64,
+    /// How far a robot in space sinks one metre from its base, µm; elsewhere with the third power of the distance (a cantilever).
+    pub bending_um_at_1_m: f64,
+}
+
+/// Error of an encoder between the lines of its scale: a sine of its value.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Interpolation {
+    /// Largest error.
+    pub amplitude: f64,
+    /// Travel after which it repeats.
+    pub period: f64,
+}
+
+impl Unmodelled {
+    /// What it adds, for whoever reads the simulated files.
+    pub fn stated(&self) -> Vec<String> {
+        let named =
+            |what: &str, joints: Vec<String>| (!joints.is_empty()).then(|| format!("{what} {}", joints.join(", ")));
+        let plain = |joints: &BTreeMap<String, f64>| joints.iter().map(|(name, v)| format!("{name} {v}")).collect();
+        let periodic = |(name, i): (&String, &Interpolation)| format!("{name} {} every {}", i.amplitude, i.period);
+        let one = |what: &str, value: f64| (value != 0.0).then(|| what.replace("{}", &value.to_string()));
+        let all = [
+            named("backlash", plain(&self.backlash)),
+            named("encoder interpolation", self.interpolation.iter().map(periodic).collect()),
+            named("homing (standard deviation)", plain(&self.homing)),
+            one("thermal growth {} um for each metre and hour", self.growth_um_per_m_h),
+            one("bending {} um one metre from the base", self.bending_um_at_1_m),
+        ];
+        all.into_iter().flatten().collect()
+    }
+
+    /// Refuses joints that the robot does not have, and periods of zero.
+    pub(super) fn check(&self, scene: &Scene) -> Result<()> {
+        let names = || scene.robot.joints().iter().map(|j| j.name.as_str());
+        let stated = self.backlash.keys().chain(self.interpolation.keys()).chain(self.homing.keys());
+        if let Some(name) = stated.into_iter().find(|name| names().all(|n| n != name.as_str())) {
+            let message = Message::error(format!("[unmodelled] names `{name}`, which is not a joint of this robot"));
+            return Err(message.hint_names(name, names()).into());
+        }
+        if let Some((name, _)) = self.interpolation.iter().find(|(_, i)| i.period <= 0.0 || i.period.is_nan()) {
+            return Err(Message::error(format!("[unmodelled] `period` of `{name}` must be positive")).into());
+        }
+        Ok(())
+    }
+
+    /// True minus stated joint values (mm, rad) at `stated`, to which the robot came from `before`.
+    pub(super) fn joint_errors(&self, scene: &Scene, stated: &[f64], before: &[f64]) -> Vec<f64> {
+        let mut zeros = Noise::new(scene.truth.seed, ZEROS);
+        let joints = scene.robot.joints().iter().zip(stated.iter().zip(before));
+        let error = |(joint, (q, from)): (_, (&f64, &f64))| {
+            let joint: &crate::math::robots::Joint = joint;
+            let of = |all: &BTreeMap<String, f64>| all.get(&joint.name).map_or(0.0, |v| joint.quantity.inward(*v));
+            let lag = if q == from { 0.0 } else { -0.5 * (q - from).signum() * of(&self.backlash) };
+            let wave = self.interpolation.get(&joint.name).map_or(0.0, |i| {
+                let phase = TAU * joint.quantity.outward(*q) / i.period;
+                joint.quantity.inward(i.amplitude) * phase.sin()
+            });
+            lag + wave + zeros.gaussian(of(&self.homing))
+        };
+        joints.map(error).collect()
+    }
+
+    /// A point in the world as heat and weight move it, mm, `hours` after the begin.
+    pub(super) fn moved(&self, scene: &Scene, point: Vector, hours: f64) -> Vector {
+        let base = scene.robot.kinematics().and_then(|k| k.base_in_world(&scene.values));
+        let base = base.map_or([0.0; 3], |base| base.translation_mm);
+        let growth = 1e-6 * self.growth_um_per_m_h * hours;
+        let mut p = [0, 1, 2].map(|k| point[k] + growth * (point[k] - base[k]));
+        if scene.robot.dimension() == 3 {
+            let reach_m = (point[0] - base[0]).hypot(point[1] - base[1]) / 1e3;
+            p[2] -= 1e-3 * self.bending_um_at_1_m * reach_m.powi(3);
+        }
+        p
+    }
+}
