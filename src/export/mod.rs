@@ -16,13 +16,13 @@ mod json;
 mod linuxcnc;
 mod linuxcnc_component;
 mod matlab;
+mod plc;
 mod python;
 mod qif;
 mod reprap_five_bar;
 mod targets;
 #[cfg(test)]
 mod tests;
-mod twincat;
 mod universal_robots;
 mod urdf;
 mod xml;
@@ -173,7 +173,7 @@ impl<'a> Given<'a> {
 }
 
 /// Formats of all robots come first: those that are written where none is named.
-const EXPORTERS: [(&str, &dyn Exporter); 23] = [
+const EXPORTERS: [(&str, &dyn Exporter); 25] = [
     ("json", &json::Json),
     ("csv", &csv::Csv),
     ("c-header", &c_header::CHeader),
@@ -184,7 +184,9 @@ const EXPORTERS: [(&str, &dyn Exporter); 23] = [
     ("dcc", &dcc::Dcc),
     ("qif", &qif::Qif),
     ("galil", &galil::Galil),
-    ("twincat", &twincat::TwinCat),
+    ("twincat", &plc::TwinCat),
+    ("plcopen", &plc::PlcOpen),
+    ("siemens-scl", &plc::Scl),
     ("urdf", &urdf::Urdf),
     ("universal-robots", &universal_robots::UniversalRobots),
     ("linuxcnc", &linuxcnc::LinuxCnc),

@@ -291,6 +291,35 @@ fn a_list_of_twincat_reads_back_bit_for_bit() {
     assert_eq!((hostile.matches("]]>").count(), hostile.matches("END_VAR").count()), (1, 1), "{hostile}");
 }
 
+/// An independent reader of XML, and lines of a data block.
+#[test]
+#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
+fn constants_of_plcs_read_back_bit_for_bit() {
+    let hostile = "*) // \" ' END_STRUCT; <x> --> & \n";
+    let mut document = numbers();
+    document.parameters.push(parameter(hostile, "mm", 1.0));
+    let scl = text("siemens-scl", &document);
+    let values =
+        scl.lines().filter_map(|line| line.split_once(" : LReal := ")).map(|(_, v)| v.split(';').next().unwrap());
+    let values: Vec<&str> = values.collect();
+    assert!(values.iter().all(|v| v.split('E').next().unwrap().contains('.')), "{values:?}");
+    assert!(scl.is_ascii() && scl.matches("END_STRUCT;").count() == 1, "{scl}");
+    let read: Vec<u64> = values.iter().map(|v| v.parse::<f64>().unwrap().to_bits()).collect();
+    let expected: Vec<u64> = NUMBERS.iter().chain(&[1.0]).map(|v| v.to_bits()).collect();
+    assert_eq!(read, expected);
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("plc.xml"), text("plcopen", &document)).unwrap();
+    let script = "import xml.etree.ElementTree as E\nn = '{http://www.plcopen.org/xml/tc6_0200}'\nr = E.parse('plc.xml').getroot()\n\
+                  for v in r.iter(n + 'variable'): print(v.find('.//' + n + 'simpleValue').get('value'))";
+    let Ok(output) = Command::new("python3").args(["-c", script]).current_dir(folder.path()).output() else {
+        return println!("skipped: there is no `python3`");
+    };
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = String::from_utf8(output.stdout).unwrap();
+    let read: Vec<u64> = read.lines().map(|v| v.parse::<f64>().unwrap().to_bits()).collect();
+    assert_eq!(read, expected);
+}
+
 /// Parameters of a solver that did not converge and of a result that cannot be the robot: each file says so, or is not written.
 #[test]
 fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
