@@ -13,6 +13,7 @@ mod fit_text;
 mod formats;
 mod identify;
 mod init;
+mod iso230;
 mod iso9283;
 mod kinematics;
 mod plan;
@@ -66,6 +67,7 @@ enum Command {
     Kinematics(kinematics::Kinematics),
     Compensate(Box<compensate::Compensate>),
     Plan(plan::Plan),
+    Iso230(iso230::Iso230),
     Iso9283(Box<iso9283::Iso9283>),
     Report(report::Report),
     Compare(compare::Compare),
@@ -105,6 +107,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Kinematics(command) => command.run(),
         Command::Compensate(command) => command.run(),
         Command::Plan(command) => command.run(),
+        Command::Iso230(command) => command.run(),
         Command::Iso9283(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::Compare(command) => command.run(),

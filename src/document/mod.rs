@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod answer;
+mod axis;
 mod batch;
 mod campaign;
 mod compare;
@@ -25,6 +26,7 @@ mod verification;
 
 pub use accuracy::*;
 pub use answer::*;
+pub use axis::*;
 pub use batch::*;
 pub use campaign::*;
 pub use compare::*;

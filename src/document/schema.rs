@@ -18,6 +18,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("frames", schema::<FramesDocument>()),
         ("geometric", schema::<GeometricDocument>()),
         ("import", schema::<ImportDocument>()),
+        ("iso230", schema::<AxisDocument>()),
         ("iso9283", schema::<Iso9283Document>()),
         ("iso9283-compliance", schema::<Iso9283ComplianceDocument>()),
         ("iso9283-plan", schema::<Iso9283PlanDocument>()),

@@ -4,6 +4,7 @@
 //! a number, two parameters of one name, parameters of a solver that did not converge or that cannot be a robot.
 
 mod arrays;
+pub mod axis_tables;
 mod c_header;
 mod code;
 pub mod commands;

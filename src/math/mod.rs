@@ -1,6 +1,7 @@
 //! Mathematics, without files and campaigns: least squares, fits of elements, kinematics, identification, the geometric
 //! method and the choice of poses.
 
+pub mod axis;
 pub mod fit;
 pub mod geometric;
 pub mod identify;

@@ -5,6 +5,7 @@ mod compensate;
 mod fit;
 mod five_bar;
 mod given;
+mod iso230;
 mod iso9283;
 mod iso9283_campaign;
 mod iso9283_commands;

@@ -1,0 +1,105 @@
+//! `etalon iso230`
+
+use super::{Verdict, print};
+use crate::base::message::{Message, Result};
+use crate::base::table;
+use crate::document::{AxisDocument, to_json};
+use crate::export::axis_tables;
+use crate::math::axis::{Approach, AxisPosition, AxisPositioning};
+use crate::stages::table_file::TableFile;
+use std::path::PathBuf;
+
+/// Accuracy and repeatability of positioning of a linear axis (ISO 230-2:2014), and its compensation table
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Table:
+  position_mm (programmed), measured_mm, direction (+1 or -1: from which side the position was approached);
+  each position at least twice in either direction (five times by ISO 230-2)")]
+pub struct Iso230 {
+    /// Table of measured positions (CSV)
+    #[arg(value_name = "TABLE")]
+    table: PathBuf,
+    /// Print this compensation table instead
+    #[arg(long, value_name = "CONTROLLER", conflicts_with = "json")]
+    compensation: Option<Controller>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Controller {
+    /// COMP_FILE of LinuxCNC, with COMP_FILE_TYPE = 0
+    Linuxcnc,
+    /// kw.ssfk of a Beckhoff CNC; its sign is not confirmed on a control
+    Beckhoff,
+}
+
+impl Iso230 {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let file = TableFile::read(&self.table)?;
+        let positions = positions(&file).map_err(|problems| file.place(problems))?;
+        let document =
+            AxisDocument { schema: "etalon/iso230/1".to_owned(), axis: AxisPositioning::new(&positions), positions };
+        match self.compensation {
+            Some(Controller::Linuxcnc) => print(axis_tables::linuxcnc(&document.positions)?)?,
+            Some(Controller::Beckhoff) => {
+                let header =
+                    concat!("Written by etalon ", env!("CARGO_PKG_VERSION"), ", measured minus programmed in 0.1 um");
+                print(axis_tables::beckhoff(&document.positions, header)?)?;
+            }
+            None if self.json => print(to_json(&document)?)?,
+            None => print(text(&document.axis))?,
+        }
+        Ok(Verdict::Met)
+    }
+}
+
+/// Positions in ascending order, each with its runs of either direction.
+fn positions(file: &TableFile) -> Result<Vec<AxisPosition>> {
+    table::require(&file.table, &["position_mm", "measured_mm", "direction"].map(str::to_owned))?;
+    let column = |name: &str| table::numbers(&file.table, name);
+    let (programmed, measured, direction) = (column("position_mm")?, column("measured_mm")?, column("direction")?);
+    if programmed.iter().chain(&measured).any(|v| !v.is_finite()) || direction.iter().any(|d| d.abs() != 1.0) {
+        let message = Message::error("a row has no position, no measured value or no direction");
+        return Err(message.expected("numbers, and +1 or -1 as `direction`").into());
+    }
+    let mut all = programmed.clone();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    if all.is_empty() {
+        return Err(Message::error("the table has no rows").into());
+    }
+    let position = |at: f64| {
+        let runs = |side: f64| {
+            let rows = (0..programmed.len()).filter(|&i| programmed[i] == at && direction[i] == side);
+            let approach = Approach::new(&rows.map(|i| measured[i] - at).collect::<Vec<_>>());
+            approach.ok_or_else(|| {
+                let message = Message::error(format!("position {at} mm has fewer than two runs in direction {side:+}"));
+                message.expected("runs from either side, five by ISO 230-2")
+            })
+        };
+        Ok(AxisPosition::new(at, runs(1.0)?, runs(-1.0)?))
+    };
+    all.into_iter().map(position).collect()
+}
+
+fn text(axis: &AxisPositioning) -> String {
+    let rows = [
+        ("accuracy A", axis.accuracy),
+        ("systematic positioning error E", axis.systematic),
+        ("repeatability R", axis.repeatability),
+    ];
+    let mut out = format!("{:<32}{:>14}{:>14}{:>14}\n", "ISO 230-2:2014, mm", "bidirectional", "positive", "negative");
+    for (name, of) in rows {
+        out += &format!("{name:<32}{:>14.6}{:>14.6}{:>14.6}\n", of.both_mm, of.forward_mm, of.backward_mm);
+    }
+    let single = [
+        ("mean systematic error M", axis.mean_systematic_mm),
+        ("reversal error B", axis.reversal_mm),
+        ("mean reversal error", axis.mean_reversal_mm),
+    ];
+    for (name, value) in single {
+        out += &format!("{name:<32}{value:>14.6}\n");
+    }
+    out
+}

@@ -1,0 +1,71 @@
+//! `etalon iso230`: an axis from its table, and its compensation.
+
+use crate::support::scratch::{Scratch, said};
+use std::process::Command;
+
+const HEAD: &str = "position_mm,measured_mm,direction\n";
+/// Two positions, two runs of either side, in any order.
+const ROWS: &str = "10,10.003,1\n0,0.001,1\n0,0.002,1\n0,-0.001,-1\n0,0,-1\n10,10.005,1\n10,10.001,-1\n10,10.002,-1\n";
+
+fn answer(rows: &str, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let scratch = Scratch::with(&[]);
+    let table = scratch.root().join("axis.csv");
+    std::fs::write(&table, format!("{HEAD}{rows}")).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).arg("iso230").arg(table).args(arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+#[test]
+fn an_axis_has_the_quantities_of_its_table() {
+    let (code, out, err) = answer(ROWS, &["--json"]);
+    assert_eq!(code, Some(0), "{err}");
+    let document: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let close = |value: &serde_json::Value, expected: f64| {
+        assert!((value.as_f64().unwrap() - expected).abs() < 1e-12, "{value} {expected}");
+    };
+    // by hand: means 1.5, 4 (up), -0.5, 1.5 (down) um; s of two runs is half their difference times the root of two
+    close(&document["axis"]["reversal_mm"], 2.5e-3);
+    close(&document["axis"]["mean_reversal_mm"], 2.25e-3);
+    close(&document["axis"]["systematic"]["both_mm"], 4.5e-3);
+    close(&document["axis"]["mean_systematic_mm"], 2.25e-3);
+    close(&document["axis"]["repeatability"]["forward_mm"], 4e-3 * 2f64.sqrt());
+    close(&document["axis"]["accuracy"]["both_mm"], 4.5e-3 + 3e-3 * 2f64.sqrt());
+    let (code, text, _) = answer(ROWS, &[]);
+    assert!(code == Some(0) && text.contains("reversal error B") && text.contains("0.002500"), "{text}");
+}
+
+#[test]
+fn a_compensation_table_holds_the_means_of_both_directions() {
+    let (code, out, err) = answer(ROWS, &["--compensation", "linuxcnc"]);
+    assert_eq!(code, Some(0), "{err}");
+    let rows: Vec<Vec<f64>> =
+        out.lines().map(|l| l.split(' ').map(|v| v.parse().unwrap()).collect::<Vec<f64>>()).collect();
+    for (row, expected) in rows.iter().zip([[0.0, 1.5e-3, -5e-4], [10.0, 10.004, 10.0015]]) {
+        assert!(row.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{out}");
+    }
+    let (_, out, err) = answer(ROWS, &["--compensation", "beckhoff"]);
+    for line in
+        ["kw.ssfk.interval 100000", "kw.ssfk.table[1].pos 40", "kw.ssfk.table[1].neg 15", "kw.ssfk.table[0].neg -5"]
+    {
+        assert!(out.lines().any(|l| l == line), "{line}: {out} {err}");
+    }
+    let uneven = format!("{ROWS}15,15,1\n15,15,1\n15,15,-1\n15,15,-1\n");
+    let (code, _, err) = answer(&uneven, &["--compensation", "beckhoff"]);
+    assert!(code == Some(2) && err.contains("constant distance"), "{err}");
+}
+
+#[test]
+fn tables_that_are_no_test_of_an_axis_are_refused() {
+    for (rows, why) in [
+        ("0,0.001,1\n0,0.002,1\n0,0,-1\n", "position 0 mm has fewer than two runs in direction -1"),
+        ("0,0.001,2\n", "a row has no position"),
+        ("", "no rows"),
+    ] {
+        let (code, _, err) = answer(rows, &[]);
+        assert!(code == Some(2) && err.contains(why), "{rows}: {err}");
+    }
+    let scratch = Scratch::with(&[("axis.csv", "position_mm,direction\n0,1\n")]);
+    let (code, text) = said(&scratch, &["iso230", &scratch.path().join("axis.csv").display().to_string()]);
+    assert!(code == Some(2) && text.contains("measured_mm"), "{text}");
+}
