@@ -14,6 +14,19 @@ pub enum Severity {
     Warning,
 }
 
+/// How much a reader of a report has to care.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Rank {
+    /// Somebody has to act before the result is used.
+    Decide,
+    /// Whoever uses the result should know it.
+    #[default]
+    Know,
+    /// It is as it should be, and stated for completeness.
+    Routine,
+}
+
 /// Where a message points: a file, perhaps a line, perhaps columns of it.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Place {
@@ -38,6 +51,9 @@ pub struct Place {
 pub struct Message {
     /// Error or warning.
     pub severity: Severity,
+    /// How much a reader has to care.
+    #[serde(default)]
+    pub rank: Rank,
     /// What is wrong, in one sentence without a full stop.
     pub what: String,
     /// Where.
@@ -110,12 +126,23 @@ fn floor_boundary(source: &str, index: usize) -> usize {
 impl Message {
     /// An error: the work stops.
     pub fn error(what: impl Into<String>) -> Self {
-        Self { severity: Severity::Error, what: what.into(), place: None, expected: None, hint: None }
+        let (severity, rank) = (Severity::Error, Rank::Decide);
+        Self { severity, rank, what: what.into(), place: None, expected: None, hint: None }
     }
 
     /// A warning: the work goes on.
     pub fn warning(what: impl Into<String>) -> Self {
-        Self { severity: Severity::Warning, ..Self::error(what) }
+        Self { severity: Severity::Warning, rank: Rank::Know, ..Self::error(what) }
+    }
+
+    /// The same message, of which somebody has to act.
+    pub fn to_decide(self) -> Self {
+        Self { rank: Rank::Decide, ..self }
+    }
+
+    /// The same message, stated for completeness.
+    pub fn routine(self) -> Self {
+        Self { rank: Rank::Routine, ..self }
     }
 
     /// The same message with its place.
@@ -182,7 +209,7 @@ const LISTED: usize = 3;
 /// A message without what differs from row to row: names between backticks, and numbers.
 fn shape(what: &str) -> String {
     let outside = what.split('`').step_by(2).collect::<Vec<_>>().join("`");
-    outside.chars().filter(|c| !c.is_ascii_digit() && *c != '.').collect()
+    outside.chars().filter(|c| !c.is_ascii_digit() && !"+-.".contains(*c)).collect()
 }
 
 /// `1 row`, `2 rows`.
@@ -382,6 +409,12 @@ mod tests {
         assert_eq!(grouped.0[0].what, "`v2` is not a number; also in lines 3, 4 and 11990 more rows");
         assert_eq!(grouped.clone().grouped().0, grouped.0);
         assert!(all(4).to_string().contains("also in lines 3, 4 and 1 more row\n"));
+        // signs differ as digits do
+        let signed = |line: usize| {
+            let off = if line % 2 == 0 { "+0.5" } else { "-0.5" };
+            Message::warning(format!("off by {off} mm")).at(Place::line("a.csv", line, ""))
+        };
+        assert_eq!(Problems((1..6).map(signed).collect()).grouped().0.len(), 1);
         // several about one line, and statements
         let columns = |c: usize| Message::error(format!("no column `c{c}`")).at(Place::line("a.csv", 1, ""));
         assert_eq!(Problems((0..9).map(columns).collect()).grouped().0.len(), 9);

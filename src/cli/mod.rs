@@ -27,7 +27,7 @@ mod text_format;
 mod validate;
 mod verify;
 
-use crate::base::message::Message;
+use crate::base::message::{Message, Problems};
 use crate::document::WrittenDocument;
 use crate::report::Faces;
 use crate::stages::table_file;
@@ -156,9 +156,11 @@ fn answer(faces: &Faces, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
     print_with(json.unwrap_or_else(|| faces.terminal().into_bytes()), Verdict::of(faces.is_met()))
 }
 
-/// Remarks for stderr.
+/// Remarks for stderr, those of which somebody has to act first, rows of one kind joined.
 fn remark(messages: &[Message]) {
-    messages.iter().for_each(|message| say(format_args!("{message}\n")));
+    let mut grouped = Problems(messages.to_vec()).grouped().0;
+    grouped.sort_by_key(|message| message.rank);
+    grouped.iter().for_each(|message| say(format_args!("{message}\n")));
 }
 
 /// The files that were written, as lines or as JSON.

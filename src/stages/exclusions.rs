@@ -53,7 +53,7 @@ pub fn exclude(
                 let of_poses = if poses.trim().parse::<i64>().is_ok() { "pose" } else { "poses" };
                 let readings_left_out = count(readings.len(), "reading");
                 let what = format!("excluded: {readings_left_out}{of}, {of_poses} {poses}{cycle}: {reason}");
-                messages.push(Message::warning(what));
+                messages.push(Message::warning(what).routine());
                 excluded.extend(readings);
             }
             Err(message) => problems.0.push(message.at(place.clone())),

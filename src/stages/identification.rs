@@ -251,11 +251,11 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
          with log `{}` {:.3} mm",
         this.name, compared.correlation, this.found.rms, that.name, that.found.rms
     );
-    let hint = match this.name == used {
-        true => format!("identify with log `{}`: name it first", that.name),
-        false => format!("log `{}` is the one to use, as this campaign does", that.name),
-    };
-    Some(Message::warning(what).hint(hint))
+    let message = Message::warning(what);
+    Some(match this.name == used {
+        true => message.to_decide().hint(format!("identify with log `{}`: name it first", that.name)),
+        false => message.routine().hint(format!("log `{}` is the one to use, as this campaign does", that.name)),
+    })
 }
 
 /// Errors where a selection or a table takes none of these poses, or calibration and validation share some.

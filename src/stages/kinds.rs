@@ -155,7 +155,7 @@ pub fn observed(
             "{} give one or two coordinates of their targets, which count by themselves",
             count(partial, "row")
         );
-        messages.push(Message::warning(what));
+        messages.push(Message::warning(what).routine());
     }
     let has_position: BooleanChunked = BooleanChunked::from_iter_values(
         "position".into(),

@@ -1,6 +1,6 @@
 //! The document of an identification: parameters with all that is needed to trust them.
 
-use crate::base::message::{Message, Severity};
+use crate::base::message::Severity;
 use crate::document::*;
 use crate::math::identify::{
     Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status, UncertaintySource,
@@ -52,15 +52,6 @@ pub fn parameters_document(
         written.iter().map(row).collect()
     };
     let covariance = found.covariance.as_ref().map(outward).unwrap_or_default();
-    let mut messages = found.warnings.clone();
-    if !found.groups.is_empty() {
-        messages.push(
-            Message::warning(
-                "of parameters that act alike the last one in the model's list is held at its nominal value",
-            )
-            .hint("name another one under `hold` in [identify] to hold that instead"),
-        );
-    }
     ParametersDocument {
         schema: "etalon/parameters/1".to_owned(),
         robot: robot.model().to_owned(),
@@ -92,7 +83,7 @@ pub fn parameters_document(
             termination: found.termination,
             meaning: found.termination.to_string(),
         },
-        messages,
+        messages: found.warnings.clone(),
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs: inputs.clone(), seed: None },
     }
 }

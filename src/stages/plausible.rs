@@ -133,7 +133,7 @@ fn validation_outliers(errors: &[PointError]) -> Option<Message> {
         named.join(", ")
     );
     let hint = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
-    Some(Message::warning(what).hint(hint))
+    Some(Message::warning(what).to_decide().hint(hint))
 }
 
 /// A warning where lengths, or gains of sliding joints, are all off by one factor: the scale of the measuring system, or a unit.
@@ -164,7 +164,7 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
             1.0 + mean,
             all.len()
         );
-        Message::warning(what).hint("check scale, temperature compensation and unit of the measuring system and of the encoders")
+        Message::warning(what).to_decide().hint("check scale, temperature compensation and unit of the measuring system and of the encoders")
     })
 }
 
@@ -184,7 +184,7 @@ fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Mess
     let p = &robot.parameters()[i];
     let (value, unit) = (p.quantity.outward(found.values[i]), p.quantity.unit());
     let what = format!("`{}` is negative ({value:.5} {unit}): the joint bends against gravity", p.name);
-    Some(Message::warning(what).hint("check `gravity` and the direction of the joint's axis in robot.toml"))
+    Some(Message::warning(what).to_decide().hint("check `gravity` and the direction of the joint's axis in robot.toml"))
 }
 
 /// An error where the nominal robot, at `before`, is further from most measurements than its tolerances allow.

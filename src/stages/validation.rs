@@ -137,6 +137,6 @@ fn worse(accuracy: &AccuracyDocument) -> Option<Message> {
             "the given parameters leave larger errors than the nominal ones: {:.3} instead of {:.3} mm (root mean square)",
             position.after.rms, position.before.rms
         );
-        Message::warning(what).hint("check that they are those of this robot, and whether base and targets are those of this campaign (`--frames`)")
+        Message::warning(what).to_decide().hint("check that they are those of this robot, and whether base and targets are those of this campaign (`--frames`)")
     })
 }

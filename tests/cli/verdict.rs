@@ -64,6 +64,32 @@ fn every_output_has_the_same_sentence() {
     }
 }
 
+/// Twelve parameters of a hexapod are taken up by base and targets, and many are weak: two remarks, of which one is routine.
+#[test]
+fn remarks_that_are_alike_are_one_and_routine_ones_are_in_their_section() {
+    let scratch = copy_sample("hexapod");
+    let run = etalon(scratch.root(), &["run", "campaign"]);
+    let said = String::from_utf8(run.stderr).unwrap();
+    assert!(run.status.success() && said.matches("warning: ").count() == 2, "{said}");
+    let joined = "12 parameters are fixed by the choice of base and targets";
+    assert!(
+        said.find("are weakly identifiable").unwrap() < said.find(joined).unwrap(),
+        "routine ones come last: {said}"
+    );
+    let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+    let section = |id: &str| {
+        let from = html.split_once(&format!("<section id=\"{id}\">")).unwrap().1;
+        from.split_once("</section>").unwrap().0.to_owned()
+    };
+    let (messages, parameters) = (section("messages"), section("parameters"));
+    assert!(messages.contains("Should know") && messages.matches("class=\"box warning\"").count() == 1, "{messages}");
+    assert!(!messages.contains(joined) && parameters.contains(joined) && parameters.contains("Routine remarks"));
+    let mut book = Xlsx::new(Cursor::new(std::fs::read(scratch.path().join("out/report.xlsx")).unwrap())).unwrap();
+    let sheet = book.worksheet_range("Messages").unwrap();
+    let ranks: Vec<String> = sheet.rows().map(|row| row[1].to_string()).collect();
+    assert_eq!(ranks.iter().filter(|rank| *rank == "routine").count(), 1, "{ranks:?}");
+}
+
 #[test]
 fn the_quarter_rule_takes_the_uncertainty_of_a_position() {
     let scratch = copy_sample("pose-test");

@@ -109,7 +109,8 @@ impl NamedTable<'_> {
         let names = self.frame.get_column_names().into_iter().map(|name| name.as_str());
         let others: Vec<&str> = names.filter(|name| *name != "line" && !known.contains(name)).collect();
         let quoted: Vec<String> = others.iter().map(|name| format!("`{name}`")).collect();
-        let message = Message::warning(format!("not read: {} {}", count(others.len(), "column"), quoted.join(", ")));
+        let message =
+            Message::warning(format!("not read: {} {}", count(others.len(), "column"), quoted.join(", "))).routine();
         let first = *others.first()?;
         Some(message.at(Place::file(self.file)).hint_names(first, known.iter().copied()))
     }

@@ -248,6 +248,7 @@ impl RobustFit {
             named(&outliers[..outliers.len().min(NAMED_OUTLIERS)]),
         );
         Message::warning(what)
+            .to_decide()
             .hint("look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]")
     }
 }

@@ -4,6 +4,7 @@ use super::residuals::Residuals;
 use crate::base::message::Message;
 use crate::math::robots::{Quantity, Robot};
 use crate::math::solve::{Factor, Problem, Svd, svd};
+use std::collections::BTreeSet;
 
 /// Singular values of the Jacobian and the indices made of them (eq. 1.19 to 1.25).
 ///
@@ -190,21 +191,36 @@ fn indices(svd: &Svd, poses: usize) -> Option<[f64; 5]> {
     all.iter().all(|o| o.is_finite()).then_some(all)
 }
 
-pub(super) fn weak_message(robot: &dyn Robot, weak: &WeakGroup) -> Message {
-    let parameters: Vec<_> = weak.parameters.iter().map(|&i| &robot.parameters()[i]).collect();
-    let names: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
-    let say = |(p, &u): (&&crate::math::robots::Parameter, &f64)| match p.quantity {
-        Quantity::Ratio => format!("u({}) = {u:.2e}", p.name),
-        quantity => format!("u({}) = {:.3} {}", p.name, quantity.outward(u), quantity.unit()),
+/// One message of all parameters that are weakly identifiable.
+pub(super) fn weak_message(robot: &dyn Robot, weak: &[WeakGroup]) -> Option<Message> {
+    let parameters = robot.parameters();
+    let u = |(&i, &u): (&usize, &f64)| match parameters[i].quantity {
+        Quantity::Ratio => format!("u({}) = {u:.2e}", parameters[i].name),
+        quantity => format!("u({}) = {:.3} {}", parameters[i].name, quantity.outward(u), quantity.unit()),
     };
-    let uncertainties: Vec<String> = parameters.iter().zip(&weak.standard_uncertainties).map(say).collect();
-    let what = format!(
-        "`{}` are weakly identifiable from these poses: predicted standard uncertainties {} (correlation {:.6})",
-        names.join("` and `"),
-        uncertainties.join(", "),
-        weak.correlation
-    );
-    let remedy =
-        robot.remedy(&names).unwrap_or("measure poses in which these parameters act differently, or hold one of them");
-    Message::warning(what).hint(remedy)
+    let names = |w: &WeakGroup| w.parameters.iter().map(|&i| parameters[i].name.as_str()).collect::<Vec<_>>();
+    let what = match weak {
+        [] => return None,
+        [w] => format!(
+            "`{}` are weakly identifiable from these poses: predicted standard uncertainties {} (correlation {:.6})",
+            names(w).join("` and `"),
+            w.parameters.iter().zip(&w.standard_uncertainties).map(u).collect::<Vec<_>>().join(", "),
+            w.correlation
+        ),
+        several => {
+            let groups: Vec<String> = several.iter().map(|w| format!("`{}`", names(w).join("` and `"))).collect();
+            format!(
+                "{} groups of parameters are weakly identifiable from these poses: {}; their standard uncertainties are large, and cancel \
+                 each other where these poses are",
+                groups.len(),
+                groups.join("; ")
+            )
+        }
+    };
+    let remedies: BTreeSet<&str> = weak.iter().filter_map(|w| robot.remedy(&names(w))).collect();
+    let remedy = match remedies.is_empty() {
+        true => "measure poses in which these parameters act differently, or hold one of them".to_owned(),
+        false => remedies.into_iter().collect::<Vec<_>>().join("; "),
+    };
+    Some(Message::warning(what).hint(remedy))
 }

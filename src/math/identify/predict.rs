@@ -3,7 +3,7 @@
 use super::identifiability::{Analysis, Group, RANK_TOLERANCE};
 use super::observability::{Observability, WeakGroup, observe, weak_message};
 use super::residuals::Residuals;
-use super::uncertainty::held_message;
+use super::uncertainty::held_messages;
 use super::{Observation, Settings, wanted_parameters};
 use crate::base::message::{Message, Result};
 use crate::base::pose_name::PoseName;
@@ -55,7 +55,7 @@ pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &S
     }
     jacobian.iter_mut().for_each(|j| *j *= problem.unit);
     let rows = observations.iter().map(|o| robot.dimension() * o.targets.iter().flatten().count()).collect();
-    let messages = groups.iter().map(|g| held_message(robot, g)).collect();
+    let messages = held_messages(robot, &groups);
     Ok(Sensitivity { free, groups, jacobian, rows, messages })
 }
 
@@ -81,7 +81,7 @@ pub fn predict(
     })?;
     let observed = observe(&problem, &x, &factor, &scale, Some(&covariance));
     let (observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
-    let messages = weak.iter().map(|w| weak_message(robot, w)).collect();
+    let messages = weak_message(robot, &weak).into_iter().collect();
     Ok(Prediction { observability, weak, covariance, messages })
 }
 

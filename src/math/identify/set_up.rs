@@ -363,7 +363,7 @@ pub fn moved_between(robot: &dyn Robot, observations: &[Observation], values: &[
             shift[2],
             100.0 * explained
         );
-        Message::warning(what).hint("base or measuring system has moved in between: identify the parts by themselves, or measure again")
+        Message::warning(what).to_decide().hint("base or measuring system has moved in between: identify the parts by themselves, or measure again")
     })
 }
 

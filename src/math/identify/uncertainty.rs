@@ -13,7 +13,7 @@ use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
 use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
-use crate::math::robots::{Quantity, Robot};
+use crate::math::robots::{Quantity, Robot, Role};
 use crate::math::solve::{Factor, Problem, Solution, column_norms};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
 use schemars::JsonSchema;
@@ -118,8 +118,8 @@ pub(super) fn with_uncertainty(
         o.held_singular_values = held_singular_values(&all, &values, o);
     }
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
-    warnings.extend(groups.iter().map(|g| held_message(robot, g)));
-    warnings.extend(weak.iter().map(|w| weak_message(robot, w)));
+    warnings.extend(held_messages(robot, &groups));
+    warnings.extend(weak_message(robot, &weak));
     let status = |i| match () {
         () if problem.free.contains(&i) => Status::Identified,
         () if wanted.contains(&i) => Status::NotIdentifiable,
@@ -295,7 +295,34 @@ fn rejection(chi_square: f64, dof: usize, inflation_factor: f64, from: Uncertain
     .hint("the robot has errors that the model does not describe, or the stated uncertainty is too small")
 }
 
-pub(super) fn held_message(robot: &dyn Robot, group: &Group) -> Message {
+/// Messages of what is held; what only the choice of base and targets fixes is one of them.
+pub(super) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Message> {
+    let parameters = robot.parameters();
+    let of_robot = |i: usize| parameters[i].role == Role::Robot;
+    let by_frames =
+        |g: &&Group| g.useless_uncertainty.is_none() && of_robot(g.held) && g.with.iter().any(|&i| !of_robot(i));
+    let (frames, others): (Vec<&Group>, Vec<&Group>) = groups.iter().partition(by_frames);
+    let joined = match &frames[..] {
+        [] => None,
+        [one] => Some(held_message(robot, one)),
+        several => {
+            let names: Vec<&str> = several.iter().map(|g| parameters[g.held].name.as_str()).collect();
+            let what = format!(
+                "{} parameters are fixed by the choice of base and targets, from which they are not separately identifiable: `{}` are \
+                 held at their nominal values",
+                names.len(),
+                names.join("`, `")
+            );
+            Some(Message::warning(what))
+        }
+    };
+    let hint = "of parameters that act alike the last one in the model's list is held: name another one under `hold` in [identify] to hold \
+                that instead";
+    let joined = joined.map(|message| message.hint(hint).routine());
+    joined.into_iter().chain(others.into_iter().map(|g| held_message(robot, g))).collect()
+}
+
+fn held_message(robot: &dyn Robot, group: &Group) -> Message {
     let held = &robot.parameters()[group.held];
     let names = group.with.iter().take(NAMED).map(|&i| robot.parameters()[i].name.as_str());
     let (name, mut names) = (&held.name, names.collect::<Vec<&str>>().join("`, `"));

@@ -158,7 +158,7 @@ pub fn weigh(observations: &[Observation], dimension: usize, settings: &mut Sett
         format!("{} of {readings} readings", stated.len())
     };
     let what = format!("{which} weigh by their own standard uncertainties, {least:.4} to {most:.4} mm a coordinate");
-    Ok(Some(Message::warning(what)))
+    Ok(Some(Message::warning(what).routine()))
 }
 
 fn root_mean_square(all: impl Iterator<Item = f64> + Clone) -> Option<f64> {

@@ -26,6 +26,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .sheet("key", "", |u| u.key.as_str())
         .sheet("reason", "", |u| u.reason.as_str());
     section.push(Block::Table(Table::of(words, &report.import.unmatched, columns).on("Without partner")));
+    section.push(super::messages::routine(&report.import.messages, words));
     section.whole()
 }
 

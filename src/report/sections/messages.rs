@@ -1,26 +1,57 @@
 //! Every warning and error, with its place and its remedy.
 
-use crate::base::message::{Message, Severity, one_line};
+use crate::base::message::{Message, Problems, Rank, Severity, one_line};
 use crate::report::Report;
 use crate::report::model::{Block, Columns, Section, Table, Text};
 use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    Some(of(&report.messages(), words))
+    let elsewhere = |m: &&Message| {
+        m.rank == Rank::Routine
+            && report
+                .import
+                .messages
+                .iter()
+                .chain(report.identified.iter().flat_map(|i| &i.parameters.messages))
+                .any(|o| o == *m)
+    };
+    let (_, here): (Vec<&Message>, Vec<&Message>) = report.messages().into_iter().partition(elsewhere);
+    let mut section = of(&here, words);
+    section.data = vec![table(&report.messages(), words)];
+    Some(section)
 }
 
-/// The section of these messages.
+/// The section of these messages: those of which somebody has to act first, rows of one kind joined.
 pub(in crate::report) fn of(messages: &[&Message], words: &Words) -> Section {
     let mut section = Section::new("messages", words.say("Warnings and remarks"));
     if messages.is_empty() {
         section.push(Block::text(words.say("None.")));
     }
-    for m in messages {
-        section.push(notice(m, words));
+    let grouped = Problems(messages.iter().map(|m| (*m).clone()).collect()).grouped();
+    for (rank, title) in [(Rank::Decide, words.say("Decide now")), (Rank::Know, words.say("Should know"))] {
+        let mut of_rank = grouped.0.iter().filter(|m| m.rank == rank).peekable();
+        if of_rank.peek().is_some() {
+            section.push(Block::heading(title));
+        }
+        of_rank.for_each(|m| section.push(notice(m, words)));
     }
+    section.push(routine(&grouped.0, words));
+    section.push(Block::Table(table(messages, words)));
+    section
+}
+
+/// Routine messages, folded.
+pub(super) fn routine(messages: &[Message], words: &Words) -> Block {
+    let blocks = messages.iter().filter(|m| m.rank == Rank::Routine).map(|m| notice(m, words)).collect();
+    Block::Aside { title: words.say("Routine remarks"), blocks }
+}
+
+/// Every message, for the workbook.
+fn table(messages: &[&Message], words: &Words) -> Table {
     let place = |m: &Message| m.place.as_deref().cloned().unwrap_or_default();
     let columns = Columns::<Message>::new()
         .sheet("severity", "", class)
+        .sheet("rank", "", |m| format!("{:?}", m.rank).to_lowercase())
         .sheet("what", "", |m| m.what.as_str())
         .sheet("file", "", move |m| place(m).file)
         .sheet("line", "", move |m| place(m).line)
@@ -28,8 +59,7 @@ pub(in crate::report) fn of(messages: &[&Message], words: &Words) -> Section {
         .sheet("text", "", move |m| place(m).text)
         .sheet("expected", "", |m| m.expected.as_deref())
         .sheet("hint", "", |m| m.hint.as_deref());
-    section.push(Block::Table(Table::of(words, messages.iter().copied(), columns).on("Messages")));
-    section
+    Table::of(words, messages.iter().copied(), columns).on("Messages")
 }
 
 fn class(message: &Message) -> &'static str {

@@ -32,6 +32,7 @@ pub(in crate::report) fn of(document: &ParametersDocument, words: &Words) -> Sec
         groups.iter().enumerate().flat_map(|(i, (title, of))| intervals::pictures(of, (i, title), words)).collect();
     figures.extend(correlation::picture(document, words));
     section.figures(figures);
+    section.push(super::messages::routine(&document.messages, words));
     section
 }
 

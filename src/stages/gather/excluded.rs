@@ -49,7 +49,7 @@ pub(super) fn leave_out(
         }
         columns.points.retain(|point| *point.export != **file || !excluded.contains(&point.row));
         let what = format!("excluded: {} of `{file}`, rows {rows}: {}", count(excluded.len(), "row"), rule.reason);
-        problems.0.push(Message::warning(what));
+        problems.0.push(Message::warning(what).routine());
     }
     problems.check()
 }

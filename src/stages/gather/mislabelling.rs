@@ -70,7 +70,7 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         let what = format!("row {}: `{wrong}` lies where `{other}` is{more}", first.row);
         let hint = "was the beam on another target, or the label typed wrong? correct the label or take the row out; \
                     [[rigid]] refuses rows whose distances do not hold";
-        Some(Message::warning(what).at(Place::line(&*first.export, first.line, &first.text)).hint(hint))
+        Some(Message::warning(what).to_decide().at(Place::line(&*first.export, first.line, &first.text)).hint(hint))
     };
     found.into_iter().filter_map(warning).collect()
 }
@@ -173,7 +173,7 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
                 );
                 let hint = "temperature, or the instrument moved? with `targets` and `each = \"pose\"` in [frame.world] \
                             the frame follows the targets";
-                warnings.push(Message::warning(what).at(campaign.place(target)).hint(hint));
+                warnings.push(Message::warning(what).to_decide().at(campaign.place(target)).hint(hint));
             }
         }
     }

@@ -48,7 +48,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
                 keys.join(", "),
                 shown.join(", ")
             );
-            remarks.messages.push(Message::warning(text));
+            remarks.messages.push(Message::warning(text).routine());
         }
         for key in alone {
             remarks.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), reason)));
