@@ -528,7 +528,7 @@ impl Limits {
     }
 }
 
-/// Language, logo and templates of the report.
+/// Language, logo and templates of the report, and what identifies it.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct ReportDefinition {
@@ -540,6 +540,18 @@ pub struct ReportDefinition {
     /// Folder of templates that replace the built-in ones of the same name.
     #[schemars(with = "Option<String>")]
     pub templates: Option<Spanned<String>>,
+    /// Number of the report, unique in the laboratory.
+    pub number: Option<String>,
+    /// Number and date of the report that this one amends or replaces, and the reason.
+    pub amends: Option<String>,
+    /// Name and contact of the customer.
+    pub customer: Option<String>,
+    /// Date of issue.
+    pub issued: Option<String>,
+    /// Who authorises the report: name and function.
+    pub authorised_by: Option<String>,
+    /// Results that an external provider obtained, and which.
+    pub external_results: Option<String>,
 }
 
 fn one_or_many_logs(generator: &mut SchemaGenerator) -> Schema {

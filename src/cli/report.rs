@@ -19,6 +19,9 @@ pub struct Report {
     folder: Option<PathBuf>,
     #[command(flatten)]
     dressed: Dressed,
+    /// Write the certificate instead: one page for the customer, certificate.html and certificate.pdf
+    #[arg(long, conflicts_with = "write_templates")]
+    certificate: bool,
     /// Write the built-in templates to this folder instead
     #[arg(long, value_name = "FOLDER", conflicts_with = "folder")]
     write_templates: Option<PathBuf>,
@@ -61,7 +64,7 @@ impl Report {
                 let templates = report::templates().map(|(name, text)| (name, text.as_bytes().to_vec()));
                 files::write_new(folder, &templates.collect::<Vec<_>>())?
             }
-            (Some(folder), None) => write_report(folder, &self.dressed)?,
+            (Some(folder), None) => write_report(folder, &self.dressed, self.certificate)?,
             (None, None) => return Err(Problems::from(Message::error("no folder is stated")).into()),
         };
         print_written(written, self.json)?;
@@ -69,10 +72,13 @@ impl Report {
     }
 }
 
-fn write_report(folder: &Path, dressed: &Dressed) -> Result<Vec<String>> {
+fn write_report(folder: &Path, dressed: &Dressed, certificate: bool) -> Result<Vec<String>> {
     let documents = Documents::open(folder)?;
     let mut run = documents::Run::read(&documents)?;
     run.campaign.report = dressed.over(run.campaign.report)?;
-    let files = Faces::campaign(&run.report())?.files()?;
+    let files = match certificate {
+        true => Faces::certificate(&run.report())?.certificate_files()?,
+        false => Faces::campaign(&run.report())?.files()?,
+    };
     documents.write(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
 }

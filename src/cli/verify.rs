@@ -3,16 +3,16 @@
 use super::identify::unread;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
-use super::{Verdict, print_with, remark};
+use super::{Verdict, answer, remark};
 use crate::base::files;
-use crate::base::message::{Message, Problems, count};
+use crate::base::message::{Message, Problems};
 use crate::campaign::read_robot;
-use crate::document::{DetectionPower, VerificationDocument, VerificationVerdict, to_json};
+use crate::document::to_json;
 use crate::math::identify::Observation;
+use crate::report::Faces;
 use crate::run::documents::read_parameters;
 use crate::stages::kinds;
 use crate::stages::verification::verify;
-use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Check whether identified parameters still hold, from some few measured poses
@@ -64,14 +64,12 @@ impl Verify {
         let inputs =
             files::sha256_of([&self.robot, &self.parameters, &self.observations].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
-        let mut answer = verify(robot.as_mut(), &document, observations, stated_mm, inputs)?;
-        answer.messages.splice(0..0, messages);
-        let verdict = Verdict::of(answer.verdict == VerificationVerdict::Valid);
-        if self.json {
-            return print_with(to_json(&answer)?, verdict);
+        let mut found = verify(robot.as_mut(), &document, observations, stated_mm, inputs)?;
+        found.messages.splice(0..0, messages);
+        if !self.json {
+            remark(&found.messages);
         }
-        remark(&answer.messages);
-        print_with(text(&answer), verdict)
+        answer(&Faces::verification(&found), self.json.then(|| to_json(&found)).transpose()?)
     }
 }
 
@@ -87,44 +85,4 @@ fn only_points(observed: &TableFile) -> Result<(), Problems> {
         }
         None => Ok(()),
     }
-}
-
-/// The answer for a terminal.
-fn text(answer: &VerificationDocument) -> String {
-    let mut out = format!("{}\n", answer.meaning);
-    let verdict = match answer.verdict {
-        VerificationVerdict::Valid => "not less than",
-        _ => "less than",
-    };
-    let _ = writeln!(
-        out,
-        "p {}, {verdict} {}; residuals {:.4} mm, expected {:.4} mm (root mean square of {} coordinates at {})",
-        if answer.p_value < 1e-4 { shown(answer.p_value) } else { format!("= {}", shown(answer.p_value)) },
-        answer.significance,
-        answer.rms_mm,
-        answer.expected_rms_mm,
-        answer.of_changes.degrees_of_freedom + answer.of_rest.degrees_of_freedom,
-        count(answer.poses, "pose"),
-    );
-    let percent = |p: f64| format!("{:.0} %", 100.0 * p);
-    let DetectionPower { probability, naming, least } = &answer.power;
-    let _ = writeln!(
-        out,
-        "detected with a probability of {}, and joints named with {}:",
-        percent(*probability),
-        percent(*naming)
-    );
-    for least in least {
-        let value =
-            |v: Option<f64>| v.map_or_else(|| "not by these poses".to_owned(), |v| format!("{v:.4} {}", least.unit));
-        let named =
-            if least.name.starts_with("base ") { String::new() } else { format!(", named {}", value(least.named)) };
-        let _ = writeln!(out, "  {:<16} {}{named}", least.name, value(least.value));
-    }
-    out
-}
-
-/// A probability with four decimals.
-pub(super) fn shown(p: f64) -> String {
-    if p < 1e-4 { "< 0.0001".to_owned() } else { format!("{p:.4}") }
 }

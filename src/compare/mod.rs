@@ -153,7 +153,10 @@ fn campaign(c: &Compared) -> ComparedCampaign {
     ComparedCampaign {
         folder: c.folder.clone(),
         name: summary.name.clone(),
+        robot: summary.robot.clone(),
         date: summary.date.clone(),
+        conditions: summary.conditions.clone(),
+        identified: c.identified.iter().flat_map(|i| i.0.identified().map(|p| p.name.clone())).collect(),
         instrument: summary.instrument.clone(),
         expanded_uncertainty_um: summary.expanded_uncertainty_um,
         coverage_factor: summary.coverage_factor,

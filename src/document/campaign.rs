@@ -42,6 +42,9 @@ pub struct CampaignSummary {
     /// Conditions of a test.
     #[serde(default)]
     pub conditions: Conditions,
+    /// What identifies the report.
+    #[serde(default)]
+    pub issue: Issue,
     /// Presentation of the report.
     #[serde(default)]
     pub report: Presentation,
@@ -57,14 +60,44 @@ pub struct ContactSummary {
     pub coverage_factor: f64,
 }
 
-/// Conditions of a test (ISO 9283:1998, 6 and 12). A report of a test lists what is absent as "not stated".
+/// What identifies a report (ISO/IEC 17025:2017, 7.8.2.1). A report lists what is absent as "not stated".
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Issue {
+    /// Number of the report, unique in the laboratory.
+    pub number: Option<String>,
+    /// Number and date of the report that this one amends or replaces, and the reason.
+    pub amends: Option<String>,
+    /// Name and contact of the customer.
+    pub customer: Option<String>,
+    /// Date of issue.
+    pub issued: Option<String>,
+    /// Who authorises the report: name and function.
+    pub authorised_by: Option<String>,
+    /// Results that an external provider obtained, and which.
+    pub external_results: Option<String>,
+}
+
+/// Conditions of a test (ISO 9283:1998, 6 and 12). A report lists what is absent as "not stated".
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Conditions {
     /// Name and address of the laboratory.
     pub laboratory: Option<String>,
-    /// Make, type and serial number of the robot.
+    /// Where the measurements were made, if not in the laboratory.
+    pub place: Option<String>,
+    /// The robot in words.
     pub robot: Option<String>,
+    /// Its manufacturer.
+    pub robot_maker: Option<String>,
+    /// Its type.
+    pub robot_type: Option<String>,
+    /// Its serial number.
+    pub robot_serial_number: Option<String>,
+    /// Date on which it was received for the test.
+    pub robot_received: Option<String>,
+    /// Its state: repaired, adjusted, as found.
+    pub robot_state: Option<String>,
     /// Make, type and software version of the controller.
     pub controller: Option<String>,
     /// How and on what the robot is mounted.
@@ -87,6 +120,8 @@ pub struct Conditions {
     pub warm_up_minutes: Option<f64>,
     /// Certificate of the instrument's calibration, and its date.
     pub instrument_calibration: Option<String>,
+    /// To which standards the instrument's calibration is traceable, and through which laboratory.
+    pub traceability: Option<String>,
     /// Deviations from the standard; an empty list states that there are none.
     pub deviations: Option<Vec<String>>,
 }

@@ -1,6 +1,6 @@
 //! What `etalon compare` answers.
 
-use super::Provenance;
+use super::{Conditions, Provenance};
 use crate::base::message::Message;
 use crate::math::identify::UncertaintyFrom;
 use schemars::JsonSchema;
@@ -36,8 +36,17 @@ pub struct ComparedCampaign {
     pub folder: String,
     /// Name of the campaign.
     pub name: String,
+    /// Name of the robot, where its file states one.
+    #[serde(default)]
+    pub robot: Option<String>,
     /// Date as stated.
     pub date: Option<String>,
+    /// Conditions as stated.
+    #[serde(default)]
+    pub conditions: Conditions,
+    /// Parameters of the robot that were identified.
+    #[serde(default)]
+    pub identified: Vec<String>,
     /// Measuring instrument.
     pub instrument: Option<String>,
     /// Expanded uncertainty of one coordinate.

@@ -24,6 +24,7 @@ use crate::base::message::{Message, Result, one_line};
 use crate::document::{
     AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, FeaturesDocument, FramesDocument,
     GeometricDocument, ImportDocument, ParametersDocument, PlanDocument, PointError, Presentation, Provenance,
+    RecommendationDocument, VerificationDocument,
 };
 use model::{Contents, Section, Verdict};
 use serde::Serialize;
@@ -86,7 +87,10 @@ impl<'a> Report<'a> {
     /// The sections and what surrounds them.
     fn contents(&self, words: &Words) -> Contents {
         let subtitle = match self.identified {
-            Some(i) => words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&i.parameters.robot))]),
+            Some(i) => match sections::conditions::robot_name(self) {
+                Some(name) => words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&name))]),
+                None => of_model(i.parameters, words),
+            },
             None => sections::verdict::title(self.tested, words),
         };
         Contents {
@@ -98,6 +102,9 @@ impl<'a> Report<'a> {
             verdict: sections::verdict::verdict(self.identified.as_ref(), self.tested, words),
             sections: sections::all(self, words),
             signed: true,
+            compact: false,
+            number: self.campaign.issue.number.clone(),
+            statement: words.say("These results relate only to the item tested."),
             brief: true,
         }
     }
@@ -120,6 +127,11 @@ impl<'a> Report<'a> {
         all.push(Attachment::of("campaign.json", "source", "What the campaign states", self.campaign));
         all.into_iter().collect()
     }
+}
+
+/// The title of a calibration of a robot without a name.
+fn of_model(document: &ParametersDocument, words: &Words) -> String {
+    words.fill("Calibration report of a robot of model {0}", &[&isolated(&one_line(&document.robot))])
 }
 
 /// A document that goes with a PDF.
@@ -154,6 +166,13 @@ const FILES: &[(&str, &str)] = &[
     #[cfg(feature = "pdf")]
     ("pdf", "report.pdf"),
     ("xlsx", "report.xlsx"),
+];
+
+/// The files of a certificate by their endings.
+const CERTIFICATE: &[(&str, &str)] = &[
+    ("html", "certificate.html"),
+    #[cfg(feature = "pdf")]
+    ("pdf", "certificate.pdf"),
 ];
 
 /// The kinds of a report by the endings of their files.
@@ -209,7 +228,7 @@ impl Faces {
         let robot = isolated(&one_line(&document.robot));
         let contents = Contents {
             title: words.say("Poses to measure"),
-            subtitle: words.fill("Plan for the calibration of robot {0}", &[&robot]),
+            subtitle: words.fill("Plan for the calibration of a robot of model {0}", &[&robot]),
             version: document.provenance.version.clone(),
             verdict: verdict(document, &words),
             sections: sections(document, &words),
@@ -227,10 +246,44 @@ impl Faces {
         Self::without_campaign(title, verdict, sections::tested(tested, &words), words)
     }
 
+    /// Given parameters judged on the data of a campaign.
+    pub fn validation(accuracy: &AccuracyDocument) -> Self {
+        let words = Words::default();
+        let verdict = sections::verdict::of_validation(accuracy, &words);
+        let limits: Vec<_> = accuracy.limits.iter().collect();
+        let limits = sections::limits::of(&limits, false, &words);
+        let sections = limits.into_iter().chain([sections::errors::of(accuracy, &[], &words)]).collect();
+        Self::without_campaign(words.say("Validation of given parameters"), verdict, sections, words)
+    }
+
+    /// Whether given parameters still hold.
+    pub fn verification(document: &VerificationDocument) -> Self {
+        use sections::given::{still_valid, verification};
+        let words = Words::default();
+        let title = words.say("Verification of identified parameters");
+        Self::without_campaign(title, still_valid(document), verification(document, &words), words)
+    }
+
+    /// Which parameters deserve to be loaded.
+    pub fn recommendation(document: &RecommendationDocument) -> Self {
+        use sections::given::{recommendation, recommended};
+        let words = Words::default();
+        let title = words.say("Recommendation of parameters to load");
+        Self::without_campaign(title, recommended(document), recommendation(document, &words), words)
+    }
+
+    /// The certificate of a campaign: one page of its report, for the customer.
+    pub fn certificate(report: &Report) -> Result<Self> {
+        let presentation = report.campaign.report.clone();
+        let words = Words::of(presentation.language)?;
+        let contents = sections::certificate::contents(report, report.contents(&words), &words);
+        Ok(Self { contents, attachments: report.attachments()?, presentation, words })
+    }
+
     /// An identification without a campaign.
     pub fn identification(document: &ParametersDocument) -> Self {
         let words = Words::default();
-        let title = words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&document.robot))]);
+        let title = of_model(document, &words);
         let verdict = sections::verdict::of_identification(document, &words);
         let parameters = sections::parameters::of(document, &words);
         let sections = vec![parameters.on_terminal(), sections::fit::of(document, Vec::new(), &words).on_terminal()];
@@ -250,6 +303,11 @@ impl Faces {
     /// What a terminal shows.
     pub fn terminal(&self) -> String {
         terminal::terminal(&self.contents, &self.words)
+    }
+
+    /// The certificate's files.
+    pub fn certificate_files(&self) -> Result<Vec<File>> {
+        CERTIFICATE.iter().map(|(kind, name)| Ok((*name, self.file(kind)?))).collect()
     }
 
     /// All files.

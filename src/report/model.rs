@@ -21,11 +21,17 @@ pub(crate) struct Contents {
     /// why the data are synthetic; empty where they are measured
     pub synthetic: Vec<String>,
     pub date: Option<String>,
+    /// Number of the report, on every page
+    pub number: Option<String>,
+    /// To what the results relate; empty where nobody signs them
+    pub statement: String,
     pub version: String,
     pub verdict: Verdict,
     pub sections: Vec<Section>,
     /// whether somebody signs it
     pub signed: bool,
+    /// whether it has to fit on one page
+    pub compact: bool,
     /// whether the terminal leaves out what a page folds
     #[serde(skip)]
     pub brief: bool,

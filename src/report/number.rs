@@ -55,6 +55,20 @@ pub(super) fn apart(value: f64, limit: f64, decimals: usize) -> String {
     fixed(value, (decimals..9).find(|n| !alike(n)).unwrap_or(9))
 }
 
+/// Below this a probability is said to be smaller: its digits would mean nothing.
+const LEAST_PROBABILITY: f64 = 1e-3;
+
+/// A probability: `0.012`, or `< 0.001`.
+pub(crate) fn probability(p: f64) -> String {
+    if p < LEAST_PROBABILITY { format!("< {LEAST_PROBABILITY}") } else { significant(p, 2) }
+}
+
+/// The same in a sentence: `p = 0.012`, or `p < 0.001`.
+pub(crate) fn p_value(p: f64) -> String {
+    let shown = probability(p);
+    if shown.starts_with('<') { format!("p {shown}") } else { format!("p = {shown}") }
+}
+
 /// The largest of 1, 2 or 5 times a power of ten that is at most `value`.
 pub(super) fn round_down_125(value: f64) -> f64 {
     let Some(exponent) = magnitude(value, 17) else { return 1.0 };
@@ -92,6 +106,15 @@ mod tests {
         assert_eq!(with_uncertainty(299.987_654_321, None), "299.9877");
         assert_eq!(with_uncertainty(1.0, Some(0.0)), "1.0000");
         assert_eq!(with_uncertainty(1.0, Some(f64::NAN)), "1.0000");
+    }
+
+    #[test]
+    fn a_probability_is_never_zero() {
+        let cases =
+            [(0.0, "p < 0.001"), (9.9e-4, "p < 0.001"), (0.001, "p = 0.0010"), (0.0123, "p = 0.012"), (1.0, "p = 1.0")];
+        cases.iter().for_each(|(p, text)| assert_eq!(p_value(*p), *text));
+        assert_eq!(apart(0.005_44, 0.005_40, 4), "0.00544");
+        assert_eq!(apart(0.0054, 0.0054, 4), "0.0054");
     }
 
     #[test]

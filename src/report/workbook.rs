@@ -2,6 +2,7 @@
 //! with all its digits.
 
 use super::model::{Block, Cell, Columns, Contents, Fact, Table};
+use super::number;
 use super::words::Words;
 use crate::base::message::{Message, Result};
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
@@ -100,7 +101,8 @@ fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxErro
     for (i, (title, unit)) in (0u16..).zip(&sheet.columns) {
         page.write_string_with_format(0, i, printable(title), &head)?;
         page.set_column_width(i, width(sheet, usize::from(i)) as f64)?;
-        numbers.push(Format::new().set_num_format(number_format(unit)).set_align(FormatAlign::Top));
+        let format = number_format(sheet.rows.iter().map(|row| row[usize::from(i)]), unit);
+        numbers.push(Format::new().set_num_format(format).set_align(FormatAlign::Top));
     }
     for (i, row) in (1u32..).zip(sheet.rows.iter().take(ROWS)) {
         for ((j, cell), number) in (0u16..).zip(row).zip(&numbers) {
@@ -140,14 +142,27 @@ fn width(sheet: &Sheet, i: usize) -> usize {
     rows.max(sheet.columns[i].0.chars().count() + 3).clamp(*WIDTH.start(), *WIDTH.end())
 }
 
-/// Digits that a reader wants to see; the cell holds all.
-fn number_format(unit: &str) -> &'static str {
-    match unit {
-        "mm" => "0.00000",
-        "deg" => "0.000000",
-        "µm" => "0.00",
-        _ => "General",
-    }
+/// Significant digits of the largest number of a column without a unit.
+const DIGITS: usize = 6;
+
+/// The digits that a reader wants to see, one notation a column; cells hold all.
+fn number_format<'a>(cells: impl Iterator<Item = &'a Cell>, unit: &str) -> String {
+    let largest = || {
+        let values =
+            cells.filter_map(|cell| if let Cell::Number { value, .. } = cell { Some(value.abs()) } else { None });
+        values.filter(|v| v.is_finite() && *v > 0.0).max_by(f64::total_cmp)
+    };
+    let decimals = match unit {
+        "mm" => 5,
+        "deg" => 6,
+        "µm" => 2,
+        _ => match largest() {
+            Some(v) if (1e-4..1e9).contains(&v) => number::decimals(v, DIGITS).unwrap_or(0),
+            Some(_) => return format!("0.{}E+00", "0".repeat(DIGITS - 1)),
+            None => return "General".to_owned(),
+        },
+    };
+    if decimals == 0 { "0".to_owned() } else { format!("0.{}", "0".repeat(decimals)) }
 }
 
 /// Text that a workbook can hold: no character that XML forbids, and no more than a cell takes.

@@ -1,7 +1,7 @@
 //! The campaign as its report states it.
 
-use crate::campaign::Campaign;
-use crate::document::{CampaignSummary, ContactSummary, Presentation};
+use crate::campaign::{Campaign, ReportDefinition};
+use crate::document::{CampaignSummary, ContactSummary, Issue, Presentation};
 
 /// The campaign as its report states it.
 pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
@@ -23,6 +23,12 @@ pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
             .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),
         temperature_c: file.temperature_c,
         conditions: file.conditions.clone(),
+        issue: issue(&file.report),
         report,
     }
+}
+
+fn issue(stated: &ReportDefinition) -> Issue {
+    let ReportDefinition { number, amends, customer, issued, authorised_by, external_results, .. } = stated.clone();
+    Issue { number, amends, customer, issued, authorised_by, external_results }
 }

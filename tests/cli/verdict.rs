@@ -27,7 +27,7 @@ fn a_worse_instrument_changes_the_statement_of_conformity() {
         ("90", rule("simple-acceptance"), 0, "met", "simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
         ("90", rule("shared-risk"), 1, "undecided", "shared risk (JCGM 106:2012, 8.2.1)"),
     ] {
-        let (_scratch, ended, shown) = ran(um, &rule);
+        let (scratch, ended, shown) = ran(um, &rule);
         assert_eq!(ended, Some(code), "{um} {rule}\n{shown}");
         let sentence = shown.lines().nth(1).unwrap();
         assert!(sentence.ends_with(&format!(": {verdict}).")), "{um} {rule}: {sentence}");
@@ -35,8 +35,8 @@ fn a_worse_instrument_changes_the_statement_of_conformity() {
         let expanded = um.parse::<f64>().unwrap() * 2f64.sqrt();
         assert!(sentence.contains(&format!(" ± {expanded:.0} µm")), "{sentence}");
         assert!(shown.contains(&format!("Decision rule: {named}.")), "{shown}");
-        let default = shown.contains("The campaign states no rule; this one then applies.");
-        assert_eq!(default, rule.is_empty(), "{shown}");
+        let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+        assert_eq!(html.contains("The campaign states no rule; this one then applies."), rule.is_empty(), "{rule}");
     }
 }
 
@@ -105,4 +105,34 @@ fn the_quarter_rule_takes_the_uncertainty_of_a_position() {
     let stated = "expanded_uncertainty_um = 10\nexpanded_position_uncertainty_um = 12";
     scratch.replace("campaign.toml", "expanded_uncertainty_um = 10", stated);
     ratios(&scratch).into_iter().for_each(|u| assert!((u - 0.012).abs() < 1e-12, "{u}"));
+}
+
+/// In each language one page, and what ISO/IEC 17025:2017, 7.8.4 asks of a certificate.
+#[test]
+fn a_certificate_has_one_page() {
+    for sample in ["prexyt-cmm", "prexyt-repeatability"] {
+        let scratch = copy_sample(sample);
+        assert!(etalon(scratch.root(), &["run", "campaign"]).status.success());
+        for (language, title, rule) in [
+            ("en", ["Calibration certificate", "Test certificate"], "guarded acceptance (ISO 14253-1)"),
+            (
+                "fr",
+                ["Certificat d&#x27;étalonnage", "Certificat d&#x27;essai"],
+                "acceptation avec bande de garde (ISO 14253-1)",
+            ),
+            ("de", ["Kalibrierschein", "Prüfschein"], "Annahme mit Schutzabstand (ISO 14253-1)"),
+        ] {
+            let written = etalon(scratch.root(), &["report", "campaign/out", "--certificate", "--language", language]);
+            assert!(written.status.success(), "{}", text_of(&written));
+            let html = std::fs::read_to_string(scratch.path().join("out/certificate.html")).unwrap();
+            let title = title[usize::from(sample == "prexyt-repeatability")];
+            assert!(html.contains(title) && html.contains(rule), "{sample} {language}: {title}");
+            assert!(html.contains("id=\"signatures\"") && html.contains("class=\"end\""), "{sample} {language}");
+            let file = scratch.path().join("out/certificate.pdf");
+            if let Some(facts) = tool("pdfinfo", &["{}"], &file).filter(|_| cfg!(feature = "pdf")) {
+                let pages = facts.lines().find_map(|line| line.strip_prefix("Pages:")).unwrap();
+                assert_eq!(pages.trim(), "1", "{sample} {language}");
+            }
+        }
+    }
 }

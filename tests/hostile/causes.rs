@@ -144,5 +144,6 @@ fn an_uncertainty_stated_ten_times_too_large_is_remarked() {
     let scratch = copy_sample("prexyt-cmm");
     assert!(!run(&scratch, 0, &[]).contains("the stated uncertainty is larger"));
     scratch.replace("campaign.toml", "expanded_uncertainty_um = 2.7", "expanded_uncertainty_um = 27");
-    run(&scratch, 0, &["residuals are 0.10 times", "the stated uncertainty is larger than the residuals show"]);
+    // and it leaves open whether the limits are met
+    run(&scratch, 1, &["residuals are 0.10 times", "the stated uncertainty is larger than the residuals show"]);
 }

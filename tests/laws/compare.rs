@@ -94,6 +94,7 @@ pub(super) fn identified(
         contact: None,
         temperature_c: None,
         conditions: Conditions::default(),
+        issue: etalon::document::Issue::default(),
         report: Presentation::default(),
     };
     Compared {

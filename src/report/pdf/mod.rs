@@ -94,6 +94,7 @@ fn labels(presentation: &Presentation, words: &Words) -> Value {
         "page": words.say("page {0} of {1}"),
         "left_out": words.say("{0} more rows are left out: the workbook has all."),
         "logo": presentation.logo.as_ref().map(|_| words.say("Logo of the laboratory")),
+        "end": words.say("End of report"),
         "signatures": words.say("Signatures"),
         "signs": [words.say("Tested by"), words.say("Approved by")],
         "line": words.say("name, date, signature"),

@@ -61,7 +61,7 @@ fn figures(
 /// How many campaigns, and of which robot.
 pub(in crate::report) fn lead(compare: &CompareDocument, words: &Words) -> String {
     let count = compare.campaigns.len();
-    match &compare.robot {
+    match compare.campaigns.iter().find_map(|c| c.robot.as_ref()) {
         Some(robot) => {
             words.fill("{0} campaigns of robot {1}, in the order named", &[&count, &isolated(&one_line(robot))])
         }
@@ -69,12 +69,50 @@ pub(in crate::report) fn lead(compare: &CompareDocument, words: &Words) -> Strin
     }
 }
 
-fn campaigns(compare: &CompareDocument, words: &Words) -> Section {
-    let instrument = |c: &ComparedCampaign| {
-        let k = c.coverage_factor.map(|k| format!(" (k = {})", stated(k))).unwrap_or_default();
-        let u = c.expanded_uncertainty_um.map(|u| format!("U = {} µm{k}", stated(u)));
-        c.instrument.as_deref().map(one_line).into_iter().chain(u).collect::<Vec<_>>().join(", ")
+/// Instrument and its uncertainty.
+fn instrument(c: &ComparedCampaign) -> String {
+    let k = c.coverage_factor.map(|k| format!(" (k = {})", stated(k))).unwrap_or_default();
+    let u = c.expanded_uncertainty_um.map(|u| format!("U = {} µm{k}", stated(u)));
+    c.instrument.as_deref().map(one_line).into_iter().chain(u).collect::<Vec<_>>().join(", ")
+}
+
+/// What else differs between the campaigns than the robot may: instrument, set-up, and what was identified.
+fn differences(compare: &CompareDocument, words: &Words) -> Vec<String> {
+    // each value once, in the order of the campaigns; one alone is no difference
+    let differing = |of: &dyn Fn(&ComparedCampaign) -> Option<String>| -> Option<Vec<String>> {
+        let mut all: Vec<String> = Vec::new();
+        compare.campaigns.iter().filter_map(of).for_each(|v| {
+            if !all.contains(&v) {
+                all.push(v)
+            }
+        });
+        (all.len() > 1).then_some(all)
     };
+    let listed = |all: Vec<String>| all.iter().map(|v| isolated(v)).collect::<Vec<_>>().join("; ");
+    let instruments = differing(&|c| Some(instrument(c)).filter(|text| !text.is_empty())).map(|all| {
+        words.fill("Different instruments: {0}. What they measure differently counts as a change.", &[&listed(all)])
+    });
+    type Stated = fn(&ComparedCampaign) -> Option<String>;
+    let kinds: [(String, Stated); 4] = [
+        (words.say("mounting"), |c| c.conditions.mounting.clone()),
+        (words.say("measurement point"), |c| c.conditions.measurement_point.clone()),
+        (words.say("load"), |c| c.conditions.load_kg.map(|kg| format!("{kg} kg"))),
+        (words.say("controller"), |c| c.conditions.controller.clone()),
+    ];
+    let set_ups: Vec<String> =
+        kinds.iter().filter_map(|(what, of)| Some(format!("{what}: {}", listed(differing(of)?)))).collect();
+    let set_ups = (!set_ups.is_empty()).then(|| words.fill("Different set-ups: {0}.", &[&set_ups.join("; ")]));
+    let identified = |c: &ComparedCampaign| (!c.identified.is_empty()).then(|| c.identified.join(", "));
+    let counts =
+        || compare.campaigns.iter().filter(|c| !c.identified.is_empty()).map(|c| c.identified.len().to_string());
+    let models = differing(&identified).map(|_| {
+        let counts = counts().collect::<Vec<_>>().join(", ");
+        words.fill("Different models: {0} parameters were identified; what one holds acts on the others.", &[&counts])
+    });
+    instruments.into_iter().chain(set_ups).chain(models).collect()
+}
+
+fn campaigns(compare: &CompareDocument, words: &Words) -> Section {
     let rows: Vec<(usize, &ComparedCampaign)> = (1..).zip(&compare.campaigns).collect();
     let date = |c: &ComparedCampaign| c.date.as_deref().map_or_else(|| term(words, "not stated"), Cell::from);
     let columns = Columns::<(usize, &ComparedCampaign)>::new()
@@ -204,15 +242,27 @@ pub(in crate::report) fn verdict(compare: &CompareDocument, words: &Words) -> Ve
         [(unjudged > 0, unknown), (moved, elsewhere)].into_iter().filter(|m| m.0).map(|m| m.1).collect();
     let class = if more.is_empty() { class } else { "open" };
     let sentence = std::iter::once(found).chain(more).collect::<Vec<_>>().join(" ");
-    Verdict { class, met: true, sentences: vec![sentence], ..Verdict::default() }
+    let frames = || compare.trends.iter().filter(|t| t.family == CompareFamily::SetUp).filter(judged);
+    let frames_changed = frames().filter(|t| of(t)).count();
+    let frames = (frames_changed > 0).then(|| {
+        let values: [&dyn Display; 2] = [&frames_changed, &frames().count()];
+        words.fill(
+            "Apart from the robot: {0} of {1} quantities of base and targets changed, as they do with every set-up.",
+            &values,
+        )
+    });
+    let mut sentences = differences(compare, words);
+    sentences.push(sentence);
+    sentences.extend(frames);
+    Verdict { class, met: true, sentences, ..Verdict::default() }
 }
 
 fn together(t: &CompareTogether, words: &Words) -> String {
     let degrees = t.degrees_of_freedom.map_or_else(|| "∞".to_owned(), |d| number::significant(d, 3));
-    let (f, p) = (number::significant(t.f, 3), number::significant(t.p, 2));
+    let (f, p) = (number::significant(t.f, 3), number::p_value(t.p));
     let values: [&dyn Display; 6] = [&t.to, &t.from, &t.parameters, &f, &degrees, &p];
     match t.significant {
-        true => words.fill("Campaign {0} against {1}: the {2} parameters of the robot, all together, changed significantly (F = {3} with {2} and {4} degrees of freedom, p = {5}).", &values),
-        false => words.fill("Campaign {0} against {1}: the {2} parameters of the robot, all together, did not change significantly (F = {3} with {2} and {4} degrees of freedom, p = {5}).", &values),
+        true => words.fill("Campaign {0} against {1}: the {2} parameters of the robot, all together, changed significantly (F = {3} with {2} and {4} degrees of freedom, {5}).", &values),
+        false => words.fill("Campaign {0} against {1}: the {2} parameters of the robot, all together, did not change significantly (F = {3} with {2} and {4} degrees of freedom, {5}).", &values),
     }
 }

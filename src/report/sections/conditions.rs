@@ -1,25 +1,94 @@
-//! What the campaign states of its test: the list that ISO 9283 asks for (12, annex C).
+//! What identifies the report, and the conditions: the lists that ISO/IEC 17025:2017 (7.8.2.1) and ISO 9283:1998 (12, annex C) ask for.
 
-use crate::document::{CampaignSummary, Characteristics, Iso9283Document};
+use super::limits::name;
+use crate::base::message::one_line;
+use crate::document::{CampaignSummary, Characteristics, DecisionRule, Iso9283Document};
 use crate::report::Report;
 use crate::report::model::{Block, Cell, Section};
-use crate::report::number::stated;
+use crate::report::number;
 use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let campaign = report.campaign;
     let mut section = Section::new("conditions", words.say("Robot, instrument, conditions"));
-    for (what, said) in facts(campaign, report.tested, words) {
-        section.summarise(what, said, "");
+    let (identity, conditions) = (identity(report, words), facts(campaign, report.tested, words));
+    for (what, said) in identity.iter().chain(&conditions) {
+        section.summarise(what, said.clone(), "");
     }
     section.summarise(words.say("instrument's expanded uncertainty"), campaign.expanded_uncertainty_um, "µm");
     section.summarise(words.say("coverage factor"), campaign.coverage_factor, "");
     section.summarise(words.say("temperature"), campaign.temperature_c, "°C");
-    section.push(Block::facts(facts(campaign, report.tested, words)));
+    section.push(Block::facts(identity));
+    section.push(Block::heading(words.say("Conditions")));
+    section.push(Block::facts(conditions));
     section.whole()
 }
 
-/// What a campaign states; a test report also lists what it does not state.
+/// Names and what the campaign states of them, or that it does not.
+fn stated(all: Vec<(String, Option<String>)>, words: &Words) -> Vec<(String, Cell)> {
+    all.into_iter().map(|(what, text)| (what, text.or_else(|| Some(words.say("not stated"))).into())).collect()
+}
+
+/// What identifies report, customer and item (ISO/IEC 17025:2017, 7.8.2.1).
+fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
+    let (c, given, issue) = (report.campaign, &report.campaign.conditions, &report.campaign.issue);
+    let rule = c.decision_rule.map(|rule| name(rule, words));
+    let default = || words.fill("{0}; the campaign states none", &[&name(DecisionRule::default(), words)]);
+    let all = vec![
+        (words.say("report number"), issue.number.clone()),
+        (words.say("amends report"), Some(issue.amends.clone().unwrap_or_else(|| words.say("none")))),
+        (words.say("laboratory"), given.laboratory.clone()),
+        (words.say("place of the measurements"), given.place.clone()),
+        (words.say("customer"), issue.customer.clone()),
+        (words.say("robot"), robot_name(report)),
+        (words.say("manufacturer"), given.robot_maker.clone()),
+        (words.say("type"), given.robot_type.clone()),
+        (words.say("serial number"), given.robot_serial_number.clone()),
+        (words.say("state of the robot"), given.robot_state.clone()),
+        (words.say("date of receipt"), given.robot_received.clone()),
+        (words.say("date of the measurements"), c.date.clone()),
+        (words.say("date of issue"), issue.issued.clone()),
+        (words.say("method"), Some(method(report, words))),
+        (words.say("decision rule"), rule.or_else(|| Some(default()))),
+        (words.say("results of external providers"), issue.external_results.clone()),
+        (words.say("authorised by"), issue.authorised_by.clone()),
+    ];
+    stated(all, words)
+}
+
+/// What a certificate states of report, customer, item, place, dates and traceability: each that is not stated too.
+pub(super) fn of_certificate(report: &Report, words: &Words) -> Vec<(String, Cell)> {
+    let conditions = facts(report.campaign, report.tested, words);
+    let traced = [
+        words.say("instrument"),
+        words.say("instrument's uncertainty"),
+        words.say("instrument's calibration"),
+        words.say("traceability"),
+        words.say("temperature"),
+    ];
+    identity(report, words)
+        .into_iter()
+        .chain(conditions.into_iter().filter(|(what, _)| traced.contains(what)))
+        .collect()
+}
+
+/// The robot as the campaign names it; its model is not its name.
+pub(in crate::report) fn robot_name(report: &Report) -> Option<String> {
+    report.campaign.conditions.robot.clone().or_else(|| report.campaign.robot.clone())
+}
+
+/// By what the results were found.
+fn method(report: &Report, words: &Words) -> String {
+    let model = report.identified.map(|i| one_line(&i.parameters.robot));
+    let identified = model.map(|model| {
+        words.fill("identification of the parameters of the kinematic model {0} by least squares", &[&model])
+    });
+    let tested = (!report.tested.is_empty()).then(|| words.say("performance test by ISO 9283:1998"));
+    let program = format!("etalon {}", report.provenance().version);
+    identified.into_iter().chain(tested).chain([program]).collect::<Vec<_>>().join("; ")
+}
+
+/// What a campaign states of the conditions.
 fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) -> Vec<(String, Cell)> {
     let (c, given) = (campaign, &campaign.conditions);
     let text = |text: &Option<String>| text.clone();
@@ -30,10 +99,7 @@ fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) ->
     let velocities: Vec<String> = shares.into_iter().chain(speeds).collect();
     let velocities = (!velocities.is_empty()).then(|| velocities.join("; "));
     let mut all = vec![
-        (words.say("date"), text(&c.date)),
-        (words.say("laboratory"), text(&given.laboratory)),
         (words.say("operator"), text(&c.operator)),
-        (words.say("robot"), text(&given.robot)),
         (words.say("controller"), text(&given.controller)),
         (words.say("mounting"), text(&given.mounting)),
         (words.say("measurement point"), text(&given.measurement_point)),
@@ -47,34 +113,36 @@ fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) ->
         (words.say("instrument"), text(&c.instrument)),
         (words.say("instrument's uncertainty"), uncertainty(c, words)),
         (words.say("instrument's calibration"), text(&given.instrument_calibration)),
+        (words.say("traceability"), text(&given.traceability)),
     ];
     if let Some(test) = &tested.poses {
         all.push((words.say("poses and cycles"), Some(cycles(test, words))));
     }
-    all.push((words.say("deviations from ISO 9283"), given.deviations.as_ref().map(|d| deviations(d, words))));
+    all.push((words.say("deviations from the method"), given.deviations.as_ref().map(|d| deviations(d, words))));
     // no load has no centre
     if given.load_kg == Some(0.0) && given.load_centre_mm.is_none() {
         all.retain(|(what, _)| *what != words.say("centre of the load from the mechanical interface"));
     }
-    let not_stated = || (!tested.is_empty()).then(|| words.say("not stated"));
-    let mut facts: Vec<(String, Cell)> =
-        all.into_iter().map(|(what, text)| (what, text.or_else(not_stated).into())).collect();
+    let mut facts = stated(all, words);
     facts.push((words.say("contact"), contact(c, words).into()));
     facts.push((words.say("notes"), text(&c.notes).into()));
     facts
 }
 
 fn uncertainty(c: &CampaignSummary, words: &Words) -> Option<String> {
-    let u = c.expanded_uncertainty_um.map(stated)?;
-    Some(match c.coverage_factor.map(stated) {
+    let u = c.expanded_uncertainty_um.map(number::stated)?;
+    let of_coordinate = match c.coverage_factor.map(number::stated) {
         Some(k) => words.fill("U = {0} µm for one coordinate (k = {1})", &[&u, &k]),
         None => words.fill("U = {0} µm for one coordinate (coverage factor not stated)", &[&u]),
-    })
+    };
+    let of_position = c.expanded_position_uncertainty_um.map(number::stated);
+    let of_position = of_position.map(|u| format!("; {}", words.fill("U = {0} µm for a position", &[&u])));
+    Some(of_coordinate + &of_position.unwrap_or_default())
 }
 
 fn contact(c: &CampaignSummary, words: &Words) -> Option<String> {
     let contact = c.contact.as_ref()?;
-    let (width, factor) = (stated(contact.repeatability_um), stated(contact.coverage_factor));
+    let (width, factor) = (number::stated(contact.repeatability_um), number::stated(contact.coverage_factor));
     let own = words
         .fill("± {0} µm for one coordinate ({1} standard deviations), of each observation its own", &[&width, &factor]);
     Some(format!("{own}; {}", words.say("the instrument's error of a point is common to all its observations")))
@@ -102,18 +170,24 @@ mod tests {
     }
 
     #[test]
-    fn a_test_report_lists_what_is_not_stated_and_a_calibration_does_not() {
+    fn reports_of_tests_and_calibrations_list_what_is_not_stated() {
         let campaign = Documents::demo().campaign;
         let test = facts(&campaign, &crate::report::tests::demo_iso9283::tested(), &Words::default());
-        for what in ["robot", "controller", "mounting", "load", "warm-up before the test", "deviations from ISO 9283"] {
+        let calibration = facts(&campaign, &Characteristics::default(), &Words::default());
+        for what in
+            ["controller", "mounting", "load", "warm-up before the test", "deviations from the method", "traceability"]
+        {
             assert_eq!(of(&test, what).as_deref(), Some("not stated"), "{what}");
+            assert_eq!(of(&calibration, what).as_deref(), Some("not stated"), "{what}");
         }
         assert_eq!(of(&test, "poses and cycles").as_deref(), Some("2 poses, 30 visits of each"));
-        assert_eq!(of(&facts(&campaign, &Characteristics::default(), &Words::default()), "robot"), None);
-        assert_eq!(
-            of(&facts(&campaign, &Characteristics::default(), &Words::default()), "operator").as_deref(),
-            Some("N. N.")
-        );
+        assert_eq!(of(&calibration, "operator").as_deref(), Some("N. N."));
+        let documents = Documents::demo();
+        let identity = identity(&documents.report(), &Words::default());
+        for what in ["report number", "customer", "robot", "serial number", "date of issue", "authorised by"] {
+            assert_eq!(of(&identity, what).as_deref(), Some("not stated"), "{what}");
+        }
+        assert_eq!(of(&identity, "date of the measurements").as_deref(), Some("2011-05-12"));
     }
 
     #[test]
@@ -130,7 +204,7 @@ mod tests {
             Some("x 0, y 1.5, z 30 mm")
         );
         assert_eq!(of(&all, "velocities").as_deref(), Some("100, 50 % of the rated one; 400 mm/s"));
-        assert_eq!(of(&all, "deviations from ISO 9283").as_deref(), Some("none"));
+        assert_eq!(of(&all, "deviations from the method").as_deref(), Some("none"));
         assert_eq!(of(&all, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm for one coordinate (k = 2)"));
     }
 }

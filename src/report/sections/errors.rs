@@ -12,6 +12,11 @@ use std::collections::BTreeMap;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let Identified { accuracy, errors, .. } = report.identified?;
+    of(accuracy, errors, words).whole()
+}
+
+/// The section of these errors.
+pub(in crate::report) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
     let mut section = Section::new("errors", words.say("Errors before and after"));
     section.summarise(words.say("definition of errors"), Text::english(&accuracy.definition), "");
     section.push(Block::detail(Text::english(&accuracy.definition)));
@@ -28,6 +33,12 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         };
         section.push(Block::heading(title));
         section.push(Block::Table(statistics(accuracy, set, words)));
+    }
+    if let Some(p) = accuracy.given.as_ref().and_then(|given| given.p_value) {
+        let p = number::p_value(p);
+        section.push(Block::text(
+            words.fill("Probability of such errors by the uncertainty of parameters and measurement: {0}.", &[&p]),
+        ));
     }
     if let Some(d) = &accuracy.validation_distance {
         let number = |v: f64| number::fixed(v, 2);
@@ -65,7 +76,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
     }
     section.push(Block::Table(residuals(errors, words)));
-    section.on_terminal().whole()
+    section.on_terminal()
 }
 
 /// Every picture of the errors.
@@ -131,10 +142,15 @@ fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> 
     Table::of(words, &set.errors, columns).on("Errors")
 }
 
-/// Decimals of all numbers in `unit`: the smallest error after that is not zero shows three digits.
+/// Decimals of all numbers in `unit`: two digits of the smallest uncertainty, or, where none is known, three of the smallest error
+/// after that is not zero.
 fn decimals(accuracy: &AccuracyDocument, unit: &str, largest_mm: f64) -> usize {
     let factor = number::shown(unit, largest_mm).factor;
     let errors = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == unit);
+    let expanded = errors.clone().filter_map(|e| e.expanded_uncertainty).map(|u| u * factor).reduce(f64::min);
+    if let Some(decimals) = expanded.and_then(|u| number::decimals(u, 2)) {
+        return decimals.min(6);
+    }
     let all = |s: &Statistics| [s.mean, s.rms, s.p95, s.max];
     let after = errors.flat_map(|e| all(&e.after)).map(|v| v * factor).filter(|&v| v > 0.0);
     number::decimals(after.fold(f64::INFINITY, f64::min), 3).unwrap_or(1).clamp(1, 5)

@@ -7,7 +7,11 @@ use crate::report::words::Words;
 use crate::report::{Identified, Report};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let all = limits(report.identified.as_ref(), report.tested);
+    of(&limits(report.identified.as_ref(), report.tested), report.campaign.decision_rule.is_none(), words)
+}
+
+/// The section of these limits; `default` where nobody chose their rule.
+pub(in crate::report) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
         .both("limit", "", |l| l.name.as_str())
         .both("allowed", "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
@@ -17,9 +21,9 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .both("verdict", "", |l| judged(l.conformity, words))
         .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));
     let mut section = Section::new("limits", words.say("Limits"));
-    section.table("", "", Table::of(words, &all, columns).on("Limits"));
+    section.table("", "", Table::of(words, all, columns).on("Limits"));
     if let Some(limit) = all.first() {
-        section.push(Block::text(rule(limit.decision_rule, report.campaign.decision_rule.is_none(), words)));
+        section.push(Block::detail(rule(limit.decision_rule, default, words)));
     }
     section.on_terminal().whole()
 }

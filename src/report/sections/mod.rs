@@ -2,16 +2,18 @@
 
 pub(super) mod accuracy;
 mod budget;
+pub(super) mod certificate;
 pub(super) mod changes;
 mod compliance;
-mod conditions;
+pub(super) mod conditions;
 pub(super) mod drift;
-mod errors;
+pub(super) mod errors;
 pub(super) mod fit;
 mod frames;
 mod geometric;
+pub(super) mod given;
 mod import;
-mod limits;
+pub(super) mod limits;
 pub(super) mod messages;
 pub(super) mod parameters;
 pub(super) mod plan;

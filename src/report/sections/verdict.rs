@@ -126,6 +126,14 @@ pub(in crate::report) fn met(identified: Option<&Identified>, tested: &Character
         && identified.is_none_or(|i| i.parameters.is_plausible())
 }
 
+/// Of given parameters, judged on the data of a campaign.
+pub(in crate::report) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
+    let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
+    let largest = headline_set(accuracy).and_then(|set| largest_error(accuracy, set, words));
+    let sentences = largest.into_iter().chain([counted(&limits, words)]).collect();
+    Verdict { met: limits.iter().all(|l| l.met), sentences, ..Verdict::default() }
+}
+
 /// Of a test without a campaign.
 pub(in crate::report) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
     Verdict { met: proven(tested), sentences: characteristics(tested, words), ..Verdict::default() }
@@ -188,7 +196,11 @@ fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
 fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f64) -> Headline {
     let (before, after) = (number(&errors.before), number(&errors.after));
     let Shown { unit, factor } = number::shown(&errors.unit, errors.before.max);
-    let text = |v: f64| number::significant(v * factor, 3);
+    let by_uncertainty = errors.expanded_uncertainty.and_then(|u| number::decimals(u * factor, 2));
+    let text = |v: f64| match by_uncertainty {
+        Some(decimals) => number::fixed(v * factor, decimals),
+        None => number::significant(v * factor, 3),
+    };
     Headline { what, before: text(before), after: text(after), unit }
 }
 

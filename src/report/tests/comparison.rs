@@ -74,6 +74,26 @@ fn it_speaks_one_language() {
 }
 
 #[test]
+fn what_else_differs_is_the_first_thing_it_says() {
+    let mut document = demo();
+    let first = |document: &CompareDocument| Faces::comparison(document, Presentation::default()).unwrap().terminal();
+    assert!(!first(&document).contains("Different"), "{}", first(&document));
+    let later = &mut document.campaigns[1];
+    (later.instrument, later.conditions.load_kg) = (Some("FaroArm".to_owned()), Some(2.0));
+    later.identified.pop();
+    document.campaigns[0].conditions.load_kg = Some(0.0);
+    let (to, from, parameters, f, degrees_of_freedom, p) = (2, 1, 11, 99.0, Some(40.0), 0.0);
+    document.together =
+        vec![crate::document::CompareTogether { to, from, parameters, f, degrees_of_freedom, p, significant: true }];
+    let shown = first(&document);
+    let lines: Vec<&str> = shown.lines().skip(1).collect();
+    assert!(lines[0].starts_with("Different instruments: Mitutoyo") && lines[0].contains("FaroArm, U = "), "{shown}");
+    assert_eq!(lines[1], "Different set-ups: load: 0 kg; 2 kg.");
+    assert!(lines[2].starts_with("Different models: "), "{shown}");
+    assert!(shown.contains("degrees of freedom, p < 0.001)") && !shown.contains("p = 0)"), "{shown}");
+}
+
+#[test]
 fn the_same_document_makes_the_same_bytes_of_every_kind() {
     let (document, presentation) = (demo(), Presentation { language: Language::De, ..Presentation::default() });
     for kind in kinds() {

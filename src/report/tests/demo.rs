@@ -95,6 +95,7 @@ impl Documents {
                 contact: None,
                 temperature_c: Some(20.1),
                 conditions: Conditions::default(),
+                issue: Issue::default(),
                 report: Presentation::default(),
             },
             import: import(),

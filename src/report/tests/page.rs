@@ -25,7 +25,7 @@ fn the_demo_page_has_what_a_reader_needs() {
     let needed = [
         "Synthetic data: ",
         "Both limits of the campaign are met.",
-        "<b>2.09 → 0.0442 <small>mm</small></b>",
+        "<b>2.0895 → 0.0442 <small>mm</small></b>",
         "U = 2.7 µm for one coordinate (k = 2)",
         "held: not separately identifiable",
         "arrows enlarged ",
@@ -177,7 +177,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
 fn a_test_report_has_what_the_standard_asks_for() {
     let (documents, tested) = (Documents::demo(), demo_iso9283::tested());
     let page = html(&Report { identified: None, tested: &tested, ..documents.report() }).unwrap();
-    for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from ISO 9283", "SHA-256"] {
+    for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from the method", "SHA-256"] {
         assert!(page.contains(what), "{what}");
     }
     let sha256 = &documents.import.sources[0].sha256;

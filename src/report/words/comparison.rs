@@ -105,7 +105,7 @@ pub(in crate::report) fn change(t: &CompareTrend, c: &CompareChange, words: &Wor
         None => format!("{}{} {}", if c.change > 0.0 { "+" } else { "" }, shown(c.change), unit(&t.unit)),
     };
     let interval = c.low.zip(c.high).map(|(low, high)| words.fill("{0} to {1}", &[&shown(low), &shown(high)]));
-    let probability = |p: Option<f64>| p.map_or_else(String::new, |p| number::significant(p, 2));
+    let probability = |p: Option<f64>| p.map_or_else(String::new, number::probability);
     Change {
         pair: pair(c, words),
         change: change.trim_end().to_owned(),

@@ -1,0 +1,34 @@
+//! The certificate: one page of the report for the customer (ISO/IEC 17025:2017, 7.8.4), from the same facts, verdict and errors.
+
+use super::{conditions, errors, limits};
+use crate::document::AccuracyDocument;
+use crate::report::Report;
+use crate::report::model::{Block, Contents, Section};
+use crate::report::words::Words;
+
+/// The page, made of what the report has.
+pub(in crate::report) fn contents(report: &Report, whole: Contents, words: &Words) -> Contents {
+    let title = match report.identified {
+        Some(_) => words.say("Calibration certificate"),
+        None => words.say("Test certificate"),
+    };
+    let mut facts = Section::new("conditions", words.say("Item, customer, traceability"));
+    facts.push(Block::facts(conditions::of_certificate(report, words)));
+    let of_set = report.identified.and_then(|i| {
+        // of the poses that decide
+        let set = i.accuracy.sets.iter().rfind(|s| s.count > 0)?;
+        let accuracy =
+            AccuracyDocument { sets: vec![set.clone()], tool: None, validation_distance: None, ..i.accuracy.clone() };
+        let mut section = errors::of(&accuracy, &[], words);
+        section.title = words.say("Results: errors before and after");
+        Some(section)
+    });
+    Contents {
+        subtitle: format!("{}. {}", whole.title, whole.subtitle),
+        title,
+        sections: [Some(facts), of_set, limits::section(report, words)].into_iter().flatten().collect(),
+        statement: format!("{} {}", whole.statement, words.say("This certificate may be reproduced only as a whole.")),
+        compact: true,
+        ..whole
+    }
+}

@@ -1,0 +1,88 @@
+//! Given parameters judged: whether they still hold, and which of them deserve to be loaded.
+
+use crate::document::{
+    EffectStep, LeastDetectable, LoadVerdict, ParameterVerdict, RecommendationDocument, VerificationDocument,
+    VerificationVerdict,
+};
+use crate::report::model::{Block, Columns, Section, Table, Verdict, fixed, numbers, shown, significant, term};
+use crate::report::number;
+use crate::report::words::Words;
+
+/// Whether parameters still hold.
+pub(in crate::report) fn still_valid(document: &VerificationDocument) -> Verdict {
+    Verdict {
+        met: document.verdict == VerificationVerdict::Valid,
+        sentences: vec![document.meaning.clone()],
+        ..Verdict::default()
+    }
+}
+
+/// By which probability, and what these poses would have detected.
+pub(in crate::report) fn verification(document: &VerificationDocument, words: &Words) -> Vec<Section> {
+    let mut judged = Section::new("judged", words.say("How changes are judged")).on_terminal();
+    let p = number::p_value(document.p_value);
+    let limit = words.fill("called changed below {0}", &[&number::stated(document.significance)]);
+    let (rms, expected) = (number::fixed(document.rms_mm, 4), number::fixed(document.expected_rms_mm, 4));
+    let count = document.of_changes.degrees_of_freedom + document.of_rest.degrees_of_freedom;
+    judged.push(Block::facts(vec![
+        (words.say("probability by chance"), format!("{p}; {limit}").into()),
+        (words.say("residuals, RMS"), words.fill("{0} mm, expected {1} mm", &[&rms, &expected]).into()),
+        (words.say("coordinates"), words.fill("{0} at {1} poses", &[&count, &document.poses]).into()),
+    ]));
+    let percent = |p: f64| number::fixed(100.0 * p, 0);
+    let title = words.fill("Detected with a probability of {0} %", &[&percent(document.power.probability)]);
+    let mut power = Section::new("power", title).on_terminal();
+    let least =
+        |v: Option<f64>| numbers(v.map_or_else(|| words.say("not by these poses"), |v| number::significant(v, 3)));
+    let joint = |l: &LeastDetectable| !l.name.starts_with("base ");
+    let columns = Columns::<LeastDetectable>::new()
+        .both("motion", "", |l| l.name.as_str())
+        .both("detected from", "", |l| least(l.value))
+        .both("named from", "", |l| joint(l).then(|| least(l.named)))
+        .both("unit", "", |l| l.unit.as_str());
+    power.push(Block::Table(Table::of(words, &document.power.least, columns)));
+    let naming = percent(document.power.naming);
+    power.push(Block::note(words.fill("A joint is named with a probability of {0} %.", &[&naming])));
+    vec![judged, power]
+}
+
+/// The recommendation in sentences.
+pub(in crate::report) fn recommended(document: &RecommendationDocument) -> Verdict {
+    Verdict { met: document.recommended.is_plausible(), sentences: document.meaning.clone(), ..Verdict::default() }
+}
+
+/// Effects in the order in which they were tried, and what is proven of each parameter.
+pub(in crate::report) fn recommendation(document: &RecommendationDocument, words: &Words) -> Vec<Section> {
+    let p = |p: Option<f64>| numbers(p.map(number::probability));
+    let values: [&dyn std::fmt::Display; 3] = [&document.poses, &document.folds, &document.repeats];
+    let mut effects =
+        Section::new("effects", words.fill("Effects, at {0} poses in {1} parts, {2} times", &values)).on_terminal();
+    let name = |s: &EffectStep| match s.effect {
+        Some(effect) => format!("+ {effect:?}").to_lowercase(),
+        None => words.say("base and targets"),
+    };
+    let columns = Columns::<EffectStep>::new()
+        .both("effect", "", name)
+        .both("identified", "", |s| s.identified)
+        .both("RMS", "mm", |s| fixed(s.rms_mm, 4))
+        .both("left out, RMS", "mm", |s| fixed(s.held_out_rms_mm, 4))
+        .both("gain over u", "", |s| fixed(s.gain_over_u, 1))
+        .both("p", "", move |s| p(s.p_value))
+        .both("verdict", "", |s| term(words, if s.accepted { "accepted" } else { "not accepted" }));
+    effects.push(Block::Table(Table::of(words, &document.steps, columns)));
+    let mut parameters = Section::new("parameters", words.say("Parameters")).on_terminal();
+    let change = |p: &ParameterVerdict| {
+        let u = (p.change / p.change_over_u).abs();
+        shown(p.change, |v| (if v > 0.0 { "+" } else { "" }).to_owned() + &number::with_uncertainty(v, Some(u)))
+    };
+    let columns = Columns::<ParameterVerdict>::new()
+        .both("name", "", |p| p.name.as_str())
+        .both("change", "", change)
+        .both("unit", "", |p| p.unit.as_str())
+        .both("change over u", "", |p| fixed(p.change_over_u, 1))
+        .both("p", "", move |v| p(Some(v.p_value)))
+        .both("folds over u", "", |p| significant(p.fold_sd_over_u, 2))
+        .both("verdict", "", |p| term(words, if p.verdict == LoadVerdict::Load { "to load" } else { "to hold" }));
+    parameters.push(Block::Table(Table::of(words, &document.parameters, columns)));
+    vec![effects, parameters]
+}
