@@ -247,7 +247,7 @@ fn geometric(draws: u64) -> Vec<Entry> {
         let name = |r: &Row| format!("{{{:.0}, {:.1}}} mm, {:.0}°", r.0[0], r.0[1], r.0[2]);
         let synthetic = |(i, r): (usize, &Row)| {
             let before =
-                [ours(i, &|p| p.before.x_mm), ours(i, &|p| p.before.y_mm), ours(i, &|p| p.before.orientation_deg)];
+                [ours(i, &|p| p.nominal.x_mm), ours(i, &|p| p.nominal.y_mm), ours(i, &|p| p.nominal.orientation_deg)];
             let after = [
                 ours(i, &|p| p.geometric.x_mm),
                 ours(i, &|p| p.geometric.y_mm),

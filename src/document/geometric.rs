@@ -177,7 +177,7 @@ pub struct PoseRow {
     /// Repeats.
     pub count: usize,
     /// With nominal parameters in the geometric base frame.
-    pub before: MeanError,
+    pub nominal: MeanError,
     /// With the geometric parameters.
     pub geometric: MeanError,
     /// With the identified parameters.
@@ -204,7 +204,7 @@ pub struct MeanError {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MethodErrors {
-    /// `before`, `geometric` or `identified`.
+    /// `nominal`, `geometric` or `identified`.
     pub name: String,
     /// Largest position error.
     pub position_max_mm: f64,

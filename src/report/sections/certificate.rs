@@ -3,7 +3,7 @@
 use super::{conditions, errors, limits};
 use crate::document::AccuracyDocument;
 use crate::report::Report;
-use crate::report::model::{Block, Contents, Section};
+use crate::report::model::{Block, Contents, Section, Verdict};
 use crate::report::words::Words;
 
 /// The page, made of what the report has.
@@ -28,6 +28,8 @@ pub(in crate::report) fn contents(report: &Report, whole: Contents, words: &Word
         title,
         sections: [Some(facts), of_set, limits::section(report, words)].into_iter().flatten().collect(),
         statement: format!("{} {}", whole.statement, words.say("This certificate may be reproduced only as a whole.")),
+        // the table has them
+        verdict: Verdict { about: String::new(), headlines: Vec::new(), ..whole.verdict },
         compact: true,
         ..whole
     }

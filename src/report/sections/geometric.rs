@@ -60,15 +60,15 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 /// What the technician's way costs in accuracy.
 fn sentence(document: &GeometricDocument, words: &Words) -> String {
     let largest = |name: &str| document.methods.iter().find(|m| m.name == name).map(|m| m.position_max_mm);
-    let (Some(before), Some(geometric), Some(identified)) =
-        (largest("before"), largest("geometric"), largest("identified"))
+    let (Some(nominal), Some(geometric), Some(identified)) =
+        (largest("nominal"), largest("geometric"), largest("identified"))
     else {
         return String::new();
     };
     let mm = |v: f64| number::significant(v, 3);
     let times = |a: f64, b: f64| number::significant(a / b, 2);
     let values: [&dyn std::fmt::Display; 5] =
-        [&mm(before), &mm(geometric), &times(before, geometric), &mm(identified), &times(geometric, identified)];
+        [&mm(nominal), &mm(geometric), &times(nominal, geometric), &mm(identified), &times(geometric, identified)];
     let alone = words.fill(
         "The largest mean position error falls from {0} mm to {1} mm by geometry alone, {2} times less.",
         &values,
@@ -113,7 +113,7 @@ fn poses(table: &PoseTable, words: &Words) -> Table {
         .sheet("visits", "", |r| r.count);
     type Method = (&'static str, fn(&PoseRow) -> &MeanError);
     let methods: [Method; 3] =
-        [("before", |r| &r.before), ("geometric", |r| &r.geometric), ("identified", |r| &r.identified)];
+        [("nominal", |r| &r.nominal), ("geometric", |r| &r.geometric), ("identified", |r| &r.identified)];
     let columns = methods.into_iter().fold(first, |columns, (name, of)| {
         columns
             .both("x", "mm", move |r| fixed(of(r).x_mm, 3))

@@ -68,7 +68,10 @@ pub(in crate::report) fn recommendation(document: &RecommendationDocument, words
         .both("left out, RMS", "mm", |s| fixed(s.held_out_rms_mm, 4))
         .both("gain over u", "", |s| fixed(s.gain_over_u, 1))
         .both("p", "", move |s| p(s.p_value))
-        .both("verdict", "", |s| term(words, if s.accepted { "accepted" } else { "not accepted" }));
+        .both("verdict", "", |s| match s.accepted {
+            true => term(words, "accepted"),
+            false => term(words, "not accepted"),
+        });
     effects.push(Block::Table(Table::of(words, &document.steps, columns)));
     let mut parameters = Section::new("parameters", words.say("Parameters")).on_terminal();
     let change = |p: &ParameterVerdict| {
@@ -82,7 +85,10 @@ pub(in crate::report) fn recommendation(document: &RecommendationDocument, words
         .both("change over u", "", |p| fixed(p.change_over_u, 1))
         .both("p", "", move |v| p(Some(v.p_value)))
         .both("folds over u", "", |p| significant(p.fold_sd_over_u, 2))
-        .both("verdict", "", |p| term(words, if p.verdict == LoadVerdict::Load { "to load" } else { "to hold" }));
+        .both("verdict", "", |p| match p.verdict {
+            LoadVerdict::Load => term(words, "to load"),
+            LoadVerdict::Hold => term(words, "to hold"),
+        });
     parameters.push(Block::Table(Table::of(words, &document.parameters, columns)));
     vec![effects, parameters]
 }

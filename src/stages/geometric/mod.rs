@@ -39,12 +39,12 @@ pub fn calibrate(
         table.parameters().iter().map(|p| set(&p.name).unwrap_or(p.nominal)).collect()
     };
     // all are judged in the base frame that was found first (thesis 2.7)
-    let before = with(&|name| value(name).filter(|_| name == "x_o" || name == "y_o"));
+    let nominal = with(&|name| value(name).filter(|_| name == "x_o" || name == "y_o"));
     let geometric = with(&|name| match name {
         "beta" | "gamma" | "epsilon_theta" => Some(0.0),
         _ => value(name),
     });
-    let tables = tables(campaign, definition, table, sets, [&before, &geometric, &identified.values])?;
+    let tables = tables(campaign, definition, table, sets, [&nominal, &geometric, &identified.values])?;
     let methods = methods(&tables);
     let mut steps = vec![step("plane of the rails", &found.base.plane.scatter, None)];
     steps.push(step("arc of ball N about O", &found.base.arc.scatter, Some(found.base.arc.coverage_deg)));
@@ -75,7 +75,7 @@ pub fn calibrate(
         definition: "thesis, chapter 2: each quantity from points measured for it, no optimisation of the robot's model; \
                      gamma, beta and epsilon_theta are taken as zero; d3 is corrected for the leads of actuators 2 and 3. \
                      Uncertainties are the points' own, carried through every fit and frame; where residuals scatter \
-                     more than the instrument states, theirs. Errors are means of measured minus predicted pose, before \
+                     more than the instrument states, theirs. Errors are means of measured minus predicted pose, nominal \
                      and geometric in the base frame found geometrically"
             .to_owned(),
         quantities: quantities.iter().map(|q| quantity(q, &found, robot, identified)).collect(),
@@ -212,7 +212,7 @@ fn workspace(definition: &GeometricDefinition, robot: &dyn RailTable, parameters
     regions.map(region).into_iter().collect()
 }
 
-/// Tables 2.2 to 2.4, mean errors of repeated poses: one for each selection of poses; the three sets of parameters are those before, geometric and identified.
+/// Tables 2.2 to 2.4, mean errors of repeated poses: one for each selection of poses; the three sets of parameters are nominal, geometric and identified.
 fn tables(
     campaign: &Campaign,
     definition: &GeometricDefinition,
@@ -263,7 +263,7 @@ fn pose_row(
             MeanError { x_mm: x.0, y_mm: y.0, position_mm: x.0.hypot(y.0), orientation_deg: theta.0.to_degrees() };
         Some((mean, x.1.max(y.1), all.len()))
     };
-    let [before, geometric, identified] = parameters;
+    let [nominal, geometric, identified] = parameters;
     let command = robot.pose(&robot.nominal(), &observed.first()?.joints);
     let (geometric, standard_deviation_mm, count) = mean(geometric)?;
     Some(PoseRow {
@@ -271,7 +271,7 @@ fn pose_row(
         command_mm: [command.x_mm, command.y_mm],
         command_deg: command.theta_rad.to_degrees(),
         count,
-        before: mean(before)?.0,
+        nominal: mean(nominal)?.0,
         geometric,
         identified: mean(identified)?.0,
         standard_deviation_mm,
@@ -293,5 +293,5 @@ fn methods(tables: &[PoseTable]) -> Vec<MethodErrors> {
     if tables.is_empty() {
         return Vec::new();
     }
-    vec![method("before", |r| r.before), method("geometric", |r| r.geometric), method("identified", |r| r.identified)]
+    vec![method("nominal", |r| r.nominal), method("geometric", |r| r.geometric), method("identified", |r| r.identified)]
 }
