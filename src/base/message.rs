@@ -411,7 +411,7 @@ mod tests {
         assert!(all(4).to_string().contains("also in lines 3, 4 and 1 more row\n"));
         // signs differ as digits do
         let signed = |line: usize| {
-            let off = if line % 2 == 0 { "+0.5" } else { "-0.5" };
+            let off = if line.is_multiple_of(2) { "+0.5" } else { "-0.5" };
             Message::warning(format!("off by {off} mm")).at(Place::line("a.csv", line, ""))
         };
         assert_eq!(Problems((1..6).map(signed).collect()).grouped().0.len(), 1);

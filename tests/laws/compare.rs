@@ -12,6 +12,24 @@ use std::collections::BTreeMap;
 
 const PAIRS: u64 = 2000;
 
+/// Residuals that the instrument explains.
+fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
+    ResidualSummary {
+        kind: etalon::math::identify::ResidualKind::Targets,
+        count: 100,
+        rms: 0.001,
+        max: 0.003,
+        degrees_of_freedom,
+        stated_standard_uncertainty_mm: Some(0.001),
+        common_standard_uncertainty_mm: None,
+        repeats: None,
+        chi_square: None,
+        chi_square_rejected: false,
+        uncertainties_from: etalon::math::identify::UncertaintyFrom::Instrument,
+        uncertainties_enlarged_by: 1.0,
+    }
+}
+
 /// A campaign of parameters alone: names, values, standard uncertainties; `before` differs from nominal for the last.
 pub(super) fn identified(
     folder: &str,
@@ -43,20 +61,7 @@ pub(super) fn identified(
         covariance: (0..n).map(|i| (0..n).map(|j| square(i, j)).collect()).collect(),
         covariance_without: Vec::new(),
         budget: vec![],
-        residuals: ResidualSummary {
-            kind: etalon::math::identify::ResidualKind::Targets,
-            count: 100,
-            rms: 0.001,
-            max: 0.003,
-            degrees_of_freedom: 100 - n,
-            stated_standard_uncertainty_mm: Some(0.001),
-            common_standard_uncertainty_mm: None,
-            repeats: None,
-            chi_square: None,
-            chi_square_rejected: false,
-            uncertainties_from: etalon::math::identify::UncertaintyFrom::Instrument,
-            uncertainties_enlarged_by: 1.0,
-        },
+        residuals: residuals(100 - n),
         observability: None,
         solver: SolverSummary {
             method: String::new(),

@@ -257,38 +257,8 @@ fn parameters() -> ParametersDocument {
         covariance: vec![],
         covariance_without: vec![],
         budget,
-        residuals: ResidualSummary {
-            kind: ResidualKind::Targets,
-            count: 160,
-            rms: 0.0162,
-            max: 0.0431,
-            degrees_of_freedom: 149,
-            stated_standard_uncertainty_mm: Some(0.001_35),
-            common_standard_uncertainty_mm: None,
-            chi_square: Some(212.4),
-            repeats: Some(Replicates {
-                repeats_mm: 0.0031,
-                degrees_of_freedom: 96,
-                lack_of_fit_mm: 0.014,
-                p_value: 2e-9,
-            }),
-            uncertainties_from: crate::document::UncertaintyFrom::Instrument,
-            chi_square_rejected: true,
-            uncertainties_enlarged_by: 1.194,
-        },
-        observability: Some(ObservabilitySummary {
-            o1: 12.31,
-            o2: 0.0213,
-            o3: 0.801,
-            o4: 0.0171,
-            o5: 0.114,
-            condition: 46.9,
-            rank: 11,
-            scaling: "columns in mm and degrees, as the parameters are".to_owned(),
-            singular_values: singular_values(),
-            held_singular_values: vec![SingularValueEntry { value: 3e-13, parameters: vec!["x_c".to_owned()] }],
-            rank_cut: 1e-9,
-        }),
+        residuals: residuals(),
+        observability: Some(observability()),
         solver: SolverSummary {
             method: "Levenberg-Marquardt".to_owned(),
             iterations: 6,
@@ -306,6 +276,39 @@ fn parameters() -> ParametersDocument {
                 .into(),
             seed: Some(7),
         },
+    }
+}
+
+fn observability() -> ObservabilitySummary {
+    ObservabilitySummary {
+        o1: 12.31,
+        o2: 0.0213,
+        o3: 0.801,
+        o4: 0.0171,
+        o5: 0.114,
+        condition: 46.9,
+        rank: 11,
+        scaling: "columns in mm and degrees, as the parameters are".to_owned(),
+        singular_values: singular_values(),
+        held_singular_values: vec![SingularValueEntry { value: 3e-13, parameters: vec!["x_c".to_owned()] }],
+        rank_cut: 1e-9,
+    }
+}
+
+fn residuals() -> ResidualSummary {
+    ResidualSummary {
+        kind: ResidualKind::Targets,
+        count: 160,
+        rms: 0.0162,
+        max: 0.0431,
+        degrees_of_freedom: 149,
+        stated_standard_uncertainty_mm: Some(0.001_35),
+        common_standard_uncertainty_mm: None,
+        chi_square: Some(212.4),
+        repeats: Some(Replicates { repeats_mm: 0.0031, degrees_of_freedom: 96, lack_of_fit_mm: 0.014, p_value: 2e-9 }),
+        uncertainties_from: crate::document::UncertaintyFrom::Instrument,
+        chi_square_rejected: true,
+        uncertainties_enlarged_by: 1.194,
     }
 }
 
