@@ -18,6 +18,9 @@ pub struct AccuracyDocument {
     /// The point whose errors `sets` holds, in words.
     #[serde(default)]
     pub point: String,
+    /// Joints of the robot as columns name them: `q1_deg`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub joints: Vec<String>,
     /// One per set of poses: `calibration`, `validation`.
     pub sets: Vec<AccuracySet>,
     /// How far the validation poses lie from those of the calibration: the errors hold among poses like these.
@@ -192,4 +195,7 @@ pub struct PointError {
     pub before_deg: Option<f64>,
     /// Orientation error after.
     pub after_deg: Option<f64>,
+    /// Values of the joints in mm or deg, as [`AccuracyDocument::joints`] names them.
+    #[serde(default)]
+    pub joints: Vec<f64>,
 }

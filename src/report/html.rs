@@ -13,6 +13,7 @@ use minijinja::value::{Rest, Serde};
 use minijinja::{Environment, UndefinedBehavior, Value};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 use std::error::Error;
 
 /// Every template by its name; the ending turns escaping on.
@@ -65,7 +66,37 @@ fn filled(
     environment.add_global("script_sha256", STANDARD.encode(Sha256::digest(script)));
     let fail = |e: minijinja::Error| Problems::from(failure(&e, presentation));
     let page = environment.get_template(template).map_err(fail)?.render(contents).map_err(fail)?;
-    Ok(page.chars().map(|c| if c.is_control() && !matches!(c, '\n' | '\t') { '\u{fffd}' } else { c }).collect())
+    let page: String =
+        page.chars().map(|c| if c.is_control() && !matches!(c, '\n' | '\t') { '\u{fffd}' } else { c }).collect();
+    Ok(if page.len() > LARGE { marks_by_number(&page) } else { page })
+}
+
+/// A page of more bytes has the text of each mark once, where its script finds it; its tables have the numbers without a script.
+const LARGE: usize = 600_000;
+
+/// The page with the number of its text in place of the title of every mark, and these texts as data.
+fn marks_by_number(page: &str) -> String {
+    let (mut texts, mut numbers) = (Vec::new(), BTreeMap::new());
+    let mut out = String::with_capacity(page.len());
+    for line in page.split_inclusive('\n') {
+        let mark = line
+            .split_once("><title>")
+            .filter(|(head, _)| ["<circle", "<polygon", "<rect"].iter().any(|m| head.starts_with(m)));
+        let Some((head, (text, tail))) = mark.and_then(|(head, rest)| Some((head, rest.split_once("</title>")?)))
+        else {
+            out.push_str(line);
+            continue;
+        };
+        let number = *numbers.entry(text).or_insert_with(|| {
+            texts.push(text);
+            texts.len() - 1
+        });
+        let end = tail.strip_prefix("</").map_or(tail, |_| "/>\n");
+        out.push_str(&format!("{head} data-i=\"{number}\"{end}"));
+    }
+    // already escaped for HTML, where a template is read as text
+    let data = format!("<template id=\"texts\">{}</template>\n<script>", texts.join("\n"));
+    out.replacen("<script>", &data, 1)
 }
 
 /// Whether the laboratory's templates read, without a page to fill.

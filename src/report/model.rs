@@ -207,6 +207,8 @@ pub(crate) struct Figure {
     /// name that the figures before and after share, and which of them this is; empty where there is no other
     pub pair: String,
     pub side: &'static str,
+    /// its colours have a scale that both figures share, and one of its own
+    pub scaled: bool,
     /// the numbers behind it; empty where another table has them
     pub table_title: String,
     pub header: Vec<String>,

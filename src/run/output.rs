@@ -80,7 +80,7 @@ impl Output {
     pub fn identified(&mut self, found: Option<&Identified>) -> Result<()> {
         let Some(found) = found else { return Ok(()) };
         self.json("parameters.json", &found.parameters)?;
-        self.table("residuals", &mut evaluate::to_table(&found.errors)?)?;
+        self.table("residuals", &mut evaluate::to_table(&found.errors, &found.accuracy.joints)?)?;
         self.json("accuracy.json", &found.accuracy)
     }
 

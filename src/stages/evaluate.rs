@@ -76,6 +76,7 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
                         after_mm: [a[0], a[1], 0.0],
                         before_deg: Some(b[2].to_degrees()),
                         after_deg: Some(a[2].to_degrees()),
+                        joints: logged(robot, &o.joints),
                     });
                 }
                 None => all.extend(target_errors(robot, o, name, before, after)),
@@ -90,6 +91,11 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
         }
     }
     all
+}
+
+/// Values of the joints in mm or deg.
+fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
+    robot.joints().iter().zip(joints).map(|(joint, value)| joint.quantity.outward(*value)).collect()
 }
 
 /// The error of a condition: of an orientation the angle, beside the error of the same target's position.
@@ -127,6 +133,7 @@ fn condition_error(
         after_mm: a,
         before_deg: None,
         after_deg: None,
+        joints: logged(robot, &condition.joints),
     });
 }
 
@@ -153,6 +160,7 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
         // one rotation a pose: with its first target
         before_deg: before_deg.filter(|_| i == 0),
         after_deg: after_deg.filter(|_| i == 0),
+        joints: logged(robot, &o.joints),
     };
     (0..seen.len()).map(error).collect()
 }
@@ -271,6 +279,7 @@ pub fn evaluate(
              poses; after: all identified parameters; statistics are of sizes, each repeat counted"
         ),
         point: point.to_owned(),
+        joints: robot.joints().iter().map(|joint| joint.column()).collect(),
         sets,
         validation_distance: None,
         budget: Vec::new(),
@@ -335,8 +344,8 @@ pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
     Statistics { mean: sizes.iter().sum::<f64>() / n, rms: (sum_of_squares / n).sqrt(), p95, max }
 }
 
-/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`.
-pub fn to_table(errors: &[PointError]) -> Result<DataFrame> {
+/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, and the columns `joints`.
+pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     let text =
         |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
     let whole =
@@ -355,6 +364,10 @@ pub fn to_table(errors: &[PointError]) -> Result<DataFrame> {
     }
     columns.push(Column::new("before_deg".into(), errors.iter().map(|e| e.before_deg).collect::<Vec<_>>()));
     columns.push(Column::new("after_deg".into(), errors.iter().map(|e| e.after_deg).collect::<Vec<_>>()));
+    for (k, name) in joints.iter().enumerate() {
+        let values: Vec<f64> = errors.iter().map(|e| e.joints.get(k).copied().unwrap_or(f64::NAN)).collect();
+        columns.push(Column::new(name.as_str().into(), values));
+    }
     Ok(DataFrame::new(errors.len(), columns)?)
 }
 
@@ -373,6 +386,10 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
     };
     let (at, before, after) = (vectors("")?, vectors("before_")?, vectors("after_")?);
     let (before_deg, after_deg) = (table::numbers(frame, "before_deg")?, table::numbers(frame, "after_deg")?);
+    let known = ["set", "pose", "cycle", "target", "before_deg", "after_deg"];
+    let is_joint = |name: &str| !known.contains(&name) && !XYZ.iter().any(|axis| name.ends_with(axis));
+    let names = frame.get_column_names().into_iter().map(|name| name.as_str()).filter(|name| is_joint(name));
+    let joints = names.map(|name| table::numbers(frame, name)).collect::<Result<Vec<_>>>()?;
     let error = |i: usize| PointError {
         set: sets[i].clone(),
         pose: poses[i],
@@ -383,6 +400,7 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
         after_mm: after[i],
         before_deg: Some(before_deg[i]).filter(|d| d.is_finite()),
         after_deg: Some(after_deg[i]).filter(|d| d.is_finite()),
+        joints: joints.iter().map(|values| values[i]).collect(),
     };
     Ok((0..frame.height()).map(error).collect())
 }

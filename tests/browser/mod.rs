@@ -25,13 +25,15 @@ fn reports_are_shown_and_printed_as_they_are_meant() {
         return;
     }
     let reports = all();
-    let checks: [(&str, Check); 6] = [
+    let checks: [(&str, Check); 8] = [
         ("widths", nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen),
         ("requests", a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing),
         ("marks", marks_answer_to_the_pointer_and_to_the_keyboard),
         ("switch", before_and_after_are_switched_without_a_script),
         ("batch", the_page_over_all_campaigns_is_sorted_filtered_and_drawn),
         ("print", printing_cuts_no_figure_and_no_row),
+        ("comfort", tables_are_sorted_and_filtered_and_space_turns),
+        ("axe", every_page_is_accessible_in_light_and_dark),
     ];
     for (name, check) in checks {
         println!("{name}");
@@ -65,8 +67,75 @@ fn the_page_over_all_campaigns_is_sorted_filtered_and_drawn(browser: &mut Browse
     assert_eq!(list(&browser.evaluate(&format!("{filter}{robots}"))), Vec::<String>::new());
 }
 
+fn tables_are_sorted_and_filtered_and_space_turns(browser: &mut Browser, reports: &Pages) {
+    browser.size(1024, 768);
+    browser.open(&reports.pages[0]);
+    let table = "[...document.querySelectorAll('#errors details table, #parameters .scroll > table')].find(t => t.tBodies[0].rows.length > 10)";
+    let first = format!("[...{table}.tBodies[0].rows].filter(r => !r.hidden).map(r => r.cells[0].textContent.trim())");
+    let before = list(&browser.evaluate(&first));
+    browser.evaluate(&format!(
+        "{table}.querySelector('thead button').click(); {table}.querySelector('thead button').click()"
+    ));
+    let sorted = list(&browser.evaluate(&first));
+    assert_ne!(before, sorted);
+    assert_eq!(
+        browser.evaluate(&format!("{table}.querySelector('[aria-sort]').getAttribute('aria-sort')")),
+        "descending"
+    );
+    browser.evaluate(&format!(
+        "(input => {{ input.value = 'no such row'; input.dispatchEvent(new Event('input')) }})({table}.parentNode.previousElementSibling.querySelector('input'))"
+    ));
+    assert_eq!(list(&browser.evaluate(&first)), Vec::<String>::new());
+    // one scale of colours for before and after, or one of each picture
+    let fill = "getComputedStyle(document.querySelector('.side-after .w15')).fill";
+    let common = browser.evaluate(fill);
+    browser.evaluate("document.querySelector('.switch input[value=own]').checked = true");
+    assert_ne!(browser.evaluate(fill), common);
+    let contents = "(() => { scrollTo(0, 3000); return document.querySelector('nav').getBoundingClientRect().top })()";
+    assert_eq!(browser.evaluate(contents), 0, "the contents stay in sight");
+    let Some(spatial) = &reports.spatial else { return };
+    browser.open(spatial);
+    let mark = "document.querySelector('svg[data-turn] circle[data-at]').getBoundingClientRect().left";
+    let before = browser.evaluate(mark);
+    browser.evaluate("document.querySelector('svg[data-turn]').dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', shiftKey: true }))");
+    assert_ne!(browser.evaluate(mark), before);
+}
+
+/// axe-core from the npm registry, in the folder of the build; none where it cannot be had.
+fn axe() -> Option<String> {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("axe");
+    let script = folder.join("node_modules/axe-core/axe.min.js");
+    if !script.exists() {
+        std::fs::create_dir_all(&folder).ok()?;
+        let arguments = ["install", "--ignore-scripts", "--no-audit", "--no-fund", "--prefix", ".", "axe-core@4.10.3"];
+        let mut command = Command::new("npm");
+        command.args(arguments).current_dir(&folder).stdout(Stdio::null()).stderr(Stdio::null()).status().ok()?;
+    }
+    std::fs::read_to_string(script).ok()
+}
+
+fn every_page_is_accessible_in_light_and_dark(browser: &mut Browser, reports: &Pages) {
+    let Some(axe) = axe() else {
+        println!("skipped: axe-core cannot be had from the npm registry");
+        return;
+    };
+    browser.size(1024, 768);
+    for page in reports.pages.iter().chain(&reports.spatial).chain([&reports.comparison, &reports.batch]) {
+        for scheme in ["light", "dark"] {
+            let feature = json!([{ "name": "prefers-color-scheme", "value": scheme }]);
+            browser.call("Emulation.setEmulatedMedia", json!({ "features": feature }));
+            browser.open(page);
+            browser.evaluate("document.querySelectorAll('details').forEach(d => d.open = true)");
+            browser.evaluate(&format!("{axe}; 0"));
+            let found = "axe.run({ resultTypes: ['violations'] }).then(r => r.violations.map(v => v.id + ': ' + v.nodes.slice(0, 3).map(n => n.html.slice(0, 200) + n.failureSummary).join(' | ')))";
+            let violations = list(&browser.evaluate(found));
+            assert!(violations.is_empty(), "{} in {scheme}: {violations:#?}", page.display());
+        }
+    }
+}
+
 fn nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen(browser: &mut Browser, reports: &Pages) {
-    for page in reports.pages.iter().chain([&reports.comparison, &reports.batch]) {
+    for page in reports.pages.iter().chain(&reports.spatial).chain([&reports.comparison, &reports.batch]) {
         for (width, height) in [(390, 844), (1024, 768), (1920, 1080)] {
             browser.size(width, height);
             browser.open(page);
@@ -77,7 +146,7 @@ fn nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen(browser: &mut Browser
 }
 
 fn a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing(browser: &mut Browser, reports: &Pages) {
-    for page in reports.pages.iter().chain([&reports.comparison, &reports.batch]) {
+    for page in reports.pages.iter().chain(&reports.spatial).chain([&reports.comparison, &reports.batch]) {
         browser.open(page);
         // whatever a name might start is given the time to do so
         browser.evaluate("new Promise(done => setTimeout(done, 200))");

@@ -9,6 +9,8 @@ pub struct Pages {
     pub pages: Vec<PathBuf>,
     /// A comparison, which has no marks of poses to point at.
     pub comparison: PathBuf,
+    /// Of a robot in space.
+    pub spatial: Option<PathBuf>,
     /// The page over three campaigns.
     pub batch: PathBuf,
     pub folder: tempfile::TempDir,
@@ -39,6 +41,9 @@ pub fn all() -> Pages {
         etalon(&["run".as_ref(), scratch.path().as_os_str()]);
         languages.iter().for_each(|language| report(&scratch.path(), &format!("{sample}-{language}"), language));
     }
+    let scratch = copy_sample("hexapod");
+    run(&scratch);
+    report(&scratch.path(), "hexapod", "fr");
     let scratch = copy_sample("prexyt-cmm");
     make_hostile(&scratch);
     etalon(&["run".as_ref(), scratch.path().as_os_str()]);
@@ -54,7 +59,14 @@ pub fn all() -> Pages {
     let to = folder.path().as_os_str();
     etalon(&["batch".as_ref(), a, b, c.as_os_str(), "--to".as_ref(), to, "--language".as_ref(), "fr".as_ref()]);
     let batch = folder.path().join("batch.html");
-    Pages { pages, comparison: page, batch, folder }
+    let spatial = pages.iter().position(|page| page.ends_with("hexapod.html")).map(|i| pages.remove(i));
+    Pages { pages, comparison: page, spatial, batch, folder }
+}
+
+/// Runs a campaign, whatever its limits come to.
+fn run(scratch: &crate::support::scratch::Scratch) {
+    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).arg("run").arg(scratch.path()).output().unwrap();
+    assert!(output.status.code() < Some(2), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 fn etalon(arguments: &[&std::ffi::OsStr]) {

@@ -75,6 +75,7 @@ pub(super) fn identified(
     of(&mut parameters);
     let accuracy = AccuracyDocument {
         given: None,
+        joints: vec![],
         schema: "etalon/accuracy/1".to_owned(),
         definition: String::new(),
         point: String::new(),

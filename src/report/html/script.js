@@ -1,6 +1,9 @@
 // Marks answer to pointer, finger and keyboard. Without this script their titles do, and the tables hold the numbers.
 (function () {
   "use strict";
+  var texts = document.getElementById("texts");
+  texts = texts ? texts.content.textContent.split("\n") : [];
+  var words = (document.body.dataset.words || "").split("|");
   var tip = document.createElement("div"), chosen = null, byKey = false;
   tip.id = "tip";
   tip.setAttribute("role", "status");
@@ -11,14 +14,14 @@
   function text(mark) {
     var title = mark.querySelector("title");
     if (title) {
-      mark.setAttribute("aria-label", title.textContent);
+      mark.dataset.text = title.textContent;
       title.remove();
     }
-    return mark.getAttribute("aria-label");
+    return mark.dataset.text || texts[mark.dataset.i];
   }
   function markOf(node) {
     var mark = node instanceof Element ? node.closest("svg circle, svg polygon, svg rect") : null;
-    return mark && (mark.querySelector("title") || mark.hasAttribute("aria-label")) ? mark : null;
+    return mark && (mark.dataset.i || mark.dataset.text || mark.querySelector("title")) ? mark : null;
   }
   function hide() {
     if (chosen) chosen.classList.remove("chosen");
@@ -48,14 +51,14 @@
   document.addEventListener("pointerover", function (event) { show(markOf(event.target), false); });
   document.addEventListener("scroll", function () { if (chosen && byKey) place(); else hide(); }, true);
   document.querySelectorAll("svg").forEach(function (picture) {
-    if (!marks(picture).length) return;
+    if (!picture.querySelector("[data-i], circle > title, polygon > title, rect > title")) return;
     var at = -1;
     picture.setAttribute("tabindex", "0");
     picture.addEventListener("blur", hide);
     picture.addEventListener("keydown", function (event) {
       var step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
       if (event.key === "Escape") hide();
-      if (!step) return;
+      if (!step || event.shiftKey) return;
       event.preventDefault();
       var all = marks(picture);
       at = at < 0 && step < 0 ? all.length - 1 : (at + step + all.length) % all.length;
@@ -63,4 +66,147 @@
       show(all[at], true);
     });
   });
+
+  function element(name, parent, text, attributes) {
+    var made = document.createElement(name);
+    if (text) made.textContent = text;
+    Object.keys(attributes || {}).forEach(function (key) { made.setAttribute(key, attributes[key]); });
+    if (parent) parent.appendChild(made);
+    return made;
+  }
+  function button(parent, text, act) {
+    element("button", parent, text, { type: "button" }).addEventListener("click", act);
+  }
+  function save(name, type, text) {
+    var link = element("a", null, "", { download: name, href: URL.createObjectURL(new Blob([text], { type: type })) });
+    link.click();
+    setTimeout(function () { URL.revokeObjectURL(link.href); }, 1000);
+  }
+  function copy(text) {
+    if (navigator.clipboard) return navigator.clipboard.writeText(text);
+    var area = element("textarea", document.body, text);
+    area.select();
+    document.execCommand("copy");
+    area.remove();
+  }
+
+  // tables: sorted by a column, filtered by a text, copied and saved as they are shown
+  function cells(row) { return Array.from(row.cells).map(function (cell) { return cell.textContent.trim(); }); }
+  function shown(table) {
+    var head = table.tHead.rows[table.tHead.rows.length - 1];
+    return [head].concat(Array.from(table.tBodies[0].rows).filter(function (row) { return !row.hidden; })).map(cells);
+  }
+  function quoted(text) { return /[",\n]/.test(text) ? '"' + text.replace(/"/g, '""') + '"' : text; }
+  function compare(a, b) {
+    var x = parseFloat(a), y = parseFloat(b), none = !a - !b;
+    return none || (x !== x || y !== y ? a.localeCompare(b, undefined, { numeric: true }) : x - y);
+  }
+  document.querySelectorAll(".scroll > table").forEach(function (table, number) {
+    var body = table.tBodies[0], wide = table.tHead, name = "table-" + (number + 1) + ".csv";
+    if (!wide || body.rows.length < 3) return;
+    var heads = Array.from(wide.rows[wide.rows.length - 1].cells), tools = element("div", null, "", { class: "tools" });
+    table.parentNode.parentNode.insertBefore(tools, table.parentNode);
+    heads.forEach(function (head, column) {
+      var text = head.textContent;
+      head.textContent = "";
+      button(head, text, function () {
+        var sign = head.getAttribute("aria-sort") === "ascending" ? -1 : 1;
+        heads.forEach(function (other) { other.removeAttribute("aria-sort"); });
+        head.setAttribute("aria-sort", sign > 0 ? "ascending" : "descending");
+        var key = function (row) { return row.cells[column].textContent.trim(); };
+        Array.from(body.rows).sort(function (a, b) { return sign * compare(key(a), key(b)); })
+          .forEach(function (row) { body.appendChild(row); });
+      });
+    });
+    if (body.rows.length > 10) element("input", tools, "", { type: "search", placeholder: words[0], "aria-label": words[0] })
+      .addEventListener("input", function () {
+        var wanted = this.value.toLowerCase();
+        Array.from(body.rows).forEach(function (row) { row.hidden = row.textContent.toLowerCase().indexOf(wanted) < 0; });
+      });
+    button(tools, words[1], function () {
+      copy(shown(table).map(function (row) { return row.join("\t"); }).join("\n"));
+    });
+    button(tools, words[2], function () {
+      save(name, "text/csv", shown(table).map(function (row) { return row.map(quoted).join(","); }).join("\r\n"));
+    });
+  });
+
+  // a picture as a file of its own, its texts and styles in it
+  document.querySelectorAll("figure svg").forEach(function (picture) {
+    var tools = element("div", null, "", { class: "tools" });
+    picture.parentNode.parentNode.insertBefore(tools, picture.parentNode.nextSibling);
+    button(tools, words[3], function () {
+      var whole = picture.cloneNode(true), style = document.createElementNS(picture.namespaceURI, "style");
+      style.textContent = "text { font: 12px sans-serif } " + document.getElementById("picture").textContent;
+      whole.insertBefore(style, whole.firstChild);
+      marks(whole).forEach(function (mark) {
+        var title = document.createElementNS(picture.namespaceURI, "title");
+        title.textContent = text(mark);
+        mark.appendChild(title);
+      });
+      save(picture.getAttribute("aria-labelledby").split("-title")[0] + ".svg", "image/svg+xml", new XMLSerializer().serializeToString(whole));
+    });
+    if (picture.dataset.turn) turning(picture, tools);
+  });
+
+  // a picture in space turns: with the pointer, the buttons, and shift and arrow keys
+  function turning(picture, tools) {
+    var start = picture.dataset.turn.split(" ").map(Number), at = start.slice(), scale = start[2], middle = picture.viewBox.baseVal.width / 2;
+    var items = Array.from(picture.querySelectorAll("[data-at]")).map(function (node) {
+      var v = node.dataset.at.split(" ").map(Number);
+      return { node: node, a: v.slice(0, 3), b: v.slice(3) };
+    });
+    function flat(p, view) {
+      var sa = Math.sin(view[0]), ca = Math.cos(view[0]), se = Math.sin(view[1]), ce = Math.cos(view[1]);
+      return [middle + scale * (ca * p[1] - sa * p[0]), middle - scale * (ce * p[2] - se * (ca * p[0] + sa * p[1]))];
+    }
+    function turn(azimuth, elevation) {
+      at[0] += azimuth;
+      at[1] = Math.max(-1.57, Math.min(1.57, at[1] + elevation));
+      items.forEach(function (item) {
+        var to = flat(item.a, at), from = flat(item.a, start), end = item.b.length ? flat(item.b, at) : null;
+        if (end) ["x1", "y1", "x2", "y2"].forEach(function (key, i) { item.node.setAttribute(key, to.concat(end)[i].toFixed(1)); });
+        else item.node.setAttribute("transform", "translate(" + (to[0] - from[0]).toFixed(1) + " " + (to[1] - from[1]).toFixed(1) + ")");
+      });
+    }
+    picture.turn = turn;
+    // both of a pair turn together
+    function all(azimuth, elevation) {
+      (picture.closest(".pair") || picture.parentNode).querySelectorAll("[data-turn]").forEach(function (one) { one.turn(azimuth, elevation); });
+      hide();
+    }
+    var held = null;
+    picture.addEventListener("pointerdown", function (event) {
+      held = [event.clientX, event.clientY];
+      picture.setPointerCapture(event.pointerId);
+    });
+    picture.addEventListener("pointermove", function (event) {
+      if (!held) return;
+      all((held[0] - event.clientX) / 120, (event.clientY - held[1]) / 120);
+      held = [event.clientX, event.clientY];
+    });
+    ["pointerup", "pointercancel"].forEach(function (name) { picture.addEventListener(name, function () { held = null; }); });
+    picture.addEventListener("keydown", function (event) {
+      var way = { ArrowLeft: [0.15, 0], ArrowRight: [-0.15, 0], ArrowUp: [0, 0.15], ArrowDown: [0, -0.15] }[event.key];
+      if (!way || !event.shiftKey) return;
+      event.preventDefault();
+      all(way[0], way[1]);
+    });
+    [[0.3, 0], [-0.3, 0], [0, 0.2], [0, -0.2]].forEach(function (way, i) { button(tools, words[4 + i], function () { all(way[0], way[1]); }); });
+  }
+
+  // the contents mark the section in sight
+  var links = Array.from(document.querySelectorAll("nav a"));
+  if (window.IntersectionObserver) {
+    var observer = new IntersectionObserver(function (entries) {
+      entries.filter(function (entry) { return entry.isIntersecting; }).forEach(function (entry) {
+        links.forEach(function (link) {
+          if (link.hash !== "#" + entry.target.id) return link.removeAttribute("aria-current");
+          link.setAttribute("aria-current", "true");
+          link.parentNode.scrollLeft = link.offsetLeft - link.parentNode.offsetLeft - 40;
+        });
+      });
+    }, { rootMargin: "-10% 0px -80% 0px" });
+    document.querySelectorAll("main > section").forEach(function (section) { observer.observe(section); });
+  }
 })();

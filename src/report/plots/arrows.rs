@@ -1,9 +1,9 @@
-//! Residual arrows: at each position the error that is left after calibration, enlarged by a stated factor.
+//! Error vectors before and after calibration, enlarged by a stated factor.
 
 use super::axis::range;
 use super::plane::{self, Plane, WIDTH};
 use super::points;
-use super::svg::Svg;
+use super::svg::{Place, Svg};
 use crate::base::pose::Vector;
 use crate::document::PointError;
 use crate::report::model::Figure;
@@ -11,37 +11,53 @@ use crate::report::number::{self, round_down_125};
 use crate::report::words::Words;
 
 /// More arrows than this cannot be read.
-const LIMIT: usize = 300;
+const LIMIT: usize = 150;
 /// The longest arrow takes about this share of the workspace.
 const SHARE: f64 = 0.16;
 
-/// One picture for every plane of the workspace.
+/// Before and after, side by side, for every plane of the workspace.
 pub(in crate::report) fn arrows(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
-    plane::planes(planar).iter().enumerate().map(|(i, &axes)| in_plane(errors, axes, i == 0, words)).collect()
+    let of_plane = |&axes: &(usize, usize)| [false, true].map(|after| in_plane(errors, axes, after, words));
+    let mut all: Vec<Figure> = plane::planes(planar).iter().flat_map(of_plane).collect();
+    if let Some(figure) = all.get_mut(1) {
+        (figure.table_title, figure.header, figure.rows) = table(&drawn(errors, true), words);
+    }
+    all
 }
 
-fn in_plane(errors: &[&PointError], axes: (usize, usize), with_table: bool, words: &Words) -> Figure {
-    let drawn = points::thin(errors, LIMIT, points::after_mm);
+fn drawn<'a>(errors: &[&'a PointError], after: bool) -> Vec<&'a PointError> {
+    points::thin(errors, LIMIT, if after { points::after_mm } else { points::before_mm })
+}
+
+fn in_plane(errors: &[&PointError], axes: (usize, usize), after: bool, words: &Words) -> Figure {
+    let drawn = drawn(errors, after);
+    let error = |p: &PointError| if after { p.after_mm } else { p.before_mm };
     let in_plane = |v: Vector| v[axes.0].hypot(v[axes.1]);
-    let longest_mm = range(drawn.iter().map(|p| in_plane(p.after_mm))).map_or(0.0, |r| r.1);
+    let longest_mm = range(drawn.iter().map(|p| in_plane(error(p)))).map_or(0.0, |r| r.1);
     let factor = enlargement(&drawn, axes, longest_mm);
-    let tip_mm = |p: &PointError| [0, 1, 2].map(|i| p.at_mm[i] + factor * p.after_mm[i]);
+    let tip_mm = |p: &PointError| [0, 1, 2].map(|i| p.at_mm[i] + factor * error(p)[i]);
     let places: Vec<_> = drawn.iter().flat_map(|p| [p.at_mm, tip_mm(p)]).collect();
     let plane = Plane::around(axes, &places);
     let shown = number::shown("mm", longest_mm);
     let times = number::significant(factor, 1);
-    let title = words.fill("Error vectors after calibration, {0} plane", &[&plane::name(axes)]);
+    let name = plane::name(axes);
+    let title = match after {
+        true => words.fill("Error vectors after calibration, {0} plane", &[&name]),
+        false => words.fill("Error vectors before calibration, {0} plane", &[&name]),
+    };
     let description = words
         .fill("At each measured position an arrow of measured minus predicted, arrows enlarged {0} times.", &[&times]);
-    let id = format!("arrows-{}", plane::name(axes));
+    let id = format!("arrows-{}-{name}", if after { "after" } else { "before" });
     let mut svg = Svg::new(&id, WIDTH, plane.height() + 44.0, &title, &description);
     plane.draw(&mut svg, words);
+    for (class, validation) in [("arrow-cal", false), ("arrow-val", true)] {
+        let of_set = drawn.iter().filter(|p| points::is_validation(p) == validation);
+        let all: Vec<[Place; 2]> = of_set.map(|p| [plane.at(p.at_mm), plane.at(tip_mm(p))]).collect();
+        svg.arrows(class, &all);
+    }
     for p in &drawn {
-        let (from, to) = (plane.at(p.at_mm), plane.at(tip_mm(p)));
-        let class = if points::is_validation(p) { "arrow-val" } else { "arrow-cal" };
-        svg.arrow(class, from, to);
-        let tip = points::tooltip(p, points::before_mm(p), points::after_mm(p), shown, words);
-        svg.mark(points::shape(p), points::class(p), from, 2.0, "", &tip);
+        let tip = points::tooltip(p, words);
+        svg.mark(points::shape(p), points::class(p), plane.at(p.at_mm), 2.0, "", &tip);
     }
     // the scale arrow: a round length as long as the picture's own arrows
     let round = round_down_125(longest_mm * shown.factor);
@@ -57,10 +73,25 @@ fn in_plane(errors: &[&PointError], axes: (usize, usize), with_table: bool, word
         svg.text("start", (x + 10.0, plane.height() + 36.0), &words.say(name));
     }
     let longest = format!("{} {}", number::significant(longest_mm * shown.factor, 3), shown.unit);
-    let caption = words.fill("Arrows enlarged {0} times; the longest is {1}.", &[&times, &longest])
-        + &points::how_many(drawn.len(), errors.len(), words);
-    let (table_title, header, rows) = if with_table { table(&drawn, words) } else { Default::default() };
-    Figure { title, svg: svg.finish(), caption, table_title, header, rows, ..Figure::default() }
+    let few = match drawn.len() < errors.len() {
+        true => format!(
+            " {}",
+            words.fill(
+                "{0} of {1} points are drawn, evenly chosen, the largest among them.",
+                &[&drawn.len(), &errors.len()]
+            )
+        ),
+        false => String::new(),
+    };
+    let caption = words.fill("Arrows enlarged {0} times; the longest is {1}.", &[&times, &longest]) + &few;
+    Figure {
+        title,
+        pair: format!("arrows-{name}"),
+        side: if after { "after" } else { "before" },
+        svg: svg.finish(),
+        caption,
+        ..Figure::default()
+    }
 }
 
 /// The round factor that makes the longest arrow a readable share of the workspace.
@@ -97,19 +128,19 @@ mod tests {
             point(2, [100.0, 50.0, 0.0], [0.1; 3], [0.0, 0.006, 0.0]),
         ];
         let errors: Vec<_> = errors.iter().collect();
-        let pictures = arrows(&errors, true, &Words::default());
-        assert_eq!(pictures.len(), 1);
-        // 16 % of 100 mm over 6 µm is 2667
-        assert!(pictures[0].caption.starts_with("Arrows enlarged 2000 times; the longest is 6.00 µm."));
-        assert!(pictures[0].svg.contains(">5 µm</text>"));
-        assert_eq!(pictures[0].rows.len(), 2);
-        assert_eq!(pictures[0].rows[1][8], "6.00");
+        let [before, after] = &arrows(&errors, true, &Words::default())[..] else { panic!() };
+        // 16 % of 100 mm over 6 µm is 2667, over 141 µm 113
+        assert!(after.caption.starts_with("Arrows enlarged 2000 times; the longest is 6.00 µm."));
+        assert!(before.caption.starts_with("Arrows enlarged 100 times; the longest is 141 µm."), "{}", before.caption);
+        assert!(after.svg.contains(">5 µm</text>"));
+        assert_eq!((after.rows.len(), before.rows.len()), (2, 0));
+        assert_eq!(after.rows[1][8], "6.00");
     }
 
     #[test]
     fn perfect_points_have_no_arrows() {
         let errors = [point(1, [0.0; 3], [0.0; 3], [0.0; 3])];
-        let picture = &arrows(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[0];
-        assert!(!picture.svg.contains("class=\"arrow") && picture.caption.contains("longest is 0 µm"));
+        let picture = &arrows(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
+        assert!(!picture.svg.contains("<line class=\"arrow") && picture.caption.contains("longest is 0 µm"));
     }
 }

@@ -4,7 +4,7 @@ use super::axis::{Axis, left_margin, range};
 use super::points;
 use super::svg::{Shape, Svg};
 use crate::base::pose_name::PoseName;
-use crate::document::PointError;
+use crate::document::{LimitVerdict, PointError};
 use crate::report::model::Figure;
 use crate::report::number;
 use crate::report::words::Words;
@@ -12,21 +12,22 @@ use std::collections::BTreeSet;
 
 pub(in crate::report) const WIDTH: f64 = 760.0;
 pub(in crate::report) const HEIGHT: f64 = 340.0;
-pub(in crate::report) const RIGHT: f64 = 12.0;
+/// room for half of the last label
+pub(in crate::report) const RIGHT: f64 = 22.0;
 pub(in crate::report) const TOP: f64 = 36.0;
 pub(in crate::report) const BOTTOM: f64 = 296.0;
 const TICKS: usize = 5;
-/// More marks than this hide each other.
-const LIMIT: usize = 1500;
 /// The axis is logarithmic where the largest error before is more than this many times the median after.
 const RATIO: f64 = 20.0;
 
 /// Position and, where there is one, orientation.
-pub(in crate::report) fn pictures(errors: &[&PointError], words: &Words) -> Vec<Figure> {
+pub(in crate::report) fn pictures(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
     let position = |p: &PointError| Some((points::before_mm(p), points::after_mm(p)));
     let orientation = |p: &PointError| Some((p.before_deg?.abs(), p.after_deg?.abs()));
-    let all =
-        [picture(errors, "position", "mm", position, words), picture(errors, "orientation", "deg", orientation, words)];
+    let all = [
+        picture(errors, "position", "mm", position, limits, words),
+        picture(errors, "orientation", "deg", orientation, limits, words),
+    ];
     all.into_iter().flatten().collect()
 }
 
@@ -35,11 +36,12 @@ fn picture(
     quantity: &str,
     unit: &str,
     value: impl Fn(&PointError) -> Option<(f64, f64)>,
+    limits: &[LimitVerdict],
     words: &Words,
 ) -> Option<Figure> {
     let sizes = |p: &PointError| value(p).filter(|(before, after)| before.is_finite() && after.is_finite());
     let all: Vec<_> = errors.iter().copied().filter(|p| sizes(p).is_some()).collect();
-    let drawn = points::thin(&all, LIMIT, |p| sizes(p).map_or(0.0, |s| s.1));
+    let drawn = points::readable(&all);
     let pairs: Vec<_> = drawn.iter().filter_map(|p| sizes(p).map(|s| (*p, s))).collect();
     if pairs.is_empty() {
         return None;
@@ -73,14 +75,25 @@ fn picture(
     let left = left_margin(&axis.ticks(TICKS));
     let across = Axis::linear(-0.7, poses.len() as f64 - 0.3, left, WIDTH - RIGHT);
     draw_axes(&mut svg, left, (&across, &axis), &poses, [&name, &words.say("pose")]);
+    let limits = points::limits_of(limits, quantity);
+    for limit in limits.iter().filter(|l| (axis.low()..=axis.high()).contains(&(l.value * shown.factor))) {
+        let y = axis.at(limit.value * shown.factor);
+        svg.line("limit", (left, y), (WIDTH - RIGHT, y));
+    }
     for after in [false, true] {
         for (p, s) in &pairs {
             let place = poses.binary_search(&p.pose).unwrap_or(0) as f64;
             let size = if after { s.1 } else { s.0 };
             let class = if after { points::class(p) } else { "before" };
             let at = (across.at(place), axis.at(size * shown.factor));
-            svg.mark(points::shape(p), class, at, 2.8, "", &points::tooltip(p, s.0, s.1, shown, words));
+            svg.mark(points::shape(p), class, at, 2.8, "", &points::tooltip(p, words));
         }
+    }
+    // names over the marks, each above the one before where lines are near each other
+    let mut above = f64::INFINITY;
+    for limit in limits.iter().filter(|l| (axis.low()..=axis.high()).contains(&(l.value * shown.factor))) {
+        above = (axis.at(limit.value * shown.factor) - 4.0).min(above - 14.0);
+        svg.text("end over", (WIDTH - RIGHT, above), limit.name);
     }
     legend(&mut svg, left, &drawn, words);
     let rule = match logarithmic {
@@ -116,19 +129,43 @@ pub(in crate::report) fn draw_axes(
         svg.line("grid", (left, y), (WIDTH - RIGHT, y));
         svg.text("end", (left - 6.0, y + 4.0), &label);
     }
-    let stride = (super::axis::step(poses.len() as f64, 15) as usize).max(1);
-    for (i, pose) in poses.iter().enumerate() {
-        // round pose numbers where poses are counted from 1
-        if pose.number().unwrap_or(i as i64) % stride as i64 == 0 || poses.len() <= 15 {
-            let x = across.at(i as f64);
-            svg.line("axis", (x, BOTTOM), (x, BOTTOM + 4.0));
-            svg.text("mid", (x, BOTTOM + 17.0), &pose.to_string());
-        }
+    for (place, label) in pose_ticks(poses) {
+        let x = across.at(place);
+        svg.line("axis", (x, BOTTOM), (x, BOTTOM + 4.0));
+        svg.text("mid", (x, BOTTOM + 17.0), &label);
     }
     svg.line("axis", (left, BOTTOM), (WIDTH - RIGHT, BOTTOM));
     svg.line("axis", (left, TOP), (left, BOTTOM));
     svg.text("mid", ((left + WIDTH - RIGHT) / 2.0, BOTTOM + 36.0), along);
     svg.text_upwards((14.0, (TOP + BOTTOM) / 2.0), up);
+}
+
+/// Labels along the poses: every one of few; of many round numbers, a number that is left out between its neighbours.
+fn pose_ticks(poses: &[PoseName]) -> Vec<(f64, String)> {
+    let numbers: Vec<i64> = poses.iter().filter_map(|pose| pose.number()).collect();
+    let all = poses.iter().enumerate().map(|(i, pose)| (i as f64, pose.to_string()));
+    if poses.len() <= 15 {
+        return all.collect();
+    }
+    let (Some(first), Some(last)) = (numbers.first(), numbers.last()) else {
+        return all.step_by(poses.len().div_ceil(8)).collect();
+    };
+    if numbers.len() < poses.len() {
+        return all.step_by(poses.len().div_ceil(8)).collect();
+    }
+    let stride = (super::axis::step((last - first) as f64, 12) as i64).max(1);
+    let round = (first.div_euclid(stride) * stride..=*last).step_by(stride as usize).filter(|n| n >= first);
+    let place = |n: i64| {
+        let at = numbers.partition_point(|m| *m < n);
+        match numbers.get(at) {
+            Some(m) if *m > n && at > 0 => {
+                let before = numbers[at - 1];
+                at as f64 - (m - n) as f64 / (m - before) as f64
+            }
+            _ => at as f64,
+        }
+    };
+    round.map(|n| (place(n), n.to_string())).collect()
 }
 
 fn legend(svg: &mut Svg, left: f64, drawn: &[&PointError], words: &Words) {
@@ -158,7 +195,7 @@ mod tests {
     fn the_axis_follows_its_stated_rule() {
         let caption = |before: f64| {
             let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [before, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
-            pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[0].caption.clone()
+            pictures(&errors.iter().collect::<Vec<_>>(), &[], &Words::default())[0].caption.clone()
         };
         assert!(caption(0.19).starts_with("The error axis is linear: the largest error before is no more than 20"));
         assert!(caption(0.21).starts_with("The error axis is logarithmic: the largest error before is more than 20"));
@@ -168,10 +205,12 @@ mod tests {
     #[test]
     fn errors_below_the_axis_are_counted() {
         let mut errors: Vec<_> = (0..99).map(|i| point(i, [0.0; 3], [0.5, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
-        assert!(!pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[0].caption.contains("lower edge"));
+        assert!(
+            !pictures(&errors.iter().collect::<Vec<_>>(), &[], &Words::default())[0].caption.contains("lower edge")
+        );
         errors[7].after_mm = [1e-9, 0.0, 0.0];
         assert!(
-            pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[0]
+            pictures(&errors.iter().collect::<Vec<_>>(), &[], &Words::default())[0]
                 .caption
                 .contains(" 1 smaller error is drawn")
         );
@@ -183,7 +222,7 @@ mod tests {
         for p in &mut errors {
             (p.before_deg, p.after_deg) = (Some(0.02), Some(0.000_13));
         }
-        let svg = &pictures(&errors.iter().collect::<Vec<_>>(), &Words::default())[1].svg;
+        let svg = &pictures(&errors.iter().collect::<Vec<_>>(), &[], &Words::default())[1].svg;
         let labels = svg.lines().filter(|l| l.starts_with("<text class=\"end\"") && l.contains(">0.0001<"));
         let right: Vec<f64> = labels.filter_map(|l| l.split('"').nth(3)?.parse().ok()).collect();
         // the name is centred at 14 and 12 high, six characters are some 42 wide
@@ -191,13 +230,34 @@ mod tests {
     }
 
     #[test]
+    fn round_numbers_are_ticks_also_where_their_pose_is_missing() {
+        let poses: Vec<PoseName> = (1..=1000).filter(|n| ![400, 700, 1000].contains(n)).map(PoseName::from).collect();
+        let ticks = pose_ticks(&poses);
+        let labels: Vec<&str> = ticks.iter().map(|(_, label)| label.as_str()).collect();
+        assert_eq!(labels, ["100", "200", "300", "400", "500", "600", "700", "800", "900"]);
+        // between poses 399 and 401, which are the 399th and 400th
+        assert_eq!(ticks[3].0, 398.5);
+    }
+
+    #[test]
+    fn a_limit_is_a_line_with_its_name() {
+        let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [0.15; 3], [0.1; 3])).collect();
+        let limit = LimitVerdict::of("position_max_mm", "mm", 0.2, 0.17, None, Default::default());
+        let all: Vec<_> = errors.iter().collect();
+        let svg = &pictures(&all, std::slice::from_ref(&limit), &Words::default())[0].svg;
+        assert!(svg.contains("class=\"limit\"") && svg.contains(">position_max_mm</text>"));
+        let far = LimitVerdict { limit: 20.0, ..limit };
+        assert!(!pictures(&all, &[far], &Words::default())[0].svg.contains("class=\"limit\""));
+    }
+
+    #[test]
     fn orientation_is_drawn_where_there_is_one() {
         let mut errors = vec![point(1, [0.0; 3], [0.1; 3], [0.01; 3]); 3];
-        assert_eq!(pictures(&errors.iter().collect::<Vec<_>>(), &Words::default()).len(), 1);
+        assert_eq!(pictures(&errors.iter().collect::<Vec<_>>(), &[], &Words::default()).len(), 1);
         (errors[0].before_deg, errors[0].after_deg) = (Some(-0.1), Some(0.01));
         (errors[1].before_deg, errors[1].after_deg) = (Some(f64::NAN), Some(0.01));
-        let both = pictures(&errors.iter().collect::<Vec<_>>(), &Words::default());
+        let both = pictures(&errors.iter().collect::<Vec<_>>(), &[], &Words::default());
         assert_eq!((both.len(), both[1].svg.matches("pose 1, ").count()), (2, 2));
-        assert!(both[1].svg.contains("0.100 deg before, 0.0100 deg after"));
+        assert!(both[1].svg.contains("; 0.100 → 0.0100 deg"));
     }
 }

@@ -1,7 +1,7 @@
 //! Curves over one axis, with marks and a legend.
 
 use super::axis::{Axis, left_margin, range};
-use super::svg::{COLOURS, Shape, Svg};
+use super::svg::{COLOURS, SHAPES, Shape, Svg};
 use crate::report::model::Figure;
 use crate::report::number;
 use crate::report::words::Words;
@@ -82,7 +82,7 @@ impl Chart {
             for p in drawn {
                 let values = [number::significant(p.1, 4), number::significant(p.0, 4)];
                 let tip = words.fill("{0}: {1} at {2}", &[&curve.name, &values[0], &values[1]]);
-                svg.mark(Shape::Circle, "map", at(p), 2.6, COLOURS[i % COLOURS.len()], &tip);
+                svg.mark(SHAPES[i % SHAPES.len()], "map", at(p), 2.6, COLOURS[i % COLOURS.len()], &tip);
             }
         }
         for mark in &self.marks {
@@ -97,7 +97,7 @@ impl Chart {
         }
         for (i, (curve, _)) in curves.iter().take(NAMED).enumerate() {
             let (x, y) = (left + 240.0 * (i % 3) as f64, BOTTOM + 56.0 + 20.0 * (i / 3) as f64);
-            svg.mark(Shape::Circle, "map", (x, y), 4.5, COLOURS[i % COLOURS.len()], "");
+            svg.mark(SHAPES[i % SHAPES.len()], "map", (x, y), 4.5, COLOURS[i % COLOURS.len()], "");
             svg.text("start", (x + 10.0, y + 4.0), &curve.name);
         }
         let rows = curves.iter().flat_map(|(c, points)| {

@@ -6,9 +6,11 @@ use crate::report::model::Figure;
 use crate::report::number;
 use crate::report::words::Words;
 
-const WIDTH: f64 = 380.0;
+/// Of few parameters; of more a picture takes the whole width.
+const NARROW: (usize, f64) = (14, 380.0);
+const WIDE: f64 = 760.0;
 /// More than this are not lettered.
-const LETTERED: usize = 14;
+const LETTERED: usize = 44;
 const LETTERS: usize = 14;
 /// Pairs from here on are named.
 const STRONG: f64 = 0.9;
@@ -33,9 +35,11 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
         false => name.to_owned(),
     };
     let longest = names.iter().map(|name| short(name).chars().count()).max().unwrap_or(0);
+    let wide = n > NARROW.0;
+    let width = if wide { WIDE } else { NARROW.1 };
     let margin = if n <= LETTERED { 12.0 + 7.2 * longest as f64 } else { 12.0 };
-    let cell = (WIDTH - margin - 4.0) / n as f64;
-    let mut svg = Svg::new("correlation", WIDTH, 4.0 + cell * n as f64 + margin, &title, &description);
+    let cell = (width - margin - 4.0) / n as f64;
+    let mut svg = Svg::new("correlation", width, 4.0 + cell * n as f64 + margin, &title, &description);
     for (i, name) in names.iter().enumerate() {
         for (j, other) in names.iter().enumerate().take(i + 1) {
             let value = if i == j { 1.0 } else { r(i, j) };
@@ -68,9 +72,11 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
         title,
         svg: svg.finish(),
         caption,
+        wide,
+        // of many the workbook has the numbers
         table_title: words.say("Numbers of this picture"),
         header: std::iter::once(words.say("name")).chain(names.iter().map(|name| (*name).to_owned())).collect(),
-        rows: (0..n).map(row).collect(),
+        rows: if wide { Vec::new() } else { (0..n).map(row).collect() },
         ..Figure::default()
     })
 }

@@ -1,9 +1,9 @@
-//! How large the errors after calibration are: calibration poses against validation poses.
+//! How large the errors before and after calibration are: calibration poses against validation poses.
 
 use super::axis::{Axis, range, step};
 use super::points;
 use super::svg::{Shape, Svg};
-use crate::document::PointError;
+use crate::document::{LimitVerdict, PointError};
 use crate::report::model::Figure;
 use crate::report::number;
 use crate::report::words::Words;
@@ -17,10 +17,15 @@ const TOP: f64 = 36.0;
 const BOTTOM: f64 = 296.0;
 const BINS: usize = 12;
 
-/// Shares of the points by size of the position error after.
-pub(in crate::report) fn histogram(errors: &[&PointError], words: &Words) -> Option<Figure> {
+/// Shares of the points by size of the position error, before and after.
+pub(in crate::report) fn histograms(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
+    [false, true].into_iter().filter_map(|after| histogram(errors, limits, after, words)).collect()
+}
+
+fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words: &Words) -> Option<Figure> {
     let sets = points::sets(errors);
-    let largest_mm = range(errors.iter().map(|p| points::after_mm(p)))?.1;
+    let size: fn(&PointError) -> f64 = if after { points::after_mm } else { points::before_mm };
+    let largest_mm = range(errors.iter().map(|p| size(p)))?.1;
     let shown = number::shown("mm", largest_mm);
     let largest = if largest_mm > 0.0 { largest_mm * shown.factor } else { 1.0 };
     let width = step(largest, BINS);
@@ -28,17 +33,21 @@ pub(in crate::report) fn histogram(errors: &[&PointError], words: &Words) -> Opt
     let counts = sets.iter().map(|(_, class, _)| {
         let mut counts = vec![0usize; bins];
         for p in errors.iter().filter(|p| points::class(p) == *class) {
-            counts[((points::after_mm(p) * shown.factor / width) as usize).min(bins - 1)] += 1;
+            counts[((size(p) * shown.factor / width) as usize).min(bins - 1)] += 1;
         }
         counts
     });
     let counts: Vec<Vec<usize>> = counts.collect();
     let share = |counts: &[usize], bin: usize| 100.0 * counts[bin] as f64 / counts.iter().sum::<usize>().max(1) as f64;
     let highest = counts.iter().flat_map(|c| (0..bins).map(|bin| share(c, bin))).fold(0.0, f64::max);
-    let title = words.say("Sizes of the position error after calibration");
+    let title = match after {
+        true => words.say("Sizes of the position error after calibration"),
+        false => words.say("Sizes of the position error before calibration"),
+    };
+    let side = if after { "after" } else { "before" };
     let step_text = format!("{} {}", number::significant(width, 1), shown.unit);
     let description = words.fill("Share of the points of each set in steps of {0}.", &[&step_text]);
-    let mut svg = Svg::new("histogram", WIDTH, HEIGHT, &title, &description);
+    let mut svg = Svg::new(&format!("histogram-{side}"), WIDTH, HEIGHT, &title, &description);
     let across = Axis::linear(0.0, bins as f64 * width, LEFT, WIDTH - RIGHT);
     let up = Axis::from_zero(highest, BOTTOM, TOP);
     draw_axes(&mut svg, &across, &up, shown.unit, words);
@@ -62,6 +71,20 @@ pub(in crate::report) fn histogram(errors: &[&PointError], words: &Words) -> Opt
         svg.rect(class, (x - 5.0, 11.0), (10.0, 10.0), "");
         svg.text("start", (x + 10.0, 20.0), &words.say(name));
     }
+    // names one below the other, on the side that has room
+    for (i, limit) in points::limits_of(limits, "position").into_iter().enumerate() {
+        let value = limit.value * shown.factor;
+        if value <= across.high() {
+            let (x, y) = (across.at(value), TOP + 12.0 + 14.0 * i as f64);
+            svg.line("limit", (x, TOP), (x, BOTTOM));
+            let right = x < 0.5 * (LEFT + WIDTH);
+            svg.text(
+                if right { "start over" } else { "end over" },
+                (if right { x + 4.0 } else { x - 4.0 }, y),
+                limit.name,
+            );
+        }
+    }
     let mut header = vec![words.fill("from, in {0}", &[&shown.unit]), words.say("to")];
     header.extend(sets.iter().map(|s| words.fill("{0} points", &[&words.say(s.2)])));
     let row =
@@ -72,6 +95,8 @@ pub(in crate::report) fn histogram(errors: &[&PointError], words: &Words) -> Opt
     let totals: Vec<_> = sets.iter().zip(&counts).map(total).collect();
     Some(Figure {
         title,
+        pair: "histogram".to_owned(),
+        side,
         svg: svg.finish(),
         caption: words.fill("Share of each set in steps of {0}: {1}.", &[&step_text, &totals.join(", ")]),
         table_title: words.say("Numbers of this picture"),
@@ -108,7 +133,7 @@ mod tests {
         let mut errors: Vec<_> =
             (0..100).map(|i| point(i, [0.0; 3], [0.1; 3], [f64::from(i as i32) * 1e-4, 0.0, 0.0])).collect();
         errors.iter_mut().skip(60).for_each(|p| p.set = "validation".to_owned());
-        let picture = histogram(&errors.iter().collect::<Vec<_>>(), &Words::default()).unwrap();
+        let picture = histogram(&errors.iter().collect::<Vec<_>>(), &[], true, &Words::default()).unwrap();
         let total = |column: usize| picture.rows.iter().map(|r| r[column].parse::<usize>().unwrap()).sum::<usize>();
         assert_eq!((total(2), total(3), picture.rows.len()), (60, 40, 10));
         assert_eq!(picture.rows[1][..3], ["1", "2", "10"].map(str::to_owned));
@@ -118,9 +143,9 @@ mod tests {
     fn equal_values_and_zeros_are_drawn_and_nothing_is_not() {
         for after in [[0.0; 3], [0.5; 3]] {
             let errors = vec![point(1, [0.0; 3], [0.1; 3], after); 4];
-            let picture = histogram(&errors.iter().collect::<Vec<_>>(), &Words::default()).unwrap();
+            let picture = histogram(&errors.iter().collect::<Vec<_>>(), &[], true, &Words::default()).unwrap();
             assert_eq!(picture.svg.matches("4 points of calibration, 100.0 %").count(), 1);
         }
-        assert!(histogram(&[], &Words::default()).is_none());
+        assert!(histograms(&[], &[], &Words::default()).is_empty());
     }
 }

@@ -1,75 +1,193 @@
-//! Errors over the workspace (thesis, figures 3.8 to 3.10): colour and size of each mark say how large the error is.
+//! Errors over the workspace (thesis, figures 3.8 to 3.10): the colour of a mark is its error on one scale for before and after, its size
+//! the error as a share of the largest of the picture. On a page the colours can have the picture's own scale.
 
 use super::axis::{Axis, range};
 use super::plane::{self, Plane, WIDTH};
 use super::points;
-use super::svg::{Place, Svg};
+use super::svg::{Place, Shape, Svg};
+use super::view::{ASLANT, Paper, View};
+use crate::base::pose::{Vector, minus};
 use crate::document::PointError;
 use crate::report::model::Figure;
 use crate::report::number::{self, Shown};
 use crate::report::words::Words;
 use std::collections::BTreeMap;
 
-/// More marks than this hide each other.
-const LIMIT: usize = 1000;
-
 /// Marks nearer than this, in units of the picture, lie on one another.
 const NEAR: f64 = 2.0;
 
-/// Colours of increasing error: lightness falls all the way, so that print and every eye can order them.
-const RAMP: [[f64; 3]; 4] = [[250.0, 205.0, 100.0], [226.0, 110.0, 70.0], [150.0, 40.0, 100.0], [45.0, 10.0, 75.0]];
+/// Colours from no error to the largest: classes `o0` to `o15` of the common scale, `w0` to `w15` of a picture's own.
+const LEVELS: usize = 16;
 
-/// Before and after, side by side, for every plane of the workspace.
-pub(in crate::report) fn maps(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
-    let of_plane = |&axes: &(usize, usize)| [map(errors, axes, false, words), map(errors, axes, true, words)];
-    plane::planes(planar).iter().flat_map(of_plane).collect()
+/// How a map shows the workspace.
+#[derive(Clone, Copy)]
+enum Seen {
+    Plane((usize, usize)),
+    Space,
 }
 
-fn map(errors: &[&PointError], axes: (usize, usize), after: bool, words: &Words) -> Figure {
+/// Before and after, side by side: every plane of the workspace, and space where it has a third dimension.
+pub(in crate::report) fn maps(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
+    let planes = plane::planes(planar).iter().map(|&axes| Seen::Plane(axes));
+    let all = planes.chain((!planar).then_some(Seen::Space));
+    let largest = |size: fn(&PointError) -> f64| range(errors.iter().map(|p| size(p))).map_or(0.0, |r| r.1);
+    let common_mm = largest(points::before_mm).max(largest(points::after_mm));
+    all.flat_map(|seen| [false, true].map(|after| map(errors, seen, after, common_mm, words))).collect()
+}
+
+/// A scale of errors from zero, and the unit that it is in.
+struct Scale {
+    axis: Axis,
+    shown: Shown,
+}
+
+impl Scale {
+    fn to(largest_mm: f64) -> Self {
+        let shown = number::shown("mm", largest_mm);
+        Self { axis: Axis::from_zero(largest_mm * shown.factor, 0.0, 1.0), shown }
+    }
+
+    fn share(&self, mm: f64) -> f64 {
+        self.axis.at(mm * self.shown.factor)
+    }
+
+    fn top(&self) -> String {
+        format!("{} {}", number::significant(self.axis.high(), 2), self.shown.unit)
+    }
+}
+
+fn level(share: f64) -> usize {
+    (share.clamp(0.0, 1.0) * (LEVELS - 1) as f64).round() as usize
+}
+
+fn map(errors: &[&PointError], seen_from: Seen, after: bool, common_mm: f64, words: &Words) -> Figure {
     let size: fn(&PointError) -> f64 = if after { points::after_mm } else { points::before_mm };
     let places: Vec<_> = errors.iter().map(|p| p.at_mm).collect();
-    let plane = Plane::around(axes, &places);
-    let largest = range(errors.iter().map(|p| size(p))).map_or(0.0, |r| r.1);
-    let shown = number::shown("mm", largest);
-    let scale = Axis::from_zero(largest * shown.factor, 0.0, 1.0);
-    let top = format!("{} {}", number::significant(scale.high(), 2), shown.unit);
-    let title = match after {
-        false => words.fill("Position error before calibration, {0} plane", &[&plane::name(axes)]),
-        true => words.fill("Position error after calibration, {0} plane", &[&plane::name(axes)]),
+    let largest_mm = range(errors.iter().map(|p| size(p))).map_or(0.0, |r| r.1);
+    let (common, own) = (Scale::to(common_mm), Scale::to(largest_mm));
+    let name = match seen_from {
+        Seen::Plane(axes) => words.fill("{0} plane", &[&plane::name(axes)]),
+        Seen::Space => words.say("in space"),
     };
-    let largest = format!("{} {}", number::significant(largest * shown.factor, 3), shown.unit);
-    let description =
-        words.fill("Marks at the measured positions; colour and size from 0 to {0}; largest {1}.", &[&top, &largest]);
-    let id = format!("map-{}-{}", if after { "after" } else { "before" }, plane::name(axes));
-    let mut svg = Svg::new(&id, WIDTH, plane.height() + 48.0, &title, &description);
-    plane.draw(&mut svg, words);
-    // largest first: the small ones lie on top of the large ones
-    let seen = seen(errors, size, |p| plane.at(p.at_mm));
-    let drawn = points::thin(&seen, LIMIT, size);
-    for p in &drawn {
-        let share = scale.at(size(p) * shown.factor);
-        let tip = points::tooltip(p, points::before_mm(p), points::after_mm(p), shown, words);
-        svg.mark(points::shape(p), "map", plane.at(p.at_mm), radius(share), &colour(share), &tip);
-    }
-    legend(&mut svg, errors, &scale, shown, plane.height(), words);
-    let places = match seen.len() < errors.len() {
+    let title = match after {
+        false => words.fill("Position error before calibration, {0}", &[&name]),
+        true => words.fill("Position error after calibration, {0}", &[&name]),
+    };
+    let largest = format!("{} {}", number::significant(largest_mm * own.shown.factor, 3), own.shown.unit);
+    let description = words.fill(
+        "Marks at the measured positions: colour from 0 to {0}, one scale before and after; size from 0 to {1}, that of this picture; largest error {2}.",
+        &[&common.top(), &own.top(), &largest],
+    );
+    let key = match seen_from {
+        Seen::Plane(axes) => plane::name(axes),
+        Seen::Space => "space".to_owned(),
+    };
+    let id = format!("map-{}-{key}", if after { "after" } else { "before" });
+    let class = |p: &PointError| format!("map o{} w{}", level(common.share(size(p))), level(own.share(size(p))));
+    let (mut svg, drawn, seen, bottom) = match seen_from {
+        Seen::Plane(axes) => {
+            let plane = Plane::around(axes, &places);
+            let mut svg = Svg::new(&id, WIDTH, plane.height() + 48.0, &title, &description);
+            plane.draw(&mut svg, words);
+            let (seen, drawn) = chosen(errors, size, |p| plane.at(p.at_mm));
+            for p in &drawn {
+                let tip = points::tooltip(p, words);
+                svg.mark(points::shape(p), &class(p), plane.at(p.at_mm), radius(own.share(size(p))), "", &tip);
+            }
+            (svg, drawn.len(), seen, plane.height())
+        }
+        Seen::Space => {
+            let space = Space::around(&places);
+            let mut svg = Svg::new(&id, WIDTH, WIDTH + 48.0, &title, &description);
+            space.draw(&mut svg);
+            let (seen, drawn) = chosen(errors, size, |p| space.at(minus(p.at_mm, space.middle)));
+            for p in &drawn {
+                let (tip, place) = (points::tooltip(p, words), minus(p.at_mm, space.middle));
+                let radius = radius(own.share(size(p)));
+                svg.mark_in_space(points::shape(p), &class(p), space.at(place), radius, place, &tip);
+            }
+            (svg, drawn.len(), seen, WIDTH)
+        }
+    };
+    legend(&mut svg, errors, [&common, &own], bottom, words);
+    let hidden = match seen < errors.len() && drawn == seen {
         true => {
-            let counts: [&dyn std::fmt::Display; 2] = [&errors.len(), &seen.len()];
+            let counts: [&dyn std::fmt::Display; 2] = [&errors.len(), &seen];
             format!(" {}", words.fill("Of {0} errors the largest is drawn at each of {1} places.", &counts))
         }
-        false => String::new(),
+        false => points::how_many(drawn, errors.len(), words),
     };
     Figure {
         title,
-        pair: format!("map-{}", plane::name(axes)),
+        pair: format!("map-{key}"),
         side: if after { "after" } else { "before" },
+        scaled: true,
         svg: svg.finish(),
-        caption: words.fill(
-            "Colour and size of the marks from 0 to {0}, a scale of this picture's own; largest error {1}.",
-            &[&top, &largest],
-        ) + &places
-            + &points::how_many(drawn.len(), seen.len(), words),
+        caption: description + &hidden,
         ..Figure::default()
+    }
+}
+
+/// How many errors no larger one hides, and those that are drawn, largest first: the small ones lie on top of the large ones.
+fn chosen<'a>(
+    errors: &[&'a PointError],
+    size: fn(&PointError) -> f64,
+    at: impl Fn(&PointError) -> Place,
+) -> (usize, Vec<&'a PointError>) {
+    let seen = seen(errors, size, at);
+    let mut drawn = points::readable(&seen);
+    drawn.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    (seen.len(), drawn)
+}
+
+/// The workspace from a direction, within a sphere, so that it can be turned.
+struct Space {
+    middle: Vector,
+    half: Vector,
+    paper: Paper,
+}
+
+impl Space {
+    const VIEW: View = ASLANT;
+
+    fn around(places: &[Vector]) -> Self {
+        let ends = [0, 1, 2].map(|i| range(places.iter().map(|p| p[i])).unwrap_or((0.0, 0.0)));
+        let (middle, half) = (ends.map(|(a, b)| 0.5 * (a + b)), ends.map(|(a, b)| (0.5 * (b - a)).max(0.5)));
+        let radius = half.iter().map(|v| v * v).sum::<f64>().sqrt();
+        // a square around a sphere: whichever way it is turned
+        let paper = Paper::square(radius, WIDTH, 18.0);
+        Self { middle, half, paper }
+    }
+
+    fn at(&self, from_middle: Vector) -> Place {
+        self.paper.at(Self::VIEW.flat(from_middle))
+    }
+
+    /// The box around all places, its axes with their ends in mm.
+    fn draw(&self, svg: &mut Svg) {
+        svg.turns(Self::VIEW.azimuth_rad, Self::VIEW.elevation_rad, self.paper.scale);
+        let corner = |signs: [f64; 3]| [0, 1, 2].map(|i| signs[i] * self.half[i]);
+        for axis in 0..3 {
+            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+            for (sj, sk) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+                let mut from = [0.0; 3];
+                (from[axis], from[j], from[k]) = (-1.0, sj, sk);
+                let mut to = from;
+                to[axis] = 1.0;
+                let ends = [corner(from), corner(to)];
+                let class = if sj < 0.0 && sk < 0.0 { "axis" } else { "grid" };
+                svg.line_in_space(class, self.at(ends[0]), self.at(ends[1]), ends);
+            }
+            let mut at = self.half.map(|v| -v);
+            for share in [0.0, 1.0] {
+                at[axis] = (2.0 * share - 1.0) * self.half[axis];
+                let value = number::fixed(self.middle[axis] + at[axis], 0);
+                let name = ["x", "y", "z"][axis];
+                let text = if share > 0.5 { format!("{name} {value} mm") } else { String::new() };
+                let (x, y) = self.at(at);
+                svg.text_in_space("mid over", (x, y + 4.0), at, &text);
+            }
+        }
     }
 }
 
@@ -96,15 +214,21 @@ fn seen<'a>(
     sorted
 }
 
-fn legend(svg: &mut Svg, errors: &[&PointError], scale: &Axis, shown: Shown, top: f64, words: &Words) {
-    let ticks = scale.ticks(5);
-    let pitch = (WIDTH - 60.0) / ticks.len().max(1) as f64;
-    for (i, (value, label)) in ticks.iter().enumerate() {
-        let (x, share) = (30.0 + pitch * i as f64, scale.at(*value));
-        svg.mark(super::svg::Shape::Circle, "map", (x, top + 14.0), radius(share), &colour(share), "");
-        svg.text("start", (x + 10.0, top + 18.0), label);
+/// Both scales, of which a page shows the chosen one, and paper the common one.
+fn legend(svg: &mut Svg, errors: &[&PointError], [common, own]: [&Scale; 2], top: f64, words: &Words) {
+    for (scale, class, letter) in [(common, "common", 'o'), (own, "own", 'w')] {
+        svg.begin(class);
+        let ticks = scale.axis.ticks(5);
+        let pitch = (WIDTH - 60.0) / ticks.len().max(1) as f64;
+        for (i, (value, label)) in ticks.iter().enumerate() {
+            let (x, share) = (30.0 + pitch * i as f64, scale.axis.at(*value));
+            let size = if letter == 'w' { radius(share) } else { 5.0 };
+            svg.mark(Shape::Circle, &format!("map {letter}{}", level(share)), (x, top + 14.0), size, "", "");
+            svg.text("start", (x + 10.0, top + 18.0), label);
+        }
+        svg.text("end", (WIDTH - 4.0, top + 18.0), scale.shown.unit);
+        svg.end();
     }
-    svg.text("end", (WIDTH - 4.0, top + 18.0), shown.unit);
     for (i, (shape, _, name)) in points::sets(errors).into_iter().enumerate() {
         let x = 30.0 + 120.0 * i as f64;
         svg.mark(shape, "map", (x, top + 36.0), 4.5, "#ffffff", "");
@@ -117,26 +241,21 @@ fn radius(share: f64) -> f64 {
     1.8 + 5.0 * share.sqrt()
 }
 
-fn colour(share: f64) -> String {
-    let place = share.clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
-    let below = (place as usize).min(RAMP.len() - 2);
-    let part = place - below as f64;
-    let mix = |c: usize| (RAMP[below][c] + part * (RAMP[below + 1][c] - RAMP[below][c])).round() as u8;
-    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::report::tests::demo::point;
 
     #[test]
-    fn larger_errors_are_darker() {
-        let lightness = |share: f64| {
-            let c = u32::from_str_radix(&colour(share)[1..], 16).unwrap();
+    fn larger_errors_are_darker_and_every_level_has_a_colour_on_both_scales() {
+        let css = include_str!("../html/picture.css");
+        let lightness = |i: usize| {
+            let hex = css.split(&format!(".o{i} {{ fill: #")).nth(1).expect("a colour");
+            assert!(include_str!("../html/style.html").contains(&format!(".w{i} {{ fill: #{}", &hex[..6])));
+            let c = u32::from_str_radix(&hex[..6], 16).unwrap();
             0.2126 * f64::from(c >> 16) + 0.7152 * f64::from(c >> 8 & 255) + 0.0722 * f64::from(c & 255)
         };
-        let steps: Vec<_> = (0..=20).map(|i| lightness(f64::from(i) / 20.0)).collect();
+        let steps: Vec<_> = (0..LEVELS).map(lightness).collect();
         assert!(steps.windows(2).all(|w| w[0] > w[1] + 1.0), "{steps:?}");
     }
 
@@ -153,15 +272,20 @@ mod tests {
     }
 
     #[test]
-    fn before_and_after_have_their_own_scale() {
+    fn before_and_after_have_one_scale_of_colours_and_their_own_beside_it() {
         let errors = [point(1, [0.0; 3], [0.35, 0.0, 0.0], [0.002, 0.0, 0.0]), point(2, [9.0; 3], [1.2; 3], [0.0; 3])];
         let errors: Vec<_> = errors.iter().collect();
         let maps = maps(&errors, false, &Words::default());
-        assert_eq!(maps.len(), 4);
-        assert!(maps[0].caption.contains("from 0 to 2.5 mm"), "{}", maps[0].caption);
-        assert!(maps[1].caption.contains("from 0 to 2.0 µm"), "{}", maps[1].caption);
-        assert!(maps[3].title.contains("xz"));
+        assert_eq!(maps.len(), 8);
+        for map in &maps {
+            assert!(map.caption.contains("colour from 0 to 2.5 mm"), "{}", map.caption);
+        }
+        assert!(maps[1].caption.contains("size from 0 to 2.0 µm"), "{}", maps[1].caption);
+        assert!(maps[3].title.contains("xz") && maps[5].title.contains("yz") && maps[7].title.contains("in space"));
         assert_eq!(maps[0].svg.matches("pose 1, cycle 1").count(), 1);
+        // 2 µm are the least of the common colours, and the darkest of the picture's own
+        assert!(maps[1].svg.contains("class=\"map o0 w15\""), "{}", maps[1].svg);
+        assert!(maps[7].svg.contains("data-turn=") && maps[7].svg.contains("data-at="));
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The pictures, as SVG that is made once: what a pointer or a screen reader reads off them is in it.
 
+pub(super) mod against;
 pub(super) mod arrows;
 mod axis;
 pub(super) mod by_pose;

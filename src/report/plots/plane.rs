@@ -22,14 +22,14 @@ pub(in crate::report) struct Plane {
     up: Axis,
     /// units of the picture per millimetre
     pub scale: f64,
-    bottom: f64,
+    pub bottom: f64,
     /// what one unit of the places is called
     unit: &'static str,
 }
 
-/// The planes of a workspace: xy, and xz where it has a third dimension.
+/// The planes of a workspace: xy, and xz and yz where it has a third dimension.
 pub(in crate::report) fn planes(planar: bool) -> &'static [(usize, usize)] {
-    if planar { &[(0, 1)] } else { &[(0, 1), (0, 2)] }
+    if planar { &[(0, 1)] } else { &[(0, 1), (0, 2), (1, 2)] }
 }
 
 /// Name of a plane.

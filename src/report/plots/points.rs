@@ -2,9 +2,11 @@
 
 use super::svg::Shape;
 use crate::base::pose::norm;
-use crate::document::PointError;
-use crate::report::number::{self, Shown};
+use crate::base::pose_name::PoseName;
+use crate::document::{LimitVerdict, PointError};
+use crate::report::number;
 use crate::report::words::{Words, isolated};
+use std::collections::BTreeMap;
 use std::fmt::Display;
 
 /// Places and errors beyond this are blunders that no picture can show, mm.
@@ -35,13 +37,49 @@ pub(in crate::report) fn thin<'a>(
     (0..points.len()).filter(chosen).map(|i| points[i]).collect()
 }
 
+/// Marks of a picture, about: more hide each other, and make a page slow.
+const MARKS: usize = 400;
+
+/// All points where they are few. Of more, of each pose the one with the largest error after, the same in every picture: all
+/// validation poses as far as they can be drawn, and calibration poses evenly chosen.
+pub(in crate::report) fn readable<'a>(points: &[&'a PointError]) -> Vec<&'a PointError> {
+    if points.len() <= MARKS {
+        return points.to_vec();
+    }
+    let mut largest: BTreeMap<(bool, PoseName), &PointError> = BTreeMap::new();
+    for p in points {
+        let of_pose = largest.entry((is_validation(p), p.pose)).or_insert(p);
+        if after_mm(p) > after_mm(of_pose) {
+            *of_pose = p;
+        }
+    }
+    let (validation, calibration): (Vec<&PointError>, Vec<&PointError>) =
+        largest.into_values().partition(|p| is_validation(p));
+    let validation = thin(&validation, MARKS.saturating_sub(calibration.len().min(MARKS / 5)), after_mm);
+    let calibration = thin(&calibration, MARKS.saturating_sub(validation.len()), after_mm);
+    [calibration, validation].concat()
+}
+
+/// A limit that belongs into a picture of errors: its name in the campaign, and its value in mm or deg.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::report) struct Limit<'a> {
+    pub name: &'a str,
+    pub value: f64,
+}
+
+/// The limits of a quantity, `position` or `orientation`.
+pub(in crate::report) fn limits_of<'a>(limits: &'a [LimitVerdict], quantity: &str) -> Vec<Limit<'a>> {
+    let of = limits.iter().filter(|l| l.name.starts_with(quantity) && l.limit.is_finite());
+    of.map(|l| Limit { name: &l.name, value: l.limit }).collect()
+}
+
 /// A sentence on how many of the points are drawn; empty where all are.
 pub(in crate::report) fn how_many(drawn: usize, all: usize, words: &Words) -> String {
     match drawn < all {
         true => {
             format!(
                 " {}",
-                words.fill("{0} of {1} points are drawn, evenly chosen, the largest among them.", &[&drawn, &all])
+                words.fill("{0} of {1} errors are drawn: of each pose the largest after calibration; all validation poses as far as there is room, calibration poses evenly chosen.", &[&drawn, &all])
             )
         }
         false => String::new(),
@@ -80,13 +118,25 @@ pub(in crate::report) fn sets(points: &[&PointError]) -> Vec<(Shape, &'static st
     all.into_iter().filter(|s| occurs(s.0)).map(|(_, shape, class, name)| (shape, class, name)).collect()
 }
 
-/// Which point, and its error before and after; the target's name is isolated from its surroundings (right-to-left).
-pub(in crate::report) fn tooltip(p: &PointError, before: f64, after: f64, shown: Shown, words: &Words) -> String {
-    let value = |v: f64| format!("{} {}", number::significant(v * shown.factor, 3), shown.unit);
+/// Which point, and its errors before and after: the same text in every picture, so that a page has it once. The target's name is
+/// isolated from its surroundings (right-to-left).
+pub(in crate::report) fn tooltip(p: &PointError, words: &Words) -> String {
+    let length = |mm: f64| {
+        let shown = number::shown("mm", mm);
+        format!("{} {}", number::significant(mm * shown.factor, 3), shown.unit)
+    };
     let target = isolated(&p.target);
     let set = words.say(if is_validation(p) { "validation" } else { "calibration" });
-    let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &set, &value(before), &value(after)];
-    words.fill("pose {0}, cycle {1}, {2} ({3}): {4} before, {5} after", &values)
+    let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &set, &length(before_mm(p)), &length(after_mm(p))];
+    let text = words.fill("pose {0}, cycle {1}, {2} ({3}): {4} before, {5} after", &values);
+    let shown = number::shown("mm", after_mm(p));
+    let [x, y, z] = p.after_mm.map(|v| number::significant(v * shown.factor, 2));
+    let angle = |deg: Option<f64>| deg.filter(|d| d.is_finite()).map(|d| number::significant(d.abs(), 3));
+    let turned = match (angle(p.before_deg), angle(p.after_deg)) {
+        (Some(before), Some(after)) => format!("; {before} → {after} deg"),
+        _ => String::new(),
+    };
+    format!("{text} (x {x}, y {y}, z {z} {}){turned}", shown.unit)
 }
 
 #[cfg(test)]
@@ -105,6 +155,16 @@ mod tests {
         assert_eq!(thin(&[], 10, after_mm).len(), 0);
         let words = Words::default();
         assert_eq!((how_many(3, 3, &words), how_many(2, 3, &words).is_empty()), (String::new(), false));
+    }
+
+    #[test]
+    fn every_validation_pose_has_a_mark_and_the_largest_error_of_a_pose_is_it() {
+        let mut errors: Vec<_> =
+            (0..3000).map(|i| point(i / 3, [i as f64, 0.0, 0.0], [0.1; 3], [0.01 * (i % 3 + 1) as f64; 3])).collect();
+        errors.iter_mut().filter(|p| p.pose > PoseName::Number(700)).for_each(|p| p.set = "validation".to_owned());
+        let few = readable(&errors.iter().collect::<Vec<_>>());
+        assert_eq!(few.iter().filter(|p| is_validation(p)).count(), 299);
+        assert!(few.len() <= MARKS + 1 && few.iter().all(|p| p.after_mm[0] == 0.03), "{}", few.len());
     }
 
     #[test]

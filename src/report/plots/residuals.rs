@@ -3,20 +3,18 @@
 use super::axis::{Axis, range};
 use super::by_pose::{self, BOTTOM, HEIGHT, RIGHT, TOP, WIDTH};
 use super::points;
-use super::svg::{COLOURS, Shape, Svg};
+use super::svg::{COLOURS, SHAPES, Shape, Svg};
 use crate::base::pose_name::PoseName;
 use crate::document::PointError;
 use crate::report::model::Figure;
 use crate::report::number::{self, Shown};
-use crate::report::words::{Words, isolated};
+use crate::report::words::Words;
 use statrs::distribution::{ContinuousCDF, Normal};
 use std::collections::BTreeSet;
-use std::fmt::Display;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
-const SHAPES: [Shape; 3] = [Shape::Circle, Shape::Diamond, Shape::Circle];
 /// More marks than this hide each other.
-const LIMIT: usize = 700;
+const LIMIT: usize = 300;
 /// Fewer residuals say nothing of their distribution.
 const FEWEST: usize = 10;
 
@@ -35,15 +33,8 @@ pub(in crate::report) fn pictures(errors: &[&PointError], planar: bool, words: &
         .collect()
 }
 
-fn tip(p: &PointError, axis: usize, shown: Shown, words: &Words) -> String {
-    let value = number::significant(p.after_mm[axis] * shown.factor, 3);
-    let target = isolated(&p.target);
-    let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &AXES[axis], &value, &shown.unit];
-    words.fill("pose {0}, cycle {1}, {2}: {3} {4} {5}", &values)
-}
-
 fn by_poses(errors: &[&PointError], axes: usize, shown: Shown, reach: f64, words: &Words) -> Figure {
-    let drawn = points::thin(errors, LIMIT, points::after_mm);
+    let drawn = points::readable(errors);
     let title = words.say("Residuals by pose after calibration");
     let name = words.fill("measured minus predicted in {0}", &[&shown.unit]);
     let description = words.say("One mark for each pose, cycle, target and axis.");
@@ -60,7 +51,7 @@ fn by_poses(errors: &[&PointError], axes: usize, shown: Shown, reach: f64, words
         for p in &drawn {
             let place = poses.binary_search(&p.pose).unwrap_or(0) as f64 + aside;
             let at = (across.at(place), up.at(p.after_mm[axis] * shown.factor));
-            svg.mark(shape, "map", at, 2.6, COLOURS[axis], &tip(p, axis, shown, words));
+            svg.mark(shape, "map", at, 2.6, COLOURS[axis], &points::tooltip(p, words));
         }
         let x = left + 8.0 + 60.0 * axis as f64;
         svg.mark(shape, "map", (x, 16.0), 4.0, COLOURS[axis], "");
@@ -118,7 +109,7 @@ fn quantiles(errors: &[&PointError], axes: usize, shown: Shown, reach: f64, word
     let stride = count.div_ceil(LIMIT);
     for (i, r) in all.iter().enumerate().filter(|(i, _)| i % stride == 0 || *i + 1 == count) {
         let at = (across.at(quantile(i)), up.at(value(r)));
-        svg.mark(Shape::Circle, "cal", at, 2.4, "", &tip(r.0, r.1, shown, words));
+        svg.mark(Shape::Circle, "cal", at, 2.4, "", &points::tooltip(r.0, words));
     }
     let [mean, deviation] = [mean, deviation].map(|v| format!("{} {}", number::significant(v, 2), shown.unit));
     Some(Figure {
@@ -172,8 +163,7 @@ mod tests {
             [point(1, [0.0; 3], [0.1; 3], [0.004, 0.0, 0.0]), point(2, [0.0; 3], [0.1; 3], [-0.004, 0.0, 0.0])];
         let pictures = pictures(&errors.iter().collect::<Vec<_>>(), true, &Words::default());
         assert_eq!(pictures.len(), 1);
-        assert!(pictures[0].svg.contains("x 4.00 µm") && pictures[0].svg.contains("x -4.00 µm"));
-        assert!(!pictures[0].svg.contains(": z"));
+        assert!(pictures[0].svg.contains("(x 4.0, ") && pictures[0].svg.contains("(x -4.0, "));
         assert!(super::pictures(&[], true, &Words::default()).is_empty());
     }
 }

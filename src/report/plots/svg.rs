@@ -1,5 +1,6 @@
 //! Inline SVG, one mark at a time; every text is escaped here and nowhere else.
 
+use crate::base::pose::Vector;
 use std::fmt::Write;
 
 /// Colours that every eye distinguishes (Okabe & Ito 2008).
@@ -13,7 +14,12 @@ pub(in crate::report) type Place = (f64, f64);
 pub(in crate::report) enum Shape {
     Circle,
     Diamond,
+    Square,
+    Triangle,
 }
+
+/// Forms of groups that are told apart by more than their colour.
+pub(in crate::report) const SHAPES: [Shape; 4] = [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle];
 
 /// A picture being drawn.
 pub(in crate::report) struct Svg {
@@ -57,22 +63,85 @@ impl Svg {
     }
 
     /// A circle or diamond with a tooltip; `fill` is a colour of the program's own, empty to leave it to the class.
-    pub fn mark(&mut self, shape: Shape, class: &str, (x, y): Place, radius: f64, fill: &str, tooltip: &str) {
+    pub fn mark(&mut self, shape: Shape, class: &str, at: Place, radius: f64, fill: &str, tooltip: &str) {
         let fill = if fill.is_empty() { String::new() } else { format!(" fill=\"{fill}\"") };
-        match shape {
+        self.shaped(shape, class, at, radius, &fill, tooltip);
+    }
+
+    /// A mark of a picture that turns, and its place from the middle in mm.
+    pub fn mark_in_space(&mut self, shape: Shape, class: &str, at: Place, radius: f64, place: Vector, tooltip: &str) {
+        self.shaped(shape, class, at, radius, &in_space(&[place]), tooltip);
+    }
+
+    /// A line of a picture that turns, and the places of its ends from the middle in mm.
+    pub fn line_in_space(&mut self, class: &str, a: Place, b: Place, ends: [Vector; 2]) {
+        let (x1, y1, x2, y2) = (px(a.0), px(a.1), px(b.0), px(b.1));
+        let ends = in_space(&ends);
+        let _ = writeln!(self.out, "<line class=\"{class}\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"{ends}/>");
+    }
+
+    /// A text of a picture that turns.
+    pub fn text_in_space(&mut self, class: &str, (x, y): Place, place: Vector, text: &str) {
+        let (x, y, at) = (px(x), px(y), in_space(&[place]));
+        let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{at}>{}</text>", escape(text));
+    }
+
+    /// Lets a script turn the picture: azimuth and elevation in rad, units for each mm.
+    pub fn turns(&mut self, azimuth_rad: f64, elevation_rad: f64, scale: f64) {
+        let data = format!("<svg data-turn=\"{azimuth_rad} {elevation_rad} {scale:.6}\" ");
+        self.out = self.out.replacen("<svg ", &data, 1);
+    }
+
+    /// What stands between these is shown where one of two ways to colour the marks is chosen.
+    pub fn begin(&mut self, class: &str) {
+        let _ = writeln!(self.out, "<g class=\"{class}\">");
+    }
+
+    pub fn end(&mut self) {
+        self.out.push_str("</g>\n");
+    }
+
+    fn shaped(&mut self, shape: Shape, class: &str, (x, y): Place, radius: f64, fill: &str, tooltip: &str) {
+        let corners: Vec<Place> = match shape {
             Shape::Circle => {
                 let (x, y, r) = (px(x), px(y), px(radius));
                 let _ = write!(self.out, "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}");
-                self.close("circle", tooltip);
+                return self.close("circle", tooltip);
             }
+            // all have about the area of the circle
             Shape::Diamond => {
-                // the diamond's area is that of the circle
-                let half = radius * (std::f64::consts::PI / 2.0).sqrt();
-                let corners = [(x, y - half), (x + half, y), (x, y + half), (x - half, y)];
-                let points = corners.map(|(x, y)| format!("{},{}", px(x), px(y))).join(" ");
-                let _ = write!(self.out, "<polygon class=\"{class}\" points=\"{points}\"{fill}");
-                self.close("polygon", tooltip);
+                let half = 1.25 * radius;
+                vec![(x, y - half), (x + half, y), (x, y + half), (x - half, y)]
             }
+            Shape::Square => {
+                let half = 0.89 * radius;
+                vec![(x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half)]
+            }
+            Shape::Triangle => {
+                let half = 1.35 * radius;
+                vec![(x, y - half), (x + half, y + 0.73 * half), (x - half, y + 0.73 * half)]
+            }
+        };
+        let points: Vec<String> = corners.iter().map(|(x, y)| format!("{},{}", px(*x), px(*y))).collect();
+        let _ = write!(self.out, "<polygon class=\"{class}\" points=\"{}\"{fill}", points.join(" "));
+        self.close("polygon", tooltip);
+    }
+
+    /// Arrows of one class as one path, each head shorter than its arrow.
+    pub fn arrows(&mut self, class: &str, all: &[[Place; 2]]) {
+        let mut path = String::new();
+        for [a, b] in all {
+            let length = (b.0 - a.0).hypot(b.1 - a.1);
+            let _ = write!(path, "M{} {}L{} {}", px(a.0), px(a.1), px(b.0), px(b.1));
+            if length > 0.5 {
+                let (ux, uy, head) = ((b.0 - a.0) / length, (b.1 - a.1) / length, 4.5f64.min(0.6 * length));
+                let back = |side: f64| (px(b.0 - head * ux - side * head * uy), px(b.1 - head * uy + side * head * ux));
+                let ((x1, y1), (x2, y2)) = (back(0.4), back(-0.4));
+                let _ = write!(path, "M{x1} {y1}L{} {}L{x2} {y2}", px(b.0), px(b.1));
+            }
+        }
+        if !all.is_empty() {
+            let _ = writeln!(self.out, "<path class=\"{class}\" fill=\"none\" d=\"{path}\"/>");
         }
     }
 
@@ -125,9 +194,16 @@ impl Svg {
     }
 }
 
-/// Two decimals are a fiftieth of a printed dot.
+/// Places from the middle, in whole millimetres or their tenths, which a script turns.
+fn in_space(places: &[Vector]) -> String {
+    let all: Vec<String> = places.iter().flatten().map(|v| px(*v)).collect();
+    format!(" data-at=\"{}\"", all.join(" "))
+}
+
+/// One decimal is a tenth of a dot of the screen.
 fn px(value: f64) -> String {
-    crate::report::number::fixed(if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 }, 2)
+    let value = crate::report::number::fixed(if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 }, 1);
+    value.strip_suffix(".0").map_or_else(|| value.clone(), str::to_owned)
 }
 
 /// Text as it may stand between tags and in quotes; control characters replaced.

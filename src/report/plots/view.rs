@@ -47,6 +47,12 @@ impl Paper {
         Some(Self { scale, middle: ((x0 + x1) / 2.0, (y0 + y1) / 2.0), centre: (width / 2.0, height / 2.0), height })
     }
 
+    /// A square around a sphere of this radius in mm.
+    pub fn square(radius_mm: f64, width: f64, margin: f64) -> Self {
+        let half = width / 2.0;
+        Self { scale: (half - margin) / radius_mm, middle: (0.0, 0.0), centre: (half, half), height: width }
+    }
+
     pub fn at(&self, flat: Place) -> Place {
         let along = |k: f64, middle: f64| self.scale * (k - middle);
         (self.centre.0 + along(flat.0, self.middle.0), self.centre.1 - along(flat.1, self.middle.1))

@@ -1,7 +1,7 @@
 //! Visits of a pose in its plane, by approach: figure 2.7 of the thesis.
 
 use super::plane::{Plane, WIDTH};
-use super::svg::{COLOURS, Shape, Svg};
+use super::svg::{COLOURS, SHAPES, Shape, Svg};
 use crate::base::pose::{Vector, centroid, minus};
 use crate::base::pose_name::PoseName;
 use crate::document::{Iso9283Document, Iso9283Visit};
@@ -55,9 +55,14 @@ fn picture(pose: PoseName, visits: &[&Iso9283Visit], words: &Words) -> Option<Fi
         let i = groups.keys().flatten().position(|n| Some(*n) == name);
         i.map_or(UNKNOWN, |i| COLOURS[i % COLOURS.len()])
     };
+    let shape = |name: Option<&str>| {
+        let i = groups.keys().flatten().position(|n| Some(*n) == name);
+        i.map_or(Shape::Circle, |i| SHAPES[i % SHAPES.len()])
+    };
     let plane = Plane::around((0, 1), &places).in_unit("µm");
     let title = words.fill("Pose {0}, {1} plane", &[&pose, &"xy"]);
-    let description = words.fill("{0} visits about their mean, by approach; diamonds are the means.", &[&visits.len()]);
+    let description =
+        words.fill("{0} visits about their mean, by approach; large marks are the means.", &[&visits.len()]);
     let lines = groups.len().div_ceil(2);
     let mut svg =
         Svg::new(&format!("visits-{pose}"), WIDTH, plane.height() + 20.0 * lines as f64 + 8.0, &title, &description);
@@ -68,18 +73,18 @@ fn picture(pose: PoseName, visits: &[&Iso9283Visit], words: &Words) -> Option<Fi
         let [x, y, z] = place.map(|v| number::fixed(v, 1));
         let values: [&dyn Display; 6] = [&pose, &visit.cycle, &from, &x, &y, &z];
         let tip = words.fill("pose {0}, cycle {1}, {2}: x {3}, y {4}, z {5} µm from the mean", &values);
-        svg.mark(Shape::Circle, "map", plane.at(*place), 3.0, colour(name), &tip);
+        svg.mark(shape(name), "map", plane.at(*place), 3.0, colour(name), &tip);
     }
     for (name, places) in groups.iter().filter(|(name, _)| name.is_some()) {
         let mean = centroid(places)?;
         let [x, y, _] = mean.map(|v| number::fixed(v, 1));
         let tip = words
             .fill("mean {0}: x {1}, y {2} µm", &[&name.map_or_else(String::new, |name| approach(name, words)), &x, &y]);
-        svg.mark(Shape::Diamond, "mean", plane.at(mean), 6.5, colour(*name), &tip);
+        svg.mark(shape(*name), "mean", plane.at(mean), 6.5, colour(*name), &tip);
     }
     for (i, (name, places)) in groups.iter().enumerate() {
         let (x, y) = (30.0 + 180.0 * (i % 2) as f64, plane.height() + 8.0 + 20.0 * (i / 2) as f64);
-        svg.mark(Shape::Circle, "map", (x, y), 4.5, colour(*name), "");
+        svg.mark(shape(*name), "map", (x, y), 4.5, colour(*name), "");
         svg.text(
             "start",
             (x + 10.0, y + 4.0),
@@ -100,11 +105,11 @@ fn picture(pose: PoseName, visits: &[&Iso9283Visit], words: &Words) -> Option<Fi
         svg: svg.finish(),
         caption: match known > 1 {
             true => words.fill(
-                "{0} visits about their mean; colour shows from which pose it was approached, diamonds are the means.",
+                "{0} visits about their mean; colour and form show from which pose it was approached, large marks are the means.",
                 &[&visits.len()],
             ),
             false => {
-                words.fill("{0} visits about their mean, all from one pose; diamonds are the means.", &[&visits.len()])
+                words.fill("{0} visits about their mean, all from one pose; the large mark is their mean.", &[&visits.len()])
             }
         },
         table_title: words.say("Numbers of this picture"),

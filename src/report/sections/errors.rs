@@ -1,11 +1,12 @@
 //! Errors before and after: by set of poses, by pose, every one of them, and in pictures.
 
+use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
-use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, PointError, Statistics};
+use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, ParametersDocument, PointError, Statistics};
 use crate::report::model::{Block, Columns, ROWS, Section, Table, Text, shown};
 use crate::report::number::{self, Shown};
 use crate::report::plots::points::{self, after_mm, before_mm};
-use crate::report::plots::{arrows, by_pose, histogram, map};
+use crate::report::plots::{against, arrows, by_pose, histogram, map};
 use crate::report::words::Words;
 use crate::report::{Identified, Report};
 use std::collections::BTreeMap;
@@ -81,7 +82,8 @@ pub(in crate::report) fn of(accuracy: &AccuracyDocument, errors: &[PointError], 
 
 /// Every picture of the errors.
 pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
-    let errors = report.identified?.errors;
+    let identified = report.identified?;
+    let errors = identified.errors;
     let mut section = Section::new("pictures", words.say("Pictures"));
     let drawable = points::drawable(errors);
     let planar = points::planar(&drawable, report.frames.world.planar);
@@ -97,10 +99,18 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
     }
     let mut figures = map::maps(&drawable, planar, words);
     figures.extend(arrows::arrows(&drawable, planar, words));
-    figures.extend(histogram::histogram(&drawable, words));
-    figures.extend(by_pose::pictures(&drawable, words));
+    let (limits, joints) = (&identified.accuracy.limits, &identified.accuracy.joints);
+    figures.extend(histogram::histograms(&drawable, limits, words));
+    figures.extend(by_pose::pictures(&drawable, limits, words));
+    figures.extend(against::pictures(&drawable, joints, base_mm(identified.parameters), limits, words));
     section.figures(figures);
     section.whole()
+}
+
+/// Origin of the base in the frame of the errors, where its parameters are those of a base in the world.
+fn base_mm(parameters: &ParametersDocument) -> Option<Vector> {
+    let value = |name: &str| parameters.parameters.iter().find(|p| p.name == name).map(|p| p.value);
+    Some([value("base_x")?, value("base_y")?, value("base_z")?])
 }
 
 /// Mean, RMS, 95 % and max of every quantity of a set.
@@ -181,9 +191,11 @@ fn poses(errors: &[PointError], words: &Words) -> Table {
         by_pose.entry((&p.set, p.pose)).or_default().push(p);
     }
     let mut rows: Vec<OfPose> = by_pose.into_iter().map(|((set, pose), errors)| OfPose { set, pose, errors }).collect();
+    let validation = rows.iter().filter(|row| row.set == "validation").count();
     if rows.len() > ROWS {
+        // every validation pose, and of the others the largest
         let largest = |row: &OfPose| row.largest(|p| Some(after_mm(p))).unwrap_or(0.0);
-        rows.sort_by(|a, b| largest(b).total_cmp(&largest(a)));
+        rows.sort_by(|a, b| b.set.cmp(a.set).then(largest(b).total_cmp(&largest(a))));
     }
     let largest = errors.iter().flat_map(|p| [before_mm(p), after_mm(p)]).fold(0.0, f64::max);
     let Shown { unit, factor } = number::shown("mm", largest);
@@ -202,7 +214,8 @@ fn poses(errors: &[PointError], words: &Words) -> Table {
         .shown_in(unit)
         .both("orientation before, max", "deg", move |r| angle(r.largest(|p| p.before_deg)))
         .both("orientation after, max", "deg", move |r| angle(r.largest(|p| p.after_deg)));
-    Table::of(words, &rows, columns).on("Errors by pose").without_empty_columns()
+    let most = ROWS.max(validation);
+    Table::of(words, &rows, columns).on("Errors by pose").without_empty_columns().showing(most)
 }
 
 fn residuals(errors: &[PointError], words: &Words) -> Table {
@@ -239,6 +252,7 @@ mod tests {
         let set = set("validation", all);
         let document = AccuracyDocument {
             given: None,
+            joints: vec![],
             schema: String::new(),
             point: String::new(),
             definition: String::new(),

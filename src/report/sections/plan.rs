@@ -172,5 +172,6 @@ fn error(place: &StudiedPlace, words: &Words) -> PointError {
         after_mm: [place.max_mm, 0.0, 0.0],
         before_deg: None,
         after_deg: None,
+        joints: Vec::new(),
     }
 }

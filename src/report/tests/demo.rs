@@ -21,6 +21,7 @@ pub(in crate::report) fn point(pose: i64, at_mm: Vector, before_mm: Vector, afte
         after_mm,
         before_deg: None,
         after_deg: None,
+        joints: vec![],
     }
 }
 
@@ -104,6 +105,7 @@ impl Documents {
             parameters: parameters(),
             accuracy: AccuracyDocument {
                 given: None,
+                joints: vec![],
                 schema: "etalon/accuracy/1".to_owned(),
                 point: "the platform's centre as the balls measure it".to_owned(),
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
@@ -142,6 +144,7 @@ fn errors() -> Vec<PointError> {
                 after_mm: [bend + draw(), 0.008 * (x - 150.0) / 85.0 + draw(), 0.0],
                 before_deg: Some(0.1 + draw()),
                 after_deg: Some(draw()),
+                joints: vec![],
             });
         }
     }

@@ -40,8 +40,8 @@ fn the_demo_page_has_what_a_reader_needs() {
     {
         assert!(page.contains(&format!("<section id=\"{id}\">")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
     }
-    // six of the errors, three of the parameters, one of the budget, two of the residuals, one of the singular values
-    assert_eq!(page.matches("<svg").count(), 13);
+    // eight of the errors, three of the parameters, one of the budget, two of the residuals, one of the singular values
+    assert_eq!(page.matches("<svg").count(), 15);
 }
 
 #[test]
@@ -158,7 +158,7 @@ fn numbers_that_are_none_and_lone_points_do_no_harm() {
             d.accuracy.limits[0].value = size;
             let page = page(&d);
             assert!(!page.contains("NaN") && !page.contains(">inf"), "{size}");
-            assert_eq!(page.contains("id=\"histogram-title\""), size.is_finite() && size < 1e7, "{size}");
+            assert_eq!(page.contains("id=\"histogram-after-title\""), size.is_finite() && size < 1e7, "{size}");
         }
     }
 }
@@ -170,7 +170,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
     documents.errors[0].at_mm[2] = 100.0;
     let page = page(&documents);
     assert!(page.contains("Position error before calibration, xz plane") && page.contains("z in mm"));
-    assert_eq!(page.matches("<svg").count(), 16);
+    assert_eq!(page.matches("<svg").count(), 25);
 }
 
 #[test]
