@@ -20,6 +20,8 @@
     if (!drawn.width) continue;
     for (const letters of picture.querySelectorAll("text")) {
       const box = letters.getBoundingClientRect();
+      // those of the scale that is not chosen
+      if (!box.width) continue;
       const [x, y] = [(box.left - drawn.left) * unit, (box.top - drawn.top) * unit];
       const seen = { left: x, right: x + box.width * unit, top: y, bottom: y + box.height * unit, node: letters };
       if (seen.left < -1 || seen.right > frame.width + 1 || seen.top < -2 || seen.bottom > frame.height + 2) say("outside its picture", letters);
