@@ -11,7 +11,7 @@ use crate::report::number::{self, round_down_125};
 use crate::report::words::Words;
 
 /// More arrows than this cannot be read.
-const LIMIT: usize = 150;
+const LIMIT: usize = 120;
 /// The longest arrow takes about this share of the workspace.
 const SHARE: f64 = 0.16;
 

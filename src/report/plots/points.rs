@@ -38,7 +38,7 @@ pub(in crate::report) fn thin<'a>(
 }
 
 /// Marks of a picture, about: more hide each other, and make a page slow.
-const MARKS: usize = 400;
+const MARKS: usize = 380;
 
 /// All points where they are few. Of more, of each pose the one with the largest error after, the same in every picture: all
 /// validation poses as far as they can be drawn, and calibration poses evenly chosen.
