@@ -235,7 +235,7 @@ const WITHIN: [f64; 3] = [0.018, 0.018, 0.005];
 fn geometric(draws: u64) -> Vec<Entry> {
     let drawn: Vec<GeometricDocument> =
         campaigns("prexyt-geometric", &Changes::default(), draws.min(40), |_, found| {
-            found.report().identified.and_then(|i| i.geometric).cloned().expect("geometric")
+            found.report().geometric.cloned().expect("geometric")
         });
     let predicted = after_from_before();
     let mut first = 0;

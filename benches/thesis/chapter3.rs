@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 pub const ALL: &[(&str, fn(u64) -> Vec<Entry>)] = &[
+    ("Figure 3.5", figure_3_5),
     ("Tables 3.1 and 3.2, figure 3.6", simulated_calibration),
     ("Table 3.3", table_3_3),
     ("Table 3.4, figures 3.8 to 3.10", judged_parameters),
@@ -105,6 +106,31 @@ fn sets(robot: &Prexyt) -> Vec<Vec<Observation>> {
     let folder = sample("prexyt-cmm");
     let file = StudyFile::read(&folder.join("study.toml")).expect("study");
     file.sets.iter().map(|set| observations(&set.poses, robot, &folder).expect("poses")).collect()
+}
+
+fn figure_3_5(_: u64) -> Vec<Entry> {
+    let robot = robot(&nominal(117.0, 23.5));
+    let place = |o: &Observation| {
+        let at = robot.direct(&robot.nominal(), &o.joints);
+        [at.x_mm, at.y_mm]
+    };
+    let series = |(set, (name, _)): (Vec<Observation>, (&str, [f64; 13]))| Series {
+        name: name.into(),
+        points: set.iter().map(place).collect(),
+        form: Form::Marks,
+    };
+    let series = sets(&robot).into_iter().zip(IDENTIFIED).map(series).collect();
+    let title = "Positions of our sets (1 and 1₁ share theirs, 2 and 2₂ too)".into();
+    vec![Entry {
+        title: "Figure 3.5, sets of calibration poses",
+        how: OUR_SETS.into(),
+        comparisons: Vec::new(),
+        figures: vec![Picture { title, across: "x, mm", up: "y, mm", equal: true, series }.svg()],
+        statements: Vec::new(),
+        expected: Verdict::NotReproducible(
+            "its poses are in the figure alone; ours are in samples/prexyt-cmm/study.toml",
+        ),
+    }]
 }
 
 /// Section 3.7: "random errors of 0.015 mm", read as three standard deviations, and the mean of five identifications.

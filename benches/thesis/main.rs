@@ -3,6 +3,7 @@
 //! `thesis [--draws N] [--out FOLDER] [--only TEXT] [--check]`: `--check` fails where an entry is not what the page expects of it.
 
 #![allow(clippy::print_stderr)] // progress
+#![allow(clippy::too_many_lines, clippy::type_complexity)] // printed values, table by table
 #![allow(non_snake_case)] // export_T_world
 
 mod campaigns;

@@ -5,28 +5,29 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-/// Steps of the geometric calibration. The base frame's plane, ball R and the side of actuator 3 are those of the
-/// world frame.
+/// Steps of the geometric calibration, each of which can be alone: leads, scale bars, single balls and the workspace need nothing else;
+/// `arc`, `turn`, `shaft`, `offsets` and `mid_travel_mm` come together. The base frame's plane, ball R and the side of actuator 3 are those of
+/// the world frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricDefinition {
     /// Pattern of the labels of ball N on its arc.
-    #[schemars(with = "String")]
-    pub arc: Spanned<String>,
+    #[schemars(with = "Option<String>")]
+    pub arc: Option<Spanned<String>>,
     /// Pattern of the labels of balls K, L and the one on the tapered block while the platform turns.
-    #[schemars(with = "String")]
-    pub turn: Spanned<String>,
+    #[schemars(with = "Option<String>")]
+    pub turn: Option<Spanned<String>>,
     /// Name of the ball on the tapered block.
     #[serde(default = "ball_i")]
     pub turn_ball: String,
     /// Pattern of the labels of all points on the shaft; pose 1 and 2 are the two positions, cycle the repeat.
-    #[schemars(with = "String")]
-    pub shaft: Spanned<String>,
+    #[schemars(with = "Option<String>")]
+    pub shaft: Option<Spanned<String>>,
     /// Pattern of the labels of balls K and L with actuator 1 homed (pose 1) and K with it at its end (pose 2).
-    #[schemars(with = "String")]
-    pub offsets: Spanned<String>,
+    #[schemars(with = "Option<String>")]
+    pub offsets: Option<Spanned<String>>,
     /// Commanded displacement of actuators 2 and 3 for the offsets.
-    pub mid_travel_mm: f64,
+    pub mid_travel_mm: Option<f64>,
     /// Leads of the screws.
     #[serde(default)]
     pub lead: Vec<LeadDefinition>,
@@ -74,6 +75,10 @@ pub struct ScaleBarDefinition {
     pub label: Spanned<String>,
     /// Calibrated distance of its balls.
     pub length_mm: f64,
+    /// Expanded uncertainty (k = 2) of that, from the certificate of the bar.
+    pub length_uncertainty_um: Option<f64>,
+    /// Largest error of a distance that the instrument is specified with; by default what its stated uncertainty makes of two points (k = 2).
+    pub permissible_error_um: Option<f64>,
 }
 
 /// A ball that does not move.
@@ -106,12 +111,52 @@ pub struct WorkspaceDefinition {
     pub theta_deg: f64,
 }
 
+/// Labels of the steps that find the robot together.
+#[derive(Clone, Copy, Debug)]
+pub struct WholeRobot<'a> {
+    /// Ball N on its arc.
+    pub arc: &'a Spanned<String>,
+    /// Balls while the platform turns.
+    pub turn: &'a Spanned<String>,
+    /// Points on the shaft.
+    pub shaft: &'a Spanned<String>,
+    /// Balls K and L for the offsets.
+    pub offsets: &'a Spanned<String>,
+    /// Commanded displacement of actuators 2 and 3 for them.
+    pub mid_travel_mm: f64,
+}
+
 impl GeometricDefinition {
     /// Every pattern of labels.
     pub fn patterns(&self) -> impl Iterator<Item = &Spanned<String>> {
         let leads = self.lead.iter().map(|l| &l.label);
         let bars = self.scale_bar.iter().map(|b| &b.label);
         let balls = self.ball.iter().map(|b| &b.label);
-        [&self.arc, &self.turn, &self.shaft, &self.offsets].into_iter().chain(leads).chain(bars).chain(balls)
+        let robot = [&self.arc, &self.turn, &self.shaft, &self.offsets].into_iter().flatten();
+        robot.chain(leads).chain(bars).chain(balls)
+    }
+
+    /// The steps that find the robot, where all of them are stated.
+    pub fn whole(&self) -> Option<WholeRobot<'_>> {
+        Some(WholeRobot {
+            arc: self.arc.as_ref()?,
+            turn: self.turn.as_ref()?,
+            shaft: self.shaft.as_ref()?,
+            offsets: self.offsets.as_ref()?,
+            mid_travel_mm: self.mid_travel_mm?,
+        })
+    }
+
+    /// Of these steps the keys that are missing, where some are stated.
+    pub fn missing(&self) -> Vec<&'static str> {
+        let stated = [
+            ("arc", self.arc.is_some()),
+            ("turn", self.turn.is_some()),
+            ("shaft", self.shaft.is_some()),
+            ("offsets", self.offsets.is_some()),
+            ("mid_travel_mm", self.mid_travel_mm.is_some()),
+        ];
+        let some = stated.iter().any(|s| s.1);
+        stated.iter().filter(|s| some && !s.1).map(|s| s.0).collect()
     }
 }

@@ -226,11 +226,13 @@ impl Campaign {
 fn missing_keys(text: &str) -> Vec<&'static str> {
     let stated = |key: &&str| toml_file::find(text, &[key]).is_some();
     let tests = ["repeatability", "poses", "stream", "compliance"].iter().any(stated);
-    let identifies = !tests || ["log", "join", "identify", "geometric", "observations"].iter().any(stated);
+    let geometric = stated(&"geometric");
+    // leads, bars, balls and a whole geometric calibration need no log
+    let identifies = !(tests || geometric) || ["log", "join", "identify", "observations"].iter().any(stated);
     let needed: &[&str] = match identifies {
         true if stated(&"observations") => &["identify"],
         true => &["export", "log", "join", "frame", "identify"],
-        false if stated(&"repeatability") => &["export"],
+        false if geometric || stated(&"repeatability") => &["export"],
         false => &[],
     };
     needed.iter().copied().filter(|key| !stated(key)).collect()

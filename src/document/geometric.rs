@@ -52,8 +52,9 @@ pub struct GeometricQuantity {
     pub standard_uncertainty: f64,
     /// How repeats scatter, where there are any.
     pub repeats: Option<RepeatStatistics>,
-    /// Value that the identification of the same campaign found.
-    pub identified: f64,
+    /// Value that the identification of the same campaign found, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub identified: Option<f64>,
     /// Its standard uncertainty; absent where it was held.
     pub identified_standard_uncertainty: Option<f64>,
 }
@@ -136,6 +137,30 @@ pub struct ScaleBarResult {
     pub mean_error_mm: f64,
     /// Standard deviation of the distances.
     pub standard_deviation_mm: f64,
+    /// Largest error of a single distance.
+    pub largest_error_mm: f64,
+    /// Expanded uncertainty (k = 2) of the calibrated length, from the certificate.
+    pub length_uncertainty_mm: Option<f64>,
+    /// Largest error of a distance that the instrument may have.
+    pub permissible_error_mm: f64,
+    /// That over the certificate's uncertainty; at least 4 is asked for.
+    pub uncertainty_ratio: Option<f64>,
+    /// What the bar proves of the instrument.
+    pub verdict: BarVerdict,
+}
+
+/// What a scale bar proves of the instrument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum BarVerdict {
+    /// Every distance is within the permissible error.
+    Conforming,
+    /// One is not.
+    NotConforming,
+    /// The certificate's uncertainty is more than a quarter of the permissible error.
+    BarTooUncertain,
+    /// The campaign states no uncertainty of the length.
+    NoCertificate,
 }
 
 /// One ball that does not move, measured repeatedly: distances of the readings from their mean (thesis, eq. 2.7 to 2.10).

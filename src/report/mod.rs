@@ -45,6 +45,8 @@ pub struct Report<'a> {
     pub frames: &'a FramesDocument,
     /// What was identified; absent where a campaign only tests by ISO 9283.
     pub identified: Option<Identified<'a>>,
+    /// What geometry alone found, where the campaign asks for it.
+    pub geometric: Option<&'a GeometricDocument>,
     /// Characteristics of ISO 9283, where the campaign tests any.
     pub tested: &'a Characteristics,
 }
@@ -58,8 +60,6 @@ pub struct Identified<'a> {
     pub accuracy: &'a AccuracyDocument,
     /// The errors that the pictures show.
     pub errors: &'a [PointError],
-    /// What geometry alone found, where the campaign asks for it.
-    pub geometric: Option<&'a GeometricDocument>,
 }
 
 impl<'a> Report<'a> {
@@ -71,7 +71,7 @@ impl<'a> Report<'a> {
     /// Every warning and error of its documents.
     fn messages(&self) -> Vec<&'a Message> {
         let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);
-        let geometric = self.identified.iter().filter_map(|i| i.geometric).flat_map(|g| &g.messages);
+        let geometric = self.geometric.iter().flat_map(|g| &g.messages);
         identified.chain(&self.import.messages).chain(geometric).chain(self.tested.messages()).collect()
     }
 
@@ -91,6 +91,7 @@ impl<'a> Report<'a> {
                 Some(name) => words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&name))]),
                 None => of_model(i.parameters, words),
             },
+            None if self.tested.none() && self.geometric.is_some() => words.say("Measurements by geometry alone"),
             None => sections::verdict::title(self.tested, words),
         };
         Contents {
@@ -116,8 +117,8 @@ impl<'a> Report<'a> {
             let description = "Identified parameters, covariance, provenance";
             all.push(Attachment::of("parameters.json", "data", description, i.parameters));
             all.push(Attachment::of("accuracy.json", "data", "Errors before and after", i.accuracy));
-            all.extend(i.geometric.map(|d| Attachment::of("geometric.json", "data", "Geometric calibration", d)));
         }
+        all.extend(self.geometric.map(|d| Attachment::of("geometric.json", "data", "Geometric calibration", d)));
         let Characteristics { poses, streams, compliance } = self.tested;
         all.extend(poses.as_ref().map(|d| Attachment::of("iso9283.json", "data", "Characteristics of ISO 9283", d)));
         all.extend(streams.as_ref().map(|d| Attachment::of("iso9283-streams.json", "data", "Recorded motions", d)));

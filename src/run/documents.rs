@@ -100,6 +100,7 @@ pub struct Run {
     pub tested: Characteristics,
     features: FeaturesDocument,
     frames: FramesDocument,
+    geometric: Option<GeometricDocument>,
 }
 
 /// The documents of an identification.
@@ -109,7 +110,6 @@ pub struct Identified {
     /// `accuracy.json`
     pub accuracy: AccuracyDocument,
     errors: Vec<PointError>,
-    geometric: Option<GeometricDocument>,
 }
 
 impl Run {
@@ -123,7 +123,6 @@ impl Run {
                 parameters,
                 accuracy: documents.json("accuracy.json")?,
                 errors: residuals.and_then(|table| evaluate::from_table(&table)).map_err(|more| more.at(&place))?,
-                geometric: documents.optional("geometric.json")?,
             })
         };
         Ok(Self {
@@ -133,6 +132,7 @@ impl Run {
             frames: documents.json("frames.json")?,
             // a campaign that only tests has none
             identified: documents.parameters()?.map(identified).transpose()?,
+            geometric: documents.optional("geometric.json")?,
             tested: Characteristics {
                 poses: documents.optional("iso9283.json")?,
                 streams: documents.optional("iso9283-streams.json")?,
@@ -152,8 +152,8 @@ impl Run {
                 parameters: &i.parameters,
                 accuracy: &i.accuracy,
                 errors: &i.errors,
-                geometric: i.geometric.as_ref(),
             }),
+            geometric: self.geometric.as_ref(),
             tested: &self.tested,
         }
     }

@@ -96,7 +96,7 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Evaluated>
     gathered.document.sources.extend(tests.sources);
     gathered.document.messages.extend(features.messages.clone());
 
-    let (mut joined, mut identified, mut geometric) = (None, None, None);
+    let (mut joined, mut identified) = (None, None);
     if let Some(stated) = &campaign.file.identify {
         // join: measurements meet joint values
         let observed = joined.insert(join::joined(campaign, &gathered, &frames, robot.as_ref())?);
@@ -106,11 +106,11 @@ fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Evaluated>
 
         // identify: observations become parameters, and errors before and after
         let inputs = gathered.document.inputs();
-        let found = identified.insert(identify(campaign, stated, robot.as_mut(), observed, &frames, &inputs)?);
-
-        // geometry: balls, a shaft and an arm give the same parameters without a model
-        geometric = geometric::calibrate(campaign, robot.as_ref(), measured, found)?;
+        identified = Some(identify(campaign, stated, robot.as_mut(), observed, &frames, &inputs)?);
     }
+
+    // geometry: balls, a shaft and an arm give the same parameters without a model
+    let geometric = geometric::calibrate(campaign, robot.as_ref(), measured, identified.as_ref())?;
 
     let summary = summary(campaign, presentation);
     Ok(Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested })
@@ -128,8 +128,8 @@ impl Evaluated {
                 parameters: &found.parameters,
                 accuracy: &found.accuracy,
                 errors: &found.errors,
-                geometric: self.geometric.as_ref(),
             }),
+            geometric: self.geometric.as_ref(),
             tested: &self.tested,
         }
     }

@@ -313,6 +313,15 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
         problems.0.push(message.at(campaign.place_of(&["temperature_c"])));
     }
     let Some(geometric) = &file.geometric else { return };
+    if let Some(missing) = geometric.missing().first() {
+        let message = Message::error(format!("[geometric] lacks `{missing}`")).at(campaign.place_of(&["geometric"]));
+        let hint = "the base frame, C, s, d1 and d3 need `arc`, `turn`, `shaft`, `offsets` and `mid_travel_mm` together; leads, bars and balls need none";
+        problems.0.push(message.hint(hint));
+    }
+    if let Some(table) = geometric.table.first().filter(|_| geometric.whole().is_none() || !campaign.identifies()) {
+        let message = Message::error("a table of errors needs the whole geometric calibration and [identify]");
+        problems.0.push(message.at(campaign.place(&table.poses)));
+    }
     let leads = geometric.lead.iter().map(|lead| (&lead.label, "lead_mm", lead.lead_mm));
     let bars = geometric.scale_bar.iter().map(|bar| (&bar.label, "length_mm", bar.length_mm));
     for (label, key, value) in leads.chain(bars).filter(|(_, _, value)| *value <= 0.0) {

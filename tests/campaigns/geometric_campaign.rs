@@ -2,7 +2,7 @@
 
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
-use etalon::document::{GeometricDocument, MethodErrors};
+use etalon::document::{BarVerdict, GeometricDocument, MethodErrors};
 use etalon::run::pipeline;
 use etalon::simulate::Truth;
 use std::f64::consts::PI;
@@ -180,4 +180,91 @@ fn poses_beyond_the_travel_are_not_simulated() {
         "{problems}"
     );
     assert_eq!(problems.0.len(), 1, "{problems}");
+}
+
+/// A campaign of the sample's geometric points with these keys of `[geometric]`, and nothing else.
+fn alone(keys: &str) -> Scratch {
+    let scratch = copy_sample(SAMPLE);
+    let head = "name = \"one step\"\nrobot = \"robot.toml\"\nsynthetic = \"a test\"\n[instrument]\nname = \"arm\"\n\
+        expanded_uncertainty_um = 12.73\ncoverage_factor = 2\n[[export]]\nfile = \"exports/geometric.txt\"\n\
+        format = \"polyworks\"\nunit = \"mm\"\n";
+    std::fs::write(scratch.path().join("campaign.toml"), format!("{head}{keys}")).unwrap();
+    scratch
+}
+
+/// Thesis 2.5 and 2.6: a lead, a bar, a ball, the workspace; no log, no join, no frame, no identification.
+#[test]
+fn each_step_of_a_technician_is_a_campaign_of_its_own() {
+    let whole = run(&copy_sample(SAMPLE));
+    let lead = "[[geometric.lead]]\nactuator = 1\nlabel = \"lead1-{pose}-{cycle}\"\nlead_mm = 5.080\n\
+        positions_mm = [0.0, 28.0, 56.0, 84.0, 112.0, 140.0, 168.0]\n";
+    let found = run(&alone(lead));
+    assert_eq!(found.leads, whole.leads[..1]);
+    let names: Vec<&str> = found.quantities.iter().map(|q| q.name.as_str()).collect();
+    assert!(names == ["delta"] && found.quantities[0].identified.is_none(), "{:?}", found.quantities);
+    let ball = run(&alone("[[geometric.ball]]\nname = \"K, robot off\"\nlabel = \"single-{cycle}\"\n"));
+    assert_eq!((&ball.balls, ball.leads.len(), ball.quantities.len()), (&whole.balls, 0, 0));
+    let workspace = run(&alone("[geometric.workspace]\ntheta_deg = 17.0\n"));
+    // nominal: 170 mm by 300 mm at 0 degrees
+    assert!((workspace.workspace[0].area_mm2 - 51_000.0).abs() < 1e-6, "{:?}", workspace.workspace);
+}
+
+#[test]
+fn a_scale_bar_has_a_verdict_by_its_certificate() {
+    let bar = |more: &str| {
+        let keys = format!(
+            "[[geometric.scale_bar]]\nname = \"along x\"\nlabel = \"bar1-{{target}}-{{cycle}}\"\nlength_mm = 300.0\n{more}\n"
+        );
+        let found = run(&alone(&keys));
+        (found.scale_bars[0].clone(), found.messages.len())
+    };
+    let (plain, messages) = bar("");
+    assert_eq!((plain.verdict, messages), (BarVerdict::NoCertificate, 0));
+    // 12.73 um for a coordinate are 18 um for a distance
+    assert!((plain.permissible_error_mm - 0.018).abs() < 1e-5 && plain.largest_error_mm > 0.005, "{plain:?}");
+    let error_um = 1e3 * plain.largest_error_mm;
+    for (certificate, permissible, verdict) in [
+        (1.0, error_um + 1.0, BarVerdict::Conforming),
+        (1.0, error_um - 1.0, BarVerdict::NotConforming),
+        (0.26 * (error_um + 1.0), error_um + 1.0, BarVerdict::BarTooUncertain),
+    ] {
+        let keys = format!("length_uncertainty_um = {certificate}\npermissible_error_um = {permissible}");
+        let (found, messages) = bar(&keys);
+        assert_eq!((found.verdict, messages > 0), (verdict, verdict != BarVerdict::Conforming), "{found:?}");
+        assert!((found.uncertainty_ratio.unwrap() - permissible / certificate).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_geometric_calibration_needs_no_log_and_no_identification() {
+    let whole = run(&copy_sample(SAMPLE));
+    let scratch = copy_sample(SAMPLE);
+    let text = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
+    let cut = |text: &str, from: &str, to: &str| {
+        let (a, b) = (text.find(from).unwrap(), text.find(to).unwrap());
+        text[..a].to_owned() + &text[b..]
+    };
+    let text = cut(&text, "# balls K and L at eight", "[feature.rails]");
+    let text = cut(&text, "[[geometric.table]]", "[geometric.workspace]");
+    let end = text.find("[identify]").unwrap();
+    std::fs::write(scratch.path().join("campaign.toml"), &text[..end]).unwrap();
+    let found = run(&scratch);
+    assert_eq!((found.quantities.len(), found.methods.len()), (11, 0));
+    for (a, b) in found.quantities.iter().zip(&whole.quantities) {
+        assert!(
+            (&a.name, a.value, a.standard_uncertainty) == (&b.name, b.value, b.standard_uncertainty),
+            "{a:?} {b:?}"
+        );
+        assert!(a.identified.is_none() && b.identified.is_some());
+    }
+    let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+    assert!(
+        html.contains("Geometry alone")
+            && html.contains("Measurements by geometry alone")
+            && !html.contains("beside the identification")
+    );
+    // half of it is refused by name
+    scratch.replace("campaign.toml", "turn = \"turn-{target}-{pose}\"", "");
+    let said = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
+    assert!(said.contains("[geometric] lacks `turn`"), "{said}");
 }

@@ -1,6 +1,8 @@
 //! The geometric calibration beside the identification: what geometry alone finds, and how much accuracy it leaves.
 
-use crate::document::{GeometricDocument, GeometricQuantity, LeadResult, Linearity, MeanError, PoseRow, PoseTable};
+use crate::document::{
+    BarVerdict, GeometricDocument, GeometricQuantity, LeadResult, Linearity, MeanError, PoseRow, PoseTable,
+};
 use crate::report::Report;
 use crate::report::model::{
     Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty,
@@ -11,9 +13,15 @@ use crate::report::plots::svg::Svg;
 use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.identified?.geometric?;
-    let mut section = Section::new("geometric", words.say("Geometry alone, beside the identification"));
-    section.push(Block::strong(sentence(document, words)));
+    let document = report.geometric?;
+    let title = match report.identified {
+        Some(_) => words.say("Geometry alone, beside the identification"),
+        None => words.say("Geometry alone"),
+    };
+    let mut section = Section::new("geometric", title);
+    if report.identified.is_some() {
+        section.push(Block::strong(sentence(document, words)));
+    }
     section.push(Block::note(Text::english(&document.definition)));
     section.push(Block::Table(quantities(document, words)));
     section.push(Block::note(words.say("u (k = 1) holds the base frame's uncertainty, which all repeats share and their standard deviation does not show.")));
@@ -35,7 +43,12 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .both("length", "mm", |b| fixed(b.length_mm, 4))
         .both("distances", "", |b| b.count)
         .both("mean error", "mm", |b| fixed(b.mean_error_mm, 4))
-        .both("standard deviation", "mm", |b| fixed(b.standard_deviation_mm, 4));
+        .both("standard deviation", "mm", |b| fixed(b.standard_deviation_mm, 4))
+        .both("largest error", "mm", |b| fixed(b.largest_error_mm, 4))
+        .both("permissible", "mm", |b| fixed(b.permissible_error_mm, 4))
+        .both("permissible over certificate", "", |b| significant(b.uncertainty_ratio, 2))
+        .page("verdict", "", |b| Text::name(&bar_verdict(b.verdict, words)))
+        .sheet("verdict", "", |b| bar_verdict(b.verdict, words));
     let bars = Table::of(words, &document.scale_bars, columns).on("Geometry, scale bars");
     section.table(words.say("Scale bars"), "", bars);
     let columns = Columns::<crate::document::BallResult>::new()
@@ -55,6 +68,15 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.table(words.say("Workspace"), "", regions);
     section.figures(drawing(document, words));
     section.whole()
+}
+
+fn bar_verdict(verdict: BarVerdict, words: &Words) -> String {
+    match verdict {
+        BarVerdict::Conforming => words.say("conforming"),
+        BarVerdict::NotConforming => words.say("not conforming"),
+        BarVerdict::BarTooUncertain => words.say("the bar is too uncertain (4:1)"),
+        BarVerdict::NoCertificate => words.say("no certificate is stated"),
+    }
 }
 
 /// What the technician's way costs in accuracy.
@@ -91,9 +113,9 @@ fn quantities(document: &GeometricDocument, words: &Words) -> Table {
         .both("repeats", "", |q| q.repeats.as_ref().map(|r| r.count))
         .both("their standard deviation", "", |q| significant(q.repeats.as_ref().map(|r| r.standard_deviation), 2))
         .both("expected from the points", "", |q| significant(q.repeats.as_ref().map(|r| r.expected), 2))
-        .both("identified", "", |q| with_uncertainty(q.identified, q.identified_standard_uncertainty))
+        .both("identified", "", |q| q.identified.map(|v| with_uncertainty(v, q.identified_standard_uncertainty)))
         .sheet("u of identified", "", |q| q.identified_standard_uncertainty)
-        .page("identified − geometric", "", move |q| with_uncertainty(q.identified - q.value, u(q)));
+        .page("identified − geometric", "", move |q| q.identified.map(|v| with_uncertainty(v - q.value, u(q))));
     Table::of(words, &document.quantities, columns).on("Geometry, quantities")
 }
 

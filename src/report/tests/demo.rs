@@ -45,12 +45,13 @@ impl Documents {
             features: &self.features,
             frames: &self.frames,
             identified: Some(self.identified()),
+            geometric: None,
             tested: &self.tested,
         }
     }
 
     pub fn identified(&self) -> Identified<'_> {
-        Identified { parameters: &self.parameters, accuracy: &self.accuracy, errors: &self.errors, geometric: None }
+        Identified { parameters: &self.parameters, accuracy: &self.accuracy, errors: &self.errors }
     }
 
     /// A campaign like the thesis': 59 poses on two circles, 5 cycles, errors of table 3.4's size.

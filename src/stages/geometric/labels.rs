@@ -33,13 +33,18 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
             PointGroup::new()
         })
     };
-    let (arc, turn) = (step(&definition.arc), step(&definition.turn));
-    let (shaft, offsets) = (step(&definition.shaft), step(&definition.offsets));
+    let whole = definition.whole();
+    let robot = whole.map(|w| [step(w.arc), step(w.turn), step(w.shaft), step(w.offsets)]);
     let leads: Vec<PointGroup> = definition.lead.iter().map(|l| step(&l.label)).collect();
     let bars: Vec<PointGroup> = definition.scale_bar.iter().map(|b| step(&b.label)).collect();
     let balls = definition.ball.iter().map(|b| step(&b.label).into_values().flatten().collect()).collect();
-    let mut found = Measurements { base: all.base().map_err(|e| e.with(&mut problems))?, ..Measurements::default() };
-    found.base.arc = arc.into_values().flatten().collect();
+    let mut found = Measurements::default();
+    if whole.is_some() {
+        match all.base() {
+            Ok(base) => found.base = base,
+            Err(more) => problems.0.extend(more.0),
+        }
+    }
     gather_leads(campaign, definition, leads, &mut found, &mut problems);
 
     let one = |step: &PointGroup, cycle: i64, pose: PoseName, target: &str| {
@@ -52,22 +57,24 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
         }
         point.unwrap_or_default()
     };
-    for (cycle, pose) in turn.keys().map(|k| (k.0, k.1)).collect::<BTreeSet<_>>() {
-        let mut ball = |name: &str| want(one(&turn, cycle, pose, name), &definition.turn, (cycle, pose), name);
-        found.turned.push(Turned { k: ball("K"), l: ball("L"), i: ball(&definition.turn_ball) });
-    }
-    for cycle in shaft.keys().map(|k| k.0).collect::<BTreeSet<_>>() {
-        let position = |wanted: i64| shaft.iter().filter(move |(k, _)| k.0 == cycle && k.1 == wanted);
-        let positions = [1, 2].map(|pose| position(pose).flat_map(|(_, p)| p).copied().collect());
-        found.shafts.push(ShaftMeasurements { positions });
-    }
-    for cycle in offsets.keys().map(|k| k.0).collect::<BTreeSet<_>>() {
-        let mut ball = |name: &str, pose: PoseName| {
-            want(one(&offsets, cycle, pose, name), &definition.offsets, (cycle, pose), name)
-        };
-        let (k, l, k_end) = (ball("K", 1.into()), ball("L", 1.into()), ball("K", 2.into()));
-        let rho = definition.mid_travel_mm;
-        found.offsets.push(OffsetMeasurements { rho2_mm: rho, rho3_mm: rho, k, l, k_end });
+    if let (Some(whole), Some([arc, turn, shaft, offsets])) = (whole, robot) {
+        found.base.arc = arc.into_values().flatten().collect();
+        for (cycle, pose) in turn.keys().map(|k| (k.0, k.1)).collect::<BTreeSet<_>>() {
+            let mut ball = |name: &str| want(one(&turn, cycle, pose, name), whole.turn, (cycle, pose), name);
+            found.turned.push(Turned { k: ball("K"), l: ball("L"), i: ball(&definition.turn_ball) });
+        }
+        for cycle in shaft.keys().map(|k| k.0).collect::<BTreeSet<_>>() {
+            let position = |wanted: i64| shaft.iter().filter(move |(k, _)| k.0 == cycle && k.1 == wanted);
+            let positions = [1, 2].map(|pose| position(pose).flat_map(|(_, p)| p).copied().collect());
+            found.shafts.push(ShaftMeasurements { positions });
+        }
+        for cycle in offsets.keys().map(|k| k.0).collect::<BTreeSet<_>>() {
+            let mut ball =
+                |name: &str, pose: PoseName| want(one(&offsets, cycle, pose, name), whole.offsets, (cycle, pose), name);
+            let (k, l, k_end) = (ball("K", 1.into()), ball("L", 1.into()), ball("K", 2.into()));
+            let rho = whole.mid_travel_mm;
+            found.offsets.push(OffsetMeasurements { rho2_mm: rho, rho3_mm: rho, k, l, k_end });
+        }
     }
     let mut pairs = Vec::new();
     for (definition, step) in definition.scale_bar.iter().zip(bars) {
@@ -137,22 +144,23 @@ pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(S
     for (ball, readings) in definition.ball.iter().zip(balls) {
         (1..).zip(readings).for_each(|(cycle, p)| row(&ball.label, "", 1, cycle, *p));
     }
+    let Some(whole) = definition.whole() else { return rows };
     for (pose, p) in (1..).zip(&found.base.arc) {
-        row(&definition.arc, "N", pose, 1, *p);
+        row(whole.arc, "N", pose, 1, *p);
     }
     for (pose, t) in (1..).zip(&found.turned) {
         for (target, p) in [("K", t.k), ("L", t.l), (definition.turn_ball.as_str(), t.i)] {
-            row(&definition.turn, target, pose, 1, p);
+            row(whole.turn, target, pose, 1, p);
         }
     }
     for (cycle, run) in (1..).zip(&found.shafts) {
         for (pose, points) in (1..).zip(&run.positions) {
-            points.iter().for_each(|p| row(&definition.shaft, "shaft", pose, cycle, *p));
+            points.iter().for_each(|p| row(whole.shaft, "shaft", pose, cycle, *p));
         }
     }
     for (cycle, run) in (1..).zip(&found.offsets) {
         for (target, pose, p) in [("K", 1, run.k), ("L", 1, run.l), ("K", 2, run.k_end)] {
-            row(&definition.offsets, target, pose, cycle, p);
+            row(whole.offsets, target, pose, cycle, p);
         }
     }
     rows
@@ -190,14 +198,5 @@ impl LabelledPoints<'_> {
             return Err(wrong().into());
         }
         Ok(measured)
-    }
-}
-
-impl Problems {
-    /// These after those found before.
-    fn with(self, before: &mut Self) -> Self {
-        let mut all = std::mem::take(&mut before.0);
-        all.extend(self.0);
-        Self(all)
     }
 }

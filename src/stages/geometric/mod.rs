@@ -5,35 +5,41 @@ mod labels;
 pub use labels::{Gathered, gather, label, labelled};
 
 use crate::base::message::{Message, Result};
-use crate::base::pose::Vector;
+use crate::base::pose::{Vector, minus, norm};
 use crate::base::pose_name::PoseName;
-use crate::campaign::{BallDefinition, Campaign, GeometricDefinition, Selection};
+use crate::campaign::{BallDefinition, Campaign, GeometricDefinition, ScaleBarDefinition, Selection};
 use crate::document::*;
 use crate::iso9283::pose::repeatability::pose_repeatability;
-use crate::math::geometric::{self, Geometry, Repeated, Scatter, Uncertain, Workspace, mean_and_sd, scale_bar};
+use crate::math::geometric::{
+    self, Geometry, Lead, Measurements, Readings, Repeated, Scatter, Uncertain, Workspace, mean_and_sd, scale_bar,
+};
 use crate::math::identify::{Identification, Observation};
 use crate::math::robots::{Platform, RailTable, Robot};
 use crate::stages::evaluate::Sets;
 use crate::stages::identification::Identified;
 use std::collections::BTreeMap;
+use std::f64::consts::SQRT_2;
 
-/// Finds the robot by geometry alone, and sets it beside what was identified from the same campaign; `None` where the
-/// campaign has no `[geometric]`.
+/// Finds the robot by geometry alone, and sets it beside what was identified from the same campaign, where anything was; steps that
+/// are not stated are left out. `None` where the campaign has no `[geometric]`.
 pub fn calibrate(
     campaign: &Campaign,
     robot: &dyn Robot,
     measured: Option<Gathered>,
-    identified: &Identified,
+    identified: Option<&Identified>,
 ) -> Result<Option<GeometricDocument>> {
     let (Some(definition), Some(measured)) = (&campaign.file.geometric, measured) else { return Ok(None) };
-    let Identified { sets, found: identified, .. } = identified;
     // the model before its reduction has no d and delta of which geometry alone gives a value
     let table = robot.rail_table().filter(|r| r.index("d").is_some()).ok_or_else(|| {
         Message::error("[geometric] is the geometric calibration of a PreXYT").expected("a robot with model `prexyt`")
     })?;
     let Gathered { robot: measured, bars, balls } = measured;
-    let found = geometric::determine(&measured, campaign.file.instrument.standard_uncertainty_mm())?;
-    let quantities = quantities(&found);
+    let u_mm = campaign.file.instrument.standard_uncertainty_mm();
+    let found = match definition.whole() {
+        Some(_) => Found::Robot(geometric::determine(&measured, u_mm)?),
+        None => Found::leads(&measured, u_mm)?,
+    };
+    let quantities = found.quantities();
     let value = |name: &str| quantities.iter().find(|q| q.0 == name).map(|q| q.1.value);
     let with = |set: &dyn Fn(&str) -> Option<f64>| -> Vec<f64> {
         table.parameters().iter().map(|p| set(&p.name).unwrap_or(p.nominal)).collect()
@@ -44,30 +50,14 @@ pub fn calibrate(
         "beta" | "gamma" | "epsilon_theta" => Some(0.0),
         _ => value(name),
     });
-    let tables = tables(campaign, definition, table, sets, [&nominal, &geometric, &identified.values])?;
+    let tables = match identified {
+        Some(i) => tables(campaign, definition, table, &i.sets, [&nominal, &geometric, &i.found.values])?,
+        None => Vec::new(),
+    };
     let methods = methods(&tables);
-    let mut steps = vec![step("plane of the rails", &found.base.plane.scatter, None)];
-    steps.push(step("arc of ball N about O", &found.base.arc.scatter, Some(found.base.arc.coverage_deg)));
-    let circle = &found.mobile.circle;
-    steps.push(step("arc of ball I about C", &circle.scatter, Some(circle.coverage_deg)));
-    for (i, pair) in found.shafts.iter().enumerate() {
-        for (k, shaft) in pair.iter().enumerate() {
-            steps.push(step(&format!("shaft, repeat {}, position {}", i + 1, k + 1), &shaft.scatter, None));
-        }
-    }
-    for (i, lead) in found.leads.iter().enumerate() {
-        steps.extend(lead.iter().map(|lead| step(&format!("travel of actuator {}", i + 1), &lead.scatter, None)));
-    }
-    let scale_bars = definition.scale_bar.iter().zip(&bars).filter_map(|(d, pairs)| {
-        let bar = scale_bar(d.length_mm, pairs)?;
-        Some(ScaleBarResult {
-            name: d.name.clone(),
-            length_mm: d.length_mm,
-            count: bar.count,
-            mean_error_mm: bar.mean_error_mm,
-            standard_deviation_mm: bar.standard_deviation_mm,
-        })
-    });
+    let steps = found.steps();
+    let scale_bars = definition.scale_bar.iter().zip(&bars).filter_map(|(d, pairs)| bar_result(d, pairs, u_mm));
+    let scale_bars: Vec<ScaleBarResult> = scale_bars.collect();
     let balls: Result<Vec<BallResult>> =
         definition.ball.iter().zip(&balls).map(|(d, b)| ball(campaign, d, b)).collect();
     Ok(Some(GeometricDocument {
@@ -78,12 +68,12 @@ pub fn calibrate(
                      more than the instrument states, theirs. Errors are means of measured minus predicted pose, nominal \
                      and geometric in the base frame found geometrically"
             .to_owned(),
-        quantities: quantities.iter().map(|q| quantity(q, &found, robot, identified)).collect(),
-        covariance: covariance(&quantities, &found),
-        messages: steps.iter().filter_map(scatter_message).collect(),
+        quantities: quantities.iter().map(|q| quantity(q, found.readings(), robot, identified.map(|i| &i.found))).collect(),
+        covariance: covariance(&quantities, found.readings()),
+        messages: steps.iter().filter_map(scatter_message).chain(scale_bars.iter().filter_map(bar_message)).collect(),
         leads: leads(definition, &found),
         steps,
-        scale_bars: scale_bars.collect(),
+        scale_bars,
         balls: balls?,
         tables,
         methods,
@@ -94,30 +84,143 @@ pub fn calibrate(
 /// Name of a parameter, its value, and its repeats where it was repeated.
 type Quantity<'a> = (&'static str, &'a Uncertain, Option<&'a Repeated>);
 
-fn quantities(found: &Geometry) -> Vec<Quantity<'_>> {
-    let ([x_o, y_o], [x_c, y_c]) = (&found.base.origin_in_world, &found.mobile.circle.centre);
-    let mut all: Vec<Quantity> = vec![("x_o", x_o, None), ("y_o", y_o, None), ("x_c", x_c, None), ("y_c", y_c, None)];
-    all.extend([("s", &found.s), ("d", &found.d1), ("d3", &found.d3)].map(|(name, r)| (name, &r.mean, Some(r))));
-    for (name, lead) in ["delta", "delta2", "delta3"].into_iter().zip(&found.leads) {
-        all.extend(lead.iter().map(|lead| (name, &lead.ratio, None)));
-    }
-    all.push(("l_kl", &found.mobile.l_kl, None));
-    all
+/// What was found: the robot, or the leads of its screws alone.
+#[allow(clippy::large_enum_variant)] // made once
+enum Found {
+    Robot(Geometry),
+    Leads([Option<Lead>; 3], Readings),
 }
 
-fn quantity(q: &Quantity, found: &Geometry, robot: &dyn Robot, identified: &Identification) -> GeometricQuantity {
+impl Found {
+    /// The leads that were measured.
+    fn leads(measured: &Measurements, u_mm: f64) -> Result<Self> {
+        let mut readings = Readings::new(u_mm);
+        let [one, two, three] = &measured.leads;
+        let mut lead = |run: &Option<_>| run.as_ref().map(|run| Lead::determine(&mut readings, run)).transpose();
+        let leads = [lead(one)?, lead(two)?, lead(three)?];
+        Ok(Self::Leads(leads, readings))
+    }
+
+    fn of_leads(&self) -> &[Option<Lead>; 3] {
+        match self {
+            Self::Robot(found) => &found.leads,
+            Self::Leads(leads, _) => leads,
+        }
+    }
+
+    fn readings(&self) -> &Readings {
+        match self {
+            Self::Robot(found) => &found.readings,
+            Self::Leads(_, readings) => readings,
+        }
+    }
+
+    fn quantities(&self) -> Vec<Quantity<'_>> {
+        let leads = ["delta", "delta2", "delta3"].into_iter().zip(self.of_leads());
+        let leads = leads.filter_map(|(name, lead)| Some((name, &lead.as_ref()?.ratio, None)));
+        let Self::Robot(found) = self else { return leads.collect() };
+        let ([x_o, y_o], [x_c, y_c]) = (&found.base.origin_in_world, &found.mobile.circle.centre);
+        let mut all: Vec<Quantity> =
+            vec![("x_o", x_o, None), ("y_o", y_o, None), ("x_c", x_c, None), ("y_c", y_c, None)];
+        all.extend([("s", &found.s), ("d", &found.d1), ("d3", &found.d3)].map(|(name, r)| (name, &r.mean, Some(r))));
+        all.extend(leads);
+        all.push(("l_kl", &found.mobile.l_kl, None));
+        all
+    }
+
+    /// Residuals of every fit.
+    fn steps(&self) -> Vec<GeometricStep> {
+        let mut steps = Vec::new();
+        if let Self::Robot(found) = self {
+            steps.push(step("plane of the rails", &found.base.plane.scatter, None));
+            steps.push(step("arc of ball N about O", &found.base.arc.scatter, Some(found.base.arc.coverage_deg)));
+            let circle = &found.mobile.circle;
+            steps.push(step("arc of ball I about C", &circle.scatter, Some(circle.coverage_deg)));
+            for (i, pair) in found.shafts.iter().enumerate() {
+                for (k, shaft) in pair.iter().enumerate() {
+                    steps.push(step(&format!("shaft, repeat {}, position {}", i + 1, k + 1), &shaft.scatter, None));
+                }
+            }
+        }
+        for (i, lead) in self.of_leads().iter().enumerate() {
+            steps.extend(lead.iter().map(|lead| step(&format!("travel of actuator {}", i + 1), &lead.scatter, None)));
+        }
+        steps
+    }
+}
+
+/// What a scale bar says of the instrument; `None` without a distance.
+fn bar_result(definition: &ScaleBarDefinition, pairs: &[[Vector; 2]], u_mm: f64) -> Option<ScaleBarResult> {
+    let bar = scale_bar(definition.length_mm, pairs)?;
+    // a distance has the uncertainty of two points along it
+    let permissible_mm = definition.permissible_error_um.map_or(2.0 * SQRT_2 * u_mm, |um| um / 1e3);
+    let certificate_mm = definition.length_uncertainty_um.map(|um| um / 1e3);
+    let ratio = certificate_mm.map(|certificate| permissible_mm / certificate);
+    let largest_error_mm =
+        pairs.iter().map(|[a, b]| norm(minus(*b, *a)) - definition.length_mm).fold(0.0, |m: f64, e| m.max(e.abs()));
+    let verdict = match ratio {
+        None => BarVerdict::NoCertificate,
+        Some(ratio) if ratio < LEAST_RATIO => BarVerdict::BarTooUncertain,
+        Some(_) if largest_error_mm <= permissible_mm => BarVerdict::Conforming,
+        Some(_) => BarVerdict::NotConforming,
+    };
+    Some(ScaleBarResult {
+        name: definition.name.clone(),
+        length_mm: definition.length_mm,
+        count: bar.count,
+        mean_error_mm: bar.mean_error_mm,
+        standard_deviation_mm: bar.standard_deviation_mm,
+        largest_error_mm,
+        length_uncertainty_mm: certificate_mm,
+        permissible_error_mm: permissible_mm,
+        uncertainty_ratio: ratio,
+        verdict,
+    })
+}
+
+/// The permissible error over the certificate's expanded uncertainty is to be at least this (the 4:1 rule of ANSI/NCSL Z540).
+const LEAST_RATIO: f64 = 4.0;
+
+/// What stands against the instrument or its verification.
+fn bar_message(bar: &ScaleBarResult) -> Option<Message> {
+    let name = &bar.name;
+    match bar.verdict {
+        BarVerdict::Conforming | BarVerdict::NoCertificate => None,
+        BarVerdict::NotConforming => Some(
+            Message::warning(format!(
+                "scale bar `{name}`: an error of {:.4} mm exceeds the permissible {:.4} mm",
+                bar.largest_error_mm, bar.permissible_error_mm
+            ))
+            .hint("check probe, temperature and mounting of the instrument, and measure the bar again"),
+        ),
+        BarVerdict::BarTooUncertain => Some(
+            Message::warning(format!(
+                "scale bar `{name}`: its certificate has {:.1} times less uncertainty than the permissible error, 4 are asked for",
+                bar.uncertainty_ratio.unwrap_or_default()
+            ))
+            .hint("use a bar with a better certificate: this one verifies nothing"),
+        ),
+    }
+}
+
+fn quantity(
+    q: &Quantity,
+    readings: &Readings,
+    robot: &dyn Robot,
+    identified: Option<&Identification>,
+) -> GeometricQuantity {
     let &(name, x, repeated) = q;
     let i = robot.index(name).unwrap_or_default();
     let parameter = &robot.parameters()[i];
-    let repeats = repeated.map(|r| (r.values.len(), r.repeats(&found.readings)));
+    let repeats = repeated.map(|r| (r.values.len(), r.repeats(readings)));
     GeometricQuantity {
         name: name.to_owned(),
         unit: parameter.quantity.unit().to_owned(),
         nominal: parameter.nominal,
         value: x.value,
         standard_uncertainty: match repeated {
-            Some(repeated) => repeated.standard_uncertainty(&found.readings),
-            None => x.standard_uncertainty(found.readings.standard_uncertainties_mm()),
+            Some(repeated) => repeated.standard_uncertainty(readings),
+            None => x.standard_uncertainty(readings.standard_uncertainties_mm()),
         },
         repeats: repeats.filter(|(count, _)| *count > 1).map(|(count, r)| RepeatStatistics {
             count,
@@ -125,15 +228,15 @@ fn quantity(q: &Quantity, found: &Geometry, robot: &dyn Robot, identified: &Iden
             expected: r.expected,
             enlarged: r.excess_variance > 0.0,
         }),
-        identified: identified.values[i],
-        identified_standard_uncertainty: identified.standard_uncertainty(i),
+        identified: identified.map(|found| found.values[i]),
+        identified_standard_uncertainty: identified.and_then(|found| found.standard_uncertainty(i)),
     }
 }
 
-fn covariance(quantities: &[Quantity], found: &Geometry) -> Vec<Vec<f64>> {
-    let u = found.readings.standard_uncertainties_mm();
+fn covariance(quantities: &[Quantity], readings: &Readings) -> Vec<Vec<f64>> {
+    let u = readings.standard_uncertainties_mm();
     let entry = |a: &Quantity, b: &Quantity| {
-        let excess = a.2.filter(|_| a.0 == b.0).map_or(0.0, |r| r.repeats(&found.readings).excess_variance);
+        let excess = a.2.filter(|_| a.0 == b.0).map_or(0.0, |r| r.repeats(readings).excess_variance);
         a.1.covariance(b.1, u) + excess
     };
     quantities.iter().map(|a| quantities.iter().map(|b| entry(a, b)).collect()).collect()
@@ -175,10 +278,10 @@ fn scatter_message(step: &GeometricStep) -> Option<Message> {
     })
 }
 
-fn leads(definition: &GeometricDefinition, found: &Geometry) -> Vec<LeadResult> {
-    let u = found.readings.standard_uncertainties_mm();
+fn leads(definition: &GeometricDefinition, found: &Found) -> Vec<LeadResult> {
+    let u = found.readings().standard_uncertainties_mm();
     let result = |actuator: usize| {
-        let lead = found.leads.get(actuator.wrapping_sub(1))?.as_ref()?;
+        let lead = found.of_leads().get(actuator.wrapping_sub(1))?.as_ref()?;
         let nominal = definition.lead.iter().find(|d| *d.actuator.get_ref() == actuator)?.lead_mm;
         let linearity = |&(commanded_mm, deviation_mm): &(f64, f64)| Linearity { commanded_mm, deviation_mm };
         Some(LeadResult {
