@@ -1,7 +1,7 @@
 //! `etalon batch`
 
 use super::report::Dressed;
-use super::{Verdict, print_with, say};
+use super::{Verdict, print_with, progress, say};
 use crate::base::files;
 use crate::base::message::printable;
 use crate::document::to_json;
@@ -48,7 +48,7 @@ impl Batch {
                 let how = if entry.ended == BatchEnd::Skipped { "skipped" } else { "failed" };
                 say(format_args!("{how}: {}\n{message}\n", printable(&entry.campaign)));
             } else if shown {
-                eprint_progress(ended, campaigns.len());
+                progress(ended, campaigns.len());
             }
         };
         let table = self.to.join("batch.parquet");
@@ -62,13 +62,6 @@ impl Batch {
         };
         print_with(if self.json { to_json(&document)? } else { as_text(&document).into_bytes() }, verdict)
     }
-}
-
-/// How far a batch has come, in the last line of a terminal.
-fn eprint_progress(ended: usize, of: usize) {
-    use std::io::Write;
-    let mut stderr = std::io::stderr().lock();
-    let _ = write!(stderr, "\r{ended} of {of}{}", if ended == of { "\n" } else { "" });
 }
 
 fn as_text(document: &BatchDocument) -> String {

@@ -24,6 +24,7 @@ mod schema;
 mod simulate;
 mod study;
 mod text_format;
+mod uncertainty;
 mod validate;
 mod verify;
 
@@ -33,7 +34,7 @@ use crate::report::Faces;
 use crate::stages::table_file;
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
-use std::io::{ErrorKind, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
 use std::process::ExitCode;
 
 /// Robot calibration from coordinate measurements: a campaign folder in, calibrated parameters and a report out.
@@ -64,6 +65,7 @@ enum Command {
     Recommend(recommend::Recommend),
     Validate(validate::Validate),
     Verify(verify::Verify),
+    Uncertainty(uncertainty::Uncertainty),
     Kinematics(kinematics::Kinematics),
     Compensate(Box<compensate::Compensate>),
     Plan(plan::Plan),
@@ -104,6 +106,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Recommend(command) => command.run(),
         Command::Validate(command) => command.run(),
         Command::Verify(command) => command.run(),
+        Command::Uncertainty(command) => command.run(),
         Command::Kinematics(command) => command.run(),
         Command::Compensate(command) => command.run(),
         Command::Plan(command) => command.run(),
@@ -154,6 +157,14 @@ fn print_with(data: impl AsRef<[u8]>, verdict: Verdict) -> anyhow::Result<Verdic
 /// What a report shows on a terminal, or JSON where that is asked for.
 fn answer(faces: &Faces, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
     print_with(json.unwrap_or_else(|| faces.terminal().into_bytes()), Verdict::of(faces.is_met()))
+}
+
+/// How far a long command has come, in the last line of a terminal.
+fn progress(ended: usize, of: usize) {
+    let mut stderr = std::io::stderr().lock();
+    if stderr.is_terminal() {
+        let _ = write!(stderr, "\r{ended} of {of}{}", if ended == of { "\n" } else { "" });
+    }
 }
 
 /// Remarks for stderr, those of which somebody has to act first, rows of one kind joined.

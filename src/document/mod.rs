@@ -22,6 +22,7 @@ mod plan;
 mod recommendation;
 pub mod schema;
 mod study;
+mod uncertainty;
 mod verification;
 
 pub use accuracy::*;
@@ -43,6 +44,7 @@ pub use parameters::*;
 pub use plan::*;
 pub use recommendation::*;
 pub use study::*;
+pub use uncertainty::*;
 pub use verification::*;
 
 use crate::base::message::{Message, Result};

@@ -30,6 +30,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("plan", schema::<PlanDocument>()),
         ("recommendation", schema::<RecommendationDocument>()),
         ("study", schema::<StudiesDocument>()),
+        ("uncertainty", schema::<UncertaintyDocument>()),
         ("verification", schema::<VerificationDocument>()),
         ("written", schema::<WrittenDocument>()),
     ]

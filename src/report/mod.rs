@@ -24,7 +24,7 @@ use crate::base::message::{Message, Result, one_line};
 use crate::document::{
     AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, FeaturesDocument, FramesDocument,
     GeometricDocument, ImportDocument, ParametersDocument, PlanDocument, PointError, Presentation, Provenance,
-    RecommendationDocument, VerificationDocument,
+    RecommendationDocument, UncertaintyDocument, VerificationDocument,
 };
 use model::{Contents, Section, Verdict};
 use serde::Serialize;
@@ -289,6 +289,14 @@ impl Faces {
         let parameters = sections::parameters::of(document, &words);
         let sections = vec![parameters.on_terminal(), sections::fit::of(document, Vec::new(), &words).on_terminal()];
         Self::without_campaign(title, verdict, sections, words)
+    }
+
+    /// Distributions of a campaign's results.
+    pub fn uncertainty(document: &UncertaintyDocument) -> Self {
+        use sections::distributions::{sections, verdict};
+        let words = Words::default();
+        let title = words.fill("Uncertainties of robot {0}", &[&isolated(&one_line(&document.robot))]);
+        Self::without_campaign(title, verdict(document, &words), sections(document, &words), words)
     }
 
     fn without_campaign(title: String, verdict: Verdict, sections: Vec<Section>, words: Words) -> Self {

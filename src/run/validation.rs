@@ -3,9 +3,11 @@
 use super::check::{Prepared, check};
 use crate::base::message::{Message, Place, Result};
 use crate::campaign::{Campaign, Identify};
-use crate::document::{GivenFrames, ParametersDocument, RecommendationDocument};
+use crate::document::{FramesDocument, GivenFrames, ParametersDocument, RecommendationDocument, UncertaintyDocument};
+use crate::import::Point;
 use crate::math::robots::Robot;
 use crate::stages::join::{self, Joined};
+use crate::stages::monte_carlo::{self, Draws};
 use crate::stages::validation::{self, Validated};
 use crate::stages::{frames, recommendation};
 use std::collections::BTreeMap;
@@ -20,8 +22,22 @@ pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, give
 
 /// Judges which parameters of a campaign deserve to be loaded. Nothing is written.
 pub fn recommend(campaign: &Campaign) -> Result<RecommendationDocument> {
-    let Observed { stated, mut robot, joined, messages, inputs } = observed(campaign)?;
+    let Observed { stated, mut robot, joined, messages, inputs, .. } = observed(campaign)?;
     let mut found = recommendation::recommend(campaign, stated, robot.as_mut(), &joined, &inputs)?;
+    found.messages.splice(0..0, messages);
+    Ok(found)
+}
+
+/// Distributions of the results of a campaign; `report` is called with the draws made and the most that may be. Nothing is written.
+pub fn uncertainty(
+    campaign: &Campaign,
+    draws: Draws,
+    report: &mut dyn FnMut(usize, usize),
+) -> Result<UncertaintyDocument> {
+    let Observed { stated, mut robot, joined, messages, inputs, points, frames } = observed(campaign)?;
+    let measured = (&points[..], &frames);
+    let mut found = monte_carlo::distributions(campaign, stated, robot.as_mut(), &joined, measured, draws, report)?;
+    found.provenance.inputs = inputs;
     found.messages.splice(0..0, messages);
     Ok(found)
 }
@@ -33,6 +49,8 @@ struct Observed<'a> {
     joined: Joined,
     messages: Vec<Message>,
     inputs: BTreeMap<String, String>,
+    points: Vec<Point>,
+    frames: FramesDocument,
 }
 
 fn observed(campaign: &Campaign) -> Result<Observed<'_>> {
@@ -47,5 +65,5 @@ fn observed(campaign: &Campaign) -> Result<Observed<'_>> {
     let joined = join::joined(campaign, &gathered, &frames, robot.as_ref())?;
     let inputs = gathered.document.inputs();
     let messages = [gathered.document.messages, features.messages, joined.messages.clone()].concat();
-    Ok(Observed { stated, robot, joined, messages, inputs })
+    Ok(Observed { stated, robot, joined, messages, inputs, points: gathered.points, frames })
 }

@@ -95,16 +95,41 @@ pub fn make_frames(
     features: &FeaturesDocument,
     planar: bool,
 ) -> Result<FramesDocument> {
-    let mut world = match campaign.file.world().filter(|world| !world.as_exported) {
+    let mut world = placed(campaign, points, features)?;
+    if let Some(stated) = campaign.file.world().filter(|world| !world.as_exported && world.targets.is_none()) {
+        world.poses[0].covariance = Some(covariance(campaign, points, stated, &world.poses[0].export_T_world)?);
+    }
+    if planar {
+        at_height(&mut world, points);
+    }
+    Ok(FramesDocument { schema: "etalon/frames/1".to_owned(), world: WorldFrame { planar, ..world } })
+}
+
+/// The world frame from these points alone, without the covariance of one that features define.
+pub fn place(campaign: &Campaign, points: &[Point]) -> Result<WorldFrame> {
+    placed(campaign, points, &elements(campaign, points)?)
+}
+
+/// The points that define the world frame.
+pub fn defining(campaign: &Campaign, points: &[Point]) -> Vec<Point> {
+    let Some(world) = campaign.file.world().filter(|world| !world.as_exported) else { return Vec::new() };
+    let of_target = |p: &Point| {
+        let is = |t: &Spanned<String>| p.target.as_ref() == Some(t.get_ref()) || p.label == *t.get_ref();
+        world.targets.iter().flatten().any(is)
+    };
+    let labels = used_labels(campaign);
+    let used = |p: &&Point| {
+        of_target(p) || world.targets.is_none() && labels.iter().any(|name| matches_pattern(name, &p.label))
+    };
+    points.iter().filter(used).cloned().collect()
+}
+
+fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) -> Result<WorldFrame> {
+    Ok(match campaign.file.world().filter(|world| !world.as_exported) {
         Some(WorldDefinition { targets: Some(targets), each, .. }) => {
             from_targets(campaign, points, targets, each.is_some())?
         }
-        Some(world) => {
-            let mut found = from_plane(campaign, points, features, world)?;
-            let nominal = found.poses[0].export_T_world;
-            found.poses[0].covariance = Some(covariance(campaign, points, world, &nominal)?);
-            found
-        }
+        Some(world) => from_plane(campaign, points, features, world)?,
         None => WorldFrame {
             definition: "the coordinates of the exports are those of the world".to_owned(),
             planar: false,
@@ -114,11 +139,7 @@ pub fn make_frames(
             max_mm: None,
             reference_mm: Vec::new(),
         },
-    };
-    if planar {
-        at_height(&mut world, points);
-    }
-    Ok(FramesDocument { schema: "etalon/frames/1".to_owned(), world: WorldFrame { planar, ..world } })
+    })
 }
 
 /// xy plane, origin and one axis, each projected into the plane (thesis 3.4.1).

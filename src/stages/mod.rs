@@ -12,6 +12,7 @@ pub mod iso9283;
 pub mod join;
 pub mod kinds;
 pub(crate) mod labelled_points;
+pub mod monte_carlo;
 pub mod orientations;
 pub mod parameters;
 pub mod plausible;

@@ -26,6 +26,7 @@ mod iso9283_path_intervals;
 mod iso9283_paths;
 mod iso9283_stream;
 mod iso9283_weaves_and_loads;
+mod monte_carlo;
 mod mutants;
 mod plans;
 mod platforms;

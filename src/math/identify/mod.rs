@@ -56,7 +56,8 @@ pub use weights::{Covariance, turned, weigh};
 use crate::base::message::{Message, Result};
 use crate::base::pattern::matches_pattern;
 use crate::math::robots::{Robot, Role};
-use crate::math::solve::Termination;
+use crate::math::solve::{Options, Termination, solve, svd};
+use residuals::Residuals;
 use solution::solve_identifiable;
 
 /// What is identified from which residuals.
@@ -202,6 +203,22 @@ pub fn identify_with(
     let mut found = uncertainty::with_uncertainty(robot, (observations, systematic), settings, &wanted, found)?;
     found.warnings.extend(condition::without_length(robot, observations, settings, &found.status));
     Ok(found)
+}
+
+/// All parameters identified again from other observations of the same poses or some of them, with the same parameters held and from the
+/// solution found; `None` where the solver fails or the observations do not determine them.
+pub fn identify_again(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+) -> Option<Vec<f64>> {
+    let settings = settings.with_shape_weight(found.shape_weight);
+    let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok()?;
+    let x: Vec<f64> = found.free.iter().map(|&i| found.values[i]).collect();
+    let solution = solve(&problem, &x, Options::default());
+    let regular = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == x.len());
+    (solution.termination.is_success() && regular).then(|| problem.all(&solution.x))
 }
 
 /// Parameters of the nominal robot with only base and targets fitted, wherever they are: what accuracy is before a

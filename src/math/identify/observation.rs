@@ -110,11 +110,7 @@ impl Observation {
     }
 
     /// For each measured target its index, and its measured position minus where `values` put it, mm.
-    pub(super) fn misses<'o>(
-        &'o self,
-        robot: &'o dyn Robot,
-        values: &'o [f64],
-    ) -> impl Iterator<Item = (usize, Vector)> + 'o {
+    pub fn misses<'o>(&'o self, robot: &'o dyn Robot, values: &'o [f64]) -> impl Iterator<Item = (usize, Vector)> + 'o {
         let measured = self.targets.iter().enumerate().filter_map(|(k, target)| Some((k, (*target)?)));
         measured.map(move |(k, target)| (k, minus(target, robot.position(values, &self.joints, k))))
     }

@@ -6,6 +6,7 @@ pub(super) mod certificate;
 pub(super) mod changes;
 mod compliance;
 pub(super) mod conditions;
+pub(super) mod distributions;
 pub(super) mod drift;
 pub(super) mod errors;
 pub(super) mod fit;

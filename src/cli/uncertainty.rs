@@ -1,0 +1,43 @@
+//! `etalon uncertainty`
+
+use super::{Verdict, answer, progress, remark};
+use crate::campaign::Campaign;
+use crate::document::to_json;
+use crate::report::Faces;
+use crate::run::validation::uncertainty;
+use crate::stages::monte_carlo::Draws;
+use std::path::PathBuf;
+
+/// Distributions of a campaign's results by Monte Carlo and bootstrap
+///
+/// Everything that the campaign states of its readings is drawn anew (JCGM 101): points of frames, targets, scale, temperature, homing; each draw goes
+/// through frames and identification. Poses and cycles are drawn from the measured ones besides. Both are compared with the linear
+/// uncertainties that `etalon run` states. Nothing is written.
+#[derive(Debug, clap::Args)]
+pub struct Uncertainty {
+    /// Folder of the campaign, or its campaign.toml
+    campaign: PathBuf,
+    /// Most draws; fewer where two digits of every standard uncertainty are reached
+    #[arg(long, default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(100..=10_000_000))]
+    draws: u32,
+    /// Resamples of poses and cycles; 0 for none
+    #[arg(long, default_value_t = 1_000, value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
+    resamples: u32,
+    /// Seed of the draws: the same seed gives the same numbers, on any number of threads
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Print the answer as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Uncertainty {
+    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let campaign = Campaign::read(&self.campaign)?;
+        let draws = Draws { most: self.draws as usize, resamples: self.resamples as usize, seed: self.seed };
+        let document = uncertainty(&campaign, draws, &mut progress)?;
+        remark(&document.messages);
+        let json = if self.json { Some(to_json(&document)?) } else { None };
+        answer(&Faces::uncertainty(&document), json)
+    }
+}

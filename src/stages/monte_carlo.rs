@@ -1,0 +1,400 @@
+//! Distributions of the results of a campaign: by draws of everything that it states of its readings, through frames and identification
+//! (JCGM 101:2008, Monte Carlo), and by poses and cycles drawn from those that were measured (bootstrap).
+
+use crate::base::message::{Message, Result};
+use crate::base::noise::Noise;
+use crate::base::pose::{Pose, Vector, centroid, norm};
+use crate::base::pose_name::PoseName;
+use crate::campaign::{Campaign, Identify};
+use crate::document::{
+    DistributionEntry, FramePose, FramesDocument, Provenance, UncertaintyDocument, UncertaintySource,
+};
+use crate::import::Point;
+use crate::math::identify::{self, Figure, Identification, Observation, Settings};
+use crate::math::robots::{Quantity, Robot};
+use crate::stages::frames;
+use crate::stages::identification::{Identified, identify, select};
+use crate::stages::join::Joined;
+use nalgebra::Matrix3;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// How many draws, and from which seed.
+#[derive(Clone, Copy, Debug)]
+pub struct Draws {
+    /// At most so many; fewer where two digits of every standard uncertainty are reached before.
+    pub most: usize,
+    /// Resamples of the bootstrap.
+    pub resamples: usize,
+    /// Seed of both: a trial has its own stream.
+    pub seed: u64,
+}
+
+/// Draws of one sequence of the adaptive procedure (JCGM 101, 7.9.4 asks for 10⁴; fewer need more sequences).
+const SEQUENCE: usize = 2_000;
+/// Resamples of which this share fails show nothing.
+const MOST_FAILED: f64 = 0.05;
+/// Standard deviations of a normal distribution to either side of its mean that hold 95 %.
+const NORMAL_95: f64 = 1.959_963_985;
+
+/// Standard deviation of an end of the 95 % interval by one draw of a normal distribution, in its standard deviations: √(p(1 − p)) / φ.
+const OF_END: f64 = 2.671;
+
+/// What a campaign is drawn from.
+struct Trials<'a> {
+    campaign: &'a Campaign,
+    robot: &'a dyn Robot,
+    settings: &'a Settings,
+    found: &'a Identification,
+    /// Points that define the frames.
+    points: Vec<Point>,
+    /// The frames as measured, by pose and cycle.
+    frames: BTreeMap<Option<(PoseName, i64)>, Pose>,
+    planar: bool,
+    /// Mean height of the targets of a planar robot in the world, mm.
+    height_mm: f64,
+    calibration: Vec<Reading>,
+    validation: Vec<Reading>,
+    systematic: identify::Systematic,
+    seed: u64,
+}
+
+/// An observation, and how each of its targets scatters.
+struct Reading {
+    observation: Observation,
+    /// Root of the covariance of each target, by which independent normal numbers are multiplied; `None` where not measured.
+    scatter: Vec<Option<Matrix3<f64>>>,
+    /// The number of the reading that each target is, where one reading is common to several.
+    numbers: Vec<usize>,
+}
+
+/// The distributions of a campaign's results; `report` is called with the draws made and the most that may be.
+pub fn distributions(
+    campaign: &Campaign,
+    stated: &Identify,
+    robot: &mut dyn Robot,
+    joined: &Joined,
+    (points, frames): (&[Point], &FramesDocument),
+    draws: Draws,
+    report: &mut dyn FnMut(usize, usize),
+) -> Result<UncertaintyDocument> {
+    let inputs = BTreeMap::new();
+    let identified = identify(campaign, stated, robot, joined, frames, &inputs)?;
+    let settings = select(campaign, stated, robot, joined)?.settings;
+    if !settings.conditions.is_empty() {
+        let message = Message::error("distributions are of campaigns that measure positions of targets alone");
+        return Err(message
+            .hint("`etalon run` states the uncertainties of this campaign by linear propagation")
+            .into());
+    }
+    let robot: &dyn Robot = robot;
+    let found = &identified.found;
+    let trials = Trials { seed: draws.seed, ..Trials::new(campaign, robot, (points, frames), &settings, &identified) };
+    let (monte_carlo, digits) = trials.monte_carlo(draws.most, report);
+    let bootstrap = trials.bootstrap(draws.resamples);
+    let n = found.free.len();
+    let linear = |k: usize| -> f64 {
+        use UncertaintySource::{Model, Repeatability, Residuals};
+        let stated = found.budget.of_parameter(k).into_iter();
+        stated.filter(|(s, _)| ![Model, Repeatability, Residuals].contains(s)).map(|(_, v)| v).sum::<f64>().sqrt()
+    };
+    let entry = |k: usize| {
+        let p = &robot.parameters()[found.free[k]];
+        let out = |v: f64| p.quantity.outward(v);
+        let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[k]).collect());
+        let value = found.values[found.free[k]];
+        let (u, tolerance) = (linear(k), numerical_tolerance(drawn.sd));
+        let ends = [value - NORMAL_95 * u, value + NORMAL_95 * u];
+        let of_end = OF_END * drawn.sd / (monte_carlo.len() as f64).sqrt();
+        let agrees = (0..2).all(|i| (ends[i] - drawn.interval[i]).abs() <= tolerance + 2.0 * of_end);
+        DistributionEntry {
+            name: p.name.clone(),
+            unit: p.quantity.unit().to_owned(),
+            value: out(value),
+            linear: Some(out(u)),
+            standard_uncertainty: found.standard_uncertainty(found.free[k]).map(out),
+            mean: Some(out(drawn.mean)),
+            standard_deviation: out(drawn.sd),
+            interval_95: Some(drawn.interval.map(out)),
+            agrees: Some(agrees),
+            bootstrap: bootstrap.as_ref().map(|all| out(Distribution::of(all.iter().map(|t| t[k]).collect()).sd)),
+        }
+    };
+    let figure = |(i, figure): (usize, Figure)| {
+        let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[n + i]).collect());
+        let of_budget = identified.accuracy.budget.iter().find(|b| b.figure == figure);
+        DistributionEntry {
+            name: format!("{figure:?}").to_lowercase(),
+            unit: Quantity::Length.unit().to_owned(),
+            value: trials.figures(&found.values, trials.validation.iter().map(|r| &r.observation))[i],
+            linear: None,
+            standard_uncertainty: of_budget.map(|b| b.standard_uncertainty_mm),
+            mean: None,
+            standard_deviation: drawn.sd,
+            interval_95: None,
+            agrees: None,
+            bootstrap: None,
+        }
+    };
+    let figures = [Figure::Mean, Figure::Rms, Figure::Max].into_iter().enumerate().map(figure);
+    Ok(UncertaintyDocument {
+        schema: "etalon/uncertainty/1".to_owned(),
+        robot: robot.model().to_owned(),
+        draws: monte_carlo.len(),
+        two_digits_reached: digits,
+        resamples: bootstrap.as_ref().map_or(0, Vec::len),
+        uncertainties_from: found.uncertainty_from,
+        parameters: (0..n).map(entry).collect(),
+        errors: if trials.validation.is_empty() { Vec::new() } else { figures.collect() },
+        messages: found.warnings.clone(),
+        provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: Some(draws.seed) },
+    })
+}
+
+impl<'a> Trials<'a> {
+    fn new(
+        campaign: &'a Campaign,
+        robot: &'a dyn Robot,
+        (points, frames): (&[Point], &FramesDocument),
+        settings: &'a Settings,
+        identified: &'a Identified,
+    ) -> Self {
+        let planar = robot.dimension() == 2;
+        let key = |f: &FramePose| (f.pose.zip(f.cycle), f.export_T_world);
+        let by_pose: BTreeMap<_, _> = frames.world.poses.iter().map(key).collect();
+        let mut height_mm = 0.0;
+        if let (true, Some(first)) = (planar, frames.world.poses.first()) {
+            let world_T_export = first.export_T_world.inverse();
+            let moving = points.iter().filter(|p| p.pose.is_some() && p.target.is_some());
+            let heights: Vec<Vector> = moving.map(|p| world_T_export.apply(p.xyz_mm)).collect();
+            height_mm = centroid(&heights).map_or(0.0, |middle| middle[2]);
+        }
+        let mut numbers = BTreeMap::new();
+        let mut readings = |of: &[Observation]| -> Vec<Reading> {
+            of.iter().map(|o| reading(o, settings, robot.dimension(), &mut numbers)).collect()
+        };
+        Self {
+            points: frames::defining(campaign, points),
+            calibration: readings(&identified.sets.calibration),
+            validation: readings(&identified.sets.validation),
+            systematic: campaign.systematic(robot, Vec::new()),
+            found: &identified.found,
+            frames: by_pose,
+            campaign,
+            robot,
+            settings,
+            planar,
+            height_mm,
+            seed: 0,
+        }
+    }
+
+    /// Parameters and figures of each draw, and whether two digits of all standard uncertainties are reached.
+    fn monte_carlo(&self, most: usize, report: &mut dyn FnMut(usize, usize)) -> (Vec<Vec<f64>>, bool) {
+        let mut all: Vec<Vec<f64>> = Vec::new();
+        let mut sequences: Vec<Vec<[f64; 4]>> = Vec::new();
+        while all.len() < most {
+            let count = SEQUENCE.min(most - all.len());
+            let first = all.len() as u64;
+            let drawn: Vec<Vec<f64>> =
+                (0..count as u64).into_par_iter().filter_map(|i| self.trial(first + i)).collect();
+            if drawn.is_empty() {
+                break;
+            }
+            let columns = drawn[0].len();
+            let summary = |k: usize| {
+                let d = Distribution::of(drawn.iter().map(|t| t[k]).collect());
+                [d.mean, d.sd, d.interval[0], d.interval[1]]
+            };
+            sequences.push((0..columns).map(summary).collect());
+            all.extend(drawn);
+            report(all.len(), most);
+            if sequences.len() > 1 && stable(&sequences) {
+                return (all, true);
+            }
+        }
+        (all, false)
+    }
+
+    /// One campaign measured again: its parameters, then figures of the validation; `None` where the solver fails.
+    fn trial(&self, number: u64) -> Option<Vec<f64>> {
+        let mut noise = Noise::new(self.seed, number);
+        let moved = self.moved_frames(&mut noise)?;
+        let scale = 1.0 + noise.gaussian(self.systematic.scale) + noise.gaussian(self.systematic.expansion);
+        let homing: Vec<f64> = self.systematic.homing.iter().map(|u| noise.gaussian(*u)).collect();
+        let mut common: BTreeMap<usize, Vector> = BTreeMap::new();
+        let mut again = |readings: &[Reading]| -> Vec<Observation> {
+            let one = |r: &Reading| {
+                let mut o = r.observation.clone();
+                let to_frame = moved.get(&Some((o.pose, o.cycle))).or_else(|| moved.get(&None));
+                for (k, target) in o.targets.iter_mut().enumerate() {
+                    let (Some(at), Some(scatter)) = (*target, r.scatter[k]) else { continue };
+                    let off = scatter * nalgebra::Vector3::from([0; 3].map(|_| noise.gaussian(1.0)));
+                    let mut shared =
+                        || [0; 3].map(|_| noise.gaussian(self.settings.common_uncertainty_mm.unwrap_or(0.0)));
+                    let shared = *common.entry(r.numbers[k]).or_insert_with(&mut shared);
+                    let mut p: Vector = std::array::from_fn(|i| (at[i] + off[i] + shared[i]) * scale);
+                    if self.planar {
+                        p[2] = self.height_mm;
+                    }
+                    if let Some(world_T_before) = to_frame {
+                        p = world_T_before.apply(p);
+                    }
+                    *target = Some(if self.planar { [p[0], p[1], 0.0] } else { p });
+                }
+                o.joints.iter_mut().zip(&homing).for_each(|(q, shift)| *q += shift);
+                o
+            };
+            readings.iter().map(one).collect()
+        };
+        let (calibration, validation) = (again(&self.calibration), again(&self.validation));
+        let values = identify::identify_again(self.robot, &calibration, self.settings, self.found)?;
+        let mut all: Vec<f64> = self.found.free.iter().map(|&i| values[i]).collect();
+        all.extend(self.figures(&values, validation.iter()));
+        Some(all)
+    }
+
+    /// For each frame what takes points of the world as measured into that of another measurement; empty where none is measured.
+    fn moved_frames(&self, noise: &mut Noise) -> Option<BTreeMap<Option<(PoseName, i64)>, Pose>> {
+        if self.points.is_empty() {
+            return Some(BTreeMap::new());
+        }
+        let mut points = self.points.clone();
+        for p in &mut points {
+            let u = p.standard_uncertainty_mm.as_deref().copied();
+            let u = u.unwrap_or_else(|| self.campaign.file.instrument.standard_uncertainties_mm(p.xyz_mm));
+            p.xyz_mm = std::array::from_fn(|i| p.xyz_mm[i] + noise.gaussian(u[i]));
+        }
+        let world = frames::place(self.campaign, &points).ok()?;
+        let of = |f: &FramePose| {
+            let key = f.pose.zip(f.cycle);
+            Some((key, f.export_T_world.inverse().then(self.frames.get(&key)?)))
+        };
+        Some(world.poses.iter().filter_map(of).collect())
+    }
+
+    /// Mean, root mean square and largest position error of these observations; none of none.
+    fn figures<'o>(&self, values: &[f64], observations: impl Iterator<Item = &'o Observation>) -> Vec<f64> {
+        let mut sizes = Vec::new();
+        for o in observations {
+            match (self.robot.platform(), &o.targets[..]) {
+                (Some(platform), [Some(k), Some(l)]) => {
+                    let e = platform.pose_error(values, &o.joints, [[k[0], k[1]], [l[0], l[1]]]);
+                    sizes.push(e[0].hypot(e[1]));
+                }
+                (Some(_), _) => {}
+                (None, _) => sizes.extend(
+                    o.misses(self.robot, values).map(
+                        |(_, miss)| {
+                            if self.planar { miss[0].hypot(miss[1]) } else { norm(miss) }
+                        },
+                    ),
+                ),
+            }
+        }
+        if sizes.is_empty() {
+            return Vec::new();
+        }
+        let n = sizes.len() as f64;
+        let rms = (sizes.iter().map(|s| s * s).sum::<f64>() / n).sqrt();
+        vec![sizes.iter().sum::<f64>() / n, rms, sizes.iter().copied().fold(0.0, f64::max)]
+    }
+
+    /// Parameters identified from poses, and of each pose from cycles, that are drawn from the measured ones with replacement (Efron &
+    /// Tibshirani 1993); `None` where readings are common to several, or too many draws do not determine the parameters.
+    fn bootstrap(&self, resamples: usize) -> Option<Vec<Vec<f64>>> {
+        if self.settings.common_uncertainty_mm.is_some() || resamples == 0 {
+            return None;
+        }
+        let mut poses: BTreeMap<PoseName, BTreeMap<i64, Vec<&Observation>>> = BTreeMap::new();
+        for r in &self.calibration {
+            let o = &r.observation;
+            poses.entry(o.pose).or_default().entry(o.cycle).or_default().push(o);
+        }
+        let poses: Vec<Vec<Vec<&Observation>>> =
+            poses.into_values().map(|cycles| cycles.into_values().collect()).collect();
+        let one = |trial: u64| {
+            let mut noise = Noise::new(self.seed ^ u64::MAX, trial);
+            let mut any = |n: usize| ((0.5 + noise.uniform(0.5)) * n as f64) as usize;
+            let mut drawn: Vec<Observation> = Vec::new();
+            for _ in 0..poses.len() {
+                let cycles = &poses[any(poses.len()).min(poses.len() - 1)];
+                for _ in 0..cycles.len() {
+                    drawn.extend(cycles[any(cycles.len()).min(cycles.len() - 1)].iter().copied().cloned());
+                }
+            }
+            let values = identify::identify_again(self.robot, &drawn, self.settings, self.found)?;
+            Some(self.found.free.iter().map(|&i| values[i]).collect::<Vec<f64>>())
+        };
+        let all: Vec<Vec<f64>> = (0..resamples as u64).into_par_iter().filter_map(one).collect();
+        (all.len() as f64 >= (1.0 - MOST_FAILED) * resamples as f64).then_some(all)
+    }
+}
+
+/// A reading, its scatter by its own covariance or the stated uncertainty.
+fn reading(
+    o: &Observation,
+    settings: &Settings,
+    dimension: usize,
+    numbers: &mut BTreeMap<(usize, [u64; 3]), usize>,
+) -> Reading {
+    let u = settings.standard_uncertainty_mm.unwrap_or(0.0);
+    let root = |k: usize| {
+        o.targets[k]?;
+        let own = o.covariances_mm2.get(k).copied().flatten();
+        let mut root = match own.map(|c| Matrix3::from_fn(|i, j| c[i][j])) {
+            Some(covariance) => covariance.cholesky()?.l(),
+            None => Matrix3::identity() * u,
+        };
+        if dimension == 2 {
+            root[(2, 2)] = 0.0;
+        }
+        Some(root)
+    };
+    let mut number = |k: usize| {
+        let next = numbers.len();
+        let at = o.targets[k].unwrap_or_default().map(f64::to_bits);
+        *numbers.entry((k, at)).or_insert(next)
+    };
+    Reading {
+        observation: o.clone(),
+        scatter: (0..o.targets.len()).map(root).collect(),
+        numbers: (0..o.targets.len()).map(&mut number).collect(),
+    }
+}
+
+/// Mean, standard deviation, and the ends of the probabilistically symmetric interval of 95 % (JCGM 101, 7.6, 7.7).
+struct Distribution {
+    mean: f64,
+    sd: f64,
+    interval: [f64; 2],
+}
+
+impl Distribution {
+    fn of(mut drawn: Vec<f64>) -> Self {
+        drawn.sort_by(f64::total_cmp);
+        let n = drawn.len();
+        let mean = drawn.iter().sum::<f64>() / n as f64;
+        let sd = (drawn.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / (n.max(2) - 1) as f64).sqrt();
+        let at = |p: f64| drawn.get((p * n as f64) as usize).or(drawn.last()).copied().unwrap_or(f64::NAN);
+        Self { mean, sd, interval: [at(0.025), at(0.975)] }
+    }
+}
+
+/// Half of the last of two digits of a standard uncertainty (JCGM 101, 7.9.2).
+fn numerical_tolerance(u: f64) -> f64 {
+    if u > 0.0 { 0.5 * 10f64.powi(u.log10().floor() as i32 - 1) } else { 0.0 }
+}
+
+/// Whether twice the standard deviation of the mean over sequences is below the numerical tolerance, of all results (JCGM 101, 7.9.4).
+fn stable(sequences: &[Vec<[f64; 4]>]) -> bool {
+    let h = sequences.len() as f64;
+    (0..sequences[0].len()).all(|k| {
+        let mean = |i: usize| sequences.iter().map(|s| s[k][i]).sum::<f64>() / h;
+        let tolerance = numerical_tolerance(mean(1));
+        (0..4).all(|i| {
+            let squares: f64 = sequences.iter().map(|s| (s[k][i] - mean(i)).powi(2)).sum();
+            2.0 * (squares / (h * (h - 1.0))).sqrt() <= tolerance
+        })
+    })
+}

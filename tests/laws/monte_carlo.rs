@@ -1,0 +1,57 @@
+//! Distributions by draws and by resampling beside linear propagation.
+
+use crate::support::scratch::{copy_sample, ends};
+use etalon::campaign::Campaign;
+use etalon::document::UncertaintyDocument;
+use etalon::run::validation::uncertainty;
+use etalon::stages::monte_carlo::Draws;
+
+fn found(sample: &str, end: &str, draws: Draws) -> UncertaintyDocument {
+    let scratch = copy_sample(sample);
+    let path = scratch.path().join("campaign.toml");
+    std::fs::write(&path, std::fs::read_to_string(&path).unwrap() + end).unwrap();
+    uncertainty(&Campaign::read(&path).unwrap(), draws, &mut |_, _| ()).unwrap()
+}
+
+/// A campaign whose readings have the stated uncertainty alone: three ways to one standard uncertainty.
+#[test]
+fn linear_propagation_draws_and_bootstrap_agree_where_they_should() {
+    let more = "\n[expansion]\nexpanded_temperature_uncertainty_c = 1.0\ncoverage_factor = 2\nrobot_per_c = 11.5e-6\n\n\
+        [homing]\nexpanded_uncertainty_um = 2\ncoverage_factor = 2\n";
+    let document = found("prexyt-cmm", more, Draws { most: 20_000, resamples: 0, seed: 5 });
+    for p in &document.parameters {
+        let (linear, drawn) = (p.linear.unwrap(), p.standard_deviation);
+        println!("{}: {linear:.3e} {drawn:.3e}", p.name);
+        assert!((drawn / linear - 1.0).abs() < 0.04, "{}: {linear} {drawn}", p.name);
+        assert!((p.mean.unwrap() - p.value).abs() < 0.05 * drawn, "{}", p.name);
+        assert_eq!(p.agrees, Some(true), "{}", p.name);
+    }
+    // the linear budget of the errors is what draws of the whole campaign scatter by
+    for e in &document.errors {
+        let ratio = e.standard_deviation / e.standard_uncertainty.unwrap();
+        println!("{}: {ratio:.2}", e.name);
+    }
+    // of many poses that scatter by more than the instrument, the uncertainty of the report is that of the bootstrap
+    let document = found("column-arm", "", Draws { most: 200, resamples: 200, seed: 5 });
+    assert_eq!(document.resamples, 200);
+    let ratios = document.parameters.iter().filter_map(|p| Some(p.bootstrap? / p.standard_uncertainty?));
+    let mut ratios: Vec<f64> = ratios.collect();
+    ratios.sort_by(f64::total_cmp);
+    println!("bootstrap over report: {ratios:.2?}");
+    assert!((0.7..1.4).contains(&ratios[ratios.len() / 2]), "{ratios:?}");
+}
+
+#[test]
+fn the_same_numbers_come_out_on_any_number_of_threads() {
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| found("prexyt-cmm", "", Draws { most: 300, resamples: 50, seed: 2 }))
+    };
+    assert_eq!(run(1), run(3));
+}
+
+#[test]
+fn contacts_are_not_drawn_from_nothing() {
+    let scratch = copy_sample("contacts");
+    ends(&scratch, "uncertainty", 2, &["distributions are of campaigns that measure positions of targets alone"]);
+}
