@@ -10,7 +10,7 @@ use crate::document::{
     Statistics,
 };
 use crate::math::fit;
-use crate::math::identify::{Condition, Figure, Kind, Observation, Settings, UncertaintySource};
+use crate::math::identify::{Condition, Contributions, Figure, Kind, Observation, Settings, UncertaintySource};
 use crate::math::robots::Robot;
 use crate::stages::kinds::Observed;
 use polars::prelude::{Column, DataFrame};
@@ -306,12 +306,12 @@ fn accuracy_of(name: &str, errors: &[&PointError], planar: bool, uncertainty: Er
 }
 
 /// The budgets of figures, from the variances that each source contributes (mm²).
-pub fn budgets(figures: Vec<(Figure, Vec<(UncertaintySource, f64)>)>) -> Vec<FigureBudget> {
+pub fn budgets(figures: Vec<(Figure, Contributions)>) -> Vec<FigureBudget> {
     let contribution = |(source, variance): (UncertaintySource, f64)| FigureContribution {
         source,
         standard_uncertainty_mm: variance.sqrt(),
     };
-    let of = |(figure, variances): (Figure, Vec<(UncertaintySource, f64)>)| FigureBudget {
+    let of = |(figure, variances): (Figure, Contributions)| FigureBudget {
         figure,
         standard_uncertainty_mm: variances.iter().map(|(_, v)| v).sum::<f64>().sqrt(),
         contributions: variances.into_iter().map(contribution).collect(),

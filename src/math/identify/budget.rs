@@ -1,7 +1,7 @@
 //! The uncertainty budget of an identification: what each source contributes to the variance of a parameter, or of a figure that
 //! depends on parameters and readings (GUM 5.1.2, 5.2.2; a table as in GUM H.1).
 
-use super::frame_error::{FrameError, response};
+use super::frame_error::{FrameError, carry, response};
 use super::residuals::Residuals;
 use super::rigid_part::Shape;
 use super::significance::Variance;
@@ -45,6 +45,9 @@ pub enum UncertaintySource {
     /// The joint values that homing sets, common to the campaign.
     Homing,
 }
+
+/// What sources contribute to a variance, in its unit.
+pub type Contributions = Vec<(UncertaintySource, f64)>;
 
 /// Errors that all readings of a campaign have in common, by their standard uncertainties (GUM 5.2.4, F.1.2.3).
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -172,15 +175,29 @@ impl Budget {
         }
     }
 
-    /// With what the frames of single poses contribute to the covariance.
-    pub(super) fn with_frames_of_poses(mut self, covariance: Vec<f64>) -> Self {
-        self.of_poses = covariance;
-        self
+    /// Adds to `covariance` what frames and common errors make of it, frames of single poses where they are `unseen` in the residuals.
+    pub(super) fn carry_all(
+        &mut self,
+        systematic: &Systematic,
+        observed: &Observed,
+        all: (&Residuals, &Solution, &[f64]),
+        unseen: bool,
+        covariance: &mut [f64],
+    ) -> Result<()> {
+        let (common, of_poses): (Vec<_>, Vec<_>) = systematic.frames.iter().partition(|f| f.pose.is_none());
+        carry(common.into_iter(), all, covariance);
+        if unseen && !of_poses.is_empty() {
+            self.of_poses = vec![0.0; covariance.len()];
+            carry(of_poses.into_iter(), all, &mut self.of_poses);
+            covariance.iter_mut().zip(&self.of_poses).for_each(|(total, more)| *total += more);
+        }
+        self.carry(systematic.errors(observed)?, all, covariance);
+        Ok(())
     }
 
     /// Adds the errors that all readings have in common, each by the change of the residuals, and to `covariance` what they make of it;
     /// that of frames is in it.
-    pub(super) fn carry(
+    fn carry(
         &mut self,
         errors: Vec<(Source, Vec<f64>)>,
         (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
@@ -199,7 +216,7 @@ impl Budget {
     }
 
     /// What each source contributes to the variance of an identified parameter, by its place among these.
-    pub fn of_parameter(&self, k: usize) -> Vec<(Source, f64)> {
+    pub fn of_parameter(&self, k: usize) -> Contributions {
         let n = self.readings.len().isqrt();
         self.contributions(|covariance| covariance[k * n + k], 0.0, |e| self.common[e].1[k])
     }
@@ -210,7 +227,7 @@ impl Budget {
         form: impl Fn(&[f64]) -> f64,
         instrument: f64,
         response: impl Fn(usize) -> f64,
-    ) -> Vec<(Source, f64)> {
+    ) -> Contributions {
         let mut all: BTreeMap<Source, f64> = BTreeMap::new();
         let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);
         let mut rest = if self.readings.is_empty() { 0.0 } else { form(&self.readings) };
@@ -299,7 +316,7 @@ pub fn figure_budgets(
     settings: &Settings,
     found: &Identification,
     systematic: &Systematic,
-) -> Result<Option<Vec<(Figure, Vec<(Source, f64)>)>>> {
+) -> Result<Option<Vec<(Figure, Contributions)>>> {
     if observations.is_empty() || found.covariance.is_none() || found.free.is_empty() {
         return Ok(None);
     }
@@ -377,7 +394,8 @@ pub(super) fn replicates(
     values: &[f64],
     degrees_of_freedom: usize,
 ) -> Option<Replicates> {
-    let mut groups: BTreeMap<(PoseName, usize), Vec<(&[f64], [f64; 3])>> = BTreeMap::new();
+    type Missed<'a> = (&'a [f64], [f64; 3]);
+    let mut groups: BTreeMap<(PoseName, usize), Vec<Missed>> = BTreeMap::new();
     for o in observations {
         for (target, miss) in o.misses(robot, values) {
             groups.entry((o.pose, target)).or_default().push((&o.joints, miss));

@@ -27,7 +27,7 @@ mod uncertainty;
 mod verification;
 mod weights;
 
-pub use budget::{Budget, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
+pub use budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
 pub use chi_square::exceeds as chi_square_exceeds;
 use condition::tied_to_world;
 pub use condition::{Condition, Fixture, Kind, Known};

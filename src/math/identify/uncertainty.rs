@@ -4,7 +4,7 @@ use super::budget::{self, Budget, Observed, Systematic};
 use super::chi_square::{exceeds, falls_short};
 use super::clusters::ByCluster;
 use super::elimination::Remaining;
-use super::frame_error::{FrameError, carry};
+use super::frame_error::FrameError;
 use super::observability::{held_singular_values, observe, weak_message};
 use super::residuals::Residuals;
 use super::rigid_part::Shape;
@@ -75,25 +75,17 @@ pub(super) fn with_uncertainty(
     };
     let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning } = found;
     let mut warnings: Vec<Message> = warning.into_iter().collect();
-    let mut replicates = None;
-    if settings.kind == ResidualKind::Targets && settings.conditions.is_empty() && !problem.is_whitened() {
-        replicates = budget::replicates(robot, observations, &values, dof);
-    }
+    let replicates = (apart && settings.conditions.is_empty())
+        .then(|| budget::replicates(robot, observations, &values, dof))
+        .flatten();
     let mut budget = Budget::default();
     if let Some(total) = &mut covariance {
         let all = (problem, solution, &jacobian[..]);
         budget = Budget::new(all, instrument.as_deref(), total, settings, replicates.as_ref());
-        let (common, of_poses): (Vec<_>, Vec<_>) = frames.iter().partition(|f| f.pose.is_none());
-        carry(common.into_iter(), all, total);
         // what is wrong with the frame of one pose shows in its residuals, and is in the noise above
-        if problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument && !of_poses.is_empty() {
-            let mut by_frames = vec![0.0; total.len()];
-            carry(of_poses.into_iter(), all, &mut by_frames);
-            total.iter_mut().zip(&by_frames).for_each(|(total, more)| *total += more);
-            budget = budget.with_frames_of_poses(by_frames);
-        }
+        let unseen = problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument;
         let observed = Observed { robot, observations, settings, free: &problem.free, values: &values };
-        budget.carry(systematic.errors(&observed)?, all, total);
+        budget.carry_all(systematic, &observed, all, unseen, total)?;
     }
     let inflation_factor = match (&instrument, &covariance) {
         (Some(before), Some(after)) => {
