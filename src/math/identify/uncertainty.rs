@@ -87,22 +87,12 @@ pub(super) fn with_uncertainty(
         let observed = Observed { robot, observations, settings, free: &problem.free, values: &values };
         budget.carry_all(systematic, &observed, all, unseen, total)?;
     }
-    let inflation_factor = match (&instrument, &covariance) {
-        (Some(before), Some(after)) => {
-            median((0..n).map(|k| (after[k * n + k] / before[k * n + k]).sqrt())).unwrap_or(1.0)
-        }
-        _ => 1.0,
-    };
-    if let Some(chi) = rejected {
-        warnings.push(rejection(chi, dof, inflation_factor, uncertainty_from));
-    } else if let Some(chi) = chi_square.filter(|&chi| falls_short(chi, dof)) {
-        warnings.push(shortfall(chi, dof));
-    }
+    let inflation_factor = inflation(instrument.as_deref(), covariance.as_deref(), n);
+    warnings.extend(chi_square.and_then(|chi| of_chi_square(chi, dof, inflation_factor, uncertainty_from)));
 
-    let mut plain = vec![0.0; problem.measured_count()];
-    problem.plain_residuals(&solution.x, &mut plain);
-    let lengths: Vec<f64> = plain.iter().zip(problem.sizes()).filter_map(|(r, size)| Some(r * size?)).collect();
+    let lengths = lengths(problem, solution);
     let factor = solution.factor.as_ref();
+    let own = factor.map(|f| f.own()).unwrap_or_default();
     let observed = factor.and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance.as_deref()));
     let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
     if let Some(o) = &mut observability {
@@ -121,7 +111,7 @@ pub(super) fn with_uncertainty(
         status: (0..values.len()).map(status).collect(),
         values,
         free: problem.free.clone(),
-        eliminated: factor.map(|f| f.own()).unwrap_or_default().into_iter().map(|j| problem.free[j]).collect(),
+        eliminated: own.into_iter().map(|j| problem.free[j]).collect(),
         covariance,
         uncertainty_from,
         effective_degrees,
@@ -140,6 +130,28 @@ pub(super) fn with_uncertainty(
         termination: solution.termination,
         warnings,
     })
+}
+
+/// The measured residuals that are lengths, in the unit of the residuals.
+fn lengths(problem: &Residuals, solution: &Solution) -> Vec<f64> {
+    let mut plain = vec![0.0; problem.measured_count()];
+    problem.plain_residuals(&solution.x, &mut plain);
+    plain.iter().zip(problem.sizes()).filter_map(|(r, size)| Some(r * size?)).collect()
+}
+
+/// By how much the standard uncertainties of one covariance are larger than those of another (median).
+fn inflation(before: Option<&[f64]>, after: Option<&[f64]>, n: usize) -> f64 {
+    let (Some(before), Some(after)) = (before, after) else { return 1.0 };
+    median((0..n).map(|k| (after[k * n + k] / before[k * n + k]).sqrt())).unwrap_or(1.0)
+}
+
+/// What is remarked of chi-square.
+fn of_chi_square(chi: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Option<Message> {
+    match () {
+        () if exceeds(chi, dof) => Some(rejection(chi, dof, inflation_factor, from)),
+        () if falls_short(chi, dof) => Some(shortfall(chi, dof)),
+        () => None,
+    }
 }
 
 /// A covariance, and what it rests on.
