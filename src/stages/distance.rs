@@ -1,6 +1,7 @@
 //! How far the validation poses lie from those of the calibration: errors hold among poses like these.
 
 use crate::base::message::Message;
+use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::document::ValidationDistance;
 use crate::math::identify::Observation;
@@ -14,19 +15,17 @@ const REPEATED: f64 = 0.1;
 /// Further than three spacings no calibration pose shows what the robot does there.
 const BEYOND: f64 = 3.0;
 
+/// Joint values of repeats of a pose scatter by less than this share of their range.
+const SCATTER: f64 = 1e-3;
+
 /// Distances in the space of the joints, each joint in its range over the calibration poses; `None` without validation poses, or where
 /// the calibration has fewer than two poses or none that differ.
 pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationDistance> {
     let count = robot.joints().len();
-    // the same joint values under several numbers are one pose
-    let distinct = |observations: &[Observation]| -> Vec<Vec<f64>> {
-        let of = |o: &Observation| o.joints.get(..count).map(<[f64]>::to_vec);
-        let bits = |joints: Vec<f64>| (joints.iter().map(|q| q.to_bits()).collect::<Vec<_>>(), joints);
-        observations.iter().filter_map(of).map(bits).collect::<BTreeMap<_, _>>().into_values().collect()
-    };
-    let (calibration, validation) = (distinct(&sets.calibration), distinct(&sets.validation));
+    let joints = |o: &Observation| o.joints.get(..count).map(<[f64]>::to_vec);
+    let all: Vec<Vec<f64>> = sets.calibration.iter().filter_map(joints).collect();
     let ranges: Vec<(f64, f64)> = (0..count)
-        .map(|j| calibration.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, q| (r.0.min(q[j]), r.1.max(q[j]))))
+        .map(|j| all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, q| (r.0.min(q[j]), r.1.max(q[j]))))
         .collect();
     let apart = |a: &[f64], b: &[f64]| {
         let of = |((low, high), (a, b)): (&(f64, f64), (&f64, &f64))| {
@@ -34,6 +33,19 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
         };
         ranges.iter().zip(a.iter().zip(b)).map(of).sum::<f64>().sqrt()
     };
+    // repeats of a pose, whose joint values scatter, are one; so are the same joint values under several numbers
+    let distinct = |observations: &[Observation]| -> Vec<Vec<f64>> {
+        let mut of_pose: BTreeMap<PoseName, Vec<Vec<f64>>> = BTreeMap::new();
+        for (pose, q) in observations.iter().filter_map(|o| Some((o.pose, joints(o)?))) {
+            let known = of_pose.entry(pose).or_default();
+            if known.iter().all(|k| apart(k, &q) > SCATTER) {
+                known.push(q);
+            }
+        }
+        let bits = |q: Vec<f64>| (q.iter().map(|q| q.to_bits()).collect::<Vec<_>>(), q);
+        of_pose.into_values().flatten().map(bits).collect::<BTreeMap<_, _>>().into_values().collect()
+    };
+    let (calibration, validation) = (distinct(&sets.calibration), distinct(&sets.validation));
     let nearest = |from: &[Vec<f64>], within: bool| -> Vec<f64> {
         let of = |(i, a): (usize, &Vec<f64>)| {
             let others = calibration.iter().enumerate().filter(|(k, _)| !within || *k != i);
@@ -93,7 +105,10 @@ mod tests {
     }
 
     fn distance(validation: Vec<Observation>) -> ValidationDistance {
-        let calibration = [grid(0.0), grid(0.0)].concat(); // each pose twice
+        // each pose twice, the second time as the encoders read it back
+        let mut again = grid(0.0);
+        again.iter_mut().for_each(|o| o.joints.iter_mut().for_each(|q| *q += 1e-13 * *q));
+        let calibration = [grid(0.0), again].concat();
         validation_distance(&Prexyt::default(), &Sets { calibration, validation, ..Sets::default() })
             .expect("a distance")
     }

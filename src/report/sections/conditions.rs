@@ -18,9 +18,16 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.summarise(words.say("instrument's expanded uncertainty"), campaign.expanded_uncertainty_um, "µm");
     section.summarise(words.say("coverage factor"), campaign.coverage_factor, "");
     section.summarise(words.say("temperature"), campaign.temperature_c, "°C");
-    section.push(Block::facts(identity));
-    section.push(Block::heading(words.say("Conditions")));
-    section.push(Block::facts(conditions));
+    for (heading, facts) in [(None, identity), (Some(words.say("Conditions")), conditions)] {
+        section.blocks.extend(heading.map(Block::heading));
+        let not_stated = words.say("not stated");
+        let (missing, given): (Vec<_>, Vec<_>) = facts.into_iter().partition(|(_, said)| said.plain() == not_stated);
+        section.push(Block::facts(given));
+        if !missing.is_empty() {
+            let names: Vec<String> = missing.into_iter().map(|(what, _)| what).collect();
+            section.push(Block::text(words.fill("Not stated: {0}.", &[&names.join(", ")])));
+        }
+    }
     section.whole()
 }
 
