@@ -155,7 +155,7 @@ impl Space {
         let (middle, half) = (ends.map(|(a, b)| 0.5 * (a + b)), ends.map(|(a, b)| (0.5 * (b - a)).max(0.5)));
         let radius = half.iter().map(|v| v * v).sum::<f64>().sqrt();
         // a square around a sphere: whichever way it is turned
-        let paper = Paper::square(radius, WIDTH, 18.0);
+        let paper = Paper::square(radius, WIDTH, 44.0);
         Self { middle, half, paper }
     }
 
