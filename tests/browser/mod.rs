@@ -165,8 +165,12 @@ fn marks_answer_to_the_pointer_and_to_the_keyboard(browser: &mut Browser, report
     for page in &reports.pages {
         browser.open(page);
         let at = browser.evaluate(
-            "(() => { const mark = [...document.querySelectorAll('figure svg circle.map, figure svg circle.cal')].find(m => m.querySelector('title'));
-               mark.scrollIntoView({ block: 'center' });
+            "(() => { const mark = [...document.querySelectorAll('figure svg circle.map, figure svg circle.cal')].find(m => {
+                 // one that no other mark or name covers
+                 m.scrollIntoView({ block: 'center' });
+                 const box = m.getBoundingClientRect();
+                 const top = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+                 return top === m && (m.querySelector('title') || m.dataset.i) });
                const box = mark.getBoundingClientRect();
                return [box.left + box.width / 2, box.top + box.height / 2] })()",
         );
@@ -198,7 +202,7 @@ fn marks_answer_to_the_pointer_and_to_the_keyboard(browser: &mut Browser, report
 
 fn before_and_after_are_switched_without_a_script(browser: &mut Browser, reports: &Pages) {
     browser.open(&reports.pages[0]);
-    let shown = "[...document.querySelectorAll('.pair figure')].map(f => f.checkVisibility())";
+    let shown = "[...document.querySelector('.pair').querySelectorAll('figure')].map(f => f.checkVisibility())";
     assert_eq!(browser.evaluate(shown), json!([true, true]));
     for (side, expected) in [("before", [true, false]), ("after", [false, true]), ("both", [true, true])] {
         browser.evaluate(&format!("document.querySelector('.switch input[value={side}]').checked = true"));
@@ -226,7 +230,7 @@ fn printing_cuts_no_figure_and_no_row(browser: &mut Browser, reports: &Pages) {
         browser.evaluate("document.querySelectorAll('.over').forEach(letters => letters.style.stroke = 'none')");
         let whole = list(&browser.evaluate(
             "[...document.querySelectorAll('tr, figure, .signatures')].filter(e => e.checkVisibility()).map(e =>
-               e.tagName === 'FIGURE' ? e.querySelector('figcaption').textContent + [...e.querySelectorAll('svg text')].map(t => t.textContent).join('') : e.textContent)",
+               e.tagName === 'FIGURE' ? e.querySelector('figcaption').textContent + [...e.querySelectorAll('svg text')].filter(t => t.getBoundingClientRect().width).map(t => t.textContent).join('') : e.textContent)",
         ));
         let printed = browser.call(
             "Page.printToPDF",

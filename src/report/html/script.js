@@ -49,7 +49,11 @@
   }
 
   document.addEventListener("pointerover", function (event) { show(markOf(event.target), false); });
-  document.addEventListener("scroll", function () { if (chosen && byKey) place(); else hide(); }, true);
+  document.addEventListener("scroll", function (event) {
+    // the contents scroll by themselves
+    if (event.target.nodeName === "NAV") return;
+    if (chosen && byKey) place(); else hide();
+  }, true);
   document.querySelectorAll("svg").forEach(function (picture) {
     if (!picture.querySelector("[data-i], circle > title, polygon > title, rect > title")) return;
     var at = -1;
