@@ -35,7 +35,7 @@ fn cases() -> [Case; 2] {
         |noise: &mut Noise, low: f64, high: f64| low + (high - low) * (0.5 + noise.gaussian(0.25)).clamp(0.0, 1.0);
     let slide = move |n: &mut Noise| vec![between(n, 0.0, 170.0), between(n, 50.0, 250.0), between(n, 50.0, 250.0)];
     let turn = move |n: &mut Noise| (0..6).map(|_| between(n, -1.2, 1.2)).collect();
-    [case(Box::new(Prexyt::default()), 24, &slide), case(Box::new(serial(&SIX_AXES, &["one", "two"], &[])), 40, &turn)]
+    [case(Box::<Prexyt>::default(), 24, &slide), case(Box::new(serial(&SIX_AXES, &["one", "two"], &[])), 40, &turn)]
 }
 
 impl Case {

@@ -15,11 +15,14 @@ const RIGHT: f64 = 360.0;
 const TOP: f64 = 14.0;
 const BOTTOM: f64 = 206.0;
 
+/// A quantity of a pose.
+type Quantity<'a> = Box<dyn Fn(&PointError) -> Option<f64> + 'a>;
+
 /// What errors are drawn against.
 struct Along<'a> {
     id: String,
     name: String,
-    of: Box<dyn Fn(&PointError) -> Option<f64> + 'a>,
+    of: Quantity<'a>,
 }
 
 /// One picture for each joint, and one for the distance from the base.

@@ -38,6 +38,11 @@ pub(in crate::report) fn pictures(document: &Iso9283Document, words: &Words) -> 
         .collect()
 }
 
+/// From which pose, in words.
+fn approached(name: Option<&str>, words: &Words) -> String {
+    name.map_or_else(|| words.say("the first"), |name| approach(name, words))
+}
+
 /// All visits of a pose in the xy plane, by approach, with their means.
 fn picture(pose: PoseName, visits: &[&Iso9283Visit], words: &Words) -> Option<Figure> {
     let middle = centroid(&visits.iter().map(|v| v.attained_mm).collect::<Vec<_>>())?;
@@ -69,7 +74,7 @@ fn picture(pose: PoseName, visits: &[&Iso9283Visit], words: &Words) -> Option<Fi
     plane.draw(&mut svg, words);
     for (visit, place) in visits.iter().zip(&places) {
         let name = visit.approach.as_deref();
-        let from = name.map_or_else(|| words.say("the first"), |name| approach(name, words));
+        let from = approached(name, words);
         let [x, y, z] = place.map(|v| number::fixed(v, 1));
         let values: [&dyn Display; 6] = [&pose, &visit.cycle, &from, &x, &y, &z];
         let tip = words.fill("pose {0}, cycle {1}, {2}: x {3}, y {4}, z {5} µm from the mean", &values);
@@ -85,18 +90,10 @@ fn picture(pose: PoseName, visits: &[&Iso9283Visit], words: &Words) -> Option<Fi
     for (i, (name, places)) in groups.iter().enumerate() {
         let (x, y) = (30.0 + 180.0 * (i % 2) as f64, plane.height() + 8.0 + 20.0 * (i / 2) as f64);
         svg.mark(shape(*name), "map", (x, y), 4.5, colour(*name), "");
-        svg.text(
-            "start",
-            (x + 10.0, y + 4.0),
-            &format!(
-                "{} ({})",
-                name.map_or_else(|| words.say("the first"), |name| approach(name, words)),
-                places.len()
-            ),
-        );
+        svg.text("start", (x + 10.0, y + 4.0), &format!("{} ({})", approached(*name, words), places.len()));
     }
     let row = |(visit, place): (&&Iso9283Visit, &Vector)| {
-        let from = visit.approach.as_deref().map_or_else(|| words.say("the first"), |name| approach(name, words));
+        let from = approached(visit.approach.as_deref(), words);
         let [x, y, z] = place.map(|v| number::fixed(v, 1));
         vec![visit.cycle.to_string(), from, x, y, z]
     };
