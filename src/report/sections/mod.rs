@@ -61,8 +61,18 @@ pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
 fn of_point(section: Option<Section>, report: &Report, words: &Words) -> Option<Section> {
     let stated = &report.campaign.conditions.measurement_point;
     let point = stated.clone().unwrap_or_else(|| words.say("not stated"));
+    let conditions = &report.campaign.conditions;
     let mut section = section?;
-    section.begin(Block::note(words.fill("Figures are those of the measurement point: {0}.", &[&point])));
+    let listed = |all: &Vec<f64>, unit: &str| {
+        format!("{} {unit}", all.iter().map(f64::to_string).collect::<Vec<_>>().join(", "))
+    };
+    let load = conditions.load_kg.map(|kg| words.fill("Load: {0} kg.", &[&kg]));
+    let percent = conditions.velocities_percent.as_ref().map(|all| listed(all, "%"));
+    let velocity = conditions.velocities_mm_s.as_ref().map(|all| listed(all, "mm/s")).or(percent);
+    let velocity = velocity.map(|velocity| words.fill("Velocity: {0}.", &[&velocity]));
+    let point = words.fill("Figures are those of the measurement point: {0}.", &[&point]);
+    let sentences: Vec<String> = [Some(point), load, velocity].into_iter().flatten().collect();
+    section.begin(Block::note(sentences.join(" ")));
     Some(section)
 }
 

@@ -4,7 +4,7 @@ use super::limits::{judged, limits, name};
 use super::repeatability::quarter_sentence;
 use crate::document::{
     AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorStatistics, Iso9283Document,
-    Iso9283Pose, LimitVerdict, ParametersDocument, ResidualSummary, Statistics, ToolAccuracy,
+    Iso9283Pose, Iso9283Variation, LimitVerdict, ParametersDocument, ResidualSummary, Statistics, ToolAccuracy,
 };
 use crate::report::Identified;
 use crate::report::model::{Headline, Verdict};
@@ -224,8 +224,26 @@ fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
     let accuracy = of(&accuracy, "accuracy_max_mm", |p| p.ap_mm, |p| p.ap_conformity);
     let repeatability = words.say("The repeatability is {0} µm, at pose {1}.");
     let repeatability = of(&repeatability, "repeatability_max_mm", |p| p.rp_mm, |p| p.rp_conformity);
+    let by_approach = pooled(document, words);
     let instrument = Some(quarter_sentence(document, words)).filter(|sentence| !sentence.is_empty());
-    [accuracy, repeatability, instrument].into_iter().flatten().collect()
+    [accuracy, by_approach, repeatability, instrument].into_iter().flatten().collect()
+}
+
+/// RP of each approach by itself, where a pose has several: ISO 9283 visits a pose from one direction.
+fn pooled(document: &Iso9283Document, words: &Words) -> Option<String> {
+    let several = document.approaches.iter().filter(|v| v.approaches.len() > 1);
+    let of_pose = |v: &Iso9283Variation| {
+        let all: Vec<f64> = v.approaches.iter().filter_map(|a| a.rp_mm).collect();
+        let pooled = document.poses.iter().find(|p| p.pose == v.pose)?.rp_mm?;
+        let (low, high) = all.iter().fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(*v), b.max(*v)));
+        (!all.is_empty()).then_some((v.pose, all.len(), low, high, pooled))
+    };
+    let (pose, count, low, high, pooled) = several.filter_map(of_pose).max_by(|a, b| a.3.total_cmp(&b.3))?;
+    let um = |mm: f64| number::fixed(1e3 * mm, 1);
+    Some(words.fill(
+        "From one approach the repeatability is {0} to {1} µm, at pose {2} with {3} approaches; all of them together: {4} µm.",
+        &[&um(low), &um(high), &pose, &count, &um(pooled)],
+    ))
 }
 
 fn within(within: bool, allowed: &str, words: &Words) -> String {
@@ -317,6 +335,7 @@ mod tests {
         let expected = [
             "The accuracy is 51.20 µm, at pose 2. This is within the limit of 52.00 µm. By guarded acceptance (ISO \
              14253-1): poses 1, 2 are undecided.",
+            "From one approach the repeatability is 11.1 to 11.1 µm, at pose 1 with 2 approaches; all of them together: 21.7 µm.",
             "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By guarded acceptance \
              (ISO 14253-1): all 2 poses conform.",
             "The instrument is good enough for every pose.",
@@ -331,9 +350,9 @@ mod tests {
         poses.poses[1].rp_conformity = Some(Conformity::NotConforming);
         let bad = of(&documents);
         assert_eq!((bad.class, bad.met), ("bad", false));
-        assert!(bad.sentences[5].starts_with("1 of 4 limits of the campaign is not met."), "{bad:?}");
+        assert!(bad.sentences[6].starts_with("1 of 4 limits of the campaign is not met."), "{bad:?}");
         assert!(bad.sentences[2].ends_with("1 of 2 poses conforms; pose 2 is undecided."), "{bad:?}");
-        assert!(bad.sentences[3].ends_with("1 of 2 poses conforms; pose 2 does not conform."), "{bad:?}");
+        assert!(bad.sentences[4].ends_with("1 of 2 poses conforms; pose 2 does not conform."), "{bad:?}");
     }
 
     #[test]
