@@ -93,10 +93,11 @@ pub fn distributions(
     let (monte_carlo, digits) = trials.monte_carlo(draws.most, report);
     let bootstrap = trials.bootstrap(draws.resamples);
     let n = found.free.len();
-    let linear = |k: usize| -> f64 {
+    let linear = |k: usize| -> Option<f64> {
         use UncertaintySource::{Model, Repeatability, Residuals};
-        let stated = found.budget.of_parameter(k).into_iter();
-        stated.filter(|(s, _)| ![Model, Repeatability, Residuals].contains(s)).map(|(_, v)| v).sum::<f64>().sqrt()
+        let parts = found.budget.of_parameter(k);
+        let stated = parts.iter().filter(|(s, _)| ![Model, Repeatability, Residuals].contains(s)).map(|(_, v)| v);
+        (!parts.is_empty()).then(|| stated.sum::<f64>().sqrt())
     };
     let entry = |k: usize| {
         let p = &robot.parameters()[found.free[k]];
@@ -104,19 +105,21 @@ pub fn distributions(
         let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[k]).collect());
         let value = found.values[found.free[k]];
         let (u, tolerance) = (linear(k), numerical_tolerance(drawn.sd));
-        let ends = [value - NORMAL_95 * u, value + NORMAL_95 * u];
         let of_end = OF_END * drawn.sd / (monte_carlo.len() as f64).sqrt();
-        let agrees = (0..2).all(|i| (ends[i] - drawn.interval[i]).abs() <= tolerance + 2.0 * of_end);
+        let agrees = |u: f64| {
+            let ends = [value - NORMAL_95 * u, value + NORMAL_95 * u];
+            (0..2).all(|i| (ends[i] - drawn.interval[i]).abs() <= tolerance + 2.0 * of_end)
+        };
         DistributionEntry {
             name: p.name.clone(),
             unit: p.quantity.unit().to_owned(),
             value: out(value),
-            linear: Some(out(u)),
+            linear: u.map(out),
             standard_uncertainty: found.standard_uncertainty(found.free[k]).map(out),
             mean: Some(out(drawn.mean)),
             standard_deviation: out(drawn.sd),
             interval_95: Some(drawn.interval.map(out)),
-            agrees: Some(agrees),
+            agrees: u.map(agrees),
             bootstrap: bootstrap.as_ref().map(|all| out(Distribution::of(all.iter().map(|t| t[k]).collect()).sd)),
         }
     };

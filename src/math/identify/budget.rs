@@ -164,6 +164,10 @@ impl Budget {
         settings: &Settings,
         replicates: Option<&Replicates>,
     ) -> Self {
+        // of points that are many the covariance is too large to keep it source by source
+        if problem.layout.is_some() {
+            return Self::default();
+        }
         let stated = instrument.map(|all| by_rows((problem, solution, jacobian), all)).unwrap_or_default();
         let beyond = |r: &Replicates| settings.standard_uncertainty_mm.map(|u| (r.repeats_mm / u).powi(2) - 1.0);
         Self {
@@ -215,8 +219,12 @@ impl Budget {
         }
     }
 
-    /// What each source contributes to the variance of an identified parameter, by its place among these.
+    /// What each source contributes to the variance of an identified parameter, by its place among these; nothing where points were
+    /// eliminated.
     pub fn of_parameter(&self, k: usize) -> Contributions {
+        if self.readings.is_empty() {
+            return Vec::new();
+        }
         let n = self.readings.len().isqrt();
         self.contributions(|covariance| covariance[k * n + k], 0.0, |e| self.common[e].1[k])
     }
@@ -230,7 +238,7 @@ impl Budget {
     ) -> Contributions {
         let mut all: BTreeMap<Source, f64> = BTreeMap::new();
         let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);
-        let mut rest = if self.readings.is_empty() { 0.0 } else { form(&self.readings) };
+        let mut rest = form(&self.readings);
         let mut of_instrument = 0.0;
         for (source, covariance) in &self.stated {
             let variance = form(covariance).min(rest.max(0.0));
@@ -262,8 +270,7 @@ impl Budget {
 fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: &[f64]) -> Vec<(Source, Vec<f64>)> {
     let whole = || vec![(Source::Instrument, all.to_vec())];
     let priors = problem.shapes().next().is_some() || problem.known().next().is_some();
-    // of points that are eliminated the rows are not apart; pose residuals have their own noise
-    if problem.layout.is_some() || !priors && !problem.is_whitened() {
+    if !priors && !problem.is_whitened() {
         return whole();
     }
     let n = solution.x.len();
@@ -309,7 +316,7 @@ pub enum Figure {
 }
 
 /// What each source contributes to the variance (mm²) of figures of the position errors of `observations`, which are not those of
-/// the identification. `None` without a covariance.
+/// the identification. `None` without a covariance, and where points were eliminated.
 pub fn figure_budgets(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -317,7 +324,7 @@ pub fn figure_budgets(
     found: &Identification,
     systematic: &Systematic,
 ) -> Result<Option<Vec<(Figure, Contributions)>>> {
-    if observations.is_empty() || found.covariance.is_none() || found.free.is_empty() {
+    if observations.is_empty() || found.budget.readings.is_empty() {
         return Ok(None);
     }
     let covariance = |o: &Observation, k: usize| o.covariances_mm2.get(k).copied().flatten();
