@@ -20,7 +20,7 @@ pub struct Sketch {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stroke {
-    /// What it stands for.
+    /// What it represents.
     pub kind: StrokeKind,
     /// Its name: that of a parameter, a joint or a frame; empty without one.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -29,7 +29,7 @@ pub struct Stroke {
     pub points_mm: Vec<Vector>,
 }
 
-/// What a line stands for.
+/// What a line represents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum StrokeKind {

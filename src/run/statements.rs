@@ -371,12 +371,22 @@ fn common_errors(campaign: &Campaign, problems: &mut Problems) {
         wrong(&path("part_per_c"), expansion.part_per_c, PER_C, hint);
         let key = "expanded_temperature_uncertainty_c";
         wrong(&path(key), expansion.expanded_temperature_uncertainty_c, 0.0..=50.0, "state it in degrees");
-        wrong(&path("coverage_factor"), expansion.coverage_factor, factor.clone(), "2 stands for 95 %");
+        wrong(
+            &path("coverage_factor"),
+            expansion.coverage_factor,
+            factor.clone(),
+            "a coverage factor of 2 is a level of confidence of about 95 %",
+        );
     }
     if let Some(homing) = &file.homing {
         let path = |key| ["homing", key];
         let hint = "home the robot often and take the scatter of a joint at its switch";
-        wrong(&path("coverage_factor"), homing.coverage_factor, factor, "2 stands for 95 %");
+        wrong(
+            &path("coverage_factor"),
+            homing.coverage_factor,
+            factor,
+            "a coverage factor of 2 is a level of confidence of about 95 %",
+        );
         wrong(&path("expanded_uncertainty_um"), homing.expanded_uncertainty_um.unwrap_or(0.0), um(), hint);
         wrong(&path("expanded_uncertainty_deg"), homing.expanded_uncertainty_deg.unwrap_or(0.0), 0.0..=5.0, hint);
         let Ok(robot) = campaign.build_robot() else { return };

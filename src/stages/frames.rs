@@ -296,13 +296,18 @@ fn three_two_one_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]
     Some(sum)
 }
 
-/// Brings the covariance of the frame of a planar robot to the mean height of its targets: what they see of a tilt is a shift.
-fn at_height(world: &mut WorldFrame, points: &[Point]) {
-    let Some(frame) = world.poses.first() else { return };
+/// Mean height of the targets in the world, mm; 0 where there are none.
+pub(super) fn target_height_mm(world: &WorldFrame, points: &[Point]) -> f64 {
+    let Some(frame) = world.poses.first() else { return 0.0 };
     let world_T_export = frame.export_T_world.inverse();
     let moving = points.iter().filter(|p| p.pose.is_some() && p.target.is_some());
     let heights: Vec<Vector> = moving.map(|p| world_T_export.apply(p.xyz_mm)).collect();
-    let height_mm = centroid(&heights).map_or(0.0, |middle| middle[2]);
+    centroid(&heights).map_or(0.0, |middle| middle[2])
+}
+
+/// Brings the covariance of the frame of a planar robot to the mean height of its targets: what they see of a tilt is a shift.
+fn at_height(world: &mut WorldFrame, points: &[Point]) {
+    let height_mm = target_height_mm(world, points);
     // shift in x and y at this height, and the turn about z
     let mut planar = [[0.0; 6]; 6];
     planar[0][0] = 1.0;

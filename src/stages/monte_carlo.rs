@@ -3,7 +3,7 @@
 
 use crate::base::message::{Message, Result};
 use crate::base::noise::Noise;
-use crate::base::pose::{Pose, Vector, centroid, norm};
+use crate::base::pose::{Pose, Vector, norm};
 use crate::base::pose_name::PoseName;
 use crate::campaign::{Campaign, Identify};
 use crate::document::{
@@ -12,6 +12,7 @@ use crate::document::{
 use crate::import::Point;
 use crate::math::identify::{self, Figure, Identification, Observation, Settings};
 use crate::math::robots::{Quantity, Robot};
+use crate::stages::evaluate::summarise;
 use crate::stages::frames;
 use crate::stages::identification::{Identified, identify, select};
 use crate::stages::join::Joined;
@@ -165,13 +166,7 @@ impl<'a> Trials<'a> {
         let planar = robot.dimension() == 2;
         let key = |f: &FramePose| (f.pose.zip(f.cycle), f.export_T_world);
         let by_pose: BTreeMap<_, _> = frames.world.poses.iter().map(key).collect();
-        let mut height_mm = 0.0;
-        if let (true, Some(first)) = (planar, frames.world.poses.first()) {
-            let world_T_export = first.export_T_world.inverse();
-            let moving = points.iter().filter(|p| p.pose.is_some() && p.target.is_some());
-            let heights: Vec<Vector> = moving.map(|p| world_T_export.apply(p.xyz_mm)).collect();
-            height_mm = centroid(&heights).map_or(0.0, |middle| middle[2]);
-        }
+        let height_mm = if planar { frames::target_height_mm(&frames.world, points) } else { 0.0 };
         let mut numbers = BTreeMap::new();
         let mut readings = |of: &[Observation]| -> Vec<Reading> {
             of.iter().map(|o| reading(o, settings, robot.dimension(), &mut numbers)).collect()
@@ -298,9 +293,8 @@ impl<'a> Trials<'a> {
         if sizes.is_empty() {
             return Vec::new();
         }
-        let n = sizes.len() as f64;
-        let rms = (sizes.iter().map(|s| s * s).sum::<f64>() / n).sqrt();
-        vec![sizes.iter().sum::<f64>() / n, rms, sizes.iter().copied().fold(0.0, f64::max)]
+        let found = summarise(sizes);
+        vec![found.mean, found.rms, found.max]
     }
 
     /// Parameters identified from poses, and of each pose from cycles, that are drawn from the measured ones with replacement (Efron &

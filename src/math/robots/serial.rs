@@ -387,19 +387,21 @@ fn drawn_link(modified: bool, parallel: bool) -> Sketch {
         to
     };
     // about x from z; about y from z
-    let twist = |frame: &Pose| frame.turn_y(-FRAC_PI_2);
-    let tilt = |frame: &Pose| frame.turn_x(-FRAC_PI_2).turn_z(-FRAC_PI_2);
+    let twisted = |sketch: &mut Sketch, frame: &Pose| {
+        sketch.add(StrokeKind::Axis, "", &[frame.translation_mm, frame.shift(2, 80.0).translation_mm]);
+        sketch.angle("alpha_i", &frame.turn_y(-FRAC_PI_2), 70.0, -TWIST);
+        let to = frame.turn_x(TWIST);
+        if parallel {
+            sketch.angle("beta_i", &to.turn_x(-FRAC_PI_2).turn_z(-FRAC_PI_2), 100.0, 0.4);
+        }
+        to
+    };
     // turned so that no axis is seen end on
     let mut frame = Pose::identity().turn_z(1.2);
     if modified {
         axis(&mut sketch, "z i−1", &frame, [-50.0, 130.0]);
         frame = length(&mut sketch, "a_i", frame, 0, a);
-        sketch.add(StrokeKind::Axis, "", &[frame.translation_mm, frame.shift(2, 80.0).translation_mm]);
-        sketch.angle("alpha_i", &twist(&frame), 70.0, -TWIST);
-        frame = frame.turn_x(TWIST);
-        if parallel {
-            sketch.angle("beta_i", &tilt(&frame), 100.0, 0.4);
-        }
+        frame = twisted(&mut sketch, &frame);
     } else {
         axis(&mut sketch, "z i", &frame, [-50.0, 130.0]);
     }
@@ -411,12 +413,7 @@ fn drawn_link(modified: bool, parallel: bool) -> Sketch {
     frame = length(&mut sketch, "d_i", frame.turn_z(OFFSET), 2, d);
     if !modified {
         frame = length(&mut sketch, "a_i", frame, 0, a);
-        sketch.add(StrokeKind::Axis, "", &[frame.translation_mm, frame.shift(2, 80.0).translation_mm]);
-        sketch.angle("alpha_i", &twist(&frame), 70.0, -TWIST);
-        frame = frame.turn_x(TWIST);
-        if parallel {
-            sketch.angle("beta_i", &tilt(&frame), 100.0, 0.4);
-        }
+        frame = twisted(&mut sketch, &frame);
         axis(&mut sketch, "z i+1", &frame, [-60.0, 140.0]);
     }
     sketch.frame("", &frame, 60.0);

@@ -18,7 +18,7 @@ pub(in crate::report) enum Shape {
     Triangle,
 }
 
-/// Forms of groups that are told apart by more than their colour.
+/// Forms of groups, which differ by more than their colour.
 pub(in crate::report) const SHAPES: [Shape; 4] = [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle];
 
 /// A picture being drawn.

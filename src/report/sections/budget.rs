@@ -129,13 +129,8 @@ fn figure(f: &FigureBudget) -> &'static str {
 /// What repeats of poses show.
 fn repeats(document: &ParametersDocument, words: &Words) -> String {
     let Some(found) = document.residuals.repeats else { return String::new() };
-    let p = if found.p_value < 1e-4 {
-        "p < 0.0001".to_owned()
-    } else {
-        format!("p = {}", number::significant(found.p_value, 2))
-    };
     words.fill(
         "Repeats of a pose scatter by {0} µm a coordinate ({1} degrees of freedom); beside that the model leaves {2} µm at a pose (F test of lack of fit: {3}).",
-        &[&number::fixed(1e3 * found.repeats_mm, 1), &found.degrees_of_freedom, &number::fixed(1e3 * found.lack_of_fit_mm, 1), &p],
+        &[&number::fixed(1e3 * found.repeats_mm, 1), &found.degrees_of_freedom, &number::fixed(1e3 * found.lack_of_fit_mm, 1), &number::p_value(found.p_value)],
     )
 }

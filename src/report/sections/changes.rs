@@ -78,7 +78,7 @@ fn instrument(c: &ComparedCampaign) -> String {
 
 /// What else differs between the campaigns than the robot may: instrument, set-up, and what was identified.
 fn differences(compare: &CompareDocument, words: &Words) -> Vec<String> {
-    // each value once, in the order of the campaigns; one alone is no difference
+    // each value once, in the order of the campaigns; a single value is not a difference
     let differing = |of: &dyn Fn(&ComparedCampaign) -> Option<String>| -> Option<Vec<String>> {
         let mut all: Vec<String> = Vec::new();
         compare.campaigns.iter().filter_map(of).for_each(|v| {
