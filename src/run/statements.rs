@@ -64,6 +64,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         }
     }
     common_errors(campaign, problems);
+    without_use(campaign, problems);
     limits(campaign, problems);
     output(campaign, problems);
     observations(campaign, problems);
@@ -404,6 +405,22 @@ fn common_errors(campaign: &Campaign, problems: &mut Problems) {
                 let hint = "state it, 0 where homing adds nothing";
                 return problems.0.push(Message::error(what).at(campaign.place_of(&["homing"])).hint(hint));
             }
+        }
+    }
+}
+
+/// Uncertainties that are stated and that nothing of the campaign would use.
+fn without_use(campaign: &Campaign, problems: &mut Problems) {
+    let file = &campaign.file;
+    if file.instrument.polar.is_some() && file.observations.is_some() {
+        let what = "`polar` is for exports: a table of observations does not show where the instrument is";
+        let message = Message::error(what).at(campaign.place_of(&["instrument", "polar"]));
+        problems.0.push(message.hint("state the covariance of each row (`cxx_mm2` to `czz_mm2`) in the table"));
+    }
+    for (key, stated) in [("expansion", file.expansion.is_some()), ("homing", file.homing.is_some())] {
+        if stated && !campaign.identifies() {
+            let message = Message::error(format!("[{key}] is for identified parameters, and there is no [identify]"));
+            problems.0.push(message.at(campaign.place_of(&[key])).hint("remove it, or state [identify]"));
         }
     }
 }

@@ -96,3 +96,16 @@ fn what_means_nothing_is_refused_by_its_key() {
         ends(&scratch, "check", 2, &[message]);
     }
 }
+
+#[test]
+fn what_nothing_would_use_is_refused() {
+    let scratch = copy_sample("contacts");
+    let polar = "polar = { station_mm = [0, 0, 0], expanded_range_uncertainty_um = 10 }";
+    scratch.replace("campaign.toml", FACTOR, &format!("{FACTOR}{polar}\n"));
+    ends(&scratch, "check", 2, &["`polar` is for exports"]);
+    let scratch = copy_sample("pose-test");
+    let path = scratch.path().join("campaign.toml");
+    std::fs::write(&path, std::fs::read_to_string(&path).unwrap() + STATED).unwrap();
+    let parts = ["[expansion] is for identified parameters", "[homing] is for identified parameters"];
+    ends(&scratch, "check", 2, &parts);
+}
