@@ -76,6 +76,10 @@ impl Exporter for LinuxCncComponent {
         let arm = robot.kinematics().filter(|arm| arm.joints().len() <= MOST_JOINTS);
         let arm = arm.ok_or_else(|| Message::error("LinuxCNC moves nine joints at most"))?;
         let planar = arm.dimension() == 2;
+        if !planar && formulas.iter().all(|formula| formula.name != "linearised") {
+            let message = Message::error("the component is for planar robots and serial arms");
+            return Err(message.hint("use linuxcnc-hexapod or linuxcnc-delta").into());
+        }
         // a planar robot has its base and its target in the component
         for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| p.role != Role::Robot) {
             let entry = given.parameters.parameters.iter().find(|entry| entry.name == p.name);

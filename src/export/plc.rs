@@ -1,7 +1,8 @@
 //! Parameters as constants of PLCs, LREAL: a list of global constants of TwinCAT (`.TcGVL`), PLCopen XML for CODESYS, and a data block of
-//! Siemens SCL.
+//! Siemens SCL; PLCopen and SCL hold the kinematics as function blocks too, where the robot is named.
 
-use super::xml::{Element, element, leaf};
+use super::code::{Kind, Unit, Variable, scl, units};
+use super::xml::{Element, block, element, leaf};
 use super::{Exporter, Given, comment};
 use crate::base::files;
 use crate::base::message::{Message, Result};
@@ -98,18 +99,54 @@ impl Exporter for PlcOpen {
         let data = element("data", [list])
             .with("name", "http://www.3s-software.com/plcopenxml/globalvars")
             .with("handleUnknown", "implementation");
-        let empty = |name, inside: &[&'static str]| element(name, inside.iter().map(|name| element(name, [])));
+        let pous = kinematics(given)?.into_iter().map(pou);
         let parts: [Element; 5] = [
             file,
             content,
-            empty("types", &["dataTypes", "pous"]),
+            element("types", [element("dataTypes", []), element("pous", pous)]),
             // CODESYS refuses a configuration of the name that it gives itself
-            empty("instances", &["configurations"]),
+            element("instances", [element("configurations", [])]),
             element("addData", [data]),
         ];
         let root = element("project", parts).with("xmlns", "http://www.plcopen.org/xml/tc6_0200");
         root.document(&header).map_err(|e| Message::error(format!("cannot write the constants: {e}")).into())
     }
+}
+
+/// Functions and function blocks of the kinematics, where the robot is named.
+fn kinematics(given: &Given) -> Result<Vec<Unit>> {
+    given.robot.map_or_else(|| Ok(Vec::new()), |_| units(given))
+}
+
+/// A function or function block in PLCopen XML.
+fn pou(unit: Unit) -> Element {
+    const XHTML: &str = "http://www.w3.org/1999/xhtml";
+    let of = |kind: &Kind| match kind {
+        Kind::Real => element("LREAL", []),
+        Kind::Integer => element("INT", []),
+        Kind::Truth => element("BOOL", []),
+        Kind::Block(name) => element("derived", []).with("name", name),
+        Kind::Array(last) => {
+            let range = |last: &usize| element("dimension", []).with("lower", 0).with("upper", last);
+            let base = element("baseType", [element("LREAL", [])]);
+            element("array", last.iter().map(range).chain([base]))
+        }
+    };
+    let variable = |v: &Variable| element("variable", [element("type", [of(&v.kind)])]).with("name", v.name);
+    let returned = unit.is_function().then(|| element("returnType", [of(&Kind::Real)]));
+    let list = |(word, list): (&str, &[Variable])| {
+        let name = match word {
+            "VAR_INPUT" => "inputVars",
+            "VAR_OUTPUT" => "outputVars",
+            _ => "localVars",
+        };
+        element(name, list.iter().map(variable))
+    };
+    let interface = element("interface", returned.into_iter().chain(unit.lists().map(list)));
+    let body = element("body", [element("ST", [block("xhtml", &unit.body).with("xmlns", XHTML)])]);
+    let about = element("documentation", [leaf("xhtml", &unit.comment).with("xmlns", XHTML)]);
+    let kind = if unit.is_function() { "function" } else { "functionBlock" };
+    element("pou", [interface, body, about]).with("name", &unit.name).with("pouType", kind)
 }
 
 impl Exporter for Scl {
@@ -123,6 +160,7 @@ impl Exporter for Scl {
         for Constant { name, value, unit } in constants(given)? {
             let _ = writeln!(out, "      {name} : LReal := {value};   // {}", comment(unit));
         }
-        Ok((out + "   END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n").into_bytes())
+        out += "   END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+        Ok((out + &scl(&kinematics(given)?)).into_bytes())
     }
 }

@@ -22,6 +22,11 @@ pub(super) fn leaf(name: &'static str, text: impl std::fmt::Display) -> Element 
     Element { name, attributes: Vec::new(), text: Some(printable(&text.to_string())), elements: Vec::new() }
 }
 
+/// An element of lines.
+pub(super) fn block(name: &'static str, lines: &str) -> Element {
+    Element { name, attributes: Vec::new(), text: Some(lines.to_owned()), elements: Vec::new() }
+}
+
 fn printable(text: &str) -> String {
     let legal = |c: char| if c.is_control() || ('\u{fffe}'..='\u{ffff}').contains(&c) { ' ' } else { c };
     text.chars().map(legal).collect::<String>().split_whitespace().collect::<Vec<_>>().join(" ")

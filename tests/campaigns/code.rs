@@ -4,9 +4,9 @@
 use super::controllers::{disturbed, etalon, parameters};
 use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
+use etalon::base::pose::Pose;
 use etalon::campaign::read_robot;
 use etalon::math::robots::{Kinematics, Quantity, Robot};
-use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -44,30 +44,45 @@ impl Exported {
         std::fs::read_to_string(self.scratch.path().join(name)).unwrap()
     }
 
-    /// Joint values and, behind them, an assembly mode; the outputs of `direct` there.
+    /// A platform whose legs are its joints.
+    fn parallel(&self) -> bool {
+        ["hexapod", "delta", "delta_linear"].contains(&self.robot.model())
+    }
+
+    /// Inputs of `direct`, which are joint values and an assembly mode, or the pose from which it is looked for; its outputs there.
     fn direct(&self, count: usize) -> Vec<(Vec<f64>, Vec<f64>)> {
         let (arm, mut noise) = (self.arm(), Noise::new(19, 7));
         let mut all = Vec::new();
+        let home = Pose { translation_mm: [0.0, 0.0, 400.0], ..Pose::identity() };
         while all.len() < count {
-            let joint = |joint: &etalon::math::robots::Joint| match joint.quantity {
+            let hexapod = (self.robot.model() == "hexapod").then(|| {
+                let mut some = |range: f64| [0, 1, 2].map(|_| noise.uniform(range));
+                home.then(&Pose::from_xyz_rpy(some(50.0), some(0.25)))
+            });
+            let mut joint = |joint: &etalon::math::robots::Joint| match joint.quantity {
                 Quantity::Angle => (if arm.dimension() == 2 { 1.2 } else { 0.0 }) + noise.uniform(1.5),
                 _ => 100.0 + noise.uniform(70.0),
             };
-            let mut q: Vec<f64> = arm.joints().iter().map(joint).collect();
+            let drawn = || arm.joints().iter().map(&mut joint).collect();
+            let mut q: Vec<f64> = hexapod.map_or_else(drawn, |at| arm.all_joints(&self.values, &at)[0].clone());
             if arm.has_assembly_modes() {
                 q.push(if all.len() % 2 == 0 { 1.0 } else { -1.0 });
             }
             let Some(pose) = arm.tool_pose(&self.values, &q) else { continue };
+            if hexapod.is_some() {
+                q.extend(home.translation_mm.iter().chain(home.rotation.as_flattened()));
+            }
             all.push((q, self.outputs(&pose)));
         }
         all
     }
 
-    fn outputs(&self, pose: &etalon::base::pose::Pose) -> Vec<f64> {
+    fn outputs(&self, pose: &Pose) -> Vec<f64> {
         let r = &pose.rotation;
         match (self.arm().dimension(), self.arm().platform()) {
             (2, None) => pose.translation_mm[..2].to_vec(),
             (2, _) => vec![pose.translation_mm[0], pose.translation_mm[1], r[1][0].atan2(r[0][0])],
+            _ if self.robot.model().starts_with("delta") => pose.translation_mm.to_vec(),
             _ => pose.translation_mm.iter().chain(r.as_flattened()).copied().collect(),
         }
     }
@@ -79,20 +94,23 @@ impl Exported {
         let mut all = Vec::new();
         for (q, outputs) in self.direct(count) {
             let pose = arm.tool_pose(&self.values, &q).unwrap();
-            if arm.dimension() == 3 {
+            if arm.dimension() == 3 && !self.parallel() {
                 let start: Vec<f64> = q.iter().map(|q| q + noise.uniform(0.01)).collect();
                 let Ok(found) = arm.nearest_joints(&self.values, &pose, &start) else { continue };
                 all.push((outputs.into_iter().chain(start).collect(), found));
-            } else if arm.platform().is_some() {
-                all.push((outputs, q));
-            } else {
-                for (ways, branches) in
-                    arm.all_joints(&self.values, &pose).iter().zip([[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]])
-                {
-                    // all four ways, or it is not known which is missing
-                    if arm.all_joints(&self.values, &pose).len() == 4 {
-                        all.push((outputs.iter().copied().chain(branches).collect(), ways[..n].to_vec()));
-                    }
+                continue;
+            }
+            let ways = arm.all_joints(&self.values, &pose);
+            // legs or arms with two branches: all ways, or it is not known which is missing
+            let branches = match self.robot.model() {
+                "delta" => 3,
+                "five_bar" => 2,
+                _ => 0,
+            };
+            if ways.len() == 1 << branches {
+                for (k, way) in ways.iter().enumerate() {
+                    let signs = (0..branches).rev().map(|bit| if k >> bit & 1 == 0 { 1.0 } else { -1.0 });
+                    all.push((outputs.iter().copied().chain(signs).collect(), way[..n].to_vec()));
                 }
             }
         }
@@ -120,7 +138,10 @@ impl Exported {
     }
 }
 
-const ROBOTS: [&str; 6] = [
+const ROBOTS: [&str; 9] = [
+    "samples/hexapod/robot.toml",
+    "samples/delta/robot.toml",
+    "docs/keys/robot-delta_linear.toml",
     "samples/prexyt-cmm/robot.toml",
     "samples/dextar/robot.toml",
     "samples/abb-irb120/robot.toml",
@@ -151,7 +172,7 @@ fn c99_computes_what_the_program_does() {
     for robot in ROBOTS {
         let exported = Exported::new(robot, "c-kinematics");
         let (direct, inverse) = (exported.direct(POSES), exported.inverse(POSES / 10));
-        let arm = exported.arm().dimension() == 3;
+        let arm = exported.arm().dimension() == 3 && !exported.parallel();
         let (inputs, outputs) = (direct[0].0.len(), direct[0].1.len());
         let (wanted, joints) = (inverse[0].0.len(), inverse[0].1.len());
         let call = if arm {
@@ -159,11 +180,16 @@ fn c99_computes_what_the_program_does() {
         } else {
             "etalon_inverse(in, out);"
         };
+        let there = if robot.contains("hexapod") {
+            "if (!etalon_direct(in, in + N)) return 1; for (i = 0; i < m; i++) out[i] = in[N + i];"
+        } else {
+            "etalon_direct(in, out);"
+        };
         let main = format!(
             "#include \"etalon_kinematics.c\"\n#include <stdio.h>\nenum {{ N = {joints} }};\nint main(int argc, char **argv) {{\n\
              double in[64], out[64]; int i, n = argc > 1 ? {wanted} : {inputs}, m = argc > 1 ? N : {outputs}; (void)argv;\n\
              for (;;) {{ for (i = 0; i < n; i++) if (scanf(\"%lf\", in + i) != 1) return 0;\n\
-             if (argc > 1) {{ {call} }} else etalon_direct(in, out);\n\
+             if (argc > 1) {{ {call} }} else {{ {there} }}\n\
              for (i = 0; i < m; i++) printf(\"%.17g \", out[i]);\nprintf(\"\\n\"); }}\n}}\n"
         );
         let folder = exported.scratch.path();
@@ -186,12 +212,14 @@ fn python_computes_what_the_program_does() {
     for robot in ROBOTS {
         let exported = Exported::new(robot, "python-kinematics");
         let (direct, inverse) = (exported.direct(POSES), exported.inverse(POSES / 100));
+        let direct_of = if robot.contains("hexapod") { "e.direct(v[:6], v[6:])" } else { "e.direct(v)" };
         let script = "import sys, etalon_kinematics as e\nfor line in sys.stdin:\n  v = [float(x) for x in line.split()]\n  \
-                      out = e.direct(v) if len(sys.argv) < 2 else e.inverse(v[:12], v[12:]) if len(v) > 12 else e.inverse(v)\n  \
-                      print(*map(repr, out))";
+                      out = DIRECT if len(sys.argv) < 2 else e.inverse(v[:12], v[12:]) if len(v) > 12 else e.inverse(v)\n  \
+                      print(*map(repr, out))"
+            .replace("DIRECT", direct_of);
         let python = |more: &[&str], cases: &[(Vec<f64>, Vec<f64>)]| {
             let mut command = Command::new("python3");
-            answers(command.args(["-B", "-c", script]).args(more).current_dir(exported.scratch.path()), cases)
+            answers(command.args(["-B", "-c", &script]).args(more).current_dir(exported.scratch.path()), cases)
         };
         let off = exported.worst(&python(&[], &direct), &direct);
         let back = exported.worst(&python(&["inverse"], &inverse), &inverse);
@@ -200,103 +228,46 @@ fn python_computes_what_the_program_does() {
     }
 }
 
-/// Runs function blocks without loops: assignments of one operation each, and roots that are guarded.
-fn run_block(text: &str, block: &str, inputs: &[f64]) -> Vec<f64> {
-    let begin = text.find(&format!("FUNCTION_BLOCK {block}\n")).unwrap();
-    let body = text[begin..].split("END_FUNCTION_BLOCK").next().unwrap().split("valid := TRUE;\n").nth(1).unwrap();
-    let mut known: BTreeMap<String, f64> = inputs.iter().enumerate().map(|(i, v)| (format!("q[{i}]"), *v)).collect();
-    let mut out = Vec::new();
-    let (mut skipping, mut negative) = (false, false);
-    for line in body.lines().map(str::trim) {
-        let atom = |text: &str| -> f64 {
-            let (sign, text) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
-            let bare = text.trim_matches(['(', ')']);
-            sign * known.get(bare).copied().unwrap_or_else(|| {
-                // a real literal: digits, a point, digits, an exponent
-                assert!(bare.split(['E']).next().unwrap().contains('.'), "{line}: {bare}");
-                bare.parse().unwrap()
-            })
-        };
-        if let Some(of) = line.strip_prefix("IF ") {
-            negative = atom(of.strip_suffix(" < 0.0 THEN").unwrap()) < 0.0;
-            skipping = !negative;
-            continue;
-        }
-        match line {
-            "ELSE" => skipping = negative,
-            "END_IF;" => skipping = false,
-            _ => {}
-        }
-        let Some((name, value)) = line.split_once(" := ").filter(|_| !skipping) else { continue };
-        let value = value.strip_suffix(';').unwrap();
-        if value == "FALSE" {
-            return Vec::new();
-        }
-        let call = value.strip_suffix(')').and_then(|v| v.split_once('(')).filter(|(name, _)| {
-            !name.is_empty() && name.chars().all(|c| c.is_ascii_uppercase() || c == '_' || c == '2')
-        });
-        let infix = |sign: &str| value.split_once(sign).map(|(a, b)| [atom(a), atom(b)]);
-        let value = match call {
-            Some(("SIN", v)) => atom(v).sin(),
-            Some(("COS", v)) => atom(v).cos(),
-            Some(("SQRT", v)) => atom(v).sqrt(),
-            Some(("ETALON_WRAP", v)) => etalon::base::scalar::Scalar::wrapped(atom(v)),
-            Some(("ETALON_ATAN2", v)) => {
-                let (y, x) = v.split_once(", ").unwrap();
-                atom(y).atan2(atom(x))
-            }
-            Some((name, _)) => panic!("{name}"),
-            None => match (infix(" + "), infix(" - "), infix(" * "), infix(" / ")) {
-                (Some([a, b]), ..) => a + b,
-                (_, Some([a, b]), ..) => a - b,
-                (_, _, Some([a, b]), _) => a * b,
-                (.., Some([a, b])) => a / b,
-                _ => atom(value),
-            },
-        };
-        if name.starts_with("out[") {
-            out.push(value);
-        }
-        known.insert(name.to_owned(), value);
-    }
-    out
-}
-
+/// An interpreter of its own, in Python, runs the blocks of all three dialects: it shares nothing with the exporter.
 #[test]
 fn structured_text_computes_what_the_program_does() {
+    if Command::new("python3").arg("--version").output().is_err() {
+        return println!("skipped: there is no `python3`");
+    }
+    let interpreter = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support/structured_text.py");
     for robot in ROBOTS {
-        let exported = Exported::new(robot, "structured-text");
-        let text = exported.text("etalon_kinematics.st");
-        for (open, close) in
-            [("\nFUNCTION", "\nEND_FUNCTION"), ("IF ", "END_IF;"), ("FOR ", "END_FOR;"), ("\nVAR", "\nEND_VAR")]
-        {
-            let count = |word: &str| text.matches(word).count();
-            let extra = if open == "IF " { count("ELSIF ") } else { 0 };
-            assert_eq!(count(open) - extra, count(close), "{robot}: {open}");
-        }
-        assert!(text.is_ascii() && text.lines().all(|line| line.len() < 250), "{robot}");
-        // a grammar of IEC 61131-3, where it is installed; it takes minutes for an arm
-        let blark = || {
-            Command::new("blark").args(["parse", "etalon_kinematics.st"]).current_dir(exported.scratch.path()).output()
-        };
-        match (exported.arm().dimension() == 2).then(blark).and_then(Result::ok) {
-            Some(read) => assert!(read.status.success(), "{robot}: {}", String::from_utf8_lossy(&read.stderr)),
-            None => println!("skipped: `blark` on {robot}"),
-        }
-        let direct = exported.direct(200);
-        let run = |block: &str, cases: &[(Vec<f64>, Vec<f64>)]| -> Vec<Vec<f64>> {
-            cases.iter().map(|(inputs, _)| run_block(&text, block, inputs)).collect()
-        };
-        let off = exported.worst(&run("FB_EtalonDirect", &direct), &direct);
-        assert!(off < 1e-12, "{robot}: {off}");
-        if exported.arm().dimension() == 2 {
-            let inverse = exported.inverse(200);
-            let back = exported.worst(&run("FB_EtalonInverse", &inverse), &inverse);
-            assert!(back < 1e-10, "{robot}: {back}");
+        for (format, file) in [
+            ("structured-text", "etalon_kinematics.st"),
+            ("siemens-scl", "etalon_parameters.scl"),
+            ("plcopen", "etalon_parameters_plcopen.xml"),
+        ] {
+            let exported = Exported::new(robot, format);
+            let text = exported.text(file);
+            assert!(text.is_ascii() && text.lines().all(|line| line.len() < 250), "{robot}");
+            // a grammar of IEC 61131-3, where it is installed; it takes minutes for an arm
+            let blark = || Command::new("blark").args(["parse", file]).current_dir(exported.scratch.path()).output();
+            match (format == "structured-text" && text.len() < 20_000).then(blark).and_then(Result::ok) {
+                Some(read) => assert!(read.status.success(), "{robot}: {}", String::from_utf8_lossy(&read.stderr)),
+                None => println!("skipped: `blark` on {robot}"),
+            }
+            let run = |block: &str, cases: &[(Vec<f64>, Vec<f64>)]| {
+                let mut command = Command::new("python3");
+                let command = command.arg("-B").arg(&interpreter).args([file, block]);
+                exported.worst(&answers(command.current_dir(exported.scratch.path()), cases), cases)
+            };
+            // every pose in one dialect, enough of them in the others
+            let count = if format == "structured-text" { POSES } else { POSES / 20 };
+            let off = run("FB_EtalonDirect", &exported.direct(count));
+            let back = run("FB_EtalonInverse", &exported.inverse(count / 100));
+            println!("{format}, {robot}: direct {off:.1e}, inverse {back:.1e}");
+            assert!(off < 1e-12 && back < 1e-10, "{robot}: {off} {back}");
+            // arms that do not meet: no root of a negative number, and the output is not valid
+            if robot.contains("dextar") {
+                let far = [(vec![5000.0, 0.0, 1.0, 1.0], Vec::new())];
+                let mut command = Command::new("python3");
+                let command = command.arg("-B").arg(&interpreter).args([file, "FB_EtalonInverse"]);
+                assert!(answers(command.current_dir(exported.scratch.path()), &far)[0].is_empty());
+            }
         }
     }
-    // arms that do not meet: no root of a negative number, and the output is not valid
-    let exported = Exported::new("samples/dextar/robot.toml", "structured-text");
-    let text = exported.text("etalon_kinematics.st");
-    assert!(run_block(&text, "FB_EtalonInverse", &[5000.0, 0.0, 1.0, 1.0]).is_empty());
 }

@@ -108,6 +108,31 @@ int etalon_inverse(const double pose[12], double q[ETALON_JOINTS])
 }
 ";
 
+const DIRECT: &str = "
+int etalon_direct(const double q[ETALON_JOINTS], double pose[12]);
+
+/* Pose x, y, z, r11, r12 ... r33 of the platform at joint values, mm and rad. `pose` is where it is looked for, and what is found.
+   1 where it is found to 1e-9 mm, else 0. */
+int etalon_direct(const double q[ETALON_JOINTS], double pose[12])
+{
+    double in[12 + ETALON_JOINTS], out[13];
+    int i, search;
+    for (search = 0; search < 100; search++) {
+        for (i = 0; i < 12 + ETALON_JOINTS; i++) {
+            in[i] = i < 12 ? pose[i] : q[i - 12];
+        }
+        etalon_step(in, out);
+        for (i = 0; i < 12; i++) {
+            pose[i] = out[i];
+        }
+        if (out[12] < 1e-10) {
+            return 1;
+        }
+    }
+    return 0;
+}
+";
+
 impl Exporter for C99 {
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.c"
@@ -126,8 +151,10 @@ pub(in crate::export) fn functions(formulas: &[Formula]) -> String {
         let (body, outputs) = statements(formula, &C);
         let (inputs, count, steps) = (formula.inputs.len(), outputs.len(), kept(formula));
         let _ = writeln!(out, "\n/* {} */", interface(formula));
-        if formula.name == "linearised" {
-            let _ = writeln!(out, "#define ETALON_JOINTS {inputs}");
+        match formula.name {
+            "linearised" => out += &format!("#define ETALON_JOINTS {inputs}\n"),
+            "step" => out += &format!("#define ETALON_JOINTS {}\n", inputs - 12),
+            _ => {}
         }
         let head = format!("void etalon_{}(const double q[{inputs}], double out[{count}])", formula.name);
         let _ = write!(out, "{head};\n{head}\n{{\n    double t[{steps}];\n{body}");
@@ -136,9 +163,13 @@ pub(in crate::export) fn functions(formulas: &[Formula]) -> String {
         }
         let used = if body.is_empty() { "    (void)t;\n" } else { "" };
         let _ = writeln!(out, "{used}}}");
-        if formula.name == "linearised" {
-            out += "\nint etalon_inverse(const double pose[12], double q[ETALON_JOINTS]);\n";
-            out += INVERSE;
+        match formula.name {
+            "linearised" => {
+                out += "\nint etalon_inverse(const double pose[12], double q[ETALON_JOINTS]);\n";
+                out += INVERSE;
+            }
+            "step" => out += DIRECT,
+            _ => {}
         }
     }
     out

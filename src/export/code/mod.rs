@@ -1,7 +1,7 @@
 //! The model as code: direct and inverse kinematics with the identified parameters, in languages that controllers and programs compile.
 //!
-//! Every language writes the same recorded formulas ([`Formula`]); where the inverse has no closed form it is Newton's method on them, as
-//! the program itself has it.
+//! Every language writes the same recorded formulas ([`Formula`]); where the inverse, or of a hexapod the direct kinematics, has no closed
+//! form it is Newton's method on them, as the program itself has it.
 
 mod c99;
 mod python;
@@ -9,7 +9,7 @@ mod structured_text;
 
 pub(super) use c99::{C99, functions};
 pub(super) use python::PythonCode;
-pub(super) use structured_text::{StructuredText, real_literal};
+pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, real_literal, scl, units};
 
 use super::Given;
 use crate::base::expression::{Formula, Operation};
@@ -87,8 +87,11 @@ fn kept(formula: &Formula) -> usize {
 fn interface(formula: &Formula) -> String {
     let names = formula.inputs.join(", ");
     let outputs: Vec<&str> = formula.outputs.iter().map(|(name, _)| name.as_str()).take(12).collect();
-    let more =
-        if formula.outputs.len() > outputs.len() { ", then of each joint x, y, z, rx, ry, rz by it" } else { "" };
+    let more = match formula.name {
+        "linearised" => ", then of each joint x, y, z, rx, ry, rz by it",
+        "step" => ", size",
+        _ => "",
+    };
     super::comment(&format!("{} of {names}: {}{more}", formula.name, outputs.join(", ")))
 }
 

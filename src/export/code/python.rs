@@ -63,6 +63,18 @@ def inverse(pose, start):
         q = [v + min(1.0, 0.5 / longest if longest > 0.5 else 1.0) * s for v, s in zip(q, step)]
 ";
 
+const DIRECT: &str = "
+def direct(q, start):
+    \"\"\"Pose x, y, z, r11, r12 ... r33 of the platform at joint values, mm and rad, looked for from the pose `start`.
+    None where it is not found to 1e-9 mm.\"\"\"
+    pose = list(start)
+    for search in range(100):
+        *pose, size = step(pose + list(q))
+        if size < 1e-10:
+            return pose
+    return None
+";
+
 impl Exporter for PythonCode {
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.py"
@@ -77,9 +89,10 @@ impl Exporter for PythonCode {
             let (name, steps) = (formula.name, kept(&formula));
             let _ = write!(out, "\n\n# {}\ndef {name}(q):\n    t = [0.0] * {steps}\n{body}", interface(&formula));
             let _ = writeln!(out, "    return [{}]", outputs.join(", "));
-            if formula.name == "linearised" {
-                out += "\n";
-                out += INVERSE;
+            match formula.name {
+                "linearised" => out = out + "\n" + INVERSE,
+                "step" => out = out + "\n" + DIRECT,
+                _ => {}
             }
         }
         Ok(out.into_bytes())

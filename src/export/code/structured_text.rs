@@ -1,12 +1,41 @@
-//! Structured Text (IEC 61131-3): function blocks on LREAL, for TwinCAT, CODESYS and the like.
+//! Structured Text (IEC 61131-3) on LREAL: functions and function blocks as data, which TwinCAT, CODESYS and the like read as text, PLCopen
+//! as XML, and Siemens as SCL.
 
 use super::{Notation, formulas, interface, kept, statements};
+use crate::base::expression::Formula;
 use crate::base::message::Result;
 use crate::export::{Exporter, Given};
 use std::fmt::Write;
 
 /// Function blocks.
 pub(in crate::export) struct StructuredText;
+
+/// A function or a function block.
+pub(in crate::export) struct Unit {
+    pub name: String,
+    pub comment: String,
+    pub inputs: Vec<Variable>,
+    /// None of a function, which returns an LREAL.
+    pub outputs: Vec<Variable>,
+    pub locals: Vec<Variable>,
+    /// Statements; names of other units begin with ETALON_ or FB_Etalon.
+    pub body: String,
+}
+
+pub(in crate::export) struct Variable {
+    pub name: &'static str,
+    pub kind: Kind,
+}
+
+pub(in crate::export) enum Kind {
+    Real,
+    Integer,
+    Truth,
+    /// LREALs from 0 to the last of each index.
+    Array(Vec<usize>),
+    /// An instance of a function block.
+    Block(&'static str),
+}
 
 struct Iec;
 
@@ -26,12 +55,11 @@ impl Notation for Iec {
         if value.is_sign_negative() { format!("({text})") } else { text }
     }
     fn call(&self, function: &str, operands: &[&str]) -> String {
-        let function = match function {
-            "atan2" => "ETALON_ATAN2".to_owned(),
-            "wrap" => "ETALON_WRAP".to_owned(),
-            other => other.to_ascii_uppercase(),
-        };
-        format!("{function}({})", operands.join(", "))
+        match (function, operands) {
+            ("atan2", [y, x]) => format!("ETALON_ATAN2(y := {y}, x := {x})"),
+            ("wrap", [angle]) => format!("ETALON_WRAP(angle := {angle})"),
+            _ => format!("{}({})", function.to_ascii_uppercase(), operands.join(", ")),
+        }
     }
     /// The root of a negative number stops a controller: it is zero, and the output not valid.
     fn keep(&self, number: usize, value: &str) -> String {
@@ -44,13 +72,8 @@ impl Notation for Iec {
     }
 }
 
-const FUNCTIONS: &str = "
-(* Angle of the vector (x, y), rad. *)
-FUNCTION ETALON_ATAN2 : LREAL
-VAR_INPUT
-  y : LREAL;
-  x : LREAL;
-END_VAR
+/// Angle of the vector (x, y), rad.
+const ATAN2: &str = "\
 IF ABS(x) >= ABS(y) THEN
   IF x = 0.0 THEN
     ETALON_ATAN2 := 0.0;
@@ -66,13 +89,9 @@ ELSIF y > 0.0 THEN
 ELSE
   ETALON_ATAN2 := -1.5707963267948966 - ATAN(x / y);
 END_IF;
-END_FUNCTION
-
-(* An angle between -2 pi and 2 pi brought to -pi ... pi. *)
-FUNCTION ETALON_WRAP : LREAL
-VAR_INPUT
-  angle : LREAL;
-END_VAR
+";
+/// An angle between -2 pi and 2 pi brought to -pi ... pi.
+const WRAP: &str = "\
 IF angle > 3.141592653589793 THEN
   ETALON_WRAP := angle - 6.283185307179586;
 ELSIF angle < -3.141592653589793 THEN
@@ -80,40 +99,10 @@ ELSIF angle < -3.141592653589793 THEN
 ELSE
   ETALON_WRAP := angle;
 END_IF;
-END_FUNCTION
 ";
 
-/// Newton's method, steps of at most half a radian or millimetre; `{N}`, `{L}` and `{J}` are the joints, the last of them, and the last
-/// output of the linearised kinematics.
-const INVERSE: &str = "
-(* Joint values, mm and rad, of a pose: x, y, z, r11, r12 ... r33, looked for from `start`; valid where the pose is reached to 1e-9 mm and
-   1e-12 rad. *)
-FUNCTION_BLOCK FB_EtalonInverse
-VAR_INPUT
-  pose : ARRAY[0..11] OF LREAL;
-  start : ARRAY[0..{L}] OF LREAL;
-END_VAR
-VAR_OUTPUT
-  q : ARRAY[0..{L}] OF LREAL;
-  valid : BOOL;
-END_VAR
-VAR
-  linearised : FB_EtalonLinearised;
-  reached : ARRAY[0..{J}] OF LREAL;
-  a : ARRAY[0..{L}, 0..{N}] OF LREAL;
-  e : ARRAY[0..5] OF LREAL;
-  same : LREAL;
-  longest : LREAL;
-  trace : LREAL;
-  factor : LREAL;
-  kept : LREAL;
-  i : INT;
-  j : INT;
-  k : INT;
-  row : INT;
-  best : INT;
-  search : INT;
-END_VAR
+/// Newton's method, steps of at most half a radian or millimetre; `{N}` and `{L}` are the joints and the last of them.
+const INVERSE: &str = "\
 q := start;
 longest := 1.0;
 valid := FALSE;
@@ -185,7 +174,9 @@ FOR search := 0 TO 100 DO
   longest := 0.0;
   FOR i := 0 TO {L} DO
     a[i, {N}] := a[i, {N}] / a[i, i];
-    longest := MAX(longest, ABS(a[i, {N}]));
+    IF ABS(a[i, {N}]) > longest THEN
+      longest := ABS(a[i, {N}]);
+    END_IF;
   END_FOR;
   factor := 1.0;
   IF longest > 0.5 THEN
@@ -195,8 +186,154 @@ FOR search := 0 TO 100 DO
     q[i] := q[i] + factor * a[i, {N}];
   END_FOR;
 END_FOR;
-END_FUNCTION_BLOCK
 ";
+
+/// Steps to the pose, as long as they are large.
+const DIRECT: &str = "\
+FOR i := 0 TO 11 DO
+  inside[i] := start[i];
+END_FOR;
+FOR i := 0 TO {L} DO
+  inside[12 + i] := q[i];
+END_FOR;
+valid := FALSE;
+FOR search := 0 TO 99 DO
+  iteration(q := inside);
+  FOR i := 0 TO 11 DO
+    inside[i] := iteration.out[i];
+    out[i] := iteration.out[i];
+  END_FOR;
+  IF iteration.out[12] < 1.0E-10 THEN
+    valid := TRUE;
+    RETURN;
+  END_IF;
+END_FOR;
+";
+
+impl Unit {
+    fn function(name: &str, comment: &str, inputs: &[&'static str], body: &str) -> Self {
+        let inputs = inputs.iter().map(|name| Variable { name, kind: Kind::Real }).collect();
+        let (name, comment, body) = (name.to_owned(), comment.to_owned(), body.to_owned());
+        Self { name, comment, inputs, outputs: Vec::new(), locals: Vec::new(), body }
+    }
+
+    pub fn is_function(&self) -> bool {
+        self.outputs.is_empty()
+    }
+
+    /// Its variables under the words that begin their lists.
+    pub fn lists(&self) -> impl Iterator<Item = (&'static str, &[Variable])> {
+        let lists = [("VAR_INPUT", &self.inputs), ("VAR_OUTPUT", &self.outputs), ("VAR", &self.locals)];
+        lists.into_iter().filter(|(_, list)| !list.is_empty()).map(|(word, list)| (word, list.as_slice()))
+    }
+
+    /// The block of a formula.
+    fn of(formula: &Formula) -> Self {
+        let (mut body, outputs) = statements(formula, &Iec);
+        let (first, rest) = formula.name.split_at(1);
+        body.insert_str(0, "valid := TRUE;\n");
+        for (i, name) in outputs.iter().enumerate() {
+            let _ = writeln!(body, "out[{i}] := {name};");
+        }
+        Self {
+            name: format!("FB_Etalon{}{rest}", first.to_ascii_uppercase()),
+            comment: interface(formula),
+            inputs: vec![array("q", &[formula.inputs.len()])],
+            outputs: vec![array("out", &[outputs.len()]), Variable { name: "valid", kind: Kind::Truth }],
+            locals: vec![array("t", &[kept(formula)])],
+            body,
+        }
+    }
+
+    /// The search for joint values on the linearised kinematics.
+    fn inverse(formula: &Formula) -> Self {
+        let joints = formula.inputs.len();
+        let real = |name| Variable { name, kind: Kind::Real };
+        let block = Variable { name: "linearised", kind: Kind::Block("FB_EtalonLinearised") };
+        let arrays = [array("reached", &[formula.outputs.len()]), array("a", &[joints, joints + 1]), array("e", &[6])];
+        let reals = ["same", "longest", "trace", "factor", "kept"].map(real);
+        let integers = integers(&["i", "j", "k", "row", "best", "search"]);
+        Self {
+            name: "FB_EtalonInverse".to_owned(),
+            comment: "Joint values, mm and rad, of a pose x, y, z, r11, r12 ... r33, looked for from start; valid where the pose is \
+                      reached to 1e-9 mm and 1e-12 rad."
+                .to_owned(),
+            inputs: vec![array("pose", &[12]), array("start", &[joints])],
+            outputs: vec![array("q", &[joints]), Variable { name: "valid", kind: Kind::Truth }],
+            locals: std::iter::once(block).chain(arrays).chain(reals).chain(integers).collect(),
+            body: INVERSE.replace("{N}", &joints.to_string()).replace("{L}", &(joints - 1).to_string()),
+        }
+    }
+
+    /// Steps of Newton's method to a pose.
+    fn direct(formula: &Formula) -> Self {
+        let joints = formula.inputs.len() - 12;
+        let block = Variable { name: "iteration", kind: Kind::Block("FB_EtalonStep") };
+        Self {
+            name: "FB_EtalonDirect".to_owned(),
+            comment: "Pose x, y, z, r11, r12 ... r33 of the platform at joint values, mm and rad, looked for from the pose start; valid where \
+                      it is found to 1e-9 mm."
+                .to_owned(),
+            inputs: vec![array("q", &[joints]), array("start", &[12])],
+            outputs: vec![array("out", &[12]), Variable { name: "valid", kind: Kind::Truth }],
+            locals: [block, array("inside", &[12 + joints])].into_iter().chain(integers(&["i", "search"])).collect(),
+            body: DIRECT.replace("{L}", &(joints - 1).to_string()),
+        }
+    }
+}
+
+fn array(name: &'static str, counts: &[usize]) -> Variable {
+    Variable { name, kind: Kind::Array(counts.iter().map(|n| n - 1).collect()) }
+}
+
+fn integers(names: &'static [&'static str]) -> impl Iterator<Item = Variable> {
+    names.iter().map(|name| Variable { name, kind: Kind::Integer })
+}
+
+/// Functions and function blocks of the robot with its identified parameters, each behind those that it calls.
+pub(in crate::export) fn units(given: &Given) -> Result<Vec<Unit>> {
+    let mut all = vec![
+        Unit::function("ETALON_ATAN2", "Angle of the vector (x, y), rad.", &["y", "x"], ATAN2),
+        Unit::function("ETALON_WRAP", "An angle between -2 pi and 2 pi brought to -pi ... pi.", &["angle"], WRAP),
+    ];
+    for formula in formulas(given)? {
+        all.push(Unit::of(&formula));
+        match formula.name {
+            "linearised" => all.push(Unit::inverse(&formula)),
+            "step" => all.push(Unit::direct(&formula)),
+            _ => {}
+        }
+    }
+    Ok(all)
+}
+
+/// The name of a type; Siemens writes some with small letters, and those of blocks in quotation marks.
+fn type_name(kind: &Kind, siemens: bool) -> String {
+    let real = if siemens { "LReal" } else { "LREAL" };
+    match kind {
+        Kind::Real => real.to_owned(),
+        Kind::Integer => if siemens { "Int" } else { "INT" }.to_owned(),
+        Kind::Truth => if siemens { "Bool" } else { "BOOL" }.to_owned(),
+        Kind::Array(last) => {
+            let ranges: Vec<String> = last.iter().map(|last| format!("0..{last}")).collect();
+            format!("{}[{}] OF {real}", if siemens { "Array" } else { "ARRAY" }, ranges.join(", "))
+        }
+        Kind::Block(name) if siemens => format!("\"{name}\""),
+        Kind::Block(name) => (*name).to_owned(),
+    }
+}
+
+fn declarations(unit: &Unit, siemens: bool) -> String {
+    let mut out = String::new();
+    for (word, list) in unit.lists() {
+        let _ = writeln!(out, "{word}");
+        for Variable { name, kind } in list {
+            let _ = writeln!(out, "  {name} : {};", type_name(kind, siemens));
+        }
+        out += "END_VAR\n";
+    }
+    out
+}
 
 impl Exporter for StructuredText {
     fn file_name(&self) -> &'static str {
@@ -205,30 +342,46 @@ impl Exporter for StructuredText {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let mut out: String = given.header("mm, rad")?.iter().map(|line| format!("(* {line} *)\n")).collect();
-        out += FUNCTIONS;
-        for formula in formulas(given)? {
-            let (body, outputs) = statements(&formula, &Iec);
-            let (first, rest) = formula.name.split_at(1);
-            let name = format!("FB_Etalon{}{rest}", first.to_ascii_uppercase());
-            let last = [formula.inputs.len(), outputs.len(), kept(&formula)].map(|n| n - 1);
-            let arrays = last.map(|last| format!("ARRAY[0..{last}] OF LREAL"));
-            let _ = write!(out, "\n(* {} *)\nFUNCTION_BLOCK {name}\n", interface(&formula));
-            let _ = write!(
-                out,
-                "VAR_INPUT\n  q : {};\nEND_VAR\nVAR_OUTPUT\n  out : {};\n  valid : BOOL;\nEND_VAR\n",
-                arrays[0], arrays[1]
-            );
-            let _ = write!(out, "VAR\n  t : {};\nEND_VAR\nvalid := TRUE;\n{body}", arrays[2]);
-            for (i, name) in outputs.iter().enumerate() {
-                let _ = writeln!(out, "out[{i}] := {name};");
-            }
-            out += "END_FUNCTION_BLOCK\n";
-            if formula.name == "linearised" {
-                let joints = formula.inputs.len();
-                let numbered = INVERSE.replace("{N}", &joints.to_string()).replace("{L}", &last[0].to_string());
-                out += &numbered.replace("{J}", &last[1].to_string());
-            }
+        for unit in units(given)? {
+            let (word, of) = if unit.is_function() { ("FUNCTION", " : LREAL") } else { ("FUNCTION_BLOCK", "") };
+            let Unit { name, comment, body, .. } = &unit;
+            let _ =
+                write!(out, "\n(* {comment} *)\n{word} {name}{of}\n{}{body}END_{word}\n", declarations(&unit, false));
         }
         Ok(out.into_bytes())
     }
+}
+
+/// Functions and function blocks in Siemens SCL, for S7-1200 and S7-1500: variables have a `#`, names of blocks quotation marks.
+pub(in crate::export) fn scl(units: &[Unit]) -> String {
+    let mut out = String::new();
+    for unit in units {
+        let (word, of) = if unit.is_function() { ("FUNCTION", " : LReal") } else { ("FUNCTION_BLOCK", "") };
+        let Unit { name, comment, .. } = unit;
+        let _ =
+            write!(out, "\n// {comment}\n{word} \"{name}\"{of}\n{{ S7_Optimized_Access := 'TRUE' }}\nVERSION : 0.1\n");
+        let _ = write!(out, "{}BEGIN\n{}END_{word}\n", declarations(unit, true), with_marks(unit));
+    }
+    out
+}
+
+/// The statements of a unit with `#` before its variables and quotation marks around functions.
+fn with_marks(unit: &Unit) -> String {
+    let own = |word: &str| word == unit.name || unit.lists().any(|(_, list)| list.iter().any(|v| v.name == word));
+    let (mut out, mut rest, mut depth) = (String::new(), unit.body.as_str(), 0);
+    while let Some(first) = rest.chars().next() {
+        let in_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || first.is_ascii_digit() && c == '.';
+        let length = rest.find(|c| !in_word(c)).unwrap_or(rest.len()).max(first.len_utf8());
+        let (word, behind) = rest.split_at(length);
+        rest = behind;
+        depth += i32::from(first == '(') - i32::from(first == ')');
+        // what a call names is not its own
+        let named = depth > 0 && rest.starts_with(" := ");
+        match word {
+            _ if own(word) && !named && !out.ends_with('.') => out.extend(["#", word]),
+            _ if word.starts_with("ETALON_") => out.extend(["\"", word, "\""]),
+            _ => out += word,
+        }
+    }
+    out
 }

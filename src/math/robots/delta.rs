@@ -5,11 +5,11 @@
 //! with the rod's length eight (the model of 24 parameters of Vischer & Clavel 1998) or six. The radius of the platform makes them nine
 //! and seven: it is never identifiable beside that of the base, and only their difference has an effect.
 
-use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod};
+use super::parallel::{LegParameter, Legs, Parallel, Rod};
 use super::prexyt::Travel;
 use super::{Description, Model, Quantity, Robot, Source, meaning, wrong_targets};
 use crate::base::message::{Message, Result};
-use crate::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use crate::base::pose::{Pose, cross, dot, minus, norm};
 use crate::base::scalar::Scalar;
 use crate::base::sketch::{Sketch, StrokeKind};
 use schemars::JsonSchema;
@@ -45,8 +45,6 @@ const SIDE: &str = meaning("Foot of the motor axis or tower aside, along the y a
 const ROD: &str = meaning("Length of the rod (forearm), between the centres of its joints.");
 const PLATFORM: &str =
     meaning("Joint of the rod from the z axis of the platform, along the x axis of its leg, outwards.");
-/// A platform that is turned by more is out of reach.
-const TURNED: f64 = 1e-6;
 
 /// Keys of a delta with arms in robot.toml.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -209,6 +207,7 @@ impl Legs for Rotary {
     ];
     const JOINT: LegParameter = LegParameter { name: "theta#", quantity: Quantity::Angle, meaning: "" };
     const COUNT: usize = LEGS;
+    const BRANCHES: &'static [f64] = &[1.0, -1.0];
 
     fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T> {
         let elbow = self.motor(leg, p).turn_y(q + p[6]).shift(0, p[5]);
@@ -216,8 +215,8 @@ impl Legs for Rotary {
         Rod { base_mm: elbow.translation_mm, platform_mm: platform.translation_mm, length_mm: p[7] }
     }
 
-    fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
-        hang(&legs.rods(joints))
+    fn direct<T: Scalar>(&self, rods: &[Rod<T>]) -> Option<Pose<T>> {
+        hang(rods)
     }
 
     fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
@@ -239,14 +238,13 @@ impl Legs for Rotary {
         on_platform(n, &rod, platform, sketch);
     }
 
-    /// The two elbows from which the rod reaches its joint on the platform.
-    fn joints_at(&self, leg: usize, p: &[f64], platform: &Pose) -> Vec<f64> {
-        let Some(to) = shifted(&self.rod(leg, p, 0.0), platform) else { return Vec::new() };
-        let [x, y, z] = self.motor(leg, p).inverse().apply(to);
+    /// One of two elbows from which the rod reaches its joint on the platform.
+    fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, branch: T) -> T {
+        let [x, y, z] = self.motor(leg, p).inverse().apply(self.rod(leg, p, T::from(0.0)).shifted(platform));
         // x cos θ − z sin θ = c, of an elbow at (l cos θ, 0, −l sin θ)
-        let c = (x * x + y * y + z * z + p[5] * p[5] - p[7] * p[7]) / (2.0 * p[5]);
-        let (middle, half) = ((-z).atan2(x), (c / x.hypot(z)).acos());
-        [middle - half, middle + half].into_iter().filter(|q| q.is_finite()).map(|q| (q - p[6]).wrapped()).collect()
+        let c = (x * x + y * y + z * z + p[5] * p[5] - p[7] * p[7]) / (p[5] * 2.0);
+        let half = (x * x + z * z - c * c).sqrt().atan2(c);
+        ((-z).atan2(x) - branch * half - p[6]).wrapped()
     }
 }
 
@@ -294,8 +292,8 @@ impl Legs for Linear {
         Rod { base_mm: carriage.translation_mm, platform_mm: platform.translation_mm, length_mm: p[5] }
     }
 
-    fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
-        hang(&legs.rods(joints))
+    fn direct<T: Scalar>(&self, rods: &[Rod<T>]) -> Option<Pose<T>> {
+        hang(rods)
     }
 
     fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
@@ -313,11 +311,9 @@ impl Legs for Linear {
     }
 
     /// The carriage above the platform from which the rod reaches it.
-    fn joints_at(&self, leg: usize, p: &[f64], platform: &Pose) -> Vec<f64> {
-        let Some(to) = shifted(&self.rod(leg, p, 0.0), platform) else { return Vec::new() };
-        let [x, y, z] = self.tower(leg, p).inverse().apply(to);
-        let rise = (p[5] * p[5] - x * x - y * y).sqrt();
-        Some(z + rise - p[0]).filter(|q| q.is_finite()).into_iter().collect()
+    fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, _branch: T) -> T {
+        let [x, y, z] = self.tower(leg, p).inverse().apply(self.rod(leg, p, T::from(0.0)).shifted(platform));
+        z + (p[5] * p[5] - x * x - y * y).sqrt() - p[0]
     }
 }
 
@@ -328,28 +324,23 @@ fn on_platform(n: usize, rod: &Rod, platform: &Pose, sketch: &mut Sketch) {
     sketch.add(StrokeKind::Length, format!("platform_radius_{n}"), &[platform.translation_mm, end]);
 }
 
-/// Where the joint of a rod on the platform is in the base; `None` where the platform is turned.
-fn shifted(rod: &Rod, platform: &Pose) -> Option<Vector> {
-    (platform.angle_rad().abs() < TURNED).then(|| {
-        let (a, t) = (rod.platform_mm, platform.translation_mm);
-        [0, 1, 2].map(|i| a[i] + t[i])
-    })
-}
-
 /// The platform on three rods: where three spheres meet, about the ends on the base less those on the platform; the lower of two points.
-fn hang(rods: &[Rod]) -> Option<Pose> {
+fn hang<T: Scalar>(rods: &[Rod<T>]) -> Option<Pose<T>> {
     let &[one, two, three] = rods else { return None };
-    let centre = |rod: Rod| minus(rod.base_mm, rod.platform_mm);
-    let (origin, r) = (centre(one), [one, two, three].map(|rod| rod.length_mm.powi(2)));
+    let centre = |rod: Rod<T>| minus(rod.base_mm, rod.platform_mm);
+    let (origin, r) = (centre(one), [one, two, three].map(|rod| rod.length_mm * rod.length_mm));
     let (to_two, to_three) = (minus(centre(two), origin), minus(centre(three), origin));
-    let x = unit(to_two)?;
+    let d = dot(to_two, to_two).sqrt();
+    let x = to_two.map(|v| v / d);
     let along = dot(x, to_three);
-    let y = unit([0, 1, 2].map(|i| to_three[i] - along * x[i]))?;
-    let (z, d, across) = (cross(x, y), norm(to_two), dot(y, to_three));
-    let u = (r[0] - r[1] + d * d) / (2.0 * d);
-    let v = (r[0] - r[2] + along * along + across * across - 2.0 * along * u) / (2.0 * across);
-    let height = (r[0] - u * u - v * v).sqrt();
-    let down = -height.copysign(z[2]);
-    let at = [0, 1, 2].map(|i| origin[i] + u * x[i] + v * y[i] + down * z[i]);
-    at.iter().all(|v| v.is_finite()).then(|| Pose { translation_mm: at, ..Pose::identity() })
+    let beside = [0, 1, 2].map(|i| to_three[i] - along * x[i]);
+    let across = dot(beside, beside).sqrt();
+    let y = beside.map(|v| v / across);
+    let z = cross(x, y);
+    let u = (r[0] - r[1] + d * d) / (d * 2.0);
+    let v = (r[0] - r[2] + along * along + across * across - along * u * 2.0) / (across * 2.0);
+    let upwards = z[2] / (z[2] * z[2]).sqrt();
+    let down = -((r[0] - u * u - v * v).sqrt() * upwards);
+    let translation_mm = [0, 1, 2].map(|i| origin[i] + u * x[i] + v * y[i] + down * z[i]);
+    Some(Pose { translation_mm, ..Pose::identity() })
 }

@@ -156,9 +156,8 @@ impl Legs for Hexapod {
         Some(pose)
     }
 
-    fn joints_at(&self, _leg: usize, p: &[f64], platform: &Pose) -> Vec<f64> {
-        let rod = self.rod(0, p, 0.0);
-        vec![gaps(&[rod], platform)[0]]
+    fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, _branch: T) -> T {
+        self.rod(leg, p, T::from(0.0)).gap(platform)
     }
 }
 

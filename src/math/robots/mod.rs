@@ -27,6 +27,7 @@ pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 use crate::base::expression::Formula;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, norm};
+use crate::base::scalar::Scalar;
 use crate::base::sketch::Sketch;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
@@ -285,6 +286,13 @@ pub trait Kinematics: Robot {
     fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> std::result::Result<Vec<f64>, String> {
         nearest(self, parameters, self.all_joints(parameters, pose), near)
     }
+}
+
+/// Names and values of a pose: x, y, z, and the rotation row by row.
+fn pose_outputs<T: Scalar>(pose: &Pose<T>) -> Vec<(String, T)> {
+    let place = ["x", "y", "z"].map(str::to_owned).into_iter().zip(pose.translation_mm);
+    let cells = (0..9).map(|i| (format!("r{}{}", i / 3 + 1, i % 3 + 1), pose.rotation[i / 3][i % 3]));
+    place.chain(cells).collect()
 }
 
 /// Of `all` ways that no limit forbids the nearest one.

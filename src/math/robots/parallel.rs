@@ -4,7 +4,10 @@
 //! the joints and the leg's own parameters, from which derivatives follow exactly (implicit function theorem), however the pose was
 //! found. The platform is the flange of a robot with a free base: base and targets come first, then the legs one by one.
 
-use super::{Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, limit_violation, meaning};
+use super::{
+    Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, limit_violation, meaning, pose_outputs,
+};
+use crate::base::expression::{Formula, Recorded};
 use crate::base::pose::{Pose, Vector, cross, minus, norm, turning_axes};
 use crate::base::scalar::{Dual, Scalar};
 use crate::base::sketch::{Sketch, StrokeKind};
@@ -30,10 +33,26 @@ pub(super) struct Rod<T = f64> {
 
 impl<T: Scalar> Rod<T> {
     /// By how much its ends are farther apart than it is long.
-    fn gap(&self, platform: &Pose<T>) -> T {
+    pub fn gap(&self, platform: &Pose<T>) -> T {
         let (a, b) = (platform.apply(self.platform_mm), self.base_mm);
         let d = [0, 1, 2].map(|i| a[i] - b[i]);
         (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt() - self.length_mm
+    }
+
+    /// Its end on a platform that does not turn, in the base.
+    pub fn shifted(&self, platform: &Pose<T>) -> Vector<T> {
+        let (a, t) = (self.platform_mm, platform.translation_mm);
+        [0, 1, 2].map(|i| a[i] + t[i])
+    }
+
+    /// By how much it lengthens as the platform moves by a small translation (mm) and rotation (rad) in the base.
+    fn lengthens(&self, platform: &Pose<T>) -> [T; 6] {
+        let (end, b) = (platform.apply(self.platform_mm), self.base_mm);
+        let [x, y, z] = [0, 1, 2].map(|i| end[i] - b[i]);
+        let length = (x * x + y * y + z * z).sqrt();
+        let along = [x, y, z].map(|v| v / length);
+        let turn = cross(platform.rotate(self.platform_mm), along);
+        [along[0], along[1], along[2], turn[0], turn[1], turn[2]]
     }
 }
 
@@ -56,37 +75,47 @@ pub(super) trait Legs: Clone + Debug + Send + Sync {
     const JOINT: LegParameter;
     /// Number of legs: six, or three of a platform that does not turn.
     const COUNT: usize;
+    /// Branches of the inverse kinematics of each leg.
+    const BRANCHES: &'static [f64] = &[1.0];
 
     /// A leg, from 0, with its own parameters.
     fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T>;
 
+    /// Pose of the platform in the base on rods that do not move, where it has a closed form.
+    fn direct<T: Scalar>(&self, _rods: &[Rod<T>]) -> Option<Pose<T>> {
+        None
+    }
+
     /// Pose of the platform in the base on rods that do not move.
-    fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose>;
+    fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
+        self.direct(&legs.rods(joints))
+    }
 
     /// Adds the parameters of a leg to a drawing of the platform where it is.
     fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch);
 
-    /// Joint values of every leg by itself at a pose of the platform that the model allows.
-    fn joints_at(&self, leg: usize, p: &[f64], platform: &Pose) -> Vec<f64>;
+    /// Joint value of a leg at a pose of the platform: on one branch (1), or on the other (-1) of legs that have two. Not a number where the
+    /// leg does not reach.
+    fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, branch: T) -> T;
 }
 
 /// Legs with their parameters.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LegValues<'a, L> {
+pub(super) struct LegValues<'a, L, T = f64> {
     pub legs: &'a L,
     /// Those of all legs.
-    pub parameters: &'a [f64],
+    pub parameters: &'a [T],
 }
 
-impl<L: Legs> LegValues<'_, L> {
+impl<L: Legs, T: Scalar> LegValues<'_, L, T> {
     /// Parameters of one leg.
-    fn of(&self, leg: usize) -> &[f64] {
+    fn of(&self, leg: usize) -> &[T] {
         let n = L::PARAMETERS.len();
         &self.parameters[leg * n..][..n]
     }
 
     /// All rods.
-    pub fn rods(&self, joints: &[f64]) -> Vec<Rod> {
+    pub fn rods(&self, joints: &[T]) -> Vec<Rod<T>> {
         (0..L::COUNT).map(|leg| self.legs.rod(leg, self.of(leg), joints[leg])).collect()
     }
 }
@@ -96,16 +125,53 @@ impl<L: Legs> LegValues<'_, L> {
 pub(super) fn lengthening(rods: &[Rod], platform: &Pose) -> Matrix6<f64> {
     let mut matrix = Matrix6::identity();
     for (i, rod) in rods.iter().enumerate() {
-        let lever = platform.rotate(rod.platform_mm);
-        let along = minus(platform.apply(rod.platform_mm), rod.base_mm);
-        let along = along.map(|v| v / norm(along));
-        let turn = cross(lever, along);
-        (0..3).for_each(|k| {
-            matrix[(i, k)] = along[k];
-            matrix[(i, 3 + k)] = turn[k];
-        });
+        rod.lengthens(platform).into_iter().enumerate().for_each(|(k, v)| matrix[(i, k)] = v);
     }
     matrix
+}
+
+/// A step of Newton's method to the pose of the platform on six rods, and its size, mm: shortened by nearly nothing where it is small, and
+/// to half a radian where it is large. Normal equations need no pivots; what they round the next step mends.
+fn newton_step<T: Scalar>(rods: &[Rod<T>], platform: &Pose<T>) -> (Pose<T>, T) {
+    // turns are in mm of the longest lever, so that all unknowns are alike
+    let lever = rods.iter().map(|rod| norm(rod.platform_mm.map(Scalar::value))).fold(0.0, f64::max);
+    let scale = |k: usize| if k < 3 { 1.0 } else { 1.0 / lever };
+    let rows: Vec<Vec<T>> = rods
+        .iter()
+        .map(|rod| {
+            let own = rod.lengthens(platform).into_iter().enumerate().map(|(k, v)| v * scale(k));
+            own.chain([-rod.gap(platform)]).collect()
+        })
+        .collect();
+    let product = |i: usize, j: usize| rows.iter().fold(T::from(0.0), |sum, row| sum + row[i] * row[j]);
+    let mut a: Vec<Vec<T>> = (0..6).map(|i| (0..7).map(|j| product(i, j)).collect()).collect();
+    for k in 0..6 {
+        let pivot = a[k].clone();
+        for (_, row) in a.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            let factor = row[k] / pivot[k];
+            (k + 1..7).for_each(|j| row[j] = row[j] - factor * pivot[j]);
+        }
+    }
+    let by: Vec<T> = (0..6).map(|k| a[k][6] / a[k][k] * scale(k)).collect();
+    let square = |v: &[T]| v.iter().fold(T::from(0.0), |sum, v| sum + *v * *v);
+    let shorter = T::from(1.0) / (square(&by[3..]) * 4.0 + 1.0).sqrt();
+    let size = (square(&by[..3]) + square(&by[3..]) * (lever * lever)).sqrt();
+    let [x, y, z, p, q, r] = [0, 1, 2, 3, 4, 5].map(|k| by[k] * shorter);
+    let t = platform.translation_mm;
+    let turned = Pose { translation_mm: [T::from(0.0); 3], ..cayley([p, q, r]) }.then(platform);
+    (Pose { translation_mm: [t[0] + x, t[1] + y, t[2] + z], ..turned }, size)
+}
+
+/// The rotation that a small rotation vector is, without trigonometry (Cayley).
+fn cayley<T: Scalar>([x, y, z]: Vector<T>) -> Pose<T> {
+    let [a, b, c, one] = [x * 0.5, y * 0.5, z * 0.5, T::from(1.0)];
+    let factor = T::from(2.0) / (a * a + b * b + c * c + 1.0);
+    let rotation = [
+        [one - factor * (b * b + c * c), factor * (a * b - c), factor * (a * c + b)],
+        [factor * (a * b + c), one - factor * (a * a + c * c), factor * (b * c - a)],
+        [factor * (a * c - b), factor * (b * c + a), one - factor * (a * a + b * b)],
+    ];
+    Pose { rotation, ..Pose::identity() }
 }
 
 /// By how much the ends of rods are farther apart than they are long, mm.
@@ -313,6 +379,8 @@ impl<L: Legs> Robot for Parallel<L> {
     }
 }
 
+/// A platform that turns more than this is no pose of three legs, rad.
+const TURNED: f64 = 1e-6;
 /// How far from a pose, in mm and without unit, the joints that were found for it may bring the platform.
 const BACK: f64 = 1e-6;
 
@@ -321,12 +389,58 @@ impl<L: Legs> Kinematics for Parallel<L> {
         self.place(parameters, joints)
     }
 
+    /// `inverse`, with the branches of legs that have two, and `direct`, or `step`s of Newton's method to it.
+    fn formulas(&self, parameters: &[f64]) -> Vec<Formula> {
+        let joints: Vec<String> = self.joints().iter().map(|joint| joint.name.clone()).collect();
+        // a platform that does not turn is where it is
+        let count = if L::COUNT == 6 { 12 } else { 3 };
+        let names = pose_outputs(&Pose::<f64>::identity()).into_iter().map(|(name, _)| name).take(count);
+        let names: Vec<String> = names.collect();
+        let pose = |v: &[Recorded]| {
+            let platform = Pose { translation_mm: [v[0], v[1], v[2]], ..Pose::identity() };
+            let cell = |i: usize, j: usize| v[3 + 3 * i + j];
+            match L::COUNT {
+                6 => Pose { rotation: [0, 1, 2].map(|i| [0, 1, 2].map(|j| cell(i, j))), ..platform },
+                _ => platform,
+            }
+        };
+        let values = || parameters[self.first()..].iter().map(|&v| Recorded::from(v)).collect::<Vec<_>>();
+        let legs = &self.legs;
+        let two = L::BRANCHES.len() > 1;
+        let branches = (1..=L::COUNT).filter(|_| two).map(|leg| format!("branch{leg}"));
+        let inverse = Formula::record("inverse", &names.iter().cloned().chain(branches).collect::<Vec<_>>(), |v| {
+            let (platform, values) = (pose(v), values());
+            let values = LegValues { legs, parameters: &values };
+            let branch = |leg: usize| if two { v[names.len() + leg] } else { Recorded::from(1.0) };
+            let at = |leg: usize| legs.joint_at(leg, values.of(leg), &platform, branch(leg));
+            joints.iter().cloned().zip((0..L::COUNT).map(at)).collect()
+        });
+        let outputs = |pose: &Pose<Recorded>| pose_outputs(pose).into_iter().take(names.len()).collect::<Vec<_>>();
+        let mut closed = true;
+        let direct = Formula::record("direct", &joints, |q| {
+            let place = legs.direct(&LegValues { legs, parameters: &values() }.rods(q));
+            closed = place.is_some();
+            place.map_or_else(Vec::new, |place| outputs(&place))
+        });
+        if closed {
+            return vec![direct, inverse];
+        }
+        let inputs = names.iter().chain(&joints).cloned().collect::<Vec<_>>();
+        let step = Formula::record("step", &inputs, |v| {
+            let rods = LegValues { legs, parameters: &values() }.rods(&v[names.len()..]);
+            let (next, size) = newton_step(&rods, &pose(v));
+            outputs(&next).into_iter().chain([("size".to_owned(), size)]).collect()
+        });
+        vec![step, inverse]
+    }
+
     /// Every combination of the ways of single legs that brings the platform to the pose and not to its other assembly modes.
     fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
         let values = self.values(parameters);
         let mut all = vec![Vec::new()];
-        for leg in 0..L::COUNT {
-            let ways = self.legs.joints_at(leg, values.of(leg), pose);
+        for leg in 0..if L::COUNT < 6 && pose.angle_rad() > TURNED { 0 } else { L::COUNT } {
+            let at = |branch: &f64| self.legs.joint_at(leg, values.of(leg), pose, *branch);
+            let ways: Vec<f64> = L::BRANCHES.iter().map(at).filter(|q| q.is_finite()).collect();
             all = all.iter().flat_map(|q: &Vec<f64>| ways.iter().map(|w| [&q[..], &[*w]].concat())).collect();
         }
         all.retain(|q| {

@@ -5,6 +5,7 @@
 use super::chain::{self, Coefficient, Element, Motion, State, Term};
 use super::{
     ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role, meaning,
+    pose_outputs,
 };
 use super::{limit_violation, nearest, shortest};
 use crate::base::expression::{Formula, Recorded, derivatives};
@@ -736,12 +737,6 @@ impl Robot for Serial {
 
 /// A turn by one radian weighs like this path in a pose, mm.
 const TURNED_MM: f64 = 1000.0;
-/// Position and rotation matrix, row by row.
-fn pose_outputs(pose: &Pose<Recorded>) -> Vec<(String, Recorded)> {
-    let place = ["x", "y", "z"].map(str::to_owned).into_iter().zip(pose.translation_mm);
-    let cells = (0..9).map(|i| (format!("r{}{}", i / 3 + 1, i % 3 + 1), pose.rotation[i / 3][i % 3]));
-    place.chain(cells).collect()
-}
 
 /// Starts from which all ways to a pose are searched, at least, and without a new one before the search ends.
 const STARTS: usize = 96;
