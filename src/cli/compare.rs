@@ -4,11 +4,10 @@ use super::report::Dressed;
 use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
-use crate::campaign::Campaign;
 use crate::compare::{Compared, compare};
 use crate::document::to_json;
 use crate::report::{self, Faces};
-use crate::run::documents::Documents;
+use crate::run::documents::{self, Documents};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -81,13 +80,7 @@ fn kind(path: &Path) -> Result<String> {
 
 /// A campaign's output folder and its documents.
 fn read(named: &Path) -> Result<(PathBuf, Compared)> {
-    let folder = match named.join("campaign.toml").is_file() || named.is_file() {
-        true => {
-            let (campaign, problems) = Campaign::recover(named)?;
-            campaign.ok_or(problems)?.output()?
-        }
-        false => named.to_owned(),
-    };
+    let folder = documents::folder_of(named)?;
     let place = folder.canonicalize().unwrap_or_else(|_| folder.clone());
     let documents = Documents::open(&folder)?;
     let mut inputs = BTreeMap::new();

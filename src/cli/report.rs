@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// Language, logo and templates are those of the campaign, unless they are stated here.
 #[derive(Debug, clap::Args)]
 pub struct Report {
-    /// Folder that `etalon run` wrote
+    /// Folder that `etalon run` wrote, or its campaign
     #[arg(required_unless_present = "write_templates")]
     folder: Option<PathBuf>,
     #[command(flatten)]
@@ -73,7 +73,7 @@ impl Report {
 }
 
 fn write_report(folder: &Path, dressed: &Dressed, certificate: bool) -> Result<Vec<String>> {
-    let documents = Documents::open(folder)?;
+    let documents = Documents::open(&documents::folder_of(folder)?)?;
     let mut run = documents::Run::read(&documents)?;
     run.campaign.report = dressed.over(run.campaign.report)?;
     let files = match certificate {

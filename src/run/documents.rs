@@ -3,6 +3,7 @@
 use crate::base::folder::{self, Durability};
 use crate::base::message::{Message, Place, Result};
 use crate::base::{files, table};
+use crate::campaign::Campaign;
 use crate::document::to_json;
 use crate::document::{
     AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
@@ -22,6 +23,20 @@ pub struct Documents {
     folder: PathBuf,
     /// The files of the run.
     pub manifest: ManifestDocument,
+}
+
+/// The output folder that is named: itself, or by its campaign.
+///
+/// # Errors
+/// If the campaign cannot be read.
+pub fn folder_of(named: &Path) -> Result<PathBuf> {
+    match named.join("campaign.toml").is_file() || named.is_file() {
+        true => {
+            let (campaign, problems) = Campaign::recover(named)?;
+            campaign.ok_or(problems)?.output()
+        }
+        false => Ok(named.to_owned()),
+    }
 }
 
 impl Documents {

@@ -65,12 +65,12 @@ pub fn all() -> Pages {
 
 /// Runs a campaign, whatever its limits come to.
 fn run(scratch: &crate::support::scratch::Scratch) {
-    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).arg("run").arg(scratch.path()).output().unwrap();
+    let output = Command::new(crate::support::program()).arg("run").arg(scratch.path()).output().unwrap();
     assert!(output.status.code() < Some(2), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 fn etalon(arguments: &[&std::ffi::OsStr]) {
-    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).output().unwrap();
+    let output = Command::new(crate::support::program()).args(arguments).output().unwrap();
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
 }
 

@@ -8,7 +8,7 @@ use etalon::math::robots::{Robot, Role};
 use std::process::Command;
 
 pub fn etalon(arguments: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).output().unwrap();
+    let output = Command::new(crate::support::program()).args(arguments).output().unwrap();
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
 }
 

@@ -68,7 +68,7 @@ fn run(world: &str) -> (FeaturesDocument, FramesDocument, Pose) {
     (truth.noise_um, truth.decimals, truth.cycles, truth.points) = (Some(0.0), 13, 1, points());
     let campaign = Campaign::read(&scratch.path()).unwrap();
     etalon::simulate::simulate(&campaign, &truth).unwrap();
-    let outcome = etalon::run::pipeline::run(&campaign).unwrap();
+    let outcome = crate::support::documents_of(&campaign).unwrap();
     for p in &outcome.identified.as_ref().unwrap().parameters.parameters {
         assert!((p.value - truth.parameters[&p.name]).abs() < 1e-8, "{}: {}", p.name, p.value);
     }

@@ -1,6 +1,7 @@
 //! Chapter 2 as a campaign: what it leaves, why, and what it says of a campaign that does not fit.
 
-use crate::support::scratch::{Scratch, copy_sample};
+use crate::support::documents_of;
+use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::campaign::Campaign;
 use etalon::document::{BarVerdict, GeometricDocument, MethodErrors};
 use etalon::run::pipeline;
@@ -11,7 +12,7 @@ const SAMPLE: &str = "prexyt-geometric";
 
 fn run(scratch: &Scratch) -> GeometricDocument {
     let campaign = Campaign::read(&scratch.path()).unwrap();
-    pipeline::run(&campaign).unwrap();
+    documents_of(&campaign).unwrap();
     let text = std::fs::read(scratch.path().join("out/geometric.json")).unwrap();
     serde_json::from_slice(&text).unwrap()
 }
@@ -119,14 +120,14 @@ fn a_single_ball_repeats_as_its_readings_scatter() {
     assert!((ball.repeatability_mm - 0.0073).abs() < 0.0002, "{ball:?}");
     let scratch = copy_sample(SAMPLE);
     scratch.replace("campaign.toml", "single-{cycle}", "lone-{cycle}");
-    let said = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
+    let said = documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
     assert!(said.contains("no point has a label of the form `lone-{cycle}`"), "{said}");
 }
 
 #[test]
 fn the_report_shows_both_ways_side_by_side() {
     let scratch = copy_sample(SAMPLE);
-    run(&scratch);
+    pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap();
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     for text in [
         "Geometry alone, beside the identification",
@@ -138,7 +139,7 @@ fn the_report_shows_both_ways_side_by_side() {
         assert!(html.contains(text), "{text}");
     }
     std::fs::remove_file(scratch.path().join("out/report.html")).unwrap();
-    let again = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let again = std::process::Command::new(crate::support::program())
         .arg("report")
         .arg(scratch.path().join("out"))
         .output()
@@ -162,7 +163,7 @@ fn what_does_not_fit_is_said_with_its_place() {
     for (file, from, to, said) in cases {
         let scratch = copy_sample(SAMPLE);
         scratch.replace(file, from, to);
-        let problems = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap_err();
+        let problems = documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap_err();
         let text = problems.to_string();
         assert!(text.contains(said), "{to}: {text}");
         assert!(text.contains("campaign.toml:"), "{to} has no place: {text}");
@@ -257,6 +258,7 @@ fn a_geometric_calibration_needs_no_log_and_no_identification() {
         );
         assert!(a.identified.is_none() && b.identified.is_some());
     }
+    assert_eq!(etalon(&scratch, "report").0, Some(0));
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     assert!(
         html.contains("Geometry alone")
@@ -265,6 +267,6 @@ fn a_geometric_calibration_needs_no_log_and_no_identification() {
     );
     // half of it is refused by name
     scratch.replace("campaign.toml", "turn = \"turn-{target}-{pose}\"", "");
-    let said = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
+    let said = documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
     assert!(said.contains("[geometric] lacks `turn`"), "{said}");
 }

@@ -1,5 +1,6 @@
 //! Joins by row and by time: what has no partner, or two, is said.
 
+use crate::support::documents_of;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
@@ -51,7 +52,7 @@ fn timed(join: &str, clock_offset_s: f64, drop_log_row: Option<usize>, measured_
 }
 
 fn run(scratch: &Scratch) -> Result<Outcome, Problems> {
-    pipeline::run(&Campaign::read(&scratch.path())?)
+    documents_of(&Campaign::read(&scratch.path())?)
 }
 
 #[test]

@@ -181,7 +181,7 @@ fn what_formats_proposes_of_a_mixed_file_is_accepted() {
         1,
     );
     std::fs::write(scratch.path().join("all.csv"), named).unwrap();
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let output = std::process::Command::new(crate::support::program())
         .args(["formats", "all.csv"])
         .current_dir(scratch.path())
         .output()

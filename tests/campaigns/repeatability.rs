@@ -1,18 +1,18 @@
 //! The test of repeatability as a campaign (thesis 2.4): what it tells of a robot with known play, and what it refuses.
 
+use crate::support::documents_of;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
 use etalon::document::{Iso9283Document, Iso9283Pose, Iso9283Variation};
 use etalon::iso9283::pose::coplanarity::from_the_others;
 use etalon::iso9283::pose::repeatability::pose_repeatability;
 use etalon::run::check::everything;
-use etalon::run::pipeline;
 use etalon::simulate::Truth;
 
 const SAMPLE: &str = "prexyt-repeatability";
 
 fn test(scratch: &Scratch) -> Iso9283Document {
-    pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap().tested.poses.unwrap()
+    documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap().tested.poses.unwrap()
 }
 
 /// The sample measured again, its truth changed.
@@ -153,7 +153,7 @@ fn what_does_not_fit_is_told_by_check_and_by_run() {
         let campaign = Campaign::read(&scratch.path()).unwrap();
         let (_, problems) = everything(&campaign);
         assert!(problems.to_string().contains(said), "{said}: {problems}");
-        let problems = pipeline::run(&campaign).unwrap_err();
+        let problems = documents_of(&campaign).unwrap_err();
         assert!(
             problems.to_string().contains(said) && problems.to_string().contains("campaign.toml:"),
             "{said}: {problems}"
@@ -182,5 +182,5 @@ fn only_a_test_of_repeatability_may_leave_out_what_identifying_needs() {
     assert!(said.contains("`log` is missing") && said.contains("`join` is missing"), "{said}");
     let scratch = copy_sample(SAMPLE);
     let campaign = Campaign::read(&scratch.path()).unwrap();
-    assert!(!campaign.identifies() && pipeline::run(&campaign).unwrap().identified.is_none());
+    assert!(!campaign.identifies() && documents_of(&campaign).unwrap().identified.is_none());
 }

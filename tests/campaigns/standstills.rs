@@ -1,12 +1,13 @@
 //! Standstills in a log recorded while the robot moved, and joins in time that rest on them.
 
+use crate::support::documents_of;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
 use etalon::document::ImportDocument;
 use etalon::import::standstill::{Watched, standing};
-use etalon::run::pipeline::{self, Outcome};
+use etalon::run::pipeline::Outcome;
 
 /// A walk of two joints that stands now and then, with scatter and odd steps of time.
 fn walk(seed: u64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
@@ -160,7 +161,7 @@ fn recording(poses: &[[f64; 3]], scatter_mm: f64) -> (Rows, Vec<(f64, f64)>) {
 }
 
 fn run(scratch: &Scratch) -> Result<Outcome, Problems> {
-    pipeline::run(&Campaign::read(&scratch.path())?)
+    documents_of(&Campaign::read(&scratch.path())?)
 }
 
 fn document(scratch: &Scratch) -> ImportDocument {

@@ -1,5 +1,6 @@
 //! Whole campaigns: simulate → run gives the truth, the same bytes every time, whatever the number of threads.
 
+use crate::support::documents_of;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
 use etalon::document::ParameterStatus;
@@ -15,7 +16,7 @@ fn off_by(sample: &str, noise_um: f64, sigmas: f64) -> Vec<String> {
     truth.noise_um = Some(noise_um);
     truth.decimals = 12;
     etalon::simulate::simulate(&campaign, &truth).unwrap();
-    let outcome = pipeline::run(&campaign).unwrap();
+    let outcome = documents_of(&campaign).unwrap();
     let mut off = Vec::new();
     for p in &outcome.identified.as_ref().unwrap().parameters.parameters {
         let error = (p.value - truth.parameters[&p.name]).abs();
@@ -76,7 +77,7 @@ fn all_bytes(scratch: &Scratch) -> Vec<(String, Vec<u8>)> {
 /// Runs a sample on so many threads; the bytes of all that it writes.
 fn run_on(sample: &str, threads: usize) -> Vec<(String, Vec<u8>)> {
     let scratch = copy_sample(sample);
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let output = std::process::Command::new(crate::support::program())
         .args(["run", "campaign"])
         .current_dir(scratch.root())
         .env("RAYON_NUM_THREADS", threads.to_string())
@@ -128,7 +129,7 @@ fn report_and_controller_files_are_made_again_from_the_output_folder_alone() {
         std::fs::remove_file(alone.join(name)).unwrap();
     }
     for arguments in [["report", "archive"], ["export", "archive/parameters.json"]] {
-        let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        let output = std::process::Command::new(crate::support::program())
             .args(arguments)
             .current_dir(scratch.root())
             .output()

@@ -11,7 +11,7 @@ fn answer(rows: &str, arguments: &[&str]) -> (Option<i32>, String, String) {
     let scratch = Scratch::with(&[]);
     let table = scratch.root().join("axis.csv");
     std::fs::write(&table, format!("{HEAD}{rows}")).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).arg("iso230").arg(table).args(arguments).output().unwrap();
+    let output = Command::new(crate::support::program()).arg("iso230").arg(table).args(arguments).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (output.status.code(), text(output.stdout), text(output.stderr))
 }

@@ -27,11 +27,14 @@ use std::process::{Command, Output};
 
 #[test]
 fn transcripts() {
-    trycmd::TestCases::new().case("README.md").case("docs/*.md");
+    trycmd::TestCases::new()
+        .register_bin("etalon", Path::new(&crate::support::program()))
+        .case("README.md")
+        .case("docs/*.md");
 }
 
 fn etalon(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).current_dir(folder).output().unwrap()
+    Command::new(crate::support::program()).args(arguments).current_dir(folder).output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> String {

@@ -18,7 +18,7 @@ fn compare(path: &str, text: &str) {
 
 #[test]
 fn committed_schemas_are_current() {
-    let program = std::process::Command::new(env!("CARGO_BIN_EXE_etalon")).args(["schema", "--help"]).output().unwrap();
+    let program = std::process::Command::new(crate::support::program()).args(["schema", "--help"]).output().unwrap();
     let help = String::from_utf8(program.stdout).unwrap();
     for (name, text) in [etalon::campaign::schemas(), etalon::document::schema::all()].concat() {
         assert!(help.split([' ', ',', '\n']).any(|word| word == name), "`{name}` is not in `etalon schema --help`");
@@ -34,7 +34,7 @@ fn documents_of_the_cmm_sample() {
     let row = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
     let second = row.lines().nth(1).unwrap().to_owned();
     scratch.replace("exports/poses.txt", &second, "L_1_1 0.0 0.0 0.0");
-    let program = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let program = std::process::Command::new(crate::support::program())
         .args(["run", "campaign"])
         .current_dir(scratch.root())
         .output()

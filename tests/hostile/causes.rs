@@ -41,7 +41,7 @@ fn one_pose_names_the_parameters_that_it_does_not_tell() {
         "measure more poses",
     ];
     run(&scratch, 2, &parts);
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let output = std::process::Command::new(crate::support::program())
         .args(["identify", "--robot", "campaign/robot.toml", "--observations", "one.csv"])
         .current_dir(scratch.root())
         .output()

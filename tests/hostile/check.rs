@@ -126,7 +126,7 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
         (format!("{head}1,1,K,1,2,3,4,5\n1,1,K,1,2,3,4,5\n"), ["observations.csv:3", "occurs twice"]),
     ] {
         std::fs::write(scratch.root().join("observations.csv"), text).unwrap();
-        let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        let output = std::process::Command::new(crate::support::program())
             .args(["identify", "--robot", "campaign/robot.toml", "--observations", "observations.csv"])
             .current_dir(scratch.root())
             .output()
@@ -211,7 +211,7 @@ fn what_every_row_repeats_is_one_error_with_its_count() {
             let said = ends(&scratch, command, 2, &[&count]);
             assert_eq!(said.matches(what).count(), 1, "{file}: {said}");
         }
-        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"));
+        let mut command = std::process::Command::new(crate::support::program());
         let answer = command.args(["check", "campaign", "--json"]).current_dir(scratch.root()).output().unwrap().stdout;
         let answer = String::from_utf8(answer).unwrap();
         assert!(answer.contains(&count) && answer.matches(what).count() == 1, "{answer}");

@@ -7,8 +7,7 @@ use std::time::Instant;
 /// What `etalon formats FILE` says, its exit code, and how many seconds it took.
 fn formats(folder: &Path, file: &str) -> (Option<i32>, String, f64) {
     let begun = Instant::now();
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_etalon")).args(["formats", file]).current_dir(folder).output().unwrap();
+    let output = Command::new(crate::support::program()).args(["formats", file]).current_dir(folder).output().unwrap();
     let said = String::from_utf8(output.stderr).unwrap() + &String::from_utf8(output.stdout).unwrap();
     (output.status.code(), said, begun.elapsed().as_secs_f64())
 }

@@ -16,7 +16,7 @@ fn error(header: &str, rows: &str, more: &[&str]) -> String {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("robot.toml"), ROBOT).unwrap();
     std::fs::write(folder.path().join("o.csv"), format!("{header}\n{rows}\n")).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let output = Command::new(crate::support::program())
         .current_dir(folder.path())
         .args(["identify", "--robot", "robot.toml", "--observations", "o.csv"])
         .args(more)
@@ -100,7 +100,7 @@ fn planar_robots_have_positions_only() {
     let table = "kind,pose,cycle,target,theta1_deg,theta2_deg,x_mm,y_mm,socket,u_mm\ncontact,1,1,tool,10,20,,,A,0.02\n";
     std::fs::write(folder.path().join("o.csv"), table).unwrap();
     let args = ["identify", "--robot", "robot.toml", "--observations", "o.csv", "--standard-uncertainty-um", "20"];
-    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).current_dir(folder.path()).args(args).output().unwrap();
+    let output = Command::new(crate::support::program()).current_dir(folder.path()).args(args).output().unwrap();
     let error = String::from_utf8(output.stderr).unwrap();
     assert!(error.contains("are for arms in space, not for `five_bar`"), "{error}");
 }
@@ -156,7 +156,7 @@ fn orientations_in_any_form_are_the_same() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("robot.toml"), &robot_toml).unwrap();
         std::fs::write(folder.path().join("o.csv"), table).unwrap();
-        let output = Command::new(env!("CARGO_BIN_EXE_etalon"))
+        let output = Command::new(crate::support::program())
             .current_dir(folder.path())
             .args(["identify", "--robot", "robot.toml", "--observations", "o.csv", "--standard-uncertainty-um", "20"])
             .args(["--rotation-uncertainty-deg", "0.0057", "--hold", "gain_*", "--hold", "a_*", "--json"])

@@ -81,7 +81,7 @@ fn arm(change: impl Fn(String) -> String) -> String {
     let robot = change(format!("{ARM}{joint}{joint}{joint}"));
     std::fs::write(scratch.root().join("robot.toml"), robot).unwrap();
     std::fs::write(scratch.root().join("o.csv"), "pose,cycle,target,x_mm,y_mm,z_mm,q1_deg\n").unwrap();
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let output = std::process::Command::new(crate::support::program())
         .args(["identify", "--robot", "robot.toml", "--observations", "o.csv"])
         .current_dir(scratch.root())
         .output()

@@ -190,7 +190,7 @@ fn as_many_parameters_as_coordinates_are_no_result() {
     let rows = ["SMR_1,374,0,630", "SMR_2,374,0,500"].map(|row| format!("1,1,{row},0,0,0,0,0,0\n")).concat();
     let header = "pose,cycle,target,x_mm,y_mm,z_mm,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n";
     std::fs::write(scratch.path().join("o.csv"), header.to_owned() + &rows).unwrap();
-    let done = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let done = std::process::Command::new(crate::support::program())
         .args(["identify", "--robot", "robot.toml", "--observations", "o.csv"])
         .current_dir(scratch.path())
         .output()

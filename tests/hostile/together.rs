@@ -76,7 +76,7 @@ fn the_output_folder_is_no_folder_of_inputs_however_it_is_written() {
     }
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "robot = \"robot.toml\"", "robot = \"robot.toml\"\noutput = \".\"");
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let output = std::process::Command::new(crate::support::program())
         .args(["check", "campaign.toml"])
         .current_dir(scratch.path())
         .output()
@@ -148,7 +148,7 @@ fn refused(robot: &str, table: &str) -> String {
     let scratch = copy_sample("prexyt-cmm");
     std::fs::write(scratch.root().join("robot.toml"), robot).unwrap();
     std::fs::write(scratch.root().join("observations.csv"), table).unwrap();
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let output = std::process::Command::new(crate::support::program())
         .args(["identify", "--robot", "robot.toml", "--observations", "observations.csv"])
         .current_dir(scratch.root())
         .output()

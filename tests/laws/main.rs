@@ -1,4 +1,4 @@
-//! Laws of the mathematics, and of output folders. Many are shown by thousands of simulated
+//! Laws of the mathematics, and of output folders, and real robots. Many are shown by thousands of simulated
 //! measurements or runs: `make test` runs this suite optimised.
 #![allow(clippy::print_stdout)] // a test says what it measured
 
@@ -18,6 +18,8 @@ mod fits_hostile;
 mod five_bar;
 mod folders;
 mod geometric;
+mod hilti;
+mod irb120;
 mod iso9283;
 mod iso9283_beyond;
 mod iso9283_corners;
@@ -30,6 +32,7 @@ mod monte_carlo;
 mod mutants;
 mod plans;
 mod platforms;
+mod prexyt;
 mod probes;
 mod qkm;
 mod recommendation;

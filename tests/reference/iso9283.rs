@@ -117,7 +117,7 @@ fn the_command_prints_what_kit_print() {
         let here = tempfile::tempdir().unwrap();
         std::fs::write(here.path().join("poses.csv"), poses).unwrap();
         std::fs::write(here.path().join("commanded.csv"), commanded).unwrap();
-        let answer = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+        let answer = std::process::Command::new(crate::support::program())
             .args(["iso9283", "poses.csv", "--commanded", "commanded.csv", "--json"])
             .current_dir(here.path())
             .output()

@@ -27,7 +27,7 @@ fn samples(folder: &Path, velocity: &str) -> Vec<Vector> {
 fn told(folder: &Path, velocity: &str, here: &Path, more: &[&str]) -> Iso9283StreamDocument {
     let stream = folder.join(format!("tracker/Trajektoriezw1u2_vel{velocity}.txt"));
     let fixed = "--columns -,-,-,x,y,z,- --delimiter comma --header 3 --unit mm --rate-hz 1000 --still-mm 0.05 --json";
-    let answer = std::process::Command::new(env!("CARGO_BIN_EXE_etalon"))
+    let answer = std::process::Command::new(crate::support::program())
         .args(["iso9283", "--stream"])
         .arg(stream)
         .args(fixed.split(' '))

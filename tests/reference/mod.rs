@@ -2,13 +2,10 @@
 mod enclosing;
 mod exports;
 mod exports_table;
-mod hilti;
-mod irb120;
 mod iso9283;
 mod iso9283_streams;
 mod logs;
 mod nist_geometry;
 mod nist_strd;
-mod prexyt;
 mod qif;
 mod readers;

@@ -7,6 +7,21 @@ pub mod linearised;
 pub mod scratch;
 pub mod tracker;
 
+use etalon::base::folder::Durability;
+use etalon::base::message::Problems;
+use etalon::campaign::Campaign;
+use etalon::run::pipeline::{self, Outcome, Wanted};
+
+/// The program that the tests start: `make test` names the optimised one in `ETALON_PROGRAM`, without it it is the one built with them.
+pub fn program() -> std::ffi::OsString {
+    std::env::var_os("ETALON_PROGRAM").unwrap_or_else(|| env!("CARGO_BIN_EXE_etalon").into())
+}
+
+/// What a campaign gives without its reports, which take most of the time of a run.
+pub fn documents_of(campaign: &Campaign) -> Result<Outcome, Problems> {
+    pipeline::run_for(campaign, Wanted::Documents, Durability::Later)
+}
+
 /// The reference data, or `None` after saying that the test is skipped.
 pub fn reference_data(folder: &str) -> Option<std::path::PathBuf> {
     match std::env::var_os("ETALON_REFERENCE") {

@@ -80,8 +80,7 @@ pub fn copy_sample(name: &str) -> Scratch {
 
 /// `etalon ARGS` in the folder above the campaign's: exit code and stderr.
 pub fn said(scratch: &Scratch, arguments: &[&str]) -> (Option<i32>, String) {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).current_dir(scratch.root()).output().unwrap();
+    let output = Command::new(crate::support::program()).args(arguments).current_dir(scratch.root()).output().unwrap();
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
 }
 

@@ -1,5 +1,6 @@
 //! ABB IRB 120 with a FARO tracker (real data): blunders, accuracy of an independent SciPy fit, and the two logs.
 
+use crate::support::documents_of;
 use etalon::base::message::Message;
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::{Campaign, read_robot};
@@ -17,7 +18,7 @@ fn run(hold: &str) -> Option<(Outcome, ImportDocument)> {
     let scratch = crate::support::scratch::copy_sample("abb-irb120");
     scratch.replace("campaign.toml", "validation = \"rest\"", &format!("validation = \"rest\"\nhold = {hold}"));
     let campaign = Campaign::read(&scratch.path()).expect("campaign");
-    let outcome = pipeline::run(&campaign).expect("run");
+    let outcome = documents_of(&campaign).expect("run");
     let import = std::fs::read(scratch.path().join("out/import.json")).expect("import.json");
     Some((outcome, serde_json::from_slice(&import).expect("document")))
 }
