@@ -10,7 +10,11 @@ use etalon::math::identify::{
 use etalon::math::robots::{FiveBar, Prexyt, Quantity, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-const TRIALS: u64 = 800;
+/// How many calibrations and observations of each kind: `ETALON_CASES`.
+fn trials() -> u64 {
+    std::env::var("ETALON_CASES").map_or(400, |n| n.parse().unwrap())
+}
+
 const U_MM: f64 = 0.01;
 
 /// Joint values of a pose.
@@ -94,13 +98,13 @@ impl Case {
 
     /// Share of trials that are called changed, and of those that name it.
     fn found(&self, moved: &Change, is: impl Fn(Moved) -> bool) -> [f64; 2] {
-        let all = (0..TRIALS).map(|trial| self.trial(moved, trial));
+        let all = (0..trials()).map(|trial| self.trial(moved, trial));
         let (mut changed, mut named) = (0.0, 0.0);
         for found in all.filter(Verification::is_changed) {
             changed += 1.0;
             named += f64::from(u8::from(found.cause().is_some_and(|cause| is(cause.moved))));
         }
-        [changed / TRIALS as f64, named / TRIALS as f64]
+        [changed / trials() as f64, named / trials() as f64]
     }
 }
 
