@@ -21,9 +21,18 @@ pub struct Iso230 {
     /// Print this compensation table instead
     #[arg(long, value_name = "CONTROLLER", conflicts_with = "json")]
     compensation: Option<Controller>,
+    /// Name of the axis in this table
+    #[arg(long, value_name = "NAME", default_value = "X1", value_parser = axis_name)]
+    axis: String,
     /// Print JSON
     #[arg(long)]
     json: bool,
+}
+
+/// Letters and digits: no name ends a line of a table.
+fn axis_name(name: &str) -> std::result::Result<String, String> {
+    let word = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    word.then(|| name.to_owned()).ok_or_else(|| "an axis is named by letters and digits".to_owned())
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -32,6 +41,8 @@ enum Controller {
     Linuxcnc,
     /// kw.ssfk of a Beckhoff CNC; its sign is not confirmed on a control
     Beckhoff,
+    /// $AA_ENC_COMP of a SINUMERIK; not tried on a control
+    Sinumerik,
 }
 
 impl Iso230 {
@@ -42,10 +53,18 @@ impl Iso230 {
             AxisDocument { schema: "etalon/iso230/1".to_owned(), axis: AxisPositioning::new(&positions), positions };
         match self.compensation {
             Some(Controller::Linuxcnc) => print(axis_tables::linuxcnc(&document.positions)?)?,
-            Some(Controller::Beckhoff) => {
-                let header =
-                    concat!("Written by etalon ", env!("CARGO_PKG_VERSION"), ", measured minus programmed in 0.1 um");
-                print(axis_tables::beckhoff(&document.positions, header)?)?;
+            Some(Controller::Beckhoff) => print(axis_tables::beckhoff(
+                &document.positions,
+                &self.axis,
+                concat!("Written by etalon ", env!("CARGO_PKG_VERSION"), ", measured minus programmed in 0.1 um"),
+            ))?,
+            Some(Controller::Sinumerik) => {
+                let header = format!(
+                    "Written by etalon {}, mean of both directions in mm; mean reversal error {:.6} mm is not in it",
+                    env!("CARGO_PKG_VERSION"),
+                    document.axis.mean_reversal_mm
+                );
+                print(axis_tables::sinumerik(&document.positions, &self.axis, &header)?)?;
             }
             None if self.json => print(to_json(&document)?)?,
             None => print(text(&document.axis))?,

@@ -26,22 +26,14 @@ pub fn linuxcnc(positions: &[AxisPosition]) -> Result<String> {
     Ok(positions.iter().map(row).collect())
 }
 
-/// Beckhoff CNC, list of an axis (`kw.ssfk`, bilateral), in 0.1 um: measured minus programmed position, rounded.
-///
-/// # Errors
-/// Positions that have no constant distance of whole 0.1 um.
-pub fn beckhoff(positions: &[AxisPosition], header: &str) -> Result<String> {
+/// Beckhoff CNC, list of an axis (`kw.ssfk`, bilateral) at positions of its own, in 0.1 um: measured minus programmed position, as the
+/// example of its documentation has it (TF5200, axis compensation).
+pub fn beckhoff(positions: &[AxisPosition], axis: &str, header: &str) -> String {
     let units = |mm: f64| (mm / TENTH_UM).round();
-    let distance = positions.get(1).map_or(0.0, |p| units(p.position_mm - positions[0].position_mm));
-    let expected = |i: usize| positions[0].position_mm + i as f64 * distance * TENTH_UM;
-    let even = |(i, p): (usize, &AxisPosition)| (p.position_mm - expected(i)).abs() < 0.5 * TENTH_UM;
-    if distance <= 0.0 || !positions.iter().enumerate().all(even) {
-        let message = Message::error("the positions of a Beckhoff table have a constant distance of whole 0.1 um");
-        return Err(message.hint("measure at equal distances, or use another table").into());
-    }
-    let mut out =
-        format!("# {header}\nkw.ssfk.interval {distance}\nkw.ssfk.kw_startpos {}\n", units(positions[0].position_mm));
-    let _ = writeln!(out, "kw.ssfk.kw_nr_max {}\nkw.ssfk.unit 1\nkw.ssfk.bilateral 1", positions.len() - 1);
+    let mut out = format!("# {header}\nkopf.log_achs_name {axis}\nkw.ssfk.interval 0\n");
+    let start = positions.first().map_or(0.0, |p| units(p.position_mm));
+    let _ = writeln!(out, "kw.ssfk.kw_startpos {start}\nkw.ssfk.kw_nr_max {}", positions.len());
+    out += "kw.ssfk.unit 1\nkw.ssfk.bilateral 1\n";
     for (i, p) in positions.iter().enumerate() {
         let [setpoint, pos, neg] = [p.position_mm, p.forward.mean_mm, p.backward.mean_mm].map(units);
         let _ = writeln!(
@@ -49,5 +41,30 @@ pub fn beckhoff(positions: &[AxisPosition], header: &str) -> Result<String> {
             "kw.ssfk.table[{i}].setpoint {setpoint}\nkw.ssfk.table[{i}].pos {pos}\nkw.ssfk.table[{i}].neg {neg}"
         );
     }
-    Ok(out + "End\n")
+    out + "End\n"
+}
+
+/// SINUMERIK, measuring system error compensation of an axis (`$AA_ENC_COMP`), mm: mean bidirectional deviations, because a positive value
+/// moves the axis in negative direction (Function Manual Extended Functions, K3, 4.4.2). One table serves both directions.
+///
+/// # Errors
+/// Positions that have no constant distance.
+pub fn sinumerik(positions: &[AxisPosition], axis: &str, header: &str) -> Result<String> {
+    let [first, .., last] = positions else {
+        return Err(Message::error("a table of a SINUMERIK has two positions at least").into());
+    };
+    let step = (last.position_mm - first.position_mm) / (positions.len() - 1) as f64;
+    let even = |(i, p): (usize, &AxisPosition)| (p.position_mm - first.position_mm - i as f64 * step).abs() < TENTH_UM;
+    if !positions.iter().enumerate().all(even) {
+        let message = Message::error("the positions of a table of a SINUMERIK have a constant distance");
+        return Err(message.hint("measure at equal distances, or use another table").into());
+    }
+    let mut out = format!("%_N_AX_EEC_INI\n; {header}\nCHANDATA(1)\n");
+    for (i, p) in positions.iter().enumerate() {
+        let _ = writeln!(out, "$AA_ENC_COMP[0,{i},{axis}]={:.6}", p.mean_mm);
+    }
+    for (name, value) in [("STEP", step), ("MIN", first.position_mm), ("MAX", last.position_mm)] {
+        let _ = writeln!(out, "$AA_ENC_COMP_{name}[0,{axis}]={value:.6}");
+    }
+    Ok(out + &format!("$AA_ENC_COMP_IS_MODULO[0,{axis}]=0\nM17\n"))
 }

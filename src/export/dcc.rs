@@ -8,7 +8,7 @@ use super::{Exporter, Given};
 use crate::base::date::date;
 use crate::base::files;
 use crate::base::message::{Message, Result};
-use crate::document::{CampaignSummary, Conditions, ParameterEntry, to_json};
+use crate::document::{CampaignSummary, Conditions, Issue, ParameterEntry, to_json};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 /// XML, parameters with their covariance.
@@ -74,59 +74,83 @@ impl<'a> Stated<'a> {
         self.given.summary.and_then(value).map_or(NOT_STATED, String::as_str)
     }
 
+    fn issue(&self) -> Issue {
+        self.given.summary.map(|summary| summary.issue.clone()).unwrap_or_default()
+    }
+
     fn robot(&self) -> &str {
         let name = self.given.name.unwrap_or(&self.given.parameters.robot);
         self.conditions.robot.as_deref().unwrap_or(name)
     }
 
+    fn core_data(&self) -> Element {
+        let (Conditions { robot_received, place, .. }, issue) = (&self.conditions, self.issue());
+        let number =
+            issue.number.as_ref().map(|number| identification("calibrationLaboratory", number, "Report number"));
+        // the laboratory is where nothing else is stated
+        let laboratory = self.conditions.laboratory.as_ref().filter(|_| place.is_none());
+        let core = [
+            // the code that ISO 3166-1 leaves to its users: no country is stated
+            Some(leaf("dcc:countryCodeISO3166_1", "ZZ")),
+            Some(leaf("dcc:usedLangCodeISO639_1", "en")),
+            Some(leaf("dcc:mandatoryLangCodeISO639_1", "en")),
+            Some(leaf("dcc:uniqueIdentifier", &self.identifier)),
+            number.map(|number| element("dcc:identifications", [number])),
+            robot_received.as_deref().and_then(day).map(|day| leaf("dcc:receiptDate", day)),
+            Some(leaf("dcc:beginPerformanceDate", &self.begin)),
+            Some(leaf("dcc:endPerformanceDate", &self.end)),
+            Some(leaf("dcc:performanceLocation", laboratory.map_or("other", |_| "laboratory"))),
+            issue.issued.as_deref().and_then(day).map(|day| leaf("dcc:issueDate", day)),
+        ];
+        element("dcc:coreData", core.into_iter().flatten())
+    }
+
     fn administration(&self) -> Element {
+        let Conditions { robot_maker, robot_type, robot_serial_number, .. } = &self.conditions;
+        let issue = self.issue();
         let software = [
             text("dcc:name", "etalon"),
             leaf("dcc:release", &self.given.parameters.provenance.version),
             leaf("dcc:type", "application"),
         ];
-        let core = [
-            // the code that ISO 3166-1 leaves to its users, where no country is stated
-            leaf("dcc:countryCodeISO3166_1", "ZZ"),
-            leaf("dcc:usedLangCodeISO639_1", "en"),
-            leaf("dcc:mandatoryLangCodeISO639_1", "en"),
-            leaf("dcc:uniqueIdentifier", &self.identifier),
-            leaf("dcc:beginPerformanceDate", &self.begin),
-            leaf("dcc:endPerformanceDate", &self.end),
-            leaf("dcc:performanceLocation", "other"),
+        let serial_number = robot_serial_number.iter().map(|n| identification("manufacturer", n, "Serial number"));
+        let named = identification("other", self.robot(), "Robot as the campaign names it");
+        let identifications = serial_number.chain([named]);
+        let item = [
+            Some(text("dcc:name", self.robot())),
+            robot_maker.as_ref().map(|maker| element("dcc:manufacturer", [text("dcc:name", maker)])),
+            robot_type.as_ref().map(|model| leaf("dcc:model", model)),
+            Some(element("dcc:identifications", identifications)),
         ];
-        let identification = element(
-            "dcc:identification",
-            [
-                leaf("dcc:issuer", "other"),
-                leaf("dcc:value", self.robot()),
-                text("dcc:name", "Robot as the campaign names it"),
-            ],
-        );
-        let item = [text("dcc:name", self.robot()), element("dcc:identifications", [identification])];
+        let item = item.into_iter().flatten();
         let laboratory = self.conditions.laboratory.as_deref().unwrap_or(NOT_STATED);
-        let person = element("dcc:person", [text("dcc:name", self.summary(|s| s.operator.as_ref()))]);
-        let operator = element("dcc:respPerson", [person, leaf("dcc:role", "operator")]);
+        let person = |who: &str, role| {
+            let person = element("dcc:person", [text("dcc:name", who)]);
+            element("dcc:respPerson", [person, leaf("dcc:role", role)])
+        };
+        let operator = person(self.summary(|s| s.operator.as_ref()), "operator");
+        let authorised = issue.authorised_by.iter().map(|who| person(who, "authorises the report"));
         element(
             "dcc:administrativeData",
             [
                 element("dcc:dccSoftware", [element("dcc:software", software)]),
-                element("dcc:coreData", core),
+                self.core_data(),
                 element("dcc:items", [element("dcc:item", item)]),
                 element("dcc:calibrationLaboratory", [contact("dcc:contact", laboratory)]),
-                element("dcc:respPersons", [operator]),
-                contact("dcc:customer", NOT_STATED),
+                element("dcc:respPersons", [operator].into_iter().chain(authorised)),
+                contact("dcc:customer", issue.customer.as_deref().unwrap_or(NOT_STATED)),
                 element("dcc:statements", self.statements()),
             ],
         )
     }
 
     fn statements(&self) -> Vec<Element> {
+        let (issue, conditions) = (self.issue(), &self.conditions);
         let statement =
             |name: &str, what: &str| element("dcc:statement", [text("dcc:name", name), text("dcc:declaration", what)]);
         let missing = [
             ("country (ZZ)", true),
-            ("customer", true),
+            ("customer", issue.customer.is_none()),
             ("laboratory", self.conditions.laboratory.is_none()),
             ("responsible person", self.summary(|s| s.operator.as_ref()) == NOT_STATED),
             ("instrument", self.summary(|s| s.instrument.as_ref()) == NOT_STATED),
@@ -139,12 +163,30 @@ impl<'a> Stated<'a> {
             statement("Item", "The results relate only to the item calibrated."),
             statement("Not stated", &missing.join(", ")),
         ];
+        let stated = [
+            ("Place", &conditions.place),
+            ("Amends", &issue.amends),
+            ("Results of external providers", &issue.external_results),
+            ("Metrological traceability", &conditions.traceability),
+            ("State of the robot", &conditions.robot_state),
+            ("Environment", &conditions.environment),
+        ];
+        all.extend(stated.into_iter().filter_map(|(name, what)| Some(statement(name, what.as_ref()?))));
         all.extend(self.given.warning().map(|warning| statement("Failed checks", &warning)));
         all.extend(
             self.given.summary.and_then(|s| s.synthetic.as_deref()).map(|what| statement("Synthetic data", what)),
         );
         all
     }
+}
+
+/// The date that a text begins with.
+fn day(stated: &str) -> Option<&str> {
+    date(stated).and_then(|_| stated.get(..10))
+}
+
+fn identification(issuer: &str, value: &str, name: &str) -> Element {
+    element("dcc:identification", [leaf("dcc:issuer", issuer), leaf("dcc:value", value), text("dcc:name", name)])
 }
 
 fn text(name: &'static str, content: &str) -> Element {

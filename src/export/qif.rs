@@ -14,6 +14,8 @@ pub(super) struct Qif;
 const STANDARD: usize = 1;
 /// Identifier of the measurement results.
 const RESULTS: usize = 2;
+/// Identifier of the place of the measurements.
+const PLACE: usize = 3;
 /// Characteristics of a unit that QIF does not have need a limit.
 const NO_LIMIT: &str = "No limit is stated: the schema requires one, -1E6.";
 
@@ -64,7 +66,7 @@ enum Aspect {
 }
 
 fn id(index: usize, aspect: Aspect) -> usize {
-    RESULTS + 1 + 4 * index + aspect as usize
+    PLACE + 1 + 4 * index + aspect as usize
 }
 
 fn units(parameters: &[ParameterEntry]) -> Element {
@@ -178,9 +180,13 @@ fn results(given: &Given) -> Element {
     let measured = element("CharacteristicMeasurements", measured).with("n", parameters.len());
     let stated = given.summary;
     let laboratory = stated.and_then(|s| s.conditions.laboratory.as_ref());
+    let number = stated.and_then(|s| s.issue.number.as_ref());
+    let place = stated.and_then(|s| s.conditions.place.as_ref());
     let traceability = [
         laboratory.map(|name| element("InspectingOrganization", [leaf("Name", name)])),
+        number.map(|number| leaf("ReportNumber", number)),
         stated.and_then(|s| s.operator.as_ref()).map(|name| element("InspectionOperator", [leaf("Name", name)])),
+        place.map(|place| element("PlantLocation", [leaf("LocationDescription", place)]).with("id", PLACE)),
     ];
     let results = [
         element("InspectionTraceability", traceability.into_iter().flatten()),

@@ -44,15 +44,47 @@ fn a_compensation_table_holds_the_means_of_both_directions() {
     for (row, expected) in rows.iter().zip([[0.0, 1.5e-3, -5e-4], [10.0, 10.004, 10.0015]]) {
         assert!(row.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{out}");
     }
-    let (_, out, err) = answer(ROWS, &["--compensation", "beckhoff"]);
-    for line in
-        ["kw.ssfk.interval 100000", "kw.ssfk.table[1].pos 40", "kw.ssfk.table[1].neg 15", "kw.ssfk.table[0].neg -5"]
-    {
+    // positions of its own: they need no constant distance
+    let uneven = format!("{ROWS}15,15,1\n15,15,1\n15,15,-1\n15,15,-1\n");
+    let (_, out, err) = answer(&uneven, &["--compensation", "beckhoff", "--axis", "Y"]);
+    for line in [
+        "kopf.log_achs_name Y",
+        "kw.ssfk.interval 0",
+        "kw.ssfk.kw_nr_max 3",
+        "kw.ssfk.table[1].setpoint 100000",
+        "kw.ssfk.table[1].pos 40",
+        "kw.ssfk.table[1].neg 15",
+        "kw.ssfk.table[0].neg -5",
+    ] {
         assert!(out.lines().any(|l| l == line), "{line}: {out} {err}");
     }
-    let uneven = format!("{ROWS}15,15,1\n15,15,1\n15,15,-1\n15,15,-1\n");
-    let (code, _, err) = answer(&uneven, &["--compensation", "beckhoff"]);
+    let (code, _, err) = answer(&uneven, &["--compensation", "sinumerik"]);
     assert!(code == Some(2) && err.contains("constant distance"), "{err}");
+}
+
+/// The control adds the table to the actual value, and the axis moves the other way (Siemens, K3): what it then reaches is programmed.
+#[test]
+fn a_sinumerik_with_its_table_is_where_it_is_programmed() {
+    let (code, out, err) = answer(ROWS, &["--compensation", "sinumerik", "--axis", "Y1"]);
+    assert_eq!(code, Some(0), "{err}");
+    assert!(
+        out.starts_with("%_N_AX_EEC_INI\n; Written by etalon") && out.ends_with("IS_MODULO[0,Y1]=0\nM17\n"),
+        "{out}"
+    );
+    let value = |name: &str| -> f64 {
+        let line = out.lines().find_map(|l| l.strip_prefix(name)?.strip_prefix('='));
+        line.unwrap_or_else(|| panic!("{name}: {out}")).parse().unwrap()
+    };
+    assert_eq!(
+        [value("$AA_ENC_COMP_MIN[0,Y1]"), value("$AA_ENC_COMP_MAX[0,Y1]"), value("$AA_ENC_COMP_STEP[0,Y1]")],
+        [0.0, 10.0, 10.0]
+    );
+    for (i, mean_deviation) in [0.5e-3, 2.75e-3].into_iter().enumerate() {
+        let moved = -value(&format!("$AA_ENC_COMP[0,{i},Y1]"));
+        assert!((moved + mean_deviation).abs() < 1e-6, "{out}");
+    }
+    let (code, _, err) = answer(ROWS, &["--compensation", "sinumerik", "--axis", "X1]=0\nM17"]);
+    assert!(code == Some(2) && err.contains("letters and digits"), "{err}");
 }
 
 #[test]

@@ -1,9 +1,11 @@
 #!/usr/bin/python3
-"""The user interface of a headless LinuxCNC: homes, moves to the poses of commands.json, writes the joint positions to reached.json."""
+"""The user interface of a headless LinuxCNC: homes, moves to the poses of commands.json, writes the joint positions to reached.json,
+and what the motor of joint 0 is commanded to motor.json."""
 import json
 import sys
 import time
 
+import hal
 import linuxcnc
 
 command, status, errors = linuxcnc.command(), linuxcnc.stat(), linuxcnc.error_channel()
@@ -33,6 +35,9 @@ def settled():
 
 
 work = json.load(open("commands.json"))
+# pins are read by a component
+component = hal.component("drive")
+component.ready()
 time.sleep(0.5)
 command.state(linuxcnc.STATE_ESTOP_RESET)
 until("no reset", lambda: status.task_state >= linuxcnc.STATE_ESTOP_RESET)
@@ -43,11 +48,13 @@ command.home(-1)
 until("not homed", lambda: all(status.homed[: status.joints]))
 command.mode(linuxcnc.MODE_MDI)
 command.wait_complete()
-reached = []
+reached, motor = [], []
 for line in work:
     command.mdi(line)
     if command.wait_complete(20) != 1:
         sys.exit(f"LinuxCNC refused {line}: {errors.poll()}")
     until("still moving", lambda: status.inpos and status.interp_state == linuxcnc.INTERP_IDLE)
     reached.append(settled())
+    motor.append(hal.get_value("joint.0.motor-pos-cmd"))
 json.dump(reached, open("reached.json", "w"))
+json.dump(motor, open("motor.json", "w"))

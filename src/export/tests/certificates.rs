@@ -25,7 +25,15 @@ pub(super) fn summary() -> CampaignSummary {
     let stated = serde_json::json!({
         "name": "--> <x/> spring check", "robot": null, "synthetic": null, "notes": null, "date": "2026-03-02 to 2026-03-04",
         "operator": "A. \u{2}B.", "instrument": "CMM", "expanded_uncertainty_um": 2.7, "coverage_factor": 2.0, "contact": null,
-        "temperature_c": 20.1, "conditions": { "robot": "maker, type, 17" }
+        "temperature_c": 20.1,
+        "conditions": {
+            "robot": "maker, type, 17", "robot_maker": "maker", "robot_type": "type", "robot_serial_number": "17",
+            "robot_received": "2026-03-01", "laboratory": "Laboratory, Street 1", "place": "hall 3", "traceability": "to SI, by PTB"
+        },
+        "issue": {
+            "number": "R-17 <a>", "customer": "Customer, City", "issued": "2026-03-09", "authorised_by": "B. C., head",
+            "amends": "R-16 of 2026-03-08: a temperature", "external_results": "none"
+        }
     });
     serde_json::from_value(stated).unwrap()
 }
@@ -63,6 +71,23 @@ const QIF: &str = "qif-3.0/QIFApplications/QIFDocument_bindings_variant.xsd";
 fn certificates_are_valid_and_a_decimal_comma_is_not() {
     for (format, schema, number) in [("dcc", DCC, "1.0000231"), ("qif", QIF, "1.0000231")] {
         let text = written(format);
+        // what the campaign states about the report is in its place
+        let places: &[&str] = match format {
+            "dcc" => &[
+                "<dcc:value>R-17 &lt;a&gt;</dcc:value>",
+                "<dcc:receiptDate>2026-03-01</dcc:receiptDate>",
+                "<dcc:issueDate>2026-03-09</dcc:issueDate>",
+                "<dcc:performanceLocation>other</dcc:performanceLocation>",
+                "<dcc:model>type</dcc:model>",
+                "<dcc:content>Customer, City</dcc:content>",
+                "<dcc:content>B. C., head</dcc:content>",
+                "<dcc:content>R-16 of 2026-03-08: a temperature</dcc:content>",
+                "<dcc:content>hall 3</dcc:content>",
+                "<dcc:content>country (ZZ), calibration of the instrument</dcc:content>",
+            ],
+            _ => &["<ReportNumber>R-17 &lt;a&gt;</ReportNumber>", "<LocationDescription>hall 3</LocationDescription>"],
+        };
+        assert!(places.iter().all(|place| text.contains(place)), "{text}");
         if let Some(answer) = valid(&text, schema) {
             assert_eq!(answer, "", "{text}");
             assert!(text.contains(number));
@@ -73,6 +98,7 @@ fn certificates_are_valid_and_a_decimal_comma_is_not() {
         let (mut bare, mut summary) = (certified(), summary());
         bare.covariance.clear();
         (summary.operator, summary.instrument, summary.temperature_c) = (None, None, None);
+        (summary.conditions, summary.issue) = Default::default();
         let given = Given { summary: Some(&summary), ..Given::parameters(&bare) };
         let text = String::from_utf8(by_name(format).unwrap().write(&given).unwrap()).unwrap();
         assert!(valid(&text, schema).is_none_or(|answer| answer.is_empty()), "{text}");
