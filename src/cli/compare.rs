@@ -1,12 +1,11 @@
 //! `etalon compare`
 
-use super::report::Dressed;
+use super::report::Reports;
 use super::{Verdict, answer, remark};
-use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
 use crate::compare::{Compared, compare};
 use crate::document::to_json;
-use crate::report::{self, Faces};
+use crate::report::Faces;
 use crate::run::documents::{self, Documents};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -20,11 +19,8 @@ pub struct Compare {
     /// Folders of campaigns, or their output folders, in the order of time
     #[arg(required = true, num_args = 2..)]
     folders: Vec<PathBuf>,
-    /// Write a report, by the ending of its name: .html, .pdf or .xlsx; may be repeated
-    #[arg(long, value_name = "FILE")]
-    report: Vec<PathBuf>,
     #[command(flatten)]
-    dressed: Dressed,
+    reports: Reports,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -33,12 +29,8 @@ pub struct Compare {
 impl Compare {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let mut problems = Problems::default();
-        let mut kinds = Vec::new();
-        for path in &self.report {
-            match kind(path) {
-                Ok(kind) => kinds.push((path, kind)),
-                Err(more) => problems.0.extend(more.0),
-            }
+        if let Err(more) = self.reports.check([]) {
+            problems.0.extend(more.0);
         }
         let (mut all, mut places) = (Vec::new(), BTreeSet::new());
         for folder in &self.folders {
@@ -55,10 +47,8 @@ impl Compare {
         let document = compare(&all)?;
         remark(&document.messages);
         let campaign = all.into_iter().next().map(|first| first.campaign.report).unwrap_or_default();
-        let faces = Faces::comparison(&document, self.dressed.over(campaign)?)?;
-        for (path, kind) in kinds {
-            files::write(path, &faces.file(&kind)?)?;
-        }
+        let faces = Faces::comparison(&document, self.reports.over(campaign)?)?;
+        self.reports.write(&faces)?;
         answer(&faces, self.json.then(|| to_json(&document)).transpose()?)
     }
 }
@@ -66,17 +56,6 @@ impl Compare {
 /// What is compared, of those that a run writes.
 const COMPARED: [&str; 5] =
     ["campaign.json", "parameters.json", "accuracy.json", "iso9283.json", "iso9283-streams.json"];
-
-/// The kind of report that the ending of its file names.
-fn kind(path: &Path) -> Result<String> {
-    let ending = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).unwrap_or_default();
-    if report::kinds().any(|kind| kind == ending) {
-        return Ok(ending);
-    }
-    let kinds: Vec<String> = report::kinds().map(|kind| format!(".{kind}")).collect();
-    let message = Message::error(format!("`{}` does not end like a report", path.display()));
-    Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
-}
 
 /// A campaign's output folder and its documents.
 fn read(named: &Path) -> Result<(PathBuf, Compared)> {

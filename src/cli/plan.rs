@@ -1,6 +1,6 @@
 //! `etalon plan`
 
-use super::report::Dressed;
+use super::report::Reports;
 use super::table_file::TableFile;
 use super::{Verdict, answer, remark};
 use crate::base::files;
@@ -77,11 +77,8 @@ pub struct Plan {
     /// Write the chosen configurations as targets of a controller: `.json` or `.h` (C header)
     #[arg(long, value_name = "FILE")]
     targets: Option<PathBuf>,
-    /// Write a report with pictures
-    #[arg(long, value_name = "FILE.html")]
-    report: Option<PathBuf>,
     #[command(flatten)]
-    dressed: Dressed,
+    reports: Reports,
     /// Simulate a calibration with the chosen poses, of a robot with the [parameters] of this TOML file
     #[arg(long, value_name = "FILE", requires = "standard_uncertainty_um")]
     truth: Option<PathBuf>,
@@ -98,8 +95,9 @@ impl Plan {
         if self.standard_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
             return Err(Problems::from(Message::error("--standard-uncertainty-um must be positive")).into());
         }
-        let written = [&self.poses, &self.targets, &self.report].into_iter().flatten();
+        let written = [&self.poses, &self.targets].into_iter().flatten();
         files::refuse_overwriting(written, self.inputs())?;
+        self.reports.check(self.inputs())?;
         let robot_file = read_robot(&self.robot)?;
         let (robot, Candidates { observations, beyond }) = read(&robot_file, &self.candidates)?;
         let settings = Settings {
@@ -127,10 +125,8 @@ impl Plan {
         if let Some(path) = &self.targets {
             files::write(path, &export::targets(&document, &path.display().to_string())?)?;
         }
-        let faces = Faces::plan(&document, self.dressed.over(Presentation::default())?)?;
-        if let Some(path) = &self.report {
-            files::write(path, &faces.file("html")?)?;
-        }
+        let faces = Faces::plan(&document, self.reports.over(Presentation::default())?)?;
+        self.reports.write(&faces)?;
         if self.json {
             return answer(&faces, Some(to_json(&document)?));
         }

@@ -1,11 +1,13 @@
 //! `etalon recommend`
 
+use super::report::Reports;
 use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
 use crate::campaign::Campaign;
 use crate::document::to_json;
 use crate::report::Faces;
+use crate::run::check::presentation;
 use crate::run::validation::recommend;
 use std::path::PathBuf;
 
@@ -20,6 +22,8 @@ pub struct Recommend {
     /// Write the recommended parameters as a new parameters.json, for `etalon export`
     #[arg(long, value_name = "FILE")]
     write: Option<PathBuf>,
+    #[command(flatten)]
+    reports: Reports,
     /// Print the answer as JSON
     #[arg(long)]
     json: bool,
@@ -31,12 +35,15 @@ impl Recommend {
             let message = Message::error(format!("`{}` is there already: nothing is written over it", path.display()));
             return Err(Problems::from(message.hint("name another file, or remove it")).into());
         }
+        self.reports.check(&self.write)?;
         let campaign = Campaign::read(&self.campaign)?;
         let found = recommend(&campaign)?;
         remark(&found.messages);
         if let Some(path) = &self.write {
             files::write(path, &to_json(&found.recommended)?)?;
         }
-        answer(&Faces::recommendation(&found), self.json.then(|| to_json(&found)).transpose()?)
+        let faces = Faces::recommendation(&found, self.reports.over(presentation(&campaign)?)?)?;
+        self.reports.write(&faces)?;
+        answer(&faces, self.json.then(|| to_json(&found)).transpose()?)
     }
 }

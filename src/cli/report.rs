@@ -57,6 +57,46 @@ impl Dressed {
     }
 }
 
+/// Reports of an answer.
+#[derive(Debug, clap::Args)]
+pub(super) struct Reports {
+    /// Write a report, by the ending of its name: .html, .pdf or .xlsx; may be repeated
+    #[arg(long = "report", value_name = "FILE")]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    dressed: Dressed,
+}
+
+impl Reports {
+    /// The files and their kinds; endings of no kind are refused, and files of `inputs`, before anything is computed.
+    pub fn check<'a>(&'a self, inputs: impl IntoIterator<Item = &'a PathBuf, IntoIter: Clone>) -> Result<()> {
+        let wrong = self.files.iter().filter_map(|path| kind(path).err());
+        Problems(wrong.flat_map(|more| more.0).collect()).check()?;
+        files::refuse_overwriting(&self.files, inputs.into_iter())
+    }
+
+    /// The presentation that they have, for what is not stated here that of `campaign`.
+    pub fn over(&self, campaign: Presentation) -> Result<Presentation> {
+        self.dressed.over(campaign)
+    }
+
+    /// Writes them.
+    pub fn write(&self, faces: &Faces) -> Result<()> {
+        self.files.iter().try_for_each(|path| files::write(path, &faces.file(&kind(path)?)?))
+    }
+}
+
+/// The kind of report that the ending of its file names.
+fn kind(path: &Path) -> Result<String> {
+    let ending = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).unwrap_or_default();
+    if report::kinds().any(|kind| kind == ending) {
+        return Ok(ending);
+    }
+    let kinds: Vec<String> = report::kinds().map(|kind| format!(".{kind}")).collect();
+    let message = Message::error(format!("`{}` does not end like a report", path.display()));
+    Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
+}
+
 impl Report {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let written = match (&self.folder, &self.write_templates) {

@@ -1,9 +1,11 @@
 //! `etalon validate`
 
+use super::report::Reports;
 use super::{Verdict, answer, remark};
 use crate::campaign::Campaign;
 use crate::document::{GivenFrames, to_json};
 use crate::report::Faces;
+use crate::run::check::presentation;
 use crate::run::documents::read_parameters;
 use crate::run::validation::validate;
 use crate::stages::validation::Validated;
@@ -12,7 +14,7 @@ use std::path::PathBuf;
 /// Judge given parameters on the data of a campaign
 ///
 /// Parameters that were identified with one instrument are compared with what another has measured, or those of last year with
-/// measurements of today. Nothing of the robot is identified, and nothing is written; limits of the campaign are judged.
+/// measurements of today. Nothing of the robot is identified, and nothing but reports is written; limits of the campaign are judged.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Exit code 1 where a limit of the campaign is not met.")]
 pub struct Validate {
@@ -24,6 +26,8 @@ pub struct Validate {
     /// Where base and targets come from
     #[arg(long, value_enum, default_value_t = GivenFrames::Refit)]
     frames: GivenFrames,
+    #[command(flatten)]
+    reports: Reports,
     /// Print accuracy.json
     #[arg(long)]
     json: bool,
@@ -32,9 +36,12 @@ pub struct Validate {
 impl Validate {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let campaign = Campaign::read(&self.campaign)?;
+        self.reports.check(&self.parameters)?;
         let document = self.parameters.as_deref().map(read_parameters).transpose()?;
         let Validated { accuracy, messages } = validate(&campaign, document.as_ref(), self.frames)?;
         remark(&messages);
-        answer(&Faces::validation(&accuracy), self.json.then(|| to_json(&accuracy)).transpose()?)
+        let faces = Faces::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;
+        self.reports.write(&faces)?;
+        answer(&faces, self.json.then(|| to_json(&accuracy)).transpose()?)
     }
 }

@@ -1,13 +1,14 @@
 //! `etalon verify`
 
 use super::identify::unread;
+use super::report::Reports;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
 use crate::campaign::read_robot;
-use crate::document::to_json;
+use crate::document::{Presentation, to_json};
 use crate::math::identify::Observation;
 use crate::report::Faces;
 use crate::run::documents::read_parameters;
@@ -42,6 +43,8 @@ pub struct Verify {
     standard_uncertainty_um: Option<f64>,
     #[command(flatten)]
     format: TableFormat,
+    #[command(flatten)]
+    reports: Reports,
     /// Print the answer as JSON
     #[arg(long)]
     json: bool,
@@ -52,6 +55,7 @@ impl Verify {
         if let Some(message) = super::identify::implausible("--standard-uncertainty-um", self.standard_uncertainty_um) {
             return Err(Problems::from(message).into());
         }
+        self.reports.check([&self.robot, &self.parameters, &self.observations])?;
         let robot_file = read_robot(&self.robot)?;
         let document = read_parameters(&self.parameters)?;
         let observed = self.format.read(&self.observations)?;
@@ -69,7 +73,9 @@ impl Verify {
         if !self.json {
             remark(&found.messages);
         }
-        answer(&Faces::verification(&found), self.json.then(|| to_json(&found)).transpose()?)
+        let faces = Faces::verification(&found, self.reports.over(Presentation::default())?)?;
+        self.reports.write(&faces)?;
+        answer(&faces, self.json.then(|| to_json(&found)).transpose()?)
     }
 }
 

@@ -185,7 +185,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
     worst.truncate(WORST);
     let robots: BTreeSet<_> = campaigns.iter().filter_map(|c| c.robot.as_ref()).collect();
     let figure = |row: &Row, quantity: usize| Figure {
-        shown: row.figures[quantity].map_or_else(String::new, |(value, _)| significant(value, 5)),
+        shown: row.figures[quantity].map_or_else(String::new, |(value, _)| words.number(&significant(value, 5))),
         outlier: row.is_outlier(quantity),
     };
     let plain = |row: &&'a Row| Plain {

@@ -135,6 +135,11 @@ fn of_model(document: &ParametersDocument, words: &Words) -> String {
     words.fill("Calibration report of a robot of model {0}", &[&isolated(&one_line(&document.robot))])
 }
 
+/// What an answer is about.
+fn named(robot: &str, words: &Words) -> String {
+    words.fill("Robot of model {0}", &[&isolated(&one_line(robot))])
+}
+
 /// A document that goes with a PDF.
 #[derive(Debug, Serialize)]
 struct Attachment {
@@ -193,11 +198,15 @@ pub struct Faces {
 }
 
 impl Faces {
+    fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
+        Self { contents: contents.in_language(&words), attachments, presentation, words }
+    }
+
     /// The report of a campaign.
     pub fn campaign(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
         let words = Words::of(presentation.language)?;
-        Ok(Self { contents: report.contents(&words), attachments: report.attachments()?, presentation, words })
+        Ok(Self::new(report.contents(&words), report.attachments()?, presentation, words))
     }
 
     /// The report of a comparison of campaigns.
@@ -219,7 +228,7 @@ impl Faces {
             ..Contents::default()
         };
         let attachments = vec![Attachment::of("compare.json", "data", "What changed between campaigns", document)?];
-        Ok(Self { contents, attachments, presentation, words })
+        Ok(Self::new(contents, attachments, presentation, words))
     }
 
     /// The report of a plan.
@@ -236,7 +245,7 @@ impl Faces {
             ..Contents::default()
         };
         let attachments = vec![Attachment::of("plan.json", "data", "The chosen poses", document)?];
-        Ok(Self { contents, attachments, presentation, words })
+        Ok(Self::new(contents, attachments, presentation, words))
     }
 
     /// Characteristics of ISO 9283 without a campaign.
@@ -248,29 +257,51 @@ impl Faces {
     }
 
     /// Given parameters judged on the data of a campaign.
-    pub fn validation(accuracy: &AccuracyDocument) -> Self {
-        let words = Words::default();
-        let verdict = sections::verdict::of_validation(accuracy, &words);
-        let limits: Vec<_> = accuracy.limits.iter().collect();
+    pub fn validation(document: &AccuracyDocument, presentation: Presentation) -> Result<Self> {
+        let words = Words::of(presentation.language)?;
+        let verdict = sections::verdict::of_validation(document, &words);
+        let limits: Vec<_> = document.limits.iter().collect();
         let limits = sections::limits::of(&limits, false, &words);
-        let sections = limits.into_iter().chain([sections::errors::of(accuracy, &[], &words)]).collect();
-        Self::without_campaign(words.say("Validation of given parameters"), verdict, sections, words)
+        let sections = limits.into_iter().chain([sections::errors::of(document, &[], &words)]).collect();
+        let title = words.say("Validation of given parameters");
+        let attached = Attachment::of("accuracy.json", "data", "Errors of given parameters", document)?;
+        Ok(Self::answer(Contents { title, verdict, sections, ..Contents::default() }, attached, presentation, words))
     }
 
     /// Whether given parameters still hold.
-    pub fn verification(document: &VerificationDocument) -> Self {
+    pub fn verification(document: &VerificationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{still_valid, verification};
-        let words = Words::default();
-        let title = words.say("Verification of identified parameters");
-        Self::without_campaign(title, still_valid(document), verification(document, &words), words)
+        let words = Words::of(presentation.language)?;
+        let contents = Contents {
+            title: words.say("Verification of identified parameters"),
+            subtitle: named(&document.robot, &words),
+            verdict: still_valid(document, &words),
+            sections: verification(document, &words),
+            ..Contents::default()
+        };
+        let attached = Attachment::of("verification.json", "data", "Verification", document)?;
+        Ok(Self::answer(contents, attached, presentation, words))
     }
 
     /// Which parameters deserve to be loaded.
-    pub fn recommendation(document: &RecommendationDocument) -> Self {
+    pub fn recommendation(document: &RecommendationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{recommendation, recommended};
-        let words = Words::default();
-        let title = words.say("Recommendation of parameters to load");
-        Self::without_campaign(title, recommended(document), recommendation(document, &words), words)
+        let words = Words::of(presentation.language)?;
+        let contents = Contents {
+            title: words.say("Recommendation of parameters to load"),
+            subtitle: named(&document.robot, &words),
+            verdict: recommended(document, &words),
+            sections: recommendation(document, &words),
+            ..Contents::default()
+        };
+        let attached = Attachment::of("recommendation.json", "data", "Recommendation", document)?;
+        Ok(Self::answer(contents, attached, presentation, words))
+    }
+
+    /// An answer of a command that somebody may keep.
+    fn answer(contents: Contents, attached: Attachment, presentation: Presentation, words: Words) -> Self {
+        let version = env!("CARGO_PKG_VERSION").to_owned();
+        Self::new(Contents { version, ..contents }, vec![attached], presentation, words)
     }
 
     /// The certificate of a campaign: one page of its report, for the customer.
@@ -278,7 +309,7 @@ impl Faces {
         let presentation = report.campaign.report.clone();
         let words = Words::of(presentation.language)?;
         let contents = sections::certificate::contents(report, report.contents(&words), &words);
-        Ok(Self { contents, attachments: report.attachments()?, presentation, words })
+        Ok(Self::new(contents, report.attachments()?, presentation, words))
     }
 
     /// An identification without a campaign.

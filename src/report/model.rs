@@ -7,6 +7,7 @@ use super::words::Words;
 use crate::base::message::one_line;
 use crate::base::pose_name::PoseName;
 use serde::{Serialize, Serializer};
+use std::mem::take;
 
 /// Rows of a table that a page shows; the workbook and the documents have all.
 pub(super) const ROWS: usize = 500;
@@ -35,6 +36,24 @@ pub(crate) struct Contents {
     /// whether the terminal leaves out what a page folds
     #[serde(skip)]
     pub brief: bool,
+}
+
+impl Contents {
+    /// The same with the decimal mark of a language: in cells, headlines and pictures; sentences have theirs.
+    pub fn in_language(mut self, words: &Words) -> Self {
+        if words.number("0.1") == "0.1" {
+            return self;
+        }
+        for headline in &mut self.verdict.headlines {
+            (headline.before, headline.after) = (words.number(&headline.before), words.number(&headline.after));
+        }
+        for section in &mut self.sections {
+            section.blocks.iter_mut().for_each(|block| block.numbers(words));
+            let cells = section.data.iter_mut().flat_map(|table| table.rows.iter_mut().flatten());
+            cells.chain(section.summary.iter_mut().map(|fact| &mut fact.said)).for_each(|cell| cell.numbers(words));
+        }
+        self
+    }
 }
 
 /// The first box: is everything met, and how much better is the robot.
@@ -162,14 +181,19 @@ impl Text {
         Self::of(text.to_owned(), Mark::English)
     }
 
+    /// A text of a document in the language of the report; one without translation is marked as English.
+    pub fn document(text: &str, words: &Words) -> Self {
+        words.of_document(text).map_or_else(|| Self::english(text), Self::from)
+    }
+
     /// A line of a file, or a checksum.
     pub fn code(text: &str) -> Self {
         Self::of(one_line(text), Mark::Code)
     }
 
     /// Sentences without full stop as one sentence.
-    pub fn conventions(all: &[String]) -> Self {
-        let joined = all.iter().map(|c| Self::english(c)).reduce(|a, b| a.and("; ").and(b));
+    pub fn conventions(all: &[String], words: &Words) -> Self {
+        let joined = all.iter().map(|c| Self::document(c, words)).reduce(|a, b| a.and("; ").and(b));
         joined.map_or_else(Self::default, |text| text.and("."))
     }
 
@@ -239,6 +263,17 @@ pub(crate) enum Cell {
 impl Cell {
     pub fn is_missing(&self) -> bool {
         *self == Self::Missing
+    }
+
+    /// With the decimal mark of a language.
+    fn numbers(&mut self, words: &Words) {
+        match self {
+            Self::Number { value, shown } => {
+                *shown = words.number(&if shown.is_empty() { number::significant(*value, 6) } else { take(shown) });
+            }
+            Self::Numbers(shown) => *shown = words.number(shown),
+            _ => {}
+        }
     }
 
     fn is_number(&self) -> bool {
@@ -593,6 +628,15 @@ impl Table {
     }
 }
 
+/// A picture with the decimal mark of a language in its texts.
+fn svg_numbers(svg: &str, words: &Words) -> String {
+    let piece = |piece: &str| match piece.split_once('<') {
+        Some((text, tag)) if text.contains('.') => format!("{}<{tag}", words.value(text.to_owned())),
+        _ => piece.to_owned(),
+    };
+    svg.split('>').map(piece).collect::<Vec<_>>().join(">")
+}
+
 /// SHA-256 in hexadecimal: it is copied, never broken.
 pub(super) fn is_checksum(word: &str) -> bool {
     word.len() == 64 && word.bytes().all(|b| b.is_ascii_hexdigit())
@@ -645,6 +689,22 @@ impl Block {
     pub fn facts(rows: Vec<(String, Cell)>) -> Self {
         let fact = |(what, said): (String, Cell)| Fact { what, said, unit: "" };
         Self::Facts { rows: rows.into_iter().filter(|(_, said)| !said.is_missing()).map(fact).collect() }
+    }
+
+    /// With the decimal mark of a language.
+    fn numbers(&mut self, words: &Words) {
+        match self {
+            Self::Facts { rows } => rows.iter_mut().for_each(|fact| fact.said.numbers(words)),
+            Self::Table(table) => table.rows.iter_mut().flatten().for_each(|cell| cell.numbers(words)),
+            Self::Aside { blocks, .. } => blocks.iter_mut().for_each(|block| block.numbers(words)),
+            Self::Figures { figures } => {
+                for figure in figures {
+                    figure.rows.iter_mut().flatten().for_each(|value| *value = words.value(take(value)));
+                    figure.svg = svg_numbers(&figure.svg, words);
+                }
+            }
+            Self::Heading { .. } | Self::Text { .. } | Self::Notice { .. } => {}
+        }
     }
 
     /// Whether it shows nothing.

@@ -74,54 +74,119 @@ const OF_DOCUMENTS: [&str; 50] = [
     "largest position error, validation",
 ];
 
-/// One language.
+/// One language: the texts of reports, and sentences of documents with places for what differs.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Words(BTreeMap<String, String>);
+pub(crate) struct Words {
+    texts: BTreeMap<String, String>,
+    sentences: BTreeMap<String, String>,
+}
 
 impl Words {
     /// The table of a language; of English, which is its own key, none.
     pub fn of(language: Language) -> Result<Self> {
-        let text = match language {
+        let (texts, sentences) = match language {
             Language::En => return Ok(Self::default()),
-            Language::Fr => include_str!("words/fr.toml"),
-            Language::De => include_str!("words/de.toml"),
+            Language::Fr => (include_str!("words/fr.toml"), include_str!("words/documents.fr.toml")),
+            Language::De => (include_str!("words/de.toml"), include_str!("words/documents.de.toml")),
         };
-        let table = toml::from_str(text)
-            .map_err(|e| Message::error(format!("the table of words `{}` does not read: {e}", language.code())))?;
-        Ok(Self(table))
+        let table = |text| {
+            toml::from_str(text)
+                .map_err(|e| Message::error(format!("the table of words `{}` does not read: {e}", language.code())))
+        };
+        Ok(Self { texts: table(texts)?, sentences: table(sentences)? })
+    }
+
+    /// A sentence of a document in this language; `None` where it has no translation.
+    pub fn of_document(&self, sentence: &str) -> Option<String> {
+        self.sentences.iter().find_map(|(pattern, translation)| {
+            let values = values(pattern, sentence)?;
+            let values: Vec<&dyn Display> = values.iter().map(|v| v as &dyn Display).collect();
+            Some(self.filled(translation, &values))
+        })
+    }
+
+    /// The numbers of a text with the decimal mark of the language; what has letters or several points is no number.
+    pub fn number(&self, text: &str) -> String {
+        let Some(mark) = self.texts.get(".") else { return text.to_owned() };
+        let is_part = |c: char| c.is_ascii_digit() || c == '.';
+        let mut out = String::with_capacity(text.len());
+        let mut rest = text;
+        while let Some(from) = rest.find(|c: char| c.is_ascii_digit()) {
+            let length = rest[from..].find(|c| !is_part(c)).unwrap_or(rest.len() - from);
+            // a point at the end is that of the sentence
+            let number = rest[from..from + length].trim_end_matches('.');
+            let (before, behind) = (&rest[..from], &rest[from + number.len()..]);
+            let letter = |c: char| c.is_alphabetic() || c == '_';
+            let named = |c: char| letter(c) || matches!(c, '.' | '/' | ':');
+            let exponent = behind.strip_prefix('e').is_some_and(|e| e.starts_with(|c: char| c == '-' || c.is_ascii_digit()));
+            let apart = !before.ends_with(named) && (exponent || !behind.starts_with(letter));
+            out.push_str(before);
+            match number.split_once('.').filter(|(_, decimals)| apart && !decimals.contains('.')) {
+                Some((whole, decimals)) => out.extend([whole, mark, decimals]),
+                None => out.push_str(number),
+            }
+            rest = behind;
+        }
+        out + rest
+    }
+
+    /// The same of a text that is a value: it begins with a number.
+    pub fn value(&self, text: String) -> String {
+        let number = text.trim_start_matches(['+', '-', '−', '±', '<', '>', '(', ' ']).starts_with(|c: char| c.is_ascii_digit());
+        if number || text.starts_with("p ") { self.number(&text) } else { text }
     }
 
     /// A text; one without translation stays English.
     pub fn say(&self, text: &str) -> String {
-        self.0.get(text).map_or_else(|| text.to_owned(), Clone::clone)
+        self.texts.get(text).map_or_else(|| text.to_owned(), Clone::clone)
     }
 
     /// The texts that read otherwise in this language.
     #[cfg(test)]
     pub fn differing(&self) -> impl Iterator<Item = &String> {
-        self.0.iter().filter(|(text, translation)| text != translation).map(|(text, _)| text)
+        self.texts.iter().filter(|(text, translation)| text != translation).map(|(text, _)| text)
     }
 
     /// Whether there is a translation, be it the text itself.
     #[cfg(test)]
     pub fn translates(&self, text: &str) -> bool {
-        self.0.contains_key(text)
+        self.texts.contains_key(text)
     }
 
     /// A text with values in the places `{0}`, `{1}` ...
     pub fn fill(&self, text: &str, values: &[&dyn Display]) -> String {
-        let text = self.say(text);
+        self.filled(&self.say(text), values)
+    }
+
+    fn filled(&self, text: &str, values: &[&dyn Display]) -> String {
         let mut pieces = text.split('{');
         let mut filled = pieces.next().unwrap_or_default().to_owned();
         for piece in pieces {
             let place = piece.split_once('}').and_then(|(i, rest)| Some((values.get(i.parse::<usize>().ok()?)?, rest)));
             match place {
-                Some((value, rest)) => filled.push_str(&format!("{value}{rest}")),
+                Some((value, rest)) => filled.extend([&self.value(value.to_string()), rest]),
                 None => filled.push_str(&format!("{{{piece}")),
             }
         }
         filled
     }
+}
+
+/// What a sentence has in the places `{0}`, `{1}` ... of a pattern.
+fn values<'a>(pattern: &str, sentence: &'a str) -> Option<Vec<&'a str>> {
+    let mut pieces = pattern.split('{');
+    let mut rest = sentence.strip_prefix(pieces.next()?)?;
+    let mut values = Vec::new();
+    let mut pieces = pieces.map(|piece| piece.split_once('}').map_or(piece, |(_, text)| text)).peekable();
+    while let Some(piece) = pieces.next() {
+        let end = match pieces.peek() {
+            Some(_) => rest.find(piece)?,
+            None => rest.len() - rest.strip_suffix(piece).map(|_| piece.len())?,
+        };
+        values.push(&rest[..end]);
+        rest = &rest[end + piece.len()..];
+    }
+    rest.is_empty().then_some(values)
 }
 
 #[cfg(test)]
@@ -178,7 +243,7 @@ mod tests {
 
     #[test]
     fn every_text_has_its_translation_and_every_translation_its_text() {
-        let mut found: BTreeSet<String> = OF_DOCUMENTS.map(str::to_owned).into();
+        let mut found: BTreeSet<String> = OF_DOCUMENTS.into_iter().chain(["."]).map(str::to_owned).collect();
         for room in ["src/report", "src/math/robots"] {
             all_asked(&Path::new(env!("CARGO_MANIFEST_DIR")).join(room), &mut found);
         }
@@ -187,8 +252,8 @@ mod tests {
         let is_worded = |text: &&String| text.split(|c: char| !c.is_lowercase()).any(|word| word.len() > 2);
         for language in [Language::Fr, Language::De] {
             let words = Words::of(language).unwrap();
-            let missing: Vec<_> = found.iter().filter(is_worded).filter(|text| !words.0.contains_key(*text)).collect();
-            let unused: Vec<_> = words.0.keys().filter(|text| !found.contains(*text)).collect();
+            let missing: Vec<_> = found.iter().filter(is_worded).filter(|text| !words.texts.contains_key(*text)).collect();
+            let unused: Vec<_> = words.texts.keys().filter(|text| !found.contains(*text)).collect();
             assert!(missing.is_empty() && unused.is_empty(), "{language:?}: missing {missing:#?}, unused {unused:#?}");
         }
     }
@@ -199,7 +264,8 @@ mod tests {
             text.split('{').skip(1).map(|piece| piece.split('}').next().unwrap().to_owned()).collect()
         };
         for language in [Language::Fr, Language::De] {
-            for (text, translation) in Words::of(language).unwrap().0 {
+            let words = Words::of(language).unwrap();
+            for (text, translation) in words.texts.into_iter().chain(words.sentences) {
                 assert_eq!(places(&text), places(&translation), "{language:?}: {text}");
                 assert!(!translation.trim().is_empty() && translation.trim() == translation, "{text}");
             }
@@ -211,5 +277,31 @@ mod tests {
         let words = Words::default();
         assert_eq!(words.fill("{1} of {0}, {x} {7", &[&"{1}", &2]), "2 of {1}, {x} {7");
         assert_eq!(Words::of(Language::De).unwrap().say("no such text"), "no such text");
+    }
+
+    #[test]
+    fn numbers_have_the_decimal_mark_of_the_language_and_names_keep_their_point() {
+        let german = Words::of(Language::De).unwrap();
+        for (text, shown) in [
+            ("0.39 ± 0.03", "0,39 ± 0,03"),
+            ("-1.5e-12 mm", "-1,5e-12 mm"),
+            ("7.2.1", "7.2.1"),
+            ("cal_1.5.csv, plan2.toml, v1.2", "cal_1.5.csv, plan2.toml, v1.2"),
+            ("p < 0.001.", "p < 0,001."),
+        ] {
+            assert_eq!(german.number(text), shown);
+            assert_eq!(Words::default().number(text), text);
+        }
+        assert_eq!(german.fill("{0}: {1}", &[&"ball 1.5", &"0.25 mm"]), "ball 1.5: 0,25 mm");
+    }
+
+    #[test]
+    fn sentences_of_documents_are_found_by_their_pattern() {
+        assert_eq!(values("{0} of {1}: `{2}`", "1 of 3: `a`"), Some(vec!["1", "3", "a"]));
+        assert_eq!(values("{0} of {1}", "1 in 3"), None);
+        assert_eq!(values("plain", "plain"), Some(vec![]));
+        assert_eq!(values("plain", "plain text"), None);
+        let said = Words::of(Language::De).unwrap().of_document("RP of 0.25");
+        assert_eq!(said, None);
     }
 }

@@ -160,7 +160,7 @@ fn find(campaign: &Campaign) -> Found {
 }
 
 /// Language, logo and templates of the report, read and checked.
-fn presentation(campaign: &Campaign) -> Result<Presentation> {
+pub fn presentation(campaign: &Campaign) -> Result<Presentation> {
     let stated = &campaign.file.report;
     let mut presentation = Presentation { language: stated.language, ..Presentation::default() };
     if let Some(file) = &stated.logo {

@@ -31,6 +31,52 @@ pub(super) fn tool(program: &str, arguments: &[&str], file: &Path) -> Option<Str
     }
 }
 
+/// Texts of a page between its tags, and what only some of them are marked as: English.
+fn texts(page: &str) -> (Vec<String>, Vec<String>) {
+    let body = page.split_once("<body").unwrap().1.split_once("<script>").unwrap().0;
+    let (mut own, mut english) = (Vec::new(), Vec::new());
+    for piece in body.split('<').filter_map(|piece| piece.split_once('>')) {
+        match piece.0 {
+            "bdi lang=\"en\"" => english.push(piece.1.to_owned()),
+            tag if tag == "code" || tag.starts_with("style") => {}
+            _ => own.extend(piece.1.lines().map(str::to_owned)),
+        }
+    }
+    (own, english)
+}
+
+/// Whether a text has a number with a decimal point: neither a clause nor a name nor a version.
+fn has_point(text: &str) -> bool {
+    let cited = ["ISO", "JCGM", "etalon", ".csv", ".txt", ".toml", "7.4, 7.5"].iter().any(|part| text.contains(part));
+    let words = || text.split(|c: char| c.is_whitespace() || matches!(c, '(' | ')' | ';' | ':' | ','));
+    let decimal = |word: &str| {
+        let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+        word.trim_start_matches(['-', '+']).split_once('.').is_some_and(|(a, b)| digits(a) && digits(b))
+    };
+    !cited && words().any(decimal)
+}
+
+#[test]
+fn a_report_has_the_decimal_comma_and_every_sentence_of_the_program_in_its_language() {
+    for sample in ["pose-test", "prexyt-repeatability", "prexyt-geometric"] {
+        let scratch = ran(sample);
+        for language in ["de", "fr"] {
+            let output = etalon(scratch.root(), &["report", "campaign/out", "--language", language]);
+            assert!(output.status.success(), "{}", text_of(&output));
+            let page = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+            let (own, english) = texts(&page);
+            // how a file is read is stated in the words of campaign.toml
+            let sentences: Vec<_> = english.iter().filter(|t| *t != "TOML" && !t.starts_with("{ ")).collect();
+            assert!(sentences.is_empty(), "{sample}, {language}: not translated: {sentences:#?}");
+            // what the campaign itself names
+            let named = |text: &&String| !text.contains("(table 2.");
+            let points: Vec<_> = own.iter().filter(|t| has_point(t)).filter(named).collect();
+            assert!(points.is_empty(), "{sample}, {language}: {points:#?}");
+            assert!(own.iter().any(|t| t.contains("0,")));
+        }
+    }
+}
+
 fn document(scratch: &Scratch, name: &str) -> Value {
     serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(name)).unwrap()).unwrap()
 }

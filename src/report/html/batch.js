@@ -16,6 +16,8 @@
     if (parent) parent.appendChild(made);
     return made;
   }
+  var mark = document.documentElement.lang === "en" ? "." : ",";
+  function said(value) { return value === null || value === undefined ? value : String(value).replace(".", mark); }
   function cell(row, column) {
     var last = heads.length - 1;
     if (column < 0) return row[BADNESS];
@@ -39,7 +41,7 @@
       element("td", line, row[DATE]);
       element("td", line, row[ENDED]);
       row[VALUES].forEach(function (value, k) {
-        element("td", line, value, { class: "num" + (row[OUTLIERS].indexOf(k) < 0 ? "" : " outlier") });
+        element("td", line, said(value), { class: "num" + (row[OUTLIERS].indexOf(k) < 0 ? "" : " outlier") });
       });
       element("td", line, row[MESSAGE], { class: "long" });
     });
@@ -76,7 +78,7 @@
     var svg = element("svg:svg", trend, null, { viewBox: "0 0 " + W + " " + H, role: "img", "aria-label": label });
     ticks(ys[0], ys[1]).forEach(function (v) {
       element("svg:path", svg, null, { class: "grid", d: "M" + left + " " + py(v) + "H" + (W - 20) });
-      element("svg:text", svg, v, { x: left - 6, y: py(v) + 4, class: "end" });
+      element("svg:text", svg, said(v), { x: left - 6, y: py(v) + 4, class: "end" });
     });
     ticks(xs[0], xs[1]).forEach(function (v) {
       var text = dated ? new Date(v * DAY).toISOString().slice(0, 10) : v;
@@ -88,7 +90,7 @@
       var unlike = row[OUTLIERS].indexOf(k) >= 0, colour = COLOURS[robots.indexOf(row[ROBOT] || "") % COLOURS.length];
       var mark = element("svg:circle", svg, null, { cx: px(x(row)).toFixed(1), cy: py(y(row)).toFixed(1), r: unlike ? 5 : 3, fill: colour });
       if (unlike) mark.setAttribute("class", "unlike");
-      element("svg:title", mark, [row[CAMPAIGN], row[ROBOT], row[DATE], row[VALUES][k]].filter(Boolean).join(", "));
+      element("svg:title", mark, [row[CAMPAIGN], row[ROBOT], row[DATE], said(row[VALUES][k])].filter(Boolean).join(", "));
     });
     var legend = element("figcaption", trend);
     robots.slice(0, COLOURS.length).forEach(function (robot, i) {

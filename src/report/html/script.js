@@ -100,9 +100,11 @@
     var head = table.tHead.rows[table.tHead.rows.length - 1];
     return [head].concat(Array.from(table.tBodies[0].rows).filter(function (row) { return !row.hidden; })).map(cells);
   }
+  var comma = document.documentElement.lang !== "en";
+  function plain(text) { return comma && /^[-+−<> ]*\d+,\d+(e[-+]?\d+)?$/.test(text) ? text.replace(",", ".") : text; }
   function quoted(text) { return /[",\n]/.test(text) ? '"' + text.replace(/"/g, '""') + '"' : text; }
   function compare(a, b) {
-    var x = parseFloat(a), y = parseFloat(b), none = !a - !b;
+    var x = parseFloat(plain(a)), y = parseFloat(plain(b)), none = !a - !b;
     return none || (x !== x || y !== y ? a.localeCompare(b, undefined, { numeric: true }) : x - y);
   }
   document.querySelectorAll(".scroll > table").forEach(function (table, number) {
@@ -131,7 +133,7 @@
       copy(shown(table).map(function (row) { return row.join("\t"); }).join("\n"));
     });
     button(tools, words[2], function () {
-      save(name, "text/csv", shown(table).map(function (row) { return row.map(quoted).join(","); }).join("\r\n"));
+      save(name, "text/csv", shown(table).map(function (row) { return row.map(plain).map(quoted).join(","); }).join("\r\n"));
     });
   });
 

@@ -85,7 +85,7 @@ fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> ser
 /// The words of the layout itself, and their language.
 fn labels(presentation: &Presentation, words: &Words) -> Value {
     let note = words.say(
-        "Numbers have a decimal point; texts of the campaign and messages of the program are in their own language.",
+        "Texts of the campaign are in their own language.",
     );
     let lang = presentation.language.code();
     json!({

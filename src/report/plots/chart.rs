@@ -91,7 +91,8 @@ impl Chart {
                 svg.line("axis", (x, up.at(mark.at.1)), (x, up.at(end)));
                 svg.line("axis", (x - 5.0, up.at(end)), (x + 5.0, up.at(end)));
             }
-            let tip = format!("{}: {} {}", mark.name, number::significant(mark.at.1, 4), self.up);
+            let value = words.number(&number::significant(mark.at.1, 4));
+            let tip = format!("{}: {value} {}", mark.name, self.up);
             svg.mark(Shape::Diamond, "val", (x, up.at(mark.at.1)), 5.5, "", &tip);
             svg.text("over", (x + 8.0, up.at(mark.at.1) - 6.0), &mark.name);
         }

@@ -57,7 +57,7 @@ pub(in crate::report) fn map(plan: &PlanDocument, words: &Words) -> Option<Figur
         title,
         svg: svg.finish(),
         caption: words.fill(
-            "{0} of {1} candidates are chosen (thesis, figure 4.7); the larger a mark, the more configurations reach it.",
+            "{0} of {1} candidates are chosen; the larger a mark, the more configurations reach it.",
             &[&plan.chosen.len(), &plan.candidates],
         ),
         ..Figure::default()

@@ -76,7 +76,7 @@ pub(in crate::report) fn curve(plan: &PlanDocument, words: &Words) -> Option<Fig
         title,
         svg: svg.finish(),
         caption: words.say(
-            "One after the other, the best position with all its configurations (thesis, section 4.5, figure 4.6).",
+            "One after the other, the best position with all its configurations.",
         ) + " "
             + &words.say("The knee is where the index lies farthest above the line from its first to its last value."),
         table_title: words.say("Numbers of the curve"),

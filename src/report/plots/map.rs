@@ -141,8 +141,8 @@ fn chosen<'a>(
 }
 
 /// The workspace from a direction, within a sphere, so that it can be turned.
-struct Space {
-    middle: Vector,
+pub(super) struct Space {
+    pub middle: Vector,
     half: Vector,
     paper: Paper,
 }
@@ -150,7 +150,7 @@ struct Space {
 impl Space {
     const VIEW: View = ASLANT;
 
-    fn around(places: &[Vector]) -> Self {
+    pub fn around(places: &[Vector]) -> Self {
         let ends = [0, 1, 2].map(|i| range(places.iter().map(|p| p[i])).unwrap_or((0.0, 0.0)));
         let (middle, half) = (ends.map(|(a, b)| 0.5 * (a + b)), ends.map(|(a, b)| (0.5 * (b - a)).max(0.5)));
         let radius = half.iter().map(|v| v * v).sum::<f64>().sqrt();
@@ -159,12 +159,12 @@ impl Space {
         Self { middle, half, paper }
     }
 
-    fn at(&self, from_middle: Vector) -> Place {
+    pub fn at(&self, from_middle: Vector) -> Place {
         self.paper.at(Self::VIEW.flat(from_middle))
     }
 
     /// The box around all places, its axes with their ends in mm.
-    fn draw(&self, svg: &mut Svg) {
+    pub fn draw(&self, svg: &mut Svg) {
         svg.turns(Self::VIEW.azimuth_rad, Self::VIEW.elevation_rad, self.paper.scale);
         let corner = |signs: [f64; 3]| [0, 1, 2].map(|i| signs[i] * self.half[i]);
         for axis in 0..3 {

@@ -7,6 +7,7 @@ pub(super) mod by_pose;
 pub(super) mod chart;
 pub(super) mod chosen;
 pub(super) mod correlation;
+pub(super) mod cube;
 pub(super) mod curve;
 pub(super) mod histogram;
 pub(super) mod intervals;

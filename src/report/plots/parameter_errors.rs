@@ -61,7 +61,7 @@ fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Figure> {
         title,
         svg: svg.finish(),
         caption: words
-            .fill("Mean of {0} identifications (thesis, figure 4.8); values are in the table above.", &[&study.runs]),
+            .fill("Mean of {0} identifications; values are in the table above.", &[&study.runs]),
         ..Figure::default()
     })
 }

@@ -80,6 +80,22 @@ impl Plane {
         (self.across.at(p_mm[self.axes.0]), self.up.at(p_mm[self.axes.1]))
     }
 
+    /// Whether a place is inside the map.
+    pub fn contains(&self, p_mm: Vector) -> bool {
+        let inside = |axis: &Axis, v: f64| (axis.low()..=axis.high()).contains(&v);
+        inside(&self.across, p_mm[self.axes.0]) && inside(&self.up, p_mm[self.axes.1])
+    }
+
+    /// The last part of the way from the middle of the map to its edge, in the direction of a place outside.
+    pub fn towards(&self, p_mm: Vector) -> (Place, Place) {
+        let (x, y) = self.at(p_mm);
+        let (cx, cy) = ((LEFT + WIDTH - RIGHT) / 2.0, (TOP + self.bottom) / 2.0);
+        let (dx, dy) = (x - cx, y - cy);
+        let out = ((cx - LEFT) / dx.abs().max(1e-9)).min((cy - TOP) / dy.abs().max(1e-9));
+        let at = |share: f64| (cx + share * out * dx, cy + share * out * dy);
+        (at(0.84), at(0.97))
+    }
+
     /// Draws grid, ticks and names of the axes.
     pub fn draw(&self, svg: &mut Svg, words: &Words) {
         let right = WIDTH - RIGHT;

@@ -136,7 +136,7 @@ pub(in crate::report) fn tooltip(p: &PointError, words: &Words) -> String {
         (Some(before), Some(after)) => format!("; {before} → {after} deg"),
         _ => String::new(),
     };
-    format!("{text} (x {x}, y {y}, z {z} {}){turned}", shown.unit)
+    text + &words.number(&format!(" (x {x}, y {y}, z {z} {}){turned}", shown.unit))
 }
 
 #[cfg(test)]

@@ -145,6 +145,12 @@ impl Svg {
         }
     }
 
+    /// An upright cross.
+    pub fn cross(&mut self, class: &str, (x, y): Place, half: f64) {
+        self.line(class, (x - half, y), (x + half, y));
+        self.line(class, (x, y - half), (x, y + half));
+    }
+
     /// An arrow from `a` to `b`, its head shorter than the arrow.
     pub fn arrow(&mut self, class: &str, a: Place, b: Place) {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);

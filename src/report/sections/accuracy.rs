@@ -1,4 +1,4 @@
-//! What commanded poses add: accuracy of position and orientation, distances, exchangeability.
+//! What commanded poses add: accuracy of position and orientation, distances; and the exchangeability of robots.
 
 use super::repeatability::{angles, conformity, interval};
 use crate::document::{Characteristics, Iso9283Distance, Iso9283Document, Iso9283Pose};
@@ -17,14 +17,24 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.table(words.say("Accuracy of position"), note, positions(document, words));
     let note = words.say("AP: mean minus commanded angle; RP: three standard deviations; each angle alone (ISO 9283:1998, 7.2.1 and 7.2.2).");
     section.table(words.say("Orientation"), note, orientation(document, words));
+    section.on_terminal().whole()
+}
+
+/// Distances between poses (7.3).
+pub(super) fn distances(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let document = tested.poses.as_ref()?;
+    let mut section = Section::new("distances", words.say("Distances between poses"));
     let note = words.say("AD: mean attained minus commanded distance; RD: three standard deviations of the attained one (ISO 9283:1998, 7.3).");
-    section.table(words.say("Distances between poses"), note, distances(document, words));
+    section.table("", note, between_poses(document, words));
     section.table("", "", turned(document, words).detail());
-    if let Some(e) = document.exchangeability_mm {
-        section.push(Block::heading(words.say("Exchangeability")));
-        let um = number::fixed(1e3 * e, 1);
-        section.push(Block::text(words.fill("E = {0} µm: the largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).", &[&um])));
-    }
+    section.on_terminal().whole()
+}
+
+/// How far robots of one kind differ (7.7).
+pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let um = number::fixed(1e3 * tested.poses.as_ref()?.exchangeability_mm?, 1);
+    let mut section = Section::new("exchangeability", words.say("Exchangeability"));
+    section.push(Block::text(words.fill("E = {0} µm: the largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).", &[&um])));
     section.on_terminal().whole()
 }
 
@@ -57,7 +67,7 @@ fn orientation(document: &Iso9283Document, words: &Words) -> Table {
     Table::of(words, &turned, columns).without_empty_columns()
 }
 
-fn distances(document: &Iso9283Document, words: &Words) -> Table {
+fn between_poses(document: &Iso9283Document, words: &Words) -> Table {
     let axis = |values: &[f64], k: usize| um(values.get(k).copied());
     let columns = Columns::<Iso9283Distance>::new()
         .page("between poses", "", between)

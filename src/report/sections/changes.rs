@@ -145,7 +145,7 @@ fn rules(compare: &CompareDocument, words: &Words) -> Section {
         .sheet("changed", "", |t| if t.significant { "yes" } else { "no" });
     let mut section = Section::new("rules", words.say("How changes are judged"));
     compare.together.iter().for_each(|t| section.push(Block::text(together(t, words))));
-    compare.conventions.iter().for_each(|c| section.push(Block::text(Text::english(c))));
+    compare.conventions.iter().for_each(|c| section.push(Block::text(Text::document(c, words))));
     section.push(Block::Table(Table::of(words, &compare.together, columns).on("All together")));
     section.on_terminal()
 }

@@ -25,6 +25,6 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let table = Table::of(words, &document.directions, columns).on("ISO 9283 compliance").without_empty_columns();
     let mut section = Section::new("compliance", words.say("Static compliance"));
     section.table("", note, table);
-    section.push(Block::note(Text::conventions(&document.conventions)));
+    section.push(Block::note(Text::conventions(&document.conventions, words)));
     section.on_terminal().whole()
 }

@@ -99,10 +99,11 @@ fn method(report: &Report, words: &Words) -> String {
 fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) -> Vec<(String, Cell)> {
     let (c, given) = (campaign, &campaign.conditions);
     let text = |text: &Option<String>| text.clone();
-    let centre = given.load_centre_mm.map(|[x, y, z]| format!("x {x}, y {y}, z {z} mm"));
+    let in_unit = |value: Option<f64>, unit: &str| value.map(|v| words.number(&format!("{v} {unit}")));
+    let centre = given.load_centre_mm.map(|[x, y, z]| words.number(&format!("x {x}, y {y}, z {z} mm")));
     let list = |values: &Vec<f64>| values.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
     let shares = given.velocities_percent.as_ref().map(|v| words.fill("{0} % of the rated one", &[&list(v)]));
-    let speeds = given.velocities_mm_s.as_ref().map(|v| format!("{} mm/s", list(v)));
+    let speeds = given.velocities_mm_s.as_ref().map(|v| words.number(&format!("{} mm/s", list(v))));
     let velocities: Vec<String> = shares.into_iter().chain(speeds).collect();
     let velocities = (!velocities.is_empty()).then(|| velocities.join("; "));
     let mut all = vec![
@@ -110,13 +111,13 @@ fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) ->
         (words.say("controller"), text(&given.controller)),
         (words.say("mounting"), text(&given.mounting)),
         (words.say("measurement point"), text(&given.measurement_point)),
-        (words.say("load"), given.load_kg.map(|v| format!("{v} kg"))),
+        (words.say("load"), in_unit(given.load_kg, "kg")),
         (words.say("centre of the load from the mechanical interface"), centre),
         (words.say("velocities"), velocities),
-        (words.say("temperature"), c.temperature_c.map(|v| format!("{v} °C"))),
-        (words.say("relative humidity"), given.humidity_percent.map(|v| format!("{v} %"))),
+        (words.say("temperature"), in_unit(c.temperature_c, "°C")),
+        (words.say("relative humidity"), in_unit(given.humidity_percent, "%")),
         (words.say("environment"), text(&given.environment)),
-        (words.say("warm-up before the test"), given.warm_up_minutes.map(|v| format!("{v} min"))),
+        (words.say("warm-up before the test"), in_unit(given.warm_up_minutes, "min")),
         (words.say("instrument"), text(&c.instrument)),
         (words.say("instrument's uncertainty"), uncertainty(c, words)),
         (words.say("instrument's calibration"), text(&given.instrument_calibration)),

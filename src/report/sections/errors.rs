@@ -19,8 +19,8 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 /// The section of these errors.
 pub(in crate::report) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
     let mut section = Section::new("errors", words.say("Errors before and after"));
-    section.summarise(words.say("definition of errors"), Text::english(&accuracy.definition), "");
-    section.push(Block::detail(Text::english(&accuracy.definition)));
+    section.summarise(words.say("definition of errors"), Text::document(&accuracy.definition, words), "");
+    section.push(Block::detail(Text::document(&accuracy.definition, words)));
     if accuracy.sets.is_empty() {
         section.push(Block::text(words.say("No errors are given.")));
     }
@@ -66,7 +66,7 @@ pub(in crate::report) fn of(accuracy: &AccuracyDocument, errors: &[PointError], 
             &um(tool.held_mm),
         ];
         section.push(Block::text(words.fill("Expected, root mean square (k = 1): {0} µm from the parameters, {4} µm from those that the data do not determine (their tolerance), {1} µm from what the model leaves out, {2} µm from the place of the point on the tool; expanded uncertainty of the worst pose (k = 2) {3} µm.", &shares.map(|s| s as &dyn std::fmt::Display))));
-        section.push(Block::detail(Text::english(&tool.definition)));
+        section.push(Block::detail(Text::document(&tool.definition, words)));
     }
     let table = poses(errors, words);
     if !table.is_empty() {

@@ -25,13 +25,13 @@ pub(in crate::report) fn of(document: &ParametersDocument, pictures: Vec<Figure>
     if let Some(o) = &document.observability {
         section.push(Block::heading(words.say("Observability")));
         section.push(Block::Table(indices(o, words)));
-        section.push(Block::note(Text::from(words.say("Scaling:") + " ").and(Text::english(&o.scaling))));
+        section.push(Block::note(Text::from(words.say("Scaling:") + " ").and(Text::document(&o.scaling, words))));
         section.push(Block::Table(singular_values(o, words)));
         section.figures(singular::picture(o, words));
     }
     let solver = &document.solver;
     let steps = words.fill("{0}, {1} iterations;", &[&solver.method, &solver.iterations]) + " ";
-    let ended = Text::from(steps).and(Text::english(&solver.meaning));
+    let ended = Text::from(steps).and(Text::document(&solver.meaning, words));
     section.push(Block::heading(words.say("Solver")));
     section.push(Block::text(ended.clone()));
     let r = &document.residuals;

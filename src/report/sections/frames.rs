@@ -25,11 +25,11 @@ fn frame(world: &WorldFrame, words: &Words) -> Vec<(String, Cell)> {
     let seen = if world.planar { words.say("projected into the xy plane") } else { words.say("in space") };
     let mm = |v: f64| format!("{} mm", significant(v, 3));
     let (what, said) = match &world.poses[..] {
-        [only] => (words.say("origin in the exports"), format!("{} mm", triple(only.export_T_world.translation_mm, 4))),
+        [only] => (words.say("origin in the exports"), words.number(&format!("{} mm", triple(only.export_T_world.translation_mm, 4)))),
         poses => (words.say("measured"), words.fill("{0} times, once for each pose and cycle", &[&poses.len()])),
     };
     vec![
-        (words.say("definition"), Text::english(&world.definition).into()),
+        (words.say("definition"), Text::document(&world.definition, words).into()),
         (words.say("observations"), seen.into()),
         (words.say("targets from their places"), world.rms_mm.map(|v| format!("RMS {}", mm(v))).into()),
         (words.say("largest distance"), world.max_mm.map(mm).into()),

@@ -22,7 +22,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     if report.identified.is_some() {
         section.push(Block::strong(sentence(document, words)));
     }
-    section.push(Block::note(Text::english(&document.definition)));
+    section.push(Block::note(Text::document(&document.definition, words)));
     section.push(Block::Table(quantities(document, words)));
     section.push(Block::note(words.say("u (k = 1) holds the base frame's uncertainty, which all repeats share and their standard deviation does not show.")));
     for table in &document.tables {
@@ -123,7 +123,8 @@ fn quantities(document: &GeometricDocument, words: &Words) -> Table {
 fn poses(table: &PoseTable, words: &Words) -> Table {
     let command = |r: &PoseRow| {
         let [x, y] = r.command_mm;
-        format!("{}, {} mm, {} deg", number::fixed(x, 3), number::fixed(y, 3), number::fixed(r.command_deg, 2))
+        let [x, y, turned] = [number::fixed(x, 3), number::fixed(y, 3), number::fixed(r.command_deg, 2)];
+        words.number(&format!("{x}, {y} mm, {turned} deg"))
     };
     let first = Columns::<PoseRow>::new()
         .sheet("table", "", |_| table.title.as_str())

@@ -4,15 +4,16 @@ use crate::document::{
     EffectStep, LeastDetectable, LoadVerdict, ParameterVerdict, RecommendationDocument, VerificationDocument,
     VerificationVerdict,
 };
-use crate::report::model::{Block, Columns, Section, Table, Verdict, fixed, numbers, shown, significant, term};
+use crate::report::model::{Block, Columns, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
 use crate::report::number;
 use crate::report::words::Words;
 
 /// Whether parameters still hold.
-pub(in crate::report) fn still_valid(document: &VerificationDocument) -> Verdict {
+pub(in crate::report) fn still_valid(document: &VerificationDocument, words: &Words) -> Verdict {
     Verdict {
         met: document.verdict == VerificationVerdict::Valid,
-        sentences: vec![document.meaning.clone()],
+        class: if document.verdict == VerificationVerdict::Valid { "good" } else { "bad" },
+        sentences: vec![Text::document(&document.meaning, words).plain()],
         ..Verdict::default()
     }
 }
@@ -47,8 +48,10 @@ pub(in crate::report) fn verification(document: &VerificationDocument, words: &W
 }
 
 /// The recommendation in sentences.
-pub(in crate::report) fn recommended(document: &RecommendationDocument) -> Verdict {
-    Verdict { met: document.recommended.is_plausible(), sentences: document.meaning.clone(), ..Verdict::default() }
+pub(in crate::report) fn recommended(document: &RecommendationDocument, words: &Words) -> Verdict {
+    let met = document.recommended.is_plausible();
+    let sentences = document.meaning.iter().map(|m| Text::document(m, words).plain()).collect();
+    Verdict { met, class: if met { "good" } else { "bad" }, sentences, ..Verdict::default() }
 }
 
 /// Effects in the order in which they were tried, and what is proven of each parameter.

@@ -15,7 +15,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         let columns = Columns::<Refused>::new()
             .sheet("file", "", |_| source.file.as_str())
             .both("line", "", |r| r.line)
-            .both("reason", "", |r| Text::english(&r.reason))
+            .both("reason", "", |r| Text::document(&r.reason, words))
             .both("text", "", |r| Text::code(&r.text));
         let table = Table::of(words, &source.refused, columns).on("Refused rows");
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
@@ -35,7 +35,7 @@ fn sources(sources: &[Source], words: &Words) -> Table {
         .page("file", "", |s| s.file.as_str())
         .page("kind", "", |s| term(words, &one_line(&s.kind)))
         .page("bytes", "", |s| s.bytes)
-        .page("read as", "", |s| Text::english(&s.dialect))
+        .page("read as", "", |s| Text::document(&s.dialect, words))
         .page("rows", "", |s| s.rows_read)
         .page("refused", "", |s| s.refused.len());
     Table::of(words, sources, columns)

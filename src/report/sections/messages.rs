@@ -68,13 +68,13 @@ fn class(message: &Message) -> &'static str {
 
 fn notice(m: &Message, words: &Words) -> Block {
     let severity = words.fill("{0}:", &[&words.say(class(m))]);
-    let mut lines = vec![Text::from(severity + " ").and(Text::english(&m.what))];
+    let mut lines = vec![Text::from(severity + " ").and(Text::document(&m.what, words))];
     lines.extend(m.place.as_ref().map(|p| {
         let line = p.line.map(|line| format!(", {}", words.fill("line {0}", &[&line]))).unwrap_or_default();
         let text = p.text.as_ref().map(|text| Text::from(": ").and(Text::code(&one_line(text))));
         Text::name(&p.file).and(line).and(text.unwrap_or_default())
     }));
-    let remark = |what: String, said: &String| Text::from(what + " ").and(Text::english(said));
+    let remark = |what: String, said: &String| Text::from(what + " ").and(Text::document(said, words));
     lines.extend(m.expected.as_ref().map(|text| remark(words.say("expected:"), text)));
     lines.extend(m.hint.as_ref().map(|text| remark(words.say("hint:"), text)));
     Block::Notice { class: class(m), lines }

@@ -21,6 +21,7 @@ pub(super) mod plan;
 pub(super) mod provenance;
 mod repeatability;
 mod streams;
+mod test_poses;
 pub(super) mod verdict;
 
 use super::Report;
@@ -31,18 +32,10 @@ use crate::document::Characteristics;
 /// A section from the documents; `None` where they have nothing of it.
 type Make = fn(&Report, &Words) -> Option<Section>;
 
-/// In the order of reading.
-const ALL: [Make; 17] = [
-    conditions::section,
-    limits::section,
-    messages::section,
-    errors::section,
-    errors::pictures,
-    |report, words| of_point(accuracy::section(report.tested, words), report, words),
-    |report, words| of_point(repeatability::section(report.tested, words), report, words),
-    |report, words| of_point(drift::section(report.tested, words), report, words),
-    |report, words| of_point(streams::section(report.tested, words), report, words),
-    |report, words| compliance::section(report.tested, words),
+/// What comes before the characteristics of ISO 9283, and after them, in the order of reading.
+const BEFORE: [Make; 5] =
+    [conditions::section, limits::section, messages::section, errors::section, errors::pictures];
+const AFTER: [Make; 7] = [
     parameters::section,
     budget::section,
     geometric::section,
@@ -52,17 +45,36 @@ const ALL: [Make; 17] = [
     provenance::section,
 ];
 
+/// Characteristics in the order of ISO 9283:1998, by their clauses.
+const CHARACTERISTICS: [fn(&Characteristics, &Words) -> Option<Section>; 11] = [
+    test_poses::section,        // 6
+    accuracy::section,          // 7.2.1
+    repeatability::section,     // 7.2.2, 7.2.3
+    accuracy::distances,        // 7.3
+    streams::stabilisation,     // 7.4, 7.5
+    drift::section,             // 7.6
+    accuracy::exchangeability,  // 7.7
+    streams::section,           // 8
+    streams::posing,            // 9
+    compliance::section,        // 10
+    streams::weaving,           // 11
+];
+
 /// Every section that the documents have.
 pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
-    ALL.iter().filter_map(|make| make(report, words)).collect()
+    let made = |all: &[Make]| all.iter().filter_map(|make| make(report, words)).collect::<Vec<_>>();
+    let mut sections = made(&BEFORE);
+    let of_test = tested(report.tested, words).into_iter().map(|section| of_point(section, report, words));
+    sections.extend(of_test);
+    sections.extend(made(&AFTER));
+    sections
 }
 
 /// A section of characteristics, which names the point that they are of (ISO 9283:1998, 12).
-fn of_point(section: Option<Section>, report: &Report, words: &Words) -> Option<Section> {
+fn of_point(mut section: Section, report: &Report, words: &Words) -> Section {
     let stated = &report.campaign.conditions.measurement_point;
     let point = stated.clone().unwrap_or_else(|| words.say("not stated"));
     let conditions = &report.campaign.conditions;
-    let mut section = section?;
     let listed = |all: &Vec<f64>, unit: &str| {
         format!("{} {unit}", all.iter().map(f64::to_string).collect::<Vec<_>>().join(", "))
     };
@@ -73,11 +85,10 @@ fn of_point(section: Option<Section>, report: &Report, words: &Words) -> Option<
     let point = words.fill("Figures are those of the measurement point: {0}.", &[&point]);
     let sentences: Vec<String> = [Some(point), load, velocity].into_iter().flatten().collect();
     section.begin(Block::note(sentences.join(" ")));
-    Some(section)
+    section
 }
 
 /// The sections of a test by ISO 9283 alone.
 pub(super) fn tested(tested: &Characteristics, words: &Words) -> Vec<Section> {
-    let all = [accuracy::section, repeatability::section, drift::section, streams::section, compliance::section];
-    all.iter().filter_map(|make| make(tested, words)).collect()
+    CHARACTERISTICS.iter().filter_map(|make| make(tested, words)).collect()
 }

@@ -72,7 +72,7 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
     let greedy = &plan.greedy;
     vec![
         (words.say("index"), format!("{} = {}", plan.index, significant(plan.value, 6)).into()),
-        (words.say("definition"), Text::english(&plan.definition).into()),
+        (words.say("definition"), Text::document(&plan.definition, words).into()),
         (words.say("chosen"), chosen.into()),
         (words.say("poses"), list(&plan.chosen.iter().map(|p| p.pose).collect::<Vec<_>>()).into()),
         (
@@ -126,7 +126,7 @@ fn predicted(plan: &PlanDocument, words: &Words) -> Table {
 
 fn study(document: &StudyDocument, words: &Words) -> Section {
     let mut section = Section::new("study", words.say("A simulated calibration"));
-    section.push(Block::note(words.fill("Synthetic: Gaussian noise of {0} µm on every coordinate, mean of {1} identifications (thesis, section 4.6); parameters and pictures are of one such mean, errors by the number of positions are medians of {2}; errors are those of {4}, evaluated over {3} configurations.", &[&stated(document.noise_um), &document.runs, &document.draws, &document.configurations, &words.say(&document.point)])));
+    section.push(Block::note(words.fill("Synthetic: Gaussian noise of {0} µm on every coordinate, mean of {1} identifications; parameters and pictures are of one such mean, errors by the number of positions are medians of {2}; errors are those of {4}, evaluated over {3} configurations.", &[&stated(document.noise_um), &document.runs, &document.draws, &document.configurations, &words.say(&document.point)])));
     let columns = Columns::<StudiedParameter>::new()
         .both("name", "", |p| p.name.as_str())
         .both("unit", "", |p| p.unit.as_str())
@@ -135,7 +135,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
         .both("identified", "", |p| fixed(p.identified, 4))
         .both("identified − true", "", |p| fixed(p.identified - p.actual, 5));
     let table = Table::of(words, &document.parameters, columns).on("Study, parameters");
-    section.table(words.say("Parameters (table 4.1)"), "", table);
+    section.table(words.say("Parameters"), "", table);
     let um = |mm: f64| shown(mm, |mm| number::fixed(1e3 * mm, 2));
     let columns = Columns::<StudyStep>::new()
         .both("positions", "", |s| s.positions)
@@ -147,7 +147,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
         .both("max after", "mm", move |s| um(s.max_mm))
         .shown_in("µm");
     let table = Table::of(words, &document.steps, columns).on("Study, positions");
-    section.table(words.say("Errors of position by the number of positions (tables 4.2 and 4.3)"), "", table);
+    section.table(words.say("Errors of position by the number of positions"), "", table);
     let errors: Vec<PointError> = document.places.iter().map(|place| error(place, words)).collect();
     let drawable = points::drawable(&errors);
     let planar = errors.iter().all(|e| e.at_mm[2] == 0.0);

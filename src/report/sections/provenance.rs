@@ -14,6 +14,7 @@ pub(in crate::report) fn of(provenance: &Provenance, sources: &[Source], words: 
     let mut section = Section::new("provenance", words.say("Provenance"));
     section.push(Block::facts(vec![
         (words.say("written by"), format!("etalon {}", provenance.version).into()),
+        (words.say("Sources of the formulas"), words.say("frames and identification: weighted least squares (A. Joubair, thesis, ÉTS Montréal 2012, chapters 1 to 4); characteristics: ISO 9283:1998; uncertainties: JCGM 100:2008, JCGM 101:2008").into()),
         (words.say("seed"), provenance.seed.map(|seed| seed.to_string()).into()),
     ]));
     let source = |name: &str| sources.iter().find(|s| s.file == name);

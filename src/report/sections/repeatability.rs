@@ -10,7 +10,6 @@ use crate::report::model::{Block, Cell, Columns, Section, Table, Text, fixed, nu
 use crate::report::number;
 use crate::report::plots::visits::{self, approach, of_pose};
 use crate::report::words::{Words, isolated};
-use std::collections::BTreeMap;
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.poses.as_ref()?;
@@ -18,8 +17,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let mut section = Section::new("repeatability", words.say("Repeatability"));
     section.summarise(words.say("conventions"), document.conventions.join("; "), "");
     section.push(Block::Table(spheres(&poses, words).detail()));
-    let source = words.say("Thesis, table 2.1 (eq. 2.7 to 2.10).") + " ";
-    section.push(Block::note(Text::from(source).and(Text::conventions(&document.conventions))));
+    section.push(Block::note(Text::conventions(&document.conventions, words)));
     let note = words.say("RP: ISO 9283:1998, 7.2.2. Not of the standard: RP without the instrument's noise, where visits were read several times, and the ellipsoid that holds the next position with 95 % probability.");
     section.table(words.say("Uncertainty of RP"), note, intervals(&poses, words));
     let rule = quarter_rule(&poses, words);
@@ -31,9 +29,6 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     }
     section.push(Block::Table(characteristics(&poses, words)));
     by_approach(document, &mut section, words);
-    if !document.visits.is_empty() {
-        section.table(words.say("Poses"), places_note(document, words), places(document, words).detail());
-    }
     section.figures(visits::pictures(document, words));
     let columns = Columns::<Iso9283OutOfPlane>::new().page("pose", "", |p| p.pose).page(
         "mean position from the plane of the other three",
@@ -273,31 +268,6 @@ fn turned(document: &Iso9283Document, words: &Words) -> Table {
         columns.page(title, "deg", move |v| fixed(v.vap_angles_deg.get(k).copied(), 4))
     });
     Table::of(words, &document.approaches, columns)
-}
-
-fn places_note(document: &Iso9283Document, words: &Words) -> String {
-    let means = words.say("Mean of the attained positions.");
-    match document.poses.iter().any(|p| p.ap_mm.is_some()) {
-        true => means,
-        false => format!("{means} {}", words.say("The campaign commands no positions: accuracy (AP) is not tested.")),
-    }
-}
-
-/// Where the poses are: means of the attained positions.
-fn places(document: &Iso9283Document, words: &Words) -> Table {
-    let mut by_pose: BTreeMap<PoseName, Vec<Vector>> = BTreeMap::new();
-    for visit in &document.visits {
-        by_pose.entry(visit.pose).or_default().push(visit.attained_mm);
-    }
-    let rows: Vec<(PoseName, usize, Vector)> =
-        by_pose.into_iter().filter_map(|(pose, places)| Some((pose, places.len(), centroid(&places)?))).collect();
-    let columns = Columns::<(PoseName, usize, Vector)>::new()
-        .page("pose", "", |(pose, ..)| *pose)
-        .page("visits", "", |(_, visits, _)| *visits)
-        .page("x", "mm", |(.., mean)| fixed(mean[0], 3))
-        .page("y", "mm", |(.., mean)| fixed(mean[1], 3))
-        .page("z", "mm", |(.., mean)| fixed(mean[2], 3));
-    Table::of(words, &rows, columns)
 }
 
 /// A characteristic of the whole robot.

@@ -11,6 +11,18 @@ use crate::report::plots::chart::{Chart, Curve, Mark};
 use crate::report::words::Words;
 use std::collections::BTreeMap;
 
+/// Time to come to rest, and overshoot (7.4, 7.5).
+pub(super) fn stabilisation(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let mut section = Section::new("stabilisation", words.say("Stabilisation and overshoot"));
+    let note = words.say("From the first entry into the limit band until it is not left any more (ISO 9283:1998, 7.4 and 7.5).");
+    for (i, named) in tested.streams.as_ref()?.streams.iter().enumerate() {
+        section.table(&named.name, note.as_str(), settling(named, words));
+        section.figures(arrivals(i, named, words));
+    }
+    section.on_terminal().whole()
+}
+
+/// Recordings, and the characteristics of their paths (8).
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.streams.as_ref()?;
     let mut section = Section::new("streams", words.say("Recorded motion"));
@@ -19,18 +31,34 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         let stream = &named.stream;
         section.push(Block::heading(&named.name));
         section.push(Block::facts(facts(named, words)));
-        section.push(Block::Table(settling(named, words)));
-        section.push(Block::Table(posing(named, words)));
         section.push(Block::Table(corners(named, words)));
-        let figures = [
-            path_picture(i, stream.path.as_ref(), words),
-            drift(i, &stream.standstills, words),
-            arrivals(i, named, words),
-        ];
+        let figures = [path_picture(i, stream.path.as_ref(), words), drift(i, &stream.standstills, words)];
         section.figures(figures.into_iter().flatten());
-        section.push(Block::note(Text::conventions(&stream.conventions)));
+        section.push(Block::note(Text::conventions(&stream.conventions, words)));
         section.push(Block::Table(standstills(named, words)));
         section.push(Block::Table(points(named, words)));
+    }
+    section.on_terminal().whole()
+}
+
+/// Minimum posing time (9).
+pub(super) fn posing(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let mut section = Section::new("posing", words.say("Minimum posing time"));
+    let note = words.say("From leaving a pose to the end of stabilisation at the next (ISO 9283:1998, 9).");
+    for named in &tested.streams.as_ref()?.streams {
+        section.table(&named.name, note.as_str(), posing_times(named, words));
+    }
+    section.on_terminal().whole()
+}
+
+/// Weaving (11).
+pub(super) fn weaving(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let mut section = Section::new("weaving", words.say("Weaving"));
+    for named in &tested.streams.as_ref()?.streams {
+        if let Some(weave) = &named.stream.weaving {
+            section.push(Block::heading(&named.name));
+            section.push(Block::facts(of_weave(weave, words).into()));
+        }
     }
     section.on_terminal().whole()
 }
@@ -56,7 +84,6 @@ fn facts(named: &Iso9283NamedStream, words: &Words) -> Vec<(String, Cell)> {
         (words.say("standstills"), stream.standstills.len().into()),
     ];
     facts.extend(stream.path.iter().flat_map(|path| of_path(path, words)));
-    facts.extend(stream.weaving.iter().flat_map(|weave| of_weave(weave, words)));
     facts
 }
 
@@ -88,7 +115,7 @@ fn of_path(path: &Iso9283Path, words: &Words) -> Vec<(String, Cell)> {
         let rv = v.rv_percent.map(|rv| format!(", RV {} %", number::fixed(rv, 2))).unwrap_or_default();
         let (mean, av, fv) =
             (number::fixed(v.mean_mm_s, 2), number::fixed(v.av_percent, 2), number::fixed(v.fv_mm_s, 2));
-        facts.push((words.say("path velocity"), format!("{mean} mm/s: AV {av} %{rv}, FV {fv} mm/s").into()));
+        facts.push((words.say("path velocity"), words.number(&format!("{mean} mm/s: AV {av} %{rv}, FV {fv} mm/s")).into()));
     }
     facts
 }
@@ -252,7 +279,7 @@ fn settling(named: &Iso9283NamedStream, words: &Words) -> Table {
     Table::of(words, &named.stream.settling, columns).on("Stabilisation")
 }
 
-fn posing(named: &Iso9283NamedStream, words: &Words) -> Table {
+fn posing_times(named: &Iso9283NamedStream, words: &Words) -> Table {
     let columns = Columns::<Iso9283Posing>::new()
         .sheet("stream", "", |_| named.name.as_str())
         .both("from pose", "", |p| p.from)
@@ -265,6 +292,7 @@ fn posing(named: &Iso9283NamedStream, words: &Words) -> Table {
 
 fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
     let at = |c: &Iso9283Corner| c.position_mm.iter().map(|v| number::fixed(*v, 2)).collect::<Vec<_>>().join(", ");
+    let at = move |c: &Iso9283Corner| words.number(&at(c));
     let columns = Columns::<Iso9283Corner>::new()
         .sheet("stream", "", |_| named.name.as_str())
         .page("corner", "mm", at)

@@ -131,7 +131,8 @@ pub(in crate::report) fn of_validation(accuracy: &AccuracyDocument, words: &Word
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
     let largest = headline_set(accuracy).and_then(|set| largest_error(accuracy, set, words));
     let sentences = largest.into_iter().chain([counted(&limits, words)]).collect();
-    Verdict { met: limits.iter().all(|l| l.met), sentences, ..Verdict::default() }
+    let met = limits.iter().all(|l| l.met);
+    Verdict { met, class: if met { "good" } else { "bad" }, sentences, ..Verdict::default() }
 }
 
 /// Of a test without a campaign.

@@ -1,0 +1,42 @@
+//! Where a test was made: the poses, their picture, and the cube of ISO 9283:1998, 6, where they are laid into one.
+
+use crate::base::pose::{Vector, centroid};
+use crate::base::pose_name::PoseName;
+use crate::document::{Characteristics, Iso9283Document};
+use crate::report::model::{Columns, Section, Table, fixed};
+use crate::report::plots::cube;
+use crate::report::words::Words;
+use std::collections::BTreeMap;
+
+pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
+    let document = tested.poses.as_ref().filter(|document| !document.visits.is_empty())?;
+    let mut section = Section::new("poses", words.say("Poses"));
+    section.table("", places_note(document, words), places(document, words).detail());
+    section.figures(cube::picture(document, words));
+    section.on_terminal().whole()
+}
+
+fn places_note(document: &Iso9283Document, words: &Words) -> String {
+    let means = words.say("Mean of the attained positions.");
+    match document.poses.iter().any(|p| p.ap_mm.is_some()) {
+        true => means,
+        false => format!("{means} {}", words.say("The campaign commands no positions: accuracy (AP) is not tested.")),
+    }
+}
+
+/// Where the poses are: means of the attained positions.
+fn places(document: &Iso9283Document, words: &Words) -> Table {
+    let mut by_pose: BTreeMap<PoseName, Vec<Vector>> = BTreeMap::new();
+    for visit in &document.visits {
+        by_pose.entry(visit.pose).or_default().push(visit.attained_mm);
+    }
+    let rows: Vec<(PoseName, usize, Vector)> =
+        by_pose.into_iter().filter_map(|(pose, places)| Some((pose, places.len(), centroid(&places)?))).collect();
+    let columns = Columns::<(PoseName, usize, Vector)>::new()
+        .page("pose", "", |(pose, ..)| *pose)
+        .page("visits", "", |(_, visits, _)| *visits)
+        .page("x", "mm", |(.., mean)| fixed(mean[0], 3))
+        .page("y", "mm", |(.., mean)| fixed(mean[1], 3))
+        .page("z", "mm", |(.., mean)| fixed(mean[2], 3));
+    Table::of(words, &rows, columns)
+}
