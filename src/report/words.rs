@@ -118,7 +118,8 @@ impl Words {
             let (before, behind) = (&rest[..from], &rest[from + number.len()..]);
             let letter = |c: char| c.is_alphabetic() || c == '_';
             let named = |c: char| letter(c) || matches!(c, '.' | '/' | ':');
-            let exponent = behind.strip_prefix('e').is_some_and(|e| e.starts_with(|c: char| c == '-' || c.is_ascii_digit()));
+            let exponent =
+                behind.strip_prefix('e').is_some_and(|e| e.starts_with(|c: char| c == '-' || c.is_ascii_digit()));
             let apart = !before.ends_with(named) && (exponent || !behind.starts_with(letter));
             out.push_str(before);
             match number.split_once('.').filter(|(_, decimals)| apart && !decimals.contains('.')) {
@@ -132,7 +133,8 @@ impl Words {
 
     /// The same of a text that is a value: it begins with a number.
     pub fn value(&self, text: String) -> String {
-        let number = text.trim_start_matches(['+', '-', '−', '±', '<', '>', '(', ' ']).starts_with(|c: char| c.is_ascii_digit());
+        let number =
+            text.trim_start_matches(['+', '-', '−', '±', '<', '>', '(', ' ']).starts_with(|c: char| c.is_ascii_digit());
         if number || text.starts_with("p ") { self.number(&text) } else { text }
     }
 
@@ -252,7 +254,8 @@ mod tests {
         let is_worded = |text: &&String| text.split(|c: char| !c.is_lowercase()).any(|word| word.len() > 2);
         for language in [Language::Fr, Language::De] {
             let words = Words::of(language).unwrap();
-            let missing: Vec<_> = found.iter().filter(is_worded).filter(|text| !words.texts.contains_key(*text)).collect();
+            let missing: Vec<_> =
+                found.iter().filter(is_worded).filter(|text| !words.texts.contains_key(*text)).collect();
             let unused: Vec<_> = words.texts.keys().filter(|text| !found.contains(*text)).collect();
             assert!(missing.is_empty() && unused.is_empty(), "{language:?}: missing {missing:#?}, unused {unused:#?}");
         }

@@ -84,9 +84,7 @@ fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> ser
 
 /// The words of the layout itself, and their language.
 fn labels(presentation: &Presentation, words: &Words) -> Value {
-    let note = words.say(
-        "Texts of the campaign are in their own language.",
-    );
+    let note = words.say("Texts of the campaign are in their own language.");
     let lang = presentation.language.code();
     json!({
         "lang": lang,

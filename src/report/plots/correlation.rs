@@ -55,7 +55,8 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
     }
     let mut strong: Vec<(usize, usize)> = pairs().filter(|&(i, j)| r(i, j).abs() >= STRONG).collect();
     strong.sort_by(|a, b| r(b.0, b.1).abs().total_cmp(&r(a.0, a.1).abs()));
-    let said = |&(i, j): &(usize, usize)| format!("{} – {} {}", names[j], names[i], words.number(&number::fixed(r(i, j), 3)));
+    let said =
+        |&(i, j): &(usize, usize)| format!("{} – {} {}", names[j], names[i], words.number(&number::fixed(r(i, j), 3)));
     let listed = strong.iter().take(6).map(said).collect::<Vec<_>>().join(", ");
     let caption = match strong.len() {
         0 => words.say("No pair is correlated by 0.9 or more."),

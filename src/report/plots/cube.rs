@@ -53,10 +53,14 @@ pub(in crate::report) fn picture(document: &Iso9283Document, words: &Words) -> O
     }
     let title = words.say("Poses of the test");
     let caption = match cube {
-        Some((_, half)) if planar => {
-            words.fill("P1 is the centre of a square of {0} mm, P2 to P5 are on its diagonals (ISO 9283:1998, 6).", &[&number::fixed(2.0 * half, 1)])
-        }
-        Some((_, half)) => words.fill("P1 is the centre of a cube of {0} mm, P2 to P5 are on the diagonals of the test plane (ISO 9283:1998, 6).", &[&number::fixed(2.0 * half, 1)]),
+        Some((_, half)) if planar => words.fill(
+            "P1 is the centre of a square of {0} mm, P2 to P5 are on its diagonals (ISO 9283:1998, 6).",
+            &[&number::fixed(2.0 * half, 1)],
+        ),
+        Some((_, half)) => words.fill(
+            "P1 is the centre of a cube of {0} mm, P2 to P5 are on the diagonals of the test plane (ISO 9283:1998, 6).",
+            &[&number::fixed(2.0 * half, 1)],
+        ),
         None => words.say("The box is that of the poses, its edges are parallel to the axes."),
     };
     if let Some((centre, half)) = cube {

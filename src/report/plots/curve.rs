@@ -75,9 +75,8 @@ pub(in crate::report) fn curve(plan: &PlanDocument, words: &Words) -> Option<Fig
     Some(Figure {
         title,
         svg: svg.finish(),
-        caption: words.say(
-            "One after the other, the best position with all its configurations.",
-        ) + " "
+        caption: words.say("One after the other, the best position with all its configurations.")
+            + " "
             + &words.say("The knee is where the index lies farthest above the line from its first to its last value."),
         table_title: words.say("Numbers of the curve"),
         header: vec![words.say("positions"), words.say("configurations"), plan.index.clone(), words.say("condition")],

@@ -60,8 +60,7 @@ fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Figure> {
     Some(Figure {
         title,
         svg: svg.finish(),
-        caption: words
-            .fill("Mean of {0} identifications; values are in the table above.", &[&study.runs]),
+        caption: words.fill("Mean of {0} identifications; values are in the table above.", &[&study.runs]),
         ..Figure::default()
     })
 }

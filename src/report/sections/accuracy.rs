@@ -34,7 +34,10 @@ pub(super) fn distances(tested: &Characteristics, words: &Words) -> Option<Secti
 pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option<Section> {
     let um = number::fixed(1e3 * tested.poses.as_ref()?.exchangeability_mm?, 1);
     let mut section = Section::new("exchangeability", words.say("Exchangeability"));
-    section.push(Block::text(words.fill("E = {0} µm: the largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).", &[&um])));
+    section.push(Block::text(words.fill(
+        "E = {0} µm: the largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).",
+        &[&um],
+    )));
     section.on_terminal().whole()
 }
 

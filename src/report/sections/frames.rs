@@ -25,7 +25,10 @@ fn frame(world: &WorldFrame, words: &Words) -> Vec<(String, Cell)> {
     let seen = if world.planar { words.say("projected into the xy plane") } else { words.say("in space") };
     let mm = |v: f64| format!("{} mm", significant(v, 3));
     let (what, said) = match &world.poses[..] {
-        [only] => (words.say("origin in the exports"), words.number(&format!("{} mm", triple(only.export_T_world.translation_mm, 4)))),
+        [only] => (
+            words.say("origin in the exports"),
+            words.number(&format!("{} mm", triple(only.export_T_world.translation_mm, 4))),
+        ),
         poses => (words.say("measured"), words.fill("{0} times, once for each pose and cycle", &[&poses.len()])),
     };
     vec![

@@ -33,8 +33,7 @@ use crate::document::Characteristics;
 type Make = fn(&Report, &Words) -> Option<Section>;
 
 /// What comes before the characteristics of ISO 9283, and after them, in the order of reading.
-const BEFORE: [Make; 5] =
-    [conditions::section, limits::section, messages::section, errors::section, errors::pictures];
+const BEFORE: [Make; 5] = [conditions::section, limits::section, messages::section, errors::section, errors::pictures];
 const AFTER: [Make; 7] = [
     parameters::section,
     budget::section,
@@ -47,17 +46,17 @@ const AFTER: [Make; 7] = [
 
 /// Characteristics in the order of ISO 9283:1998, by their clauses.
 const CHARACTERISTICS: [fn(&Characteristics, &Words) -> Option<Section>; 11] = [
-    test_poses::section,        // 6
-    accuracy::section,          // 7.2.1
-    repeatability::section,     // 7.2.2, 7.2.3
-    accuracy::distances,        // 7.3
-    streams::stabilisation,     // 7.4, 7.5
-    drift::section,             // 7.6
-    accuracy::exchangeability,  // 7.7
-    streams::section,           // 8
-    streams::posing,            // 9
-    compliance::section,        // 10
-    streams::weaving,           // 11
+    test_poses::section,       // 6
+    accuracy::section,         // 7.2.1
+    repeatability::section,    // 7.2.2, 7.2.3
+    accuracy::distances,       // 7.3
+    streams::stabilisation,    // 7.4, 7.5
+    drift::section,            // 7.6
+    accuracy::exchangeability, // 7.7
+    streams::section,          // 8
+    streams::posing,           // 9
+    compliance::section,       // 10
+    streams::weaving,          // 11
 ];
 
 /// Every section that the documents have.

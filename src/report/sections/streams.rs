@@ -14,7 +14,8 @@ use std::collections::BTreeMap;
 /// Time to come to rest, and overshoot (7.4, 7.5).
 pub(super) fn stabilisation(tested: &Characteristics, words: &Words) -> Option<Section> {
     let mut section = Section::new("stabilisation", words.say("Stabilisation and overshoot"));
-    let note = words.say("From the first entry into the limit band until it is not left any more (ISO 9283:1998, 7.4 and 7.5).");
+    let note = words
+        .say("From the first entry into the limit band until it is not left any more (ISO 9283:1998, 7.4 and 7.5).");
     for (i, named) in tested.streams.as_ref()?.streams.iter().enumerate() {
         section.table(&named.name, note.as_str(), settling(named, words));
         section.figures(arrivals(i, named, words));
@@ -115,7 +116,10 @@ fn of_path(path: &Iso9283Path, words: &Words) -> Vec<(String, Cell)> {
         let rv = v.rv_percent.map(|rv| format!(", RV {} %", number::fixed(rv, 2))).unwrap_or_default();
         let (mean, av, fv) =
             (number::fixed(v.mean_mm_s, 2), number::fixed(v.av_percent, 2), number::fixed(v.fv_mm_s, 2));
-        facts.push((words.say("path velocity"), words.number(&format!("{mean} mm/s: AV {av} %{rv}, FV {fv} mm/s")).into()));
+        facts.push((
+            words.say("path velocity"),
+            words.number(&format!("{mean} mm/s: AV {av} %{rv}, FV {fv} mm/s")).into(),
+        ));
     }
     facts
 }
