@@ -4,7 +4,7 @@
 # make compare CAMPAIGNS="FOLDER ..." compare campaigns of one robot, the oldest first
 # make clean-NAME remove the output of campaign NAME; make clean that of all
 # make test    run the tests
-# make bench   compare with SciPy and NumPy, side by side in the same run, and write benches/README.md; COUNT= sets how many campaigns
+# make bench   compare with SciPy, NumPy and Pinocchio, side by side in the same run, and write benches/README.md; COUNT= sets how many campaigns
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
 # make thesis  the tables and figures of the thesis, printed and computed side by side: target/thesis/thesis.html and thesis.md
@@ -80,6 +80,7 @@ test:
 bench:
 	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv
 	$(SHARED)/venv/bin/pip install --quiet numpy scipy || echo "NumPy and SciPy could not be installed: left out"
+	$(SHARED)/venv/bin/pip install --quiet pin || echo "Pinocchio could not be installed: left out"
 	PYTHON=$(SHARED)/venv/bin/python benches/page.sh
 
 # peers that are not there are left out
@@ -108,7 +109,7 @@ test-linuxcnc: $(ETALON)
 	tests/linuxcnc/linuxcnc.sh $(ETALON)
 
 samples: $(ETALON)
-	for name in $(SYNTHETIC); do $(ETALON) simulate samples/$$name; done
+	for name in $(SYNTHETIC); do $(ETALON) simulate samples/$$name || exit; done
 
 clean: $(foreach c,$(CAMPAIGNS),clean-$(notdir $(c)))
 

@@ -24,14 +24,13 @@ fn main() {
     std::fs::write(folder.path().join("all.txt"), names.join("\n")).expect("list");
 
     let scipy = scipy(folder.path());
-    println!(
-        "campaigns, threads, campaigns a second, peak of memory, times SciPy's identification alone on one thread"
-    );
+    println!("campaigns, threads, campaigns a second, peak of memory, times SciPy's identifications on one thread");
     let mut alone = 0.0;
     for (list, count, threads) in [("few.txt", count.div_ceil(10), 2), ("all.txt", count, 1), ("all.txt", count, 2)] {
         let (seconds, peak) = batch(folder.path(), list, threads);
         let rate = count as f64 / seconds;
-        let ratio = scipy.map_or_else(|| "SciPy is not there".to_owned(), |s| format!("{:.1} times", rate * s));
+        let ratios: Vec<String> = scipy.iter().map(|(way, s)| format!("{:.1} times ({way})", rate * s)).collect();
+        let ratio = if ratios.is_empty() { "SciPy is not there".to_owned() } else { ratios.join(", ") };
         let second = if list == "all.txt" && threads == 2 {
             format!(", second thread {:.2} times", rate / alone)
         } else {
@@ -95,28 +94,31 @@ fn python() -> Command {
     Command::new(std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_owned()))
 }
 
-/// Seconds of SciPy's fit of the first campaign; both answers are compared.
-fn scipy(folder: &Path) -> Option<f64> {
+/// Seconds of SciPy's fit of the first campaign, by the way in which it is written; all answers are compared.
+fn scipy(folder: &Path) -> Vec<(String, f64)> {
     assert!(Command::new(ETALON).args(["run", "c0"]).current_dir(folder).output().expect("run").status.success());
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/batch_scipy.py");
     let observations = folder.join("c0/out/observations.csv");
     let threads = [("OMP_NUM_THREADS", "1"), ("OPENBLAS_NUM_THREADS", "1")];
-    let output = python().arg(script).arg(observations).arg("8").envs(threads).output().ok()?;
-    let text = String::from_utf8(output.stdout).ok()?;
-    let (seconds, s_mm) = text.trim().split_once(' ')?;
+    let output = python().arg(script).arg(observations).arg("8").envs(threads).output();
+    let Some(output) = output.ok().filter(|output| output.status.success()) else { return Vec::new() };
     let parameters = std::fs::read(folder.join("c0/out/parameters.json")).expect("parameters");
     let parameters: serde_json::Value = serde_json::from_slice(&parameters).expect("JSON");
     let all = parameters["parameters"].as_array().expect("parameters");
     let ours = all.iter().find(|p| p["name"] == "s").and_then(|p| p["value"].as_f64()).expect("s");
-    let seconds: f64 = seconds.parse().ok()?;
-    let s_mm: f64 = s_mm.parse().ok()?;
-    println!(
-        "SciPy, identification alone: {:.1} ms, {:.0}/s; its s differs by {:.1e} mm",
-        1e3 * seconds,
-        1.0 / seconds,
-        s_mm - ours
-    );
-    Some(seconds)
+    let of = |line: &str| {
+        let (way, numbers) = line.split_once(": ").expect("a name");
+        let (seconds, s_mm) = numbers.split_once(' ').expect("two numbers");
+        let [seconds, s_mm] = [seconds, s_mm].map(|number| number.parse::<f64>().expect("a number"));
+        println!(
+            "SciPy, identification alone, {way}: {:.1} ms, {:.0}/s; its s differs by {:.1e} mm",
+            1e3 * seconds,
+            1.0 / seconds,
+            s_mm - ours
+        );
+        (way.to_owned(), seconds)
+    };
+    String::from_utf8_lossy(&output.stdout).lines().map(of).collect()
 }
 
 /// Median of starts of the program, of a run with its report and of one without, beside Python's import of SciPy.

@@ -1,6 +1,6 @@
 """The peer of benches/identify.rs: the same fit with SciPy, vectorised NumPy, 2-point numeric Jacobian.
 
-usage: identify_scipy.py observations.csv EXTRA    (EXTRA: 6 with bending and coupling, 0 without)
+usage: identify_scipy.py observations.csv EXTRA    (EXTRA: how many of three of bending and three of coupling)
 Prints, for the two methods of least_squares, the time of the whole job (base and reflectors found from 20 random
 starts on every 25th pose, then all parameters) and of its last fit alone.
 """
@@ -14,8 +14,10 @@ from scipy.optimize import least_squares
 rows = np.genfromtxt(sys.argv[1], delimiter=",", names=True, dtype=None, encoding="utf-8")
 extra = int(sys.argv[2])
 poses = np.unique(rows["pose"])
-q = np.radians(np.array([[rows[f"q{j}_deg"][rows["pose"] == p][0] for j in range(1, 7)] for p in poses]))
-xyz = np.stack([rows["x_mm"], rows["y_mm"], rows["z_mm"]], axis=1).reshape(len(poses), 3, 3)
+first = np.unique(rows["pose"], return_index=True)[1]
+q = np.radians(np.stack([rows[f"q{j}_deg"][first] for j in range(1, 7)], axis=1))
+xyz = np.stack([rows["x_mm"], rows["y_mm"], rows["z_mm"]], axis=1).reshape(len(poses), -1, 3)
+T = 6 + 3 * xyz.shape[1]  # base and reflectors
 train = np.arange(len(poses)) % 10 < 7
 NOMINAL = np.array(
     [(0, 0, 0, 290), (-90, 0, -90, 0), (0, 270, 0, 0), (-90, 70, 0, 302), (90, 0, 0, 0), (-90, 0, 180, 72)], float
@@ -39,13 +41,13 @@ def turn_z(angles):
 
 def predict(x, q):
     mdh, beta, q = NOMINAL.copy(), 0.0, q.copy()
-    if len(x) > 15:
-        for value, (j, k) in zip(x[15:32], FREE):
+    if len(x) > T:
+        for value, (j, k) in zip(x[T : T + 17], FREE):
             mdh[j, k] += value * (1 if k in (1, 3) else 1e-2)
-        beta = x[32] * 1e-2
-        q *= 1 + x[33:39] * 1e-3
-    if len(x) > 39:
-        c = x[39:] * 1e-3
+        beta = x[T + 17] * 1e-2
+        q *= 1 + x[T + 18 : T + 24] * 1e-3
+    if len(x) > T + 24:
+        c = np.append(x[T + 24 :], np.zeros(6))[:6] * 1e-3
         upper, fore = q[:, 1].copy(), q[:, 1] + q[:, 2]
         q[:, 5] += c[4] * q[:, 3] + c[5] * q[:, 4]
         q[:, 4] += c[3] * q[:, 3]
@@ -60,7 +62,7 @@ def predict(x, q):
             r = r @ turn(beta, 1)
         r = r @ turn_z(q[:, i] + theta)
         p = p + r[:, :, 2] * d
-    return p[:, None, :] + np.einsum("nij,kj->nki", r, x[6:15].reshape(3, 3))
+    return p[:, None, :] + np.einsum("nij,kj->nki", r, x[6:T].reshape(-1, 3))
 
 
 def residuals(x, which):
@@ -71,7 +73,7 @@ def find_base():
     subset = np.arange(len(poses)) % 25 == 0
     random, best = np.random.default_rng(0), None
     for _ in range(20):
-        x = np.zeros(15)
+        x = np.zeros(T)
         x[:3], x[3:6] = xyz[subset].mean((0, 1)), random.uniform(-3, 3, 3)
         found = least_squares(residuals, x, args=(subset,), method="lm")
         if best is None or found.cost < best.cost:

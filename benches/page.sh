@@ -21,6 +21,8 @@ measure() {
     measure 'Many campaigns, and start-up' "$(<benches/batch.md)" batch
     measure 'Identification' 'IRB 120, 688 poses, 45 and 39 parameters: SciPy'"'"'s whole job, and its last fit alone.' identify
     measure 'Choice of poses' '15 of the 130 candidates of the sample dextar, for O1; NumPy does one decomposition a candidate.' plan
+    measure 'Arms' "$(<benches/arms.md)" arms
+    measure 'Draws of whole campaigns' "$(<benches/uncertainty.md)" uncertainty
     echo
     cat benches/measured.md
 } >"$new"

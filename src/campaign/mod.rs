@@ -224,7 +224,8 @@ impl Campaign {
 
 /// Keys of `campaign.toml` that this campaign needs and does not state: a test by ISO 9283 needs less than an identification.
 fn missing_keys(text: &str) -> Vec<&'static str> {
-    let stated = |key: &&str| toml_file::find(text, &[key]).is_some();
+    let all = toml_file::Stated::of(text);
+    let stated = |key: &&str| all.find(&[key]).is_some();
     let tests = ["repeatability", "poses", "stream", "compliance"].iter().any(stated);
     let geometric = stated(&"geometric");
     // leads, bars, balls and a whole geometric calibration need no log

@@ -153,7 +153,9 @@ fn foreign(model: &Model) -> impl Iterator<Item = &'static [&'static str]> {
 impl Source for RobotFile {
     /// The file where the key is not there.
     fn place(&self, path: &[&str]) -> Place {
-        self.stated(path).unwrap_or_else(|| Place::file(self.source.0.as_str()))
+        let (name, text) = &self.source;
+        let span = toml_file::find(text, path);
+        span.map_or_else(|| Place::file(name.as_str()), |span| Place::span(name.as_str(), text, span))
     }
 
     fn tree(&self) -> Result<Tree> {
@@ -230,12 +232,6 @@ impl RobotFile {
         }
     }
 
-    /// Where the value of a key is, if the file has it.
-    fn stated(&self, path: &[&str]) -> Option<Place> {
-        let (name, text) = &self.source;
-        Some(Place::span(name.as_str(), text, toml_file::find(text, path)?))
-    }
-
     /// The robot with these targets, where the model has none of its own.
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
         // what did not read is reported already
@@ -258,8 +254,11 @@ impl RobotFile {
     /// Errors about keys that only other models have.
     fn odd_keys(&self, model: &Model) -> Problems {
         let mut odd: Vec<Message> = Vec::new();
+        let (name, text) = &self.source;
+        let stated = toml_file::Stated::of(text);
         for path in foreign(model) {
-            let (Some(place), Some(key)) = (self.stated(path), path.last()) else { continue };
+            let (Some(span), Some(key)) = (stated.find(path), path.last()) else { continue };
+            let place = Place::span(name.as_str(), text, span);
             let owner = MODELS.into_iter().find(|other| other.keys.contains(&path)).map_or("", |owner| owner.name);
             let message = Message::error(format!("`{key}` means nothing for this model")).at(place);
             odd.push(message.hint(format!("it belongs to `model = \"{owner}\"`")));

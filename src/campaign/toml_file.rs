@@ -137,8 +137,10 @@ pub(super) fn recover_with<T>(
         }
     };
     meant.into_iter().for_each(|path| unread.add(path));
-    let top = top.iter().map(|key| (*key).to_owned()).chain(top_level(read)).collect::<Vec<_>>();
-    problems.0.extend(unknown_keys(file, text, &top, unknown));
+    if !unknown.is_empty() {
+        let top = top.iter().map(|key| (*key).to_owned()).chain(top_level(read)).collect::<Vec<_>>();
+        problems.0.extend(unknown_keys(file, text, &top, unknown));
+    }
     problems.0.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
     Recovered { value, problems, unread }
 }
@@ -215,17 +217,30 @@ fn not_finite(value: &Spanned<DeValue>, odd: &mut Vec<Range<usize>>) {
 
 /// The span of the value of a key, given by the keys that lead to it; a number among them counts tables of an array.
 pub(super) fn find(text: &str, path: &[&str]) -> Option<Range<usize>> {
-    let (root, _) = DeTable::parse_recoverable(text);
-    let (first, rest) = path.split_first()?;
-    let mut value = root.get_ref().get(*first)?;
-    for key in rest {
-        value = match value.get_ref() {
-            DeValue::Table(table) => table.get(*key)?,
-            DeValue::Array(array) => array.get(key.parse::<usize>().ok()?)?,
-            _ => return None,
-        };
+    Stated::of(text).find(path)
+}
+
+/// What a text states, for several keys to be found in it.
+pub(super) struct Stated<'t>(Spanned<DeTable<'t>>);
+
+impl<'t> Stated<'t> {
+    pub fn of(text: &'t str) -> Self {
+        Self(DeTable::parse_recoverable(text).0)
     }
-    Some(value.span())
+
+    /// [`find`]
+    pub fn find(&self, path: &[&str]) -> Option<Range<usize>> {
+        let (first, rest) = path.split_first()?;
+        let mut value = self.0.get_ref().get(*first)?;
+        for key in rest {
+            value = match value.get_ref() {
+                DeValue::Table(table) => table.get(*key)?,
+                DeValue::Array(array) => array.get(key.parse::<usize>().ok()?)?,
+                _ => return None,
+            };
+        }
+        Some(value.span())
+    }
 }
 
 /// Removes the innermost entry whose key or value covers `span`; gives the keys that lead to it.

@@ -23,7 +23,7 @@ pub struct Batch {
     /// Folders of campaigns, or texts that list them, one a line, beside the list
     #[arg(required = true)]
     campaigns: Vec<PathBuf>,
-    /// Write no reports: `etalon report` can write them later
+    /// Write no reports, which `etalon report` can write later, and no tables of points, joint values and observations
     #[arg(long)]
     documents: bool,
     /// Folder for batch.parquet and batch.html

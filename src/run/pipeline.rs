@@ -22,7 +22,7 @@ use crate::stages::kinds;
 pub enum Wanted {
     /// Documents, controller files and the reports.
     Reports,
-    /// No reports: `etalon report` can write them.
+    /// No reports: `etalon report` can write them. Nor tables of points, joint values and observations, which reports are not made of.
     Documents,
 }
 
@@ -155,12 +155,15 @@ fn write(
     let met = found.report().is_met();
     let faces = (wanted == Wanted::Reports).then(|| Faces::campaign(&found.report())).transpose()?;
     let Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested } = found;
-    out.gathered(campaign, &gathered)?;
+    let tables = wanted == Wanted::Reports;
+    if tables {
+        out.gathered(campaign, &gathered)?;
+    }
     out.json("campaign.json", &summary)?;
     out.json("import.json", &gathered.document)?;
     out.json("features.json", &features)?;
     out.json("frames.json", &frames)?;
-    out.observations(campaign, joined)?;
+    out.observations(campaign, joined.filter(|_| tables))?;
     out.identified(identified.as_ref())?;
     out.optional("geometric.json", geometric.as_ref())?;
     out.optional("iso9283.json", tested.poses.as_ref())?;

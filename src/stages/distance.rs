@@ -27,12 +27,11 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
     let ranges: Vec<(f64, f64)> = (0..count)
         .map(|j| all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, q| (r.0.min(q[j]), r.1.max(q[j]))))
         .collect();
-    let apart = |a: &[f64], b: &[f64]| {
-        let of = |((low, high), (a, b)): (&(f64, f64), (&f64, &f64))| {
-            if high > low { ((a - b) / (high - low)).powi(2) } else { 0.0 }
-        };
-        ranges.iter().zip(a.iter().zip(b)).map(of).sum::<f64>().sqrt()
+    let along = |a: &[f64], b: &[f64], j: usize| {
+        let (low, high) = ranges[j];
+        if high > low { (a[j] - b[j]) / (high - low) } else { 0.0 }
     };
+    let apart = |a: &[f64], b: &[f64]| (0..count).map(|j| along(a, b, j).powi(2)).sum::<f64>().sqrt();
     // repeats of a pose, whose joint values scatter, are one; so are the same joint values under several numbers
     let distinct = |observations: &[Observation]| -> Vec<Vec<f64>> {
         let mut of_pose: BTreeMap<PoseName, Vec<Vec<f64>>> = BTreeMap::new();
@@ -45,16 +44,13 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
         let bits = |q: Vec<f64>| (q.iter().map(|q| q.to_bits()).collect::<Vec<_>>(), q);
         of_pose.into_values().flatten().map(bits).collect::<BTreeMap<_, _>>().into_values().collect()
     };
-    let (calibration, validation) = (distinct(&sets.calibration), distinct(&sets.validation));
-    let nearest = |from: &[Vec<f64>], within: bool| -> Vec<f64> {
-        let of = |(i, a): (usize, &Vec<f64>)| {
-            let others = calibration.iter().enumerate().filter(|(k, _)| !within || *k != i);
-            others.map(|(_, b)| apart(a, b)).fold(f64::INFINITY, f64::min)
-        };
-        from.par_iter().enumerate().map(of).collect()
+    let (mut calibration, validation) = (distinct(&sets.calibration), distinct(&sets.validation));
+    divide(&mut calibration, 0);
+    let nearest = |from: &[Vec<f64>]| -> Vec<f64> {
+        from.par_iter().map(|q| nearest(q, &calibration, 0, &apart, &along, f64::INFINITY)).collect()
     };
-    let spacing = median(nearest(&calibration, true)).filter(|s| *s > 0.0 && s.is_finite())?;
-    let distances = nearest(&validation, false);
+    let spacing = median(nearest(&calibration)).filter(|s| *s > 0.0 && s.is_finite())?;
+    let distances = nearest(&validation);
     let outside = |q: &&Vec<f64>| q.iter().zip(&ranges).any(|(q, (low, high))| q < low || q > high);
     Some(ValidationDistance {
         largest: distances.iter().copied().reduce(f64::max)? / spacing,
@@ -62,6 +58,39 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
         poses: validation.len(),
         outside: validation.iter().filter(outside).count(),
     })
+}
+
+/// Orders points so that the middle one divides them along an axis, and each half likewise along the next (a k-d tree, Bentley 1975).
+fn divide(points: &mut [Vec<f64>], axis: usize) {
+    if points.len() > 1 {
+        let middle = points.len() / 2;
+        points.select_nth_unstable_by(middle, |a, b| a[axis].total_cmp(&b[axis]));
+        let (below, above) = points.split_at_mut(middle);
+        let next = (axis + 1) % above[0].len();
+        divide(below, next);
+        divide(&mut above[1..], next);
+    }
+}
+
+/// The distance from `q` to the nearest other one of `divided` points, or `best` if none is nearer: `apart` is the distance of two points,
+/// `along` that along an axis alone.
+fn nearest(
+    q: &[f64],
+    divided: &[Vec<f64>],
+    axis: usize,
+    apart: &impl Fn(&[f64], &[f64]) -> f64,
+    along: &impl Fn(&[f64], &[f64], usize) -> f64,
+    mut best: f64,
+) -> f64 {
+    let Some(middle) = divided.get(divided.len() / 2) else { return best };
+    let (below, above) = (&divided[..divided.len() / 2], &divided[divided.len() / 2 + 1..]);
+    if !std::ptr::eq(q.as_ptr(), middle.as_ptr()) {
+        best = best.min(apart(q, middle));
+    }
+    let (near, far) = if q[axis] < middle[axis] { (below, above) } else { (above, below) };
+    let next = (axis + 1) % q.len();
+    best = nearest(q, near, next, apart, along, best);
+    if along(q, middle, axis).abs() <= best { nearest(q, far, next, apart, along, best) } else { best }
 }
 
 /// A warning where validation poses repeat those of the calibration, or lie far from them.
@@ -88,6 +117,8 @@ pub fn far_or_near(distance: &ValidationDistance) -> Option<Message> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::noise::Noise;
+    use crate::base::pose::{minus, norm};
     use crate::math::robots::Prexyt;
 
     /// Poses of a grid of four by four by four, 10 mm apart, from `first_mm` in each joint.
@@ -126,6 +157,16 @@ mod tests {
         let far = distance(grid(100.0));
         assert!(far.median > 7.0 * 3f64.sqrt() && far.outside == 64);
         assert!(far_or_near(&far).unwrap().what.contains("far from the calibration"));
+        // as one after the other finds them
+        let mut noise = Noise::new(1, 0);
+        let mut drawn = || (0..300).map(|_| (0..3).map(|_| noise.uniform(1.0)).collect()).collect::<Vec<Vec<f64>>>();
+        let (mut divided, others) = (drawn(), drawn());
+        divide(&mut divided, 0);
+        let apart = |a: &[f64], b: &[f64]| norm(minus([a[0], a[1], a[2]], [b[0], b[1], b[2]]));
+        for q in divided.iter().chain(&others) {
+            let each = divided.iter().filter(|p| *p != q).map(|p| apart(q, p)).fold(f64::INFINITY, f64::min);
+            assert_eq!(nearest(q, &divided, 0, &apart, &|a, b, j| a[j] - b[j], f64::INFINITY), each);
+        }
         let none = |validation| Sets { calibration: grid(0.0)[..1].to_vec(), validation, ..Sets::default() };
         assert!(validation_distance(&Prexyt::default(), &none(grid(0.0))).is_none());
     }

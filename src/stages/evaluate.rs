@@ -14,7 +14,7 @@ use crate::math::identify::{Condition, Contributions, Figure, Kind, Observation,
 use crate::math::robots::Robot;
 use crate::stages::kinds::Observed;
 use polars::prelude::{Column, DataFrame};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Observations split into those to identify on and those to test on.
 #[derive(Clone, Debug, Default)]
@@ -31,7 +31,8 @@ pub struct Sets {
 
 /// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log that is identified.
 pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
-    let index = |pose: PoseName| poses.range(..pose).count();
+    let indices: BTreeMap<PoseName, usize> = poses.iter().enumerate().map(|(i, pose)| (*pose, i)).collect();
+    let index = |pose: PoseName| indices.get(&pose).copied().unwrap_or_else(|| poses.range(..pose).count());
     let mut sets = Sets::default();
     for o in &observed.observations {
         let i = index(o.pose);

@@ -477,6 +477,36 @@ fn a_batch_of_many_campaigns_ends_on_the_stack_and_in_the_memory_of_a_few() {
     }
 }
 
+#[test]
+fn the_makefile_needs_no_more_than_gnu_make_3_81() {
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/Makefile")).unwrap();
+    // of the release notes of 3.82 to 4.4; `.SHELLFLAGS` is ignored before 3.82
+    let newer = [
+        ".ONESHELL",
+        "undefine ",
+        "private ",
+        "!=",
+        "::=",
+        "&:",
+        "$(file ",
+        "$(guile ",
+        "$(let ",
+        "$(intcmp ",
+        ".EXTRA_PREREQS",
+        ".WAIT",
+        "load ",
+        "--output-sync",
+        ".SHELLSTATUS",
+        ".NOTINTERMEDIATE",
+    ];
+    for line in text.lines().filter(|line| !line.starts_with('#')) {
+        let found = newer.iter().find(|feature| line.contains(**feature));
+        assert!(found.is_none() && !(line.starts_with("define ") && line.contains('=')), "{found:?} in `{line}`");
+        // a recipe of several commands ends where one of them fails, without `-e`
+        assert!(!line.contains("; done") || line.contains("|| exit") || line.contains("exit $$bad"), "{line}");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn make_runs_what_has_changed_and_lists_how_each_ended() {
@@ -509,9 +539,12 @@ fn make_runs_what_has_changed_and_lists_how_each_ended() {
     let (met, said) = make(&["-j2"]);
     assert!(!met && runs(&said) == 4, "{said}");
     assert_eq!(listed(&said), ended, "{said}");
-    let (_, said) = make(&[]);
+    let (_, said) = make(&[".SHELLFLAGS=-c"]); // all that GNU make 3.81 passes
     assert_eq!(listed(&said), ended, "{said}");
     assert!(runs(&said) == 2 && said.contains("etalon run c") && said.contains("etalon run d"), "{said}");
+    let alone = "RAYON_NUM_THREADS=1 POLARS_MAX_THREADS=1";
+    assert!(make(&["-n", "-j2"]).1.contains(alone) && !make(&["-n"]).1.contains(alone));
+    assert_eq!(listed(&make(&["-k", "-j2"]).1), ended);
     let (met, said) = make(&["clean-a"]);
     assert!(met && !folder.path().join("a/out").exists() && folder.path().join("b/out").exists(), "{said}");
     let (_, said) = make(&[]);

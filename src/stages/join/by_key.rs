@@ -8,8 +8,10 @@ use crate::document::Unmatched;
 use crate::import::JointLog;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Indices of rows by their key: names of poses, and numbers likewise.
-type Keys = BTreeMap<Vec<PoseName>, Vec<usize>>;
+/// Names of poses, and numbers likewise.
+type Key = [Option<PoseName>; 2];
+/// Indices of rows by their key.
+type Keys = BTreeMap<Key, Vec<usize>>;
 
 /// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a warning.
 pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks: &mut Remarks) -> Result<Vec<Row>> {
@@ -37,7 +39,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
                       here: &Keys,
                       there: &Keys,
                       reason: &str| {
-        let alone: Vec<&Vec<PoseName>> = here.keys().filter(|key| !there.contains_key(*key)).collect();
+        let alone: Vec<&Key> = here.keys().filter(|key| !there.contains_key(*key)).collect();
         let what = if alone.len() == 1 { one } else { many };
         if !alone.is_empty() {
             let shown: Vec<String> = alone.iter().take(8).map(|k| format!("[{}]", listed(k))).collect();
@@ -72,14 +74,14 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
 fn misspelt(keys: &[&str], (targets, measured): (&[Target], &Keys), (log, logged): (&JointLog, &Keys)) -> Result<()> {
     let alone = |here: &Keys, there: &Keys| -> Vec<(PoseName, usize)> {
         let lone = here.iter().filter(|(key, _)| !there.contains_key(*key));
-        lone.filter_map(|(key, rows)| Some((key[0], *rows.first()?))).collect()
+        lone.filter_map(|(key, rows)| Some((key[0]?, *rows.first()?))).collect()
     };
     let (here, there) = (alone(measured, logged), alone(logged, measured));
     if keys[0] != "pose" || here.is_empty() || there.is_empty() {
         return Ok(());
     }
     let wrong = |alone: &[(PoseName, usize)], other: &Keys| {
-        let unknown = |pose: PoseName| pose.number().is_none() && other.keys().all(|key| key[0] != pose);
+        let unknown = |pose: PoseName| pose.number().is_none() && other.keys().all(|key| key[0] != Some(pose));
         alone.iter().copied().find(|(pose, _)| unknown(*pose))
     };
     let (what, pose, place, others) = match (wrong(&there, measured), wrong(&here, logged)) {
@@ -109,16 +111,16 @@ fn collected<T>(keys: &[&str], rows: &[T], number: impl Fn(&T, &str) -> Option<P
         }
     }
     for (i, row) in rows.iter().enumerate() {
-        all.entry(keys.iter().filter_map(|key| number(row, key)).collect()).or_default().push(i);
+        all.entry(std::array::from_fn(|k| number(row, keys.get(k)?))).or_default().push(i);
     }
     Ok(all)
 }
 
-fn listed(key: &[PoseName]) -> String {
-    key.iter().map(PoseName::to_string).collect::<Vec<_>>().join(", ")
+fn listed(key: &Key) -> String {
+    key.iter().flatten().map(PoseName::to_string).collect::<Vec<_>>().join(", ")
 }
 
 /// A key in words: `pose 3, cycle 1`.
-fn in_words(names: &[&str], key: &[PoseName]) -> String {
-    names.iter().zip(key).map(|(name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(", ")
+fn in_words(names: &[&str], key: &Key) -> String {
+    names.iter().zip(key.iter().flatten()).map(|(name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(", ")
 }
