@@ -20,6 +20,9 @@ pub const COVARIANCES: [&str; 6] = ["cxx_mm2", "cxy_mm2", "cxz_mm2", "cyy_mm2", 
 /// Columns of the angles, in degrees: rotations about the axes named in the rotation order that the user states.
 pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 
+/// Columns of a quaternion, scalar first: a body in the world.
+pub const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
+
 /// Column of a point's label; in a log, of the point that the robot touches.
 pub const LABEL: &str = "label";
 

@@ -3,7 +3,8 @@
 use super::{Join, JoinBy, StatedPoses};
 use crate::base::pose::{Vector, minus, norm, unit};
 use crate::document::{Conditions, DecisionRule, Language};
-use crate::import::{Export, Log};
+use crate::import::format::{Decimal, Delimiter, Encoding, FromRow};
+use crate::import::{Export, Layout, Log};
 use crate::math::identify::{ResidualKind, RigidPart, ToolFrame, ToolPoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
@@ -203,13 +204,44 @@ pub struct Homing {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ObservationsDefinition {
-    /// The table: CSV with a header.
+    /// The table: delimited text with a header, or a workbook (.xlsx).
     #[schemars(with = "String")]
     pub file: Spanned<String>,
+    /// What separates the columns.
+    #[schemars(extend("default" = ","))]
+    pub delimiter: Option<Delimiter>,
+    /// Decimal mark.
+    #[serde(default)]
+    pub decimal: Decimal,
+    /// Encoding of its characters, where no byte-order mark states it.
+    #[schemars(extend("default" = "utf-8"))]
+    pub encoding: Option<Encoding>,
+    /// Sheet of a workbook that holds the table.
+    pub sheet: Option<String>,
+    /// The heading in the file of each column that is called otherwise there.
+    #[serde(default)]
+    pub columns: BTreeMap<String, String>,
+    /// The target of all rows, of a table without such a column.
+    pub target: Option<String>,
+    /// `row`: the number of the data row is the number of the pose, of a table without such a column; `row + 100`: so many more.
+    pub pose: Option<FromRow>,
     /// Order in which the three angles of an orientation (columns `a_deg`, `b_deg`, `c_deg`) turn: about the axes of the body, one after the other,
     /// or `fixed`, about those of the world.
     #[schemars(with = "Option<String>")]
     pub orientation: Option<Spanned<String>>,
+}
+
+impl ObservationsDefinition {
+    /// How the table is laid out.
+    pub fn layout(&self) -> Layout {
+        Layout {
+            delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
+            decimal: self.decimal,
+            columns: self.columns.clone(),
+            target: self.target.clone(),
+            pose: self.pose,
+        }
+    }
 }
 
 impl Instrument {

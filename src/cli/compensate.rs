@@ -1,12 +1,12 @@
 //! `etalon compensate`
 
 use super::export::Exported;
-use super::kinematics::{QUATERNION, cell, identified, joint_names, poses, starts, whole_pose};
+use super::kinematics::{cell, identified, joint_names, poses, starts, whole_pose};
 use super::{Verdict, print_with, remark, say};
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::{Pose, minus, norm};
-use crate::base::table::{self, XYZ};
+use crate::base::table::{self, QUATERNION, XYZ};
 use crate::document::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
 use crate::export::Given;
 use crate::export::commands::{

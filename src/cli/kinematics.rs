@@ -3,7 +3,7 @@
 use super::{Verdict, print_with, remark};
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::Pose;
-use crate::base::table::{self, ASSEMBLY, XYZ};
+use crate::base::table::{self, ASSEMBLY, QUATERNION, XYZ};
 use crate::campaign::read_robot;
 use crate::document::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
 use crate::math::identify::{joint_column, stated_modes};
@@ -13,7 +13,6 @@ use crate::stages::given::robot_values;
 use crate::stages::table_file::TableFile;
 use std::path::{Path, PathBuf};
 
-pub(super) const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 /// How far a quaternion may be from length one: it has a few decimals.
 const LENGTH_ONE: f64 = 1e-3;
 

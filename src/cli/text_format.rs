@@ -2,8 +2,9 @@
 
 use super::table_file::TableFile;
 use crate::base::message::{Message, Problems};
+use crate::import::format::FromRow;
 use crate::import::format::{Decimal, Delimiter, Dialect, Header, Role, Unit};
-use crate::import::{Format, Marks};
+use crate::import::{self, Format, Layout};
 use std::path::Path;
 
 /// Unit and columns of a text.
@@ -74,15 +75,33 @@ pub(super) struct TableFormat {
     /// Sheet of a workbook (.xlsx) that holds the table
     #[arg(long, value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
     sheet: Option<String>,
+    /// The heading in the file of a column that is called otherwise there: q1_deg=J1; may be repeated
+    #[arg(long = "column", value_name = "NAME=HEADING")]
+    columns: Vec<String>,
+    /// The target of all rows, of a table without such a column
+    #[arg(long, value_name = "NAME")]
+    target: Option<String>,
+    /// `row`: the number of the data row is the number of the pose, of a table without such a column
+    #[arg(long, value_name = "ROW")]
+    pose: Option<String>,
 }
 
 impl TableFormat {
     /// The table in the file.
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
-        let marks =
-            Marks { delimiter: word("--delimiter", &self.delimiter)?, decimal: word("--decimal", &self.decimal)? };
+        let column = |text: &String| match text.split_once('=') {
+            Some((name, heading)) => Ok((name.trim().to_owned(), heading.trim().to_owned())),
+            None => Err(Problems::from(Message::error(format!("--column: `{text}` has no `=`")).expected("q1_deg=J1"))),
+        };
+        let layout = Layout {
+            delimiter: word("--delimiter", &self.delimiter)?,
+            decimal: word("--decimal", &self.decimal)?,
+            columns: self.columns.iter().map(column).collect::<Result<_, _>>()?,
+            target: self.target.clone(),
+            pose: self.pose.as_deref().map(|row| word::<FromRow>("--pose", row)).transpose()?,
+        };
         let encoding = self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()?;
-        TableFile::read_as(path, marks, encoding, self.sheet.as_deref())
+        TableFile::observations(path, &import::bytes_of(path)?, layout, encoding, self.sheet.as_deref())
     }
 }
 

@@ -26,7 +26,7 @@ pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, Standstill, is_joi
 pub(crate) use logs::{is_common_column, meaning as log_column, read as log, write as write_log};
 pub use points::{Point, table};
 pub use propose::{propose, propose_file};
-pub use tables::observations::{Marks, observations, observations_with};
+pub use tables::observations::{Layout, observations, observations_with};
 
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result, count};

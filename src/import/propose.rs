@@ -8,6 +8,7 @@ use super::input::{bytes_of, decode};
 use super::logs::LogKind;
 use super::workbook;
 use crate::base::message::{Message, Place, Result, count};
+use crate::base::table::QUATERNION;
 use crate::document::{FormatsDocument, Reading};
 use crate::import::format::{Columns, CoordinateType, Dialect, Encoding, Header, Role, Unit};
 use std::fmt::Write;
@@ -186,7 +187,13 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
                 document.reasons.push(format!("the header names joints beside the points: {}", joints.join(", ")));
                 document.questions.push("which joint each column is, and its unit".to_owned());
             }
-            export_lines(file, best) + &mixed.map_or_else(String::new, |joints| joint_lines(&joints))
+            match (&mixed, orientation(best)) {
+                (Some(joints), Some(turned)) => {
+                    document.reasons.push(format!("the header names orientations: {}", turned.join(", ")));
+                    observation_lines(file, best, joints, &turned)
+                }
+                _ => export_lines(file, best) + &mixed.map_or_else(String::new, |joints| joint_lines(&joints)),
+            }
         }
     };
     if let Some((kind, found)) = log {
@@ -359,6 +366,70 @@ fn joints_beside_points<'g>(best: &'g Guess) -> Option<Vec<&'g str>> {
     (points && readable && beside).then(|| joints.into_iter().map(|(name, _)| name).collect())
 }
 
+/// The columns of measured orientations: a quaternion, or three that are angles or a rotation vector.
+fn orientation<'g>(best: &'g Guess) -> Option<Vec<&'g str>> {
+    let header = names(best)?;
+    let plain = |name: &str| name.split(['_', '[', '(', ' ']).next().unwrap_or("").to_lowercase();
+    let all = |wanted: &[&str]| -> Option<Vec<&'g str>> {
+        wanted.iter().map(|name| header.iter().copied().find(|heading| plain(heading) == **name)).collect()
+    };
+    let forms: [&[&str]; 6] = [
+        &QUATERNION,
+        &["rx", "ry", "rz"],
+        &["a", "b", "c"],
+        &["w", "p", "r"],
+        &["roll", "pitch", "yaw"],
+        &["yaw", "pitch", "roll"],
+    ];
+    forms.into_iter().find_map(all)
+}
+
+/// Lines of a table of observations: joint values, positions and orientations row by row.
+fn observation_lines(file: &str, best: &Guess, joints: &[&str], turned: &[&str]) -> String {
+    let header = names(best).unwrap_or_default();
+    let unit = stated_unit(best).map_or("UNIT", Unit::name);
+    let role = |role: Role| roles(best).iter().position(|r| *r == role).map(|i| header[i]);
+    let mut columns: Vec<String> = Vec::new();
+    let mut column = |name: String, heading: &str| columns.push(format!("{name} = {heading:?}"));
+    if let Some(pose) = role(Role::Pose) {
+        column("pose".to_owned(), pose);
+    }
+    for (i, joint) in joints.iter().enumerate() {
+        column(format!("q{}_{}", i + 1, unit_of_name(joint).unwrap_or("UNIT")), joint);
+    }
+    for (name, of) in ["x", "y", "z"].into_iter().zip([Role::X, Role::Y, Role::Z]) {
+        if let Some(heading) = role(of) {
+            column(format!("{name}_{unit}"), heading);
+        }
+    }
+    match turned.len() {
+        4 => QUATERNION.into_iter().zip(turned).for_each(|(name, heading)| column(name.to_owned(), heading)),
+        _ => ["a_UNIT", "b_UNIT", "c_UNIT"]
+            .into_iter()
+            .zip(turned)
+            .for_each(|(name, heading)| column(name.to_owned(), heading)),
+    }
+    let mut out = format!(
+        "[observations]\nfile = {file:?}\ndelimiter = {:?}\ndecimal = {:?}\ncolumns = {{ {} }}\n{JOINTS}",
+        best.dialect.delimiter.map_or("", |d| d.name()),
+        best.dialect.decimal.name(),
+        columns.join(", ")
+    );
+    if turned.len() == 3 {
+        out.push_str(
+            "orientation = \"?\"          # order of the three angles: \"zyx\", \"fixed xyz\" ..; without it the error names the orders that fit. Of a\n\
+             # rotation vector name the columns rx_UNIT, ry_UNIT, rz_UNIT instead\n",
+        );
+    }
+    if role(Role::Target).is_none() {
+        out.push_str("target = \"probe\"           # the body that was measured\n");
+    }
+    if role(Role::Pose).is_none() {
+        out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
+    }
+    out
+}
+
 /// The unit that the name of a column ends in.
 fn unit_of_name(name: &str) -> Option<&'static str> {
     ["deg", "rad", "mm", "m"].into_iter().find(|unit| name.trim().to_lowercase().ends_with(&format!("_{unit}")))
@@ -454,6 +525,29 @@ mod tests {
         assert!(text.contains("target = \"?\"") && !text.contains("pose = \"row\""), "{text}");
         let text = propose("m.csv", "target;x;y;z\nK;1,5;2,5;3,5\nL;1,6;2,6;3,6\n").toml;
         assert!(!text.contains("target = \"?\"") && text.contains("pose = \"row\""), "{text}");
+    }
+
+    #[test]
+    fn joints_beside_orientations_are_a_table_of_observations() {
+        let text = propose(
+            "m.csv",
+            "J1;J2;X;Y;Z;QW;QX;QY;QZ\n0,1;0,2;1,5;2,5;3,5;1,0;0,0;0,0;0,0\n0,3;0,4;1,6;2,6;3,6;0,8;0,6;0,0;0,0\n",
+        )
+        .toml;
+        let columns = "columns = { q1_UNIT = \"J1\", q2_UNIT = \"J2\", x_UNIT = \"X\", y_UNIT = \"Y\", z_UNIT = \"Z\", qw = \"QW\", qx = \"QX\"";
+        assert!(text.contains("[observations]") && text.contains(columns) && !text.contains("orientation ="), "{text}");
+        let text = propose(
+            "m.csv",
+            "J1_rad;J2_rad;x_mm;y_mm;z_mm;Rx;Ry;Rz\n0,1;0,2;1,5;2,5;3,5;1,0;0,0;0,0\n0,3;0,4;1,6;2,6;3,6;0,8;0,6;0,0\n",
+        )
+        .toml;
+        assert!(
+            text.contains("q1_rad = \"J1_rad\"")
+                && text.contains("x_mm = \"x_mm\"")
+                && text.contains("a_UNIT = \"Rx\""),
+            "{text}"
+        );
+        assert!(text.contains("orientation = \"?\"") && text.contains("decimal = \",\""), "{text}");
     }
 
     #[test]

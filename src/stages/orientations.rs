@@ -2,15 +2,13 @@
 
 use crate::base::message::{Message, Place, Result};
 use crate::base::pose::Pose;
-use crate::base::table;
+use crate::base::table::{self, QUATERNION};
 use crate::math::identify::{Condition, Kind, Observation, Settings, fit_frames, mounted_misfit_rad};
 use crate::math::robots::Robot;
 use polars::prelude::DataFrame;
 use std::fmt;
 use std::str::FromStr;
 
-/// Columns of an orientation: the quaternion that turns vectors of the body to the world.
-pub const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 /// The same as a rotation vector, and as angles.
 const TRIPLES: [([&str; 3], f64, bool); 4] = [
     (["rx_deg", "ry_deg", "rz_deg"], DEG, false),

@@ -3,11 +3,11 @@
 use crate::base::files::{self, Stamp};
 use crate::base::message::{Problems, Result};
 use crate::base::table;
-use crate::campaign::Campaign;
+use crate::campaign::{Campaign, ObservationsDefinition};
 use crate::document::Source;
 use crate::import::format::{Decimal, Delimiter, Dialect, Encoding};
 use crate::import::tables::coordinates::NamedTable;
-use crate::import::{self, Format, Marks};
+use crate::import::{self, Format, Layout};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::path::Path;
 use toml::Spanned;
@@ -26,13 +26,21 @@ impl TableFile {
         Self::read_with(path, import::observations)
     }
 
-    /// A table with these marks, in a text of this encoding or in a sheet of a workbook.
-    pub fn read_as(path: &Path, marks: Marks, encoding: Option<Encoding>, sheet: Option<&str>) -> Result<Self> {
+    /// A table of observations in this layout, in a text of this encoding or in a sheet of a workbook.
+    pub fn observations(
+        path: &Path,
+        bytes: &[u8],
+        mut layout: Layout,
+        encoding: Option<Encoding>,
+        sheet: Option<&str>,
+    ) -> Result<Self> {
         let format = Format::from(Dialect { sheet: sheet.map(str::to_owned), ..Dialect::default() });
-        // the cells of a sheet are read as a text with tabs
-        let marks = if sheet.is_some() { Marks { delimiter: Delimiter::Tab, decimal: Decimal::Point } } else { marks };
-        let text = import::text_of(path, &import::bytes_of(path)?, encoding, &format)?;
-        Self::of(path, text, |name, text| import::observations_with(name, text, marks))
+        if sheet.is_some() {
+            // its cells are read as a text with tabs
+            (layout.delimiter, layout.decimal) = (Delimiter::Tab, Decimal::Point);
+        }
+        let text = import::text_of(path, bytes, encoding, &format)?;
+        Self::of(path, text, |name, text| import::observations_with(name, text, &layout))
     }
 
     /// A text of another form, which `table` makes a table of, given the file's name and the text.
@@ -90,6 +98,13 @@ impl CampaignTables<'_> {
         self.read_with(file, "table", holds, import::observations)
     }
 
+    /// The table of observations.
+    pub fn observations(&mut self, stated: &ObservationsDefinition) -> Result<TableFile> {
+        self.listed(&stated.file, "table", "observations", |path, bytes| {
+            TableFile::observations(path, &bytes, stated.layout(), stated.encoding, stated.sheet.as_deref())
+        })
+    }
+
     /// A table of another kind, which `table` makes of the file's name and text.
     pub fn read_with(
         &mut self,
@@ -98,12 +113,21 @@ impl CampaignTables<'_> {
         holds: &str,
         table: impl FnOnce(&str, &str) -> Result<DataFrame>,
     ) -> Result<TableFile> {
+        self.listed(file, kind, holds, |path, bytes| TableFile::of(path, files::text(path, bytes)?, table))
+    }
+
+    fn listed(
+        &mut self,
+        file: &Spanned<String>,
+        kind: &str,
+        holds: &str,
+        read: impl FnOnce(&Path, Vec<u8>) -> Result<TableFile>,
+    ) -> Result<TableFile> {
         let here = self.campaign.place(file);
         let path = self.campaign.resolve(file)?;
         let bytes = files::read(&path).map_err(|more| more.at(&here))?;
         let stamp = Stamp::of(&bytes);
-        let text = files::text(&path, bytes).map_err(|more| more.at(&here))?;
-        let table = TableFile::of(&path, text, table).map_err(|more| more.at(&here))?;
+        let table = read(&path, bytes).map_err(|more| more.at(&here))?;
         self.sources.push(Source {
             file: file.get_ref().clone(),
             sha256: stamp.sha256,

@@ -200,3 +200,79 @@ fn what_formats_proposes_of_a_mixed_file_is_accepted() {
     .unwrap();
     ends(&scratch, "check", 0, &[]);
 }
+
+/// Joints and measured poses of a probe on a six-axis arm, as a program with a decimal comma writes them: what `formats` proposes of them
+/// is accepted, and gives what the plain table gives.
+#[test]
+fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = |arguments: &[&str]| {
+        let output =
+            std::process::Command::new(crate::support::program()).args(arguments).current_dir(folder.path()).output();
+        let output = output.unwrap();
+        (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+    };
+    assert_eq!(program(&["init", "cobot", "--robot", "ur5e"]).0, Some(0));
+    let mut noise = Noise::new(21, 0);
+    let joints: Vec<String> = (1..=30)
+        .map(|pose| format!("{pose},{}", [(); 6].map(|()| format!("{:.4}", 100.0 * noise.uniform(1.2))).join(",")))
+        .collect();
+    let table = format!("pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n{}\n", joints.join("\n"));
+    std::fs::write(folder.path().join("joints.csv"), table).unwrap();
+    let (_, reached, said) = program(&["kinematics", "direct", "--robot", "cobot/robot.toml", "joints.csv"]);
+    let reached: Vec<&str> = reached.lines().skip(1).collect();
+    assert_eq!(reached.len(), joints.len(), "{said}");
+    let rows: Vec<String> =
+        joints.iter().zip(reached).map(|(q, at)| format!("{q},{}", at.split_once(',').unwrap().1)).collect();
+    let head = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,target,cycle\n";
+    let plain: String = rows.iter().map(|row| format!("{row},probe,1\n")).collect();
+    let own: String =
+        rows.iter().map(|row| row.split_once(',').unwrap().1.replace(',', ";").replace('.', ",") + "\n").collect();
+    let own_head = "J1;J2;J3;J4;J5;J6;X;Y;Z;QW;QX;QY;QZ\n";
+    std::fs::write(folder.path().join("cobot/plain.csv"), head.to_owned() + &plain).unwrap();
+    std::fs::write(folder.path().join("cobot/own.csv"), own_head.to_owned() + &own).unwrap();
+
+    let proposed = program(&["formats", "cobot/own.csv"]).1.replace("file = \"cobot/own.csv\"", "file = \"own.csv\"");
+    let proposed = (1..=6).fold(proposed, |text, j| text.replace(&format!("q{j}_UNIT"), &format!("q{j}_deg")));
+    let proposed =
+        ["x", "y", "z"].iter().fold(proposed, |text, c| text.replace(&format!("{c}_UNIT"), &format!("{c}_mm")));
+    let campaign = |observations: &str| {
+        let text = format!(
+            "name = \"c\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 20\ncoverage_factor = 2\n\
+             expanded_rotation_uncertainty_deg = 0.01\n{observations}\n[identify]\ncalibration = \"all\"\n"
+        );
+        std::fs::write(folder.path().join("cobot/campaign.toml"), text).unwrap();
+        let (code, _, said) = program(&["run", "cobot"]);
+        let document = std::fs::read(folder.path().join("cobot/out/parameters.json")).unwrap_or_default();
+        (code, said, serde_json::from_slice::<ParametersDocument>(&document).ok())
+    };
+    let (code, said, stated) = campaign("[observations]\nfile = \"plain.csv\"");
+    assert_eq!(code, Some(0), "{said}");
+    let (code, said, laid_out) = campaign(&proposed);
+    assert_eq!(code, Some(0), "{said}");
+    let (stated, laid_out) = (stated.unwrap(), laid_out.unwrap());
+    assert!(laid_out.parameters.iter().any(|p| p.name == "probe_rx" && p.standard_uncertainty.is_some()));
+    for (a, b) in stated.parameters.iter().zip(&laid_out.parameters) {
+        assert_eq!((&a.name, a.value, a.standard_uncertainty), (&b.name, b.value, b.standard_uncertainty));
+    }
+
+    // slips: each by name
+    let slip = |from: &str, to: &str, expected: &str| {
+        let (code, said, _) = campaign(&proposed.replacen(from, to, 1));
+        assert!(code == Some(2) && said.contains(expected), "{code:?} {said}");
+    };
+    slip("\"J1\"", "\"J7\"", "the header names no `J7`");
+    slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "`J1` is stated to be `q1_deg` and `q2_deg`");
+    slip("x_mm =", "x =", "`x` is not a column of observations");
+    slip("pose = \"row\"", "", "no column `pose`");
+    let spoilt = own.replacen(';', ";x", 9);
+    std::fs::write(folder.path().join("cobot/own.csv"), own_head.to_owned() + &spoilt).unwrap();
+    let (code, said, _) = campaign(&proposed);
+    assert!(code == Some(2) && said.contains("own.csv:2"), "{said}");
+    // a cell of a quaternion that is not a number was an orientation that nobody measured
+    let (first, rest) = plain.split_once(",probe").unwrap();
+    let cut = first.rsplit_once(',').unwrap().0;
+    std::fs::write(folder.path().join("cobot/plain.csv"), format!("{head}{cut},none,probe{rest}")).unwrap();
+    let (code, said, _) = campaign("[observations]\nfile = \"plain.csv\"");
+    assert!(code == Some(2) && said.contains("plain.csv:2") && said.contains("none"), "{said}");
+}

@@ -2,61 +2,131 @@
 
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose_name::{PoseName, two_spellings};
-use crate::base::table::{COVARIANCES, UNCERTAINTIES, XYZ, pose_column};
-use crate::import::format::{Decimal, Delimiter, Dialect, two_commas};
+use crate::base::table::{COVARIANCES, QUATERNION, UNCERTAINTIES, XYZ, pose_column};
+use crate::import::format::{Decimal, Delimiter, Dialect, FromRow, two_commas};
 use crate::import::guess::guesses;
 use crate::import::lexer::{Row, WHOLE, number, pose_name, rows};
 use crate::import::logs::meaning;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
-/// Marks of a table: what separates its columns, and the decimal mark.
-#[derive(Clone, Copy, Debug)]
-pub struct Marks {
+/// Columns of text.
+const TEXTS: [&str; 9] = ["kind", "target", "socket", "other", "plane", "line_name", "sphere", "axis", "joint"];
+
+/// How a table of observations is laid out, where it is not as this program writes one.
+#[derive(Clone, Debug)]
+pub struct Layout {
     /// What separates the columns.
     pub delimiter: Delimiter,
     /// Decimal mark.
     pub decimal: Decimal,
+    /// The heading in the file of each column that is called otherwise there.
+    pub columns: BTreeMap<String, String>,
+    /// The target of all rows, of a table without such a column.
+    pub target: Option<String>,
+    /// The pose of each row, of a table without such a column.
+    pub pose: Option<FromRow>,
 }
 
-impl Default for Marks {
+impl Default for Layout {
     fn default() -> Self {
-        Self { delimiter: Delimiter::Comma, decimal: Decimal::Point }
+        let (delimiter, decimal) = (Delimiter::Comma, Decimal::Point);
+        Self { delimiter, decimal, columns: BTreeMap::new(), target: None, pose: None }
     }
 }
 
-/// Reads a table of observations (commas, decimal point, a header): [`observations_with`].
-pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
-    observations_with(file, text, Marks::default())
+impl Layout {
+    /// Gives columns the names that they have here.
+    fn rename(&self, file: &str, header: &mut Row) -> Result<()> {
+        let mut problems = Problems::default();
+        let headings: Vec<String> = header.fields.iter().map(|field| field.trim().to_owned()).collect();
+        for (name, heading) in &self.columns {
+            let known = meaning(name).is_some()
+                || [&TEXTS[..], &QUATERNION, &COVARIANCES].iter().any(|names| names.contains(&name.as_str()));
+            let column = headings.iter().position(|h| h == heading);
+            let message = match column {
+                _ if !known => Message::error(format!("`{name}` is not a column of observations")).hint(
+                    "coordinates and joints end with their unit: x_mm, q1_deg; docs/observations.md has all columns",
+                ),
+                None => Message::error(format!("the header names no `{heading}`"))
+                    .hint_names(heading, headings.iter().map(String::as_str)),
+                Some(i) if header.fields[i] != headings[i] => {
+                    Message::error(format!("`{heading}` is stated to be `{}` and `{name}`", header.fields[i]))
+                }
+                Some(i) => {
+                    header.fields[i] = Cow::Owned(name.clone());
+                    continue;
+                }
+            };
+            problems.0.push(message.at(header.place(file)));
+        }
+        problems.check().map(drop)
+    }
+
+    /// Adds the columns that every observation needs, where the table has none.
+    fn complete(&self, file: &str, mut table: DataFrame) -> Result<DataFrame> {
+        let height = table.height();
+        let has = |name: &str| table.column(name).is_ok();
+        for (name, stated) in [("target", self.target.is_some()), ("pose", self.pose.is_some())] {
+            if stated && has(name) {
+                let message = Message::error(format!("`{name}` is stated, and the table has such a column"));
+                return Err(message.at(Place::file(file)).hint("state one of them").into());
+            }
+        }
+        let mut added: Vec<Column> = Vec::new();
+        if let Some(target) = &self.target {
+            added.push(Series::new("target".into(), vec![target.as_str(); height]).into());
+        }
+        if let Some(from) = self.pose {
+            let named: Vec<_> = (1..=height as i64).map(|row| Some(PoseName::from(from.number(row)))).collect();
+            added.push(pose_column("pose", &named));
+        }
+        if !has("cycle") {
+            added.push(Series::new("cycle".into(), vec![1i64; height]).into());
+        }
+        table.hstack_mut(&added)?;
+        Ok(table)
+    }
 }
 
-/// Reads a table of observations with a header: its columns, and `line` with the line of each row.
+/// Reads a table with commas, decimal points and a header: its columns, and `line` with the line of each row.
 ///
 /// `pose` holds names of poses, `cycle` whole numbers, columns whose name ends in a unit numbers (empty cells are missing values),
 /// others text. Every row of another width and every cell that does not read is an error with its place.
-pub fn observations_with(file: &str, text: &str, marks: Marks) -> Result<DataFrame> {
-    if (marks.delimiter, marks.decimal) == (Delimiter::Comma, Decimal::Comma) {
+pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
+    read(file, text, &Layout::default())
+}
+
+/// [`observations`] in another layout: repeats are 1 where the table has no column `cycle`.
+pub fn observations_with(file: &str, text: &str, layout: &Layout) -> Result<DataFrame> {
+    layout.complete(file, read(file, text, layout)?)
+}
+
+fn read(file: &str, text: &str, layout: &Layout) -> Result<DataFrame> {
+    if (layout.delimiter, layout.decimal) == (Delimiter::Comma, Decimal::Comma) {
         return Err(two_commas().at(Place::file(file)).into());
     }
-    let mut all = rows(file, text, marks.delimiter)?;
+    let mut all = rows(file, text, layout.delimiter)?;
     if all.len() < 2 {
         return Err(Message::error("the table has no rows").at(Place::file(file)).expected("a header and rows").into());
     }
     if all[0].fields.len() == 1
         && let Some(Dialect { delimiter: Some(delimiter), decimal, .. }) =
             guesses(text, None).first().map(|g| &g.dialect)
-        && *delimiter != marks.delimiter
+        && *delimiter != layout.delimiter
     {
-        let message = Message::error(format!("separated by `{}`, the rows have one column", marks.delimiter.name()));
+        let message = Message::error(format!("separated by `{}`, the rows have one column", layout.delimiter.name()));
         let hint = format!(
-            "`{}` with decimal `{}` separates them: `etalon identify` reads them so with --delimiter and --decimal; or save the \
-             table with commas and decimal points",
+            "`{}` with decimal `{}` separates them: state `delimiter` and `decimal` in [observations], or --delimiter and --decimal; or \
+             save the table with commas and decimal points",
             delimiter.name(),
             decimal.name()
         );
         return Err(message.at(all[0].place(file)).hint(hint).into());
     }
     let mut header = all.remove(0);
+    layout.rename(file, &mut header)?;
     let factors: Vec<f64> = header.fields.iter_mut().map(in_mm).collect();
     let mut problems = Problems::default();
     for (i, name) in header.fields.iter().enumerate().filter(|(i, name)| header.fields[..*i].contains(name)) {
@@ -72,12 +142,12 @@ pub fn observations_with(file: &str, text: &str, marks: Marks) -> Result<DataFra
         vec![Series::new("line".into(), all.iter().map(|row| row.line as i64).collect::<Vec<i64>>()).into()];
     for (i, name) in header.fields.iter().enumerate().filter(|(_, name)| *name != "line") {
         let texts = all.iter().map(|row| row.field(i));
-        if meaning(name).is_none() && !COVARIANCES.contains(&name.as_ref()) {
+        if meaning(name).is_none() && ![&COVARIANCES[..], &QUATERNION].iter().any(|n| n.contains(&name.as_ref())) {
             columns.push(Series::new(name.as_ref().into(), texts.collect::<Vec<_>>()).into());
             continue;
         }
         if name == "pose" {
-            let named = poses(file, &all, i, marks.decimal, &mut problems);
+            let named = poses(file, &all, i, layout.decimal, &mut problems);
             columns.push(pose_column("pose", &named));
             continue;
         }
@@ -85,7 +155,7 @@ pub fn observations_with(file: &str, text: &str, marks: Marks) -> Result<DataFra
         let mut values: Vec<Option<f64>> = Vec::with_capacity(all.len());
         for (row, field) in all.iter().zip(texts) {
             let odd = |v: &f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
-            let value = match number(field, marks.decimal) {
+            let value = match number(field, layout.decimal) {
                 _ if field.is_empty() => Ok(None),
                 Ok(value) if odd(&value) => Err(Message::error(format!("`{field}` is not a whole number"))),
                 read => read.map(Some),

@@ -85,7 +85,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     }
     let observations = campaign.file.observations.as_ref().and_then(|stated| {
         let mut tables = CampaignTables { campaign, sources: Vec::new() };
-        let table = problems.keep(tables.read(&stated.file, "observations"));
+        let table = problems.keep(tables.observations(stated));
         sources.append(&mut tables.sources);
         table
     });
