@@ -1,20 +1,27 @@
 //! `etalon export`
 
-use super::{Verdict, print_written};
+use super::{Verdict, print_written, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
-use crate::campaign::{RobotFile, read_robot};
-use crate::document::{CampaignSummary, ParametersDocument};
+use crate::campaign::{Campaign, RobotFile, read_robot};
+use crate::document::{CampaignSummary, ParametersDocument, Presentation};
 use crate::export::{self, Description, Exporter, Given};
 use crate::math::robots::Robot;
 use crate::run::documents::{Documents, read_parameters};
+use crate::run::summary::summary;
+use crate::run::validation::recommend;
 use std::path::{Path, PathBuf};
 
 /// Write identified parameters as a file that a controller or another program loads
 #[derive(Debug, clap::Args)]
 pub struct Export {
-    /// parameters.json of a run
-    parameters: PathBuf,
+    /// parameters.json of a run; with `--parameters recommended` the folder of the campaign, or its campaign.toml
+    #[arg(value_name = "PARAMETERS")]
+    source: PathBuf,
+    /// Which parameters: those of the file, or of a campaign those that deserve to be loaded (`etalon recommend`), identified again with all
+    /// others at their nominal values
+    #[arg(long, value_name = "WHICH", value_enum, default_value = "identified")]
+    parameters: Which,
     /// Format: json, csv and c-header if none is named; may be repeated
     #[arg(long, value_name = "NAME")]
     format: Vec<String>,
@@ -22,7 +29,7 @@ pub struct Export {
     #[arg(long, value_name = "FILE")]
     robot: Option<PathBuf>,
     /// Folder to write to; the one of parameters.json by default
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(long, value_name = "FOLDER", required_if_eq("parameters", "recommended"))]
     to: Option<PathBuf>,
     /// Write parameters of an identification that failed its own checks too: the files say so
     #[arg(long)]
@@ -32,10 +39,19 @@ pub struct Export {
     json: bool,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Which {
+    Identified,
+    Recommended,
+}
+
 impl Export {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let folder = self.parameters.parent().unwrap_or(Path::new("")).to_owned();
-        let exported = Exported::read(&self.parameters, self.robot.as_deref())?;
+        let folder = self.source.parent().unwrap_or(Path::new("")).to_owned();
+        let exported = match self.parameters {
+            Which::Identified => Exported::read(&self.source, self.robot.as_deref())?,
+            Which::Recommended => Exported::recommended(&self.source)?,
+        };
         let wanted =
             if self.format.is_empty() { export::usual().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
         let to = self.to.unwrap_or_else(|| folder.clone());
@@ -69,11 +85,28 @@ impl Exported {
     pub fn read(parameters: &Path, robot: Option<&Path>) -> Result<Self, Problems> {
         let document = read_parameters(parameters)?;
         let file = robot.map(read_robot).transpose()?;
-        // the model needs a target; no format holds its place
-        let robot = file.as_ref().map(|file| file.build(&["tool".to_owned()])).transpose()?;
         let folder = Documents::open(parameters.parent().unwrap_or(Path::new("")));
         let summary = folder.ok().and_then(|documents| documents.optional("campaign.json").transpose()).transpose()?;
-        Ok(Self { parameters: document, file, robot, summary })
+        Self::new(document, file, summary)
+    }
+
+    /// What a campaign recommends to load.
+    fn recommended(campaign: &Path) -> Result<Self, Problems> {
+        let campaign = Campaign::read(campaign)?;
+        let found = recommend(&campaign)?;
+        remark(&found.messages);
+        let summary = summary(&campaign, Presentation::default());
+        Self::new(found.recommended, Some(campaign.robot), Some(summary))
+    }
+
+    fn new(
+        parameters: ParametersDocument,
+        file: Option<RobotFile>,
+        summary: Option<CampaignSummary>,
+    ) -> Result<Self, Problems> {
+        // the model needs a target; no format holds its place
+        let robot = file.as_ref().map(|file| file.build(&["tool".to_owned()])).transpose()?;
+        Ok(Self { parameters, file, robot, summary })
     }
 
     pub fn given(&self, force: bool) -> Given<'_> {

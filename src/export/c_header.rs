@@ -17,7 +17,9 @@ impl Exporter for CHeader {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let robot = identifier(&document.robot);
-        let mut out = head(given, &robot);
+        let header = given.header("mm, deg and rad, 1; u is the standard uncertainty (k = 1)")?.join("\n * ");
+        let guard = format!("ETALON_{robot}_PARAMETERS_H");
+        let mut out = format!("/* {header}\n */\n#ifndef {guard}\n#define {guard}\n");
         let mut seen = BTreeMap::new();
         for p in &document.parameters {
             let _ = write!(out, "\n/* {}: {} */\n", comment(&p.name), remark(p));
@@ -30,27 +32,9 @@ impl Exporter for CHeader {
                 }
             }
         }
-        let _ = write!(out, "\n#endif /* ETALON_{robot}_PARAMETERS_H */\n");
+        let _ = write!(out, "\n#endif /* {guard} */\n");
         Ok(out.into_bytes())
     }
-}
-
-fn head(given: &Given, robot: &str) -> String {
-    let document = given.parameters;
-    let mut out = format!("/* Parameters of robot {}.\n", comment(&document.robot));
-    let _ = writeln!(
-        out,
-        " * Written by etalon {}; u is the standard uncertainty (k = 1).",
-        comment(&document.provenance.version)
-    );
-    if let Some(warning) = given.warning() {
-        let _ = writeln!(out, " * {}", comment(&warning));
-    }
-    for (name, sha256) in &document.provenance.inputs {
-        let _ = writeln!(out, " * sha256 {}  {}", comment(sha256), comment(name));
-    }
-    let _ = write!(out, " */\n#ifndef ETALON_{robot}_PARAMETERS_H\n#define ETALON_{robot}_PARAMETERS_H\n");
-    out
 }
 
 fn remark(p: &ParameterEntry) -> String {

@@ -7,5 +7,5 @@ mod names;
 pub mod output;
 pub mod pipeline;
 mod statements;
-mod summary;
+pub mod summary;
 pub mod validation;

@@ -220,6 +220,21 @@ fn a_recommendation_loads_what_is_proven_and_nothing_else() {
     assert!((entry("d3")["value"].as_f64().unwrap() - 0.8528).abs() < 0.005, "{}", entry("d3"));
     let exported = etalon(&folder.path(), &["export", "recommended.json", "--format", "json"]);
     assert_eq!(code(&exported), Some(0), "{}", text(&exported.stderr));
+    // the same at once, with the campaign and its robot: what is held is nominal
+    let at_once = ["export", ".", "--parameters", "recommended", "--format", "python-kinematics", "--format", "json"];
+    let refused = etalon(&folder.path(), &at_once);
+    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("--to"), "{}", text(&refused.stderr));
+    let exported = etalon(&folder.path(), &[&at_once[..], &["--to", "at_once"]].concat());
+    assert_eq!(code(&exported), Some(0), "{}", text(&exported.stderr));
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&read("at_once/controller.json")).unwrap();
+    let loaded = |name: &str| {
+        let all = document["parameters"].as_object().unwrap();
+        all[name]["value"].as_f64().unwrap_or_else(|| panic!("{document}"))
+    };
+    assert_eq!(loaded("s"), 394.0);
+    assert_eq!(loaded("d3"), entry("d3")["value"].as_f64().unwrap());
+    assert!(read("at_once/etalon_kinematics.py").contains("# campaign: "));
     // nothing is written over
     let refused = etalon(&folder.path(), &["recommend", ".", "--write", "robot.toml"]);
     assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("is there already"));

@@ -293,7 +293,8 @@ fn identify_answers_in_json_without_a_campaign() {
 fn export_writes_every_format_from_the_document() {
     let scratch = copy_sample("prexyt-cmm");
     assert!(etalon(scratch.root(), &["run", "campaign"]).status.success());
-    let exported = etalon(scratch.root(), &["export", "campaign/out/parameters.json", "--to", "controller"]);
+    let arguments = ["export", "campaign/out/parameters.json", "--robot", "campaign/robot.toml", "--to", "controller"];
+    let exported = etalon(scratch.root(), &arguments);
     assert!(exported.status.success(), "{}", text(&exported.stderr));
     for file in ["controller.json", "controller.csv", "etalon_parameters.h"] {
         let again = std::fs::read(scratch.root().join("controller").join(file)).unwrap();
