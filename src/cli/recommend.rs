@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 /// Which identified parameters deserve to be loaded into the controller
 ///
-/// Effects (zeros, geometry, gains, coupling, bending) are tried on poses that are left out of the identification, and parameters by their
+/// Effects (zeros, geometry, gains, harmonics, coupling, bending) are tried on poses that are left out of the identification, and parameters by their
 /// change over its uncertainty. Those that are recommended are identified again with all others at their nominal values.
 #[derive(Debug, clap::Args)]
 pub struct Recommend {

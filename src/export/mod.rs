@@ -144,7 +144,8 @@ impl<'a> Given<'a> {
     /// [`Self::header`] of a format that has joints and links alone: it names the bending and coupling that it cannot hold.
     fn header_of_geometry(&self, units: &str) -> Result<Vec<String>> {
         let effect = |entry: &&ParameterEntry| {
-            entry.value != 0.0 && ["compliance_", "coupling_"].iter().any(|kind| entry.name.starts_with(kind))
+            entry.value != 0.0
+                && ["compliance_", "coupling_", "harmonic_"].iter().any(|kind| entry.name.starts_with(kind))
         };
         let left_out = self.parameters.parameters.iter().filter(effect).map(|entry| entry.name.as_str());
         let left_out = left_out.collect::<Vec<_>>().join(", ");

@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 /// Kinds of rows.
 const KINDS: [&str; 8] = ["point", "pose", "distance", "contact", "plane", "line", "sphere", "joints"];
 /// Columns of all kinds beside those of positions.
-pub const COLUMNS: [&str; 30] = [
+pub const COLUMNS: [&str; 31] = [
     "kind",
     "qw",
     "qx",
@@ -46,9 +46,12 @@ pub const COLUMNS: [&str; 30] = [
     "offset_mm",
     "u_mm",
     "urot_deg",
+    STATION,
 ];
 /// Column of the name of a line: `line` are the lines of the file.
 const LINE: &str = "line_name";
+/// Column of the name of the station of the instrument that measured a point.
+const STATION: &str = "station";
 /// Axes of the world.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -127,6 +130,7 @@ pub fn observed(
     let of_kinds = |name: &str| observations.column(name).is_ok();
     if !partial_rows(robot, observations)?.contains(&true)
         && !of_kinds("kind")
+        && !of_kinds(STATION)
         && !Orientations::are_in(observations)
         && !fixed_rows(observations)?.contains(&true)
     {
@@ -183,6 +187,8 @@ struct Rows {
     xyz: Vec<Vector>,
     orientations: Orientations,
     joints: Vec<Vec<f64>>,
+    /// Stations other than the one whose frame is the world.
+    stations: Vec<Option<String>>,
     sockets: Vec<String>,
     others: Vec<String>,
     /// Names of planes, lines and spheres.
@@ -238,6 +244,7 @@ impl Rows {
             xyz: (0..height).map(|i| [x[i], y[i], z[i]]).collect(),
             orientations: Orientations::new(observations)?,
             joints: (0..height).map(|row| joints.iter().map(|j| j[row]).collect()).collect(),
+            stations: other_stations(texts(STATION)?, &x),
             sockets: texts("socket")?,
             others: texts("other")?,
             surfaces: [texts("plane")?, texts(LINE)?, texts("sphere")?],
@@ -275,6 +282,7 @@ impl Rows {
     fn has_position(&self, row: usize) -> bool {
         !self.fixed[row]
             && !self.partial[row]
+            && self.stations[row].is_none()
             && matches!(self.kind(row), "point" | "pose")
             && self.xyz[row].iter().any(|v| !v.is_nan())
     }
@@ -286,6 +294,9 @@ impl Rows {
             return Err(Message::error(format!("`{kind}` is not a kind of observation"))
                 .hint_names(kind, KINDS)
                 .into());
+        }
+        if let Some(name) = &self.stations[row] {
+            self.seen_whole(row, kind, name)?;
         }
         if self.fixed[row] {
             settings.known.push(self.known(row, kind, robot)?);
@@ -325,7 +336,10 @@ impl Rows {
                 }
                 return Ok(());
             }
-            _ => return Ok(()),
+            _ => match &self.stations[row] {
+                Some(name) => Kind::Seen { station: self.station(name, robot)?, at_mm: self.xyz[row] },
+                None => return Ok(()),
+            },
         };
         let stated = if kind.is_angle() { self.u_rotation_rad[row] } else { self.u_mm[row] };
         self.add(row, kind, stated, settings)
@@ -381,6 +395,10 @@ impl Rows {
         let point = Fixture::Point(name).add_to(robot);
         match kind {
             "point" if self.xyz[row].iter().all(|v| v.is_finite()) => {
+                if let Some(name) = &self.stations[row] {
+                    let (station, at_mm) = (self.station(name, robot)?, self.xyz[row]);
+                    return Ok(Known::Seen { station, point, at_mm, standard_uncertainty_mm });
+                }
                 Ok(Known::Place { point, place_mm: self.xyz[row], standard_uncertainty_mm })
             }
             "point" => Err(Message::error(format!("the place of `{name}` is missing or not a number")).into()),
@@ -395,6 +413,28 @@ impl Rows {
                 .hint("rows without a pose state places (`point`) and distances (`distance`) of fixed points, and places on a `plane`, `line` or `sphere`")
                 .into()),
         }
+    }
+
+    /// An error where a row of another station is not a point with all coordinates and one uncertainty.
+    fn seen_whole(&self, row: usize, kind: &str, station: &str) -> Result<()> {
+        let us = [0, 1, 2].map(|i| self.u_axes_mm[i][row]);
+        let what = match self.xyz[row].iter().all(|v| v.is_finite()) {
+            _ if kind != "point" => format!("a row of kind `{kind}` states the station `{station}`"),
+            false => format!("a coordinate of what station `{station}` measured is missing or not a number"),
+            true if us[1..].iter().any(|u| u.to_bits() != us[0].to_bits()) => {
+                format!("the coordinates that station `{station}` measured have uncertainties of their own")
+            }
+            true => return Ok(()),
+        };
+        let expected =
+            "rows of kind `point` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first";
+        Err(Message::error(what).expected(expected).into())
+    }
+
+    /// The first parameter of a station.
+    fn station(&self, name: &str, robot: &mut dyn Robot) -> Result<usize> {
+        self.is_fixed_name(name)?;
+        Ok(Fixture::Station(name).add_to(robot))
     }
 
     /// The plane, line or sphere of a row, and its parameters.
@@ -481,6 +521,13 @@ impl Rows {
             false => Ok(()),
         }
     }
+}
+
+/// The stations of rows that are not in the frame of the world: that of coordinates without a station, or else of the first with one.
+fn other_stations(stations: Vec<String>, x_mm: &[f64]) -> Vec<Option<String>> {
+    let of_points = || stations.iter().zip(x_mm).filter(|(_, x)| !x.is_nan()).map(|(name, _)| name);
+    let world = of_points().find(|name| name.is_empty()).or_else(|| of_points().next()).cloned().unwrap_or_default();
+    stations.into_iter().map(|name| Some(name).filter(|name| !name.is_empty() && *name != world)).collect()
 }
 
 /// The name of the pose of each row; 0 where there is none.

@@ -305,7 +305,8 @@ struct Change {
 }
 
 /// All effects, the plainer first.
-const ALL: [Effect; 5] = [Effect::Zeros, Effect::Geometry, Effect::Gains, Effect::Coupling, Effect::Bending];
+const ALL: [Effect; 6] =
+    [Effect::Zeros, Effect::Geometry, Effect::Gains, Effect::Harmonics, Effect::Coupling, Effect::Bending];
 
 impl Tried {
     fn mean_square(&self) -> f64 {
@@ -365,6 +366,7 @@ fn meaning(chosen: &[Effect], parameters: &[ParameterVerdict], errors: &HeldOutE
         Effect::Zeros => "zeros of the joints",
         Effect::Geometry => "geometry",
         Effect::Gains => "gains",
+        Effect::Harmonics => "harmonics of the transmissions",
         Effect::Coupling => "coupling",
         Effect::Bending => "bending",
     };

@@ -445,6 +445,7 @@ impl Campaign {
             Kind::Contact { socket } => {
                 vec![("kind", "contact".to_owned()), ("socket", fixture(socket).to_owned())]
             }
+            Kind::Seen { .. } => panic!("{c:?}"),
             Kind::On { surface, unknowns, offset_mm } => {
                 let (kind, axis) = match surface {
                     Surface::Plane { axis } => ("plane", ["x", "y", "z"][axis]),
@@ -515,7 +516,7 @@ impl Campaign {
                     ("distance_mm", distance_mm.to_string()),
                     ("u_mm", standard_uncertainty_mm.to_string()),
                 ]),
-                Known::On { .. } | Known::Length { .. } => panic!("{known:?}"),
+                Known::On { .. } | Known::Seen { .. } | Known::Length { .. } => panic!("{known:?}"),
             }
         }
         rows.join("\n") + "\n"

@@ -4,10 +4,10 @@
 use crate::support::arms::SIX_AXES;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::noise::Noise;
-use etalon::base::pose::{Pose, minus, norm};
+use etalon::base::pose::{Pose, Vector, centroid, cross, minus, norm, unit};
 use etalon::campaign::{Campaign, read_robot};
-use etalon::math::identify::{Observation, Settings, identify};
-use etalon::math::robots::Robot;
+use etalon::math::identify::{Condition, Fixture, Kind, Observation, Settings, identify};
+use etalon::math::robots::{Robot, Role};
 use etalon::run::pipeline;
 use std::fmt::Write;
 
@@ -239,4 +239,79 @@ fn metres_of_a_urdf_joint_read_as_millimetres_are_named() {
     let problems =
         pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).err().expect("refused").to_string();
     assert!(problems.contains("with `lift` in metres instead of millimetres"), "{problems}");
+}
+
+/// The three reflectors as one pose: position of their centre and orientation of their frame.
+fn as_pose(o: &Observation) -> Option<(Pose, [Vector; 3])> {
+    let [a, b, c] = [o.targets[0]?, o.targets[1]?, o.targets[2]?];
+    let x = unit(minus(b, a))?;
+    let z = unit(cross(x, minus(c, a)))?;
+    let y = cross(z, x);
+    let rotation = [0, 1, 2].map(|i| [x[i], y[i], z[i]]);
+    let pose = Pose { rotation, translation_mm: centroid(&[a, b, c])? };
+    Some((pose, [a, b, c].map(|p| pose.inverse().apply(p))))
+}
+
+/// Its three reflectors as one pose identify the same robot as the three points do: the same parameters within their uncertainties and the
+/// same errors at poses that were left out.
+#[test]
+fn three_reflectors_as_one_pose() {
+    if crate::reference_data("robots/irb120_faro_ets").is_none() {
+        return;
+    }
+    let scratch = copy_sample("abb-irb120");
+    let outcome = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap();
+    let found = outcome.identified.as_ref().unwrap();
+    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
+    let file = read_robot(&sample).unwrap();
+    let by_points = file.build(&["SMR_1", "SMR_2", "SMR_3"].map(str::to_owned)).unwrap();
+    let mut robot = file.build(&["probe".to_owned()]).unwrap();
+    let mounting = Fixture::Mounting("probe").add_to(robot.as_mut());
+    let whole: Vec<(&Observation, Pose, [Vector; 3])> =
+        found.sets.calibration.iter().filter_map(|o| as_pose(o).map(|(pose, places)| (o, pose, places))).collect();
+    let places = [0, 1, 2].map(|k| centroid(&whole.iter().map(|w| w.2[k]).collect::<Vec<_>>()).unwrap());
+    // weights of the mean of three points, and of a turn that moves them
+    let u_mm = 0.013 / 3.0;
+    let levers = places.iter().map(|p| norm(*p).powi(2)).sum::<f64>();
+    let u_rad = u_mm / (levers * 2.0 / 3.0).sqrt();
+    let mut settings = Settings { standard_uncertainty_mm: Some(u_mm / 3f64.sqrt()), ..Settings::default() };
+    let mut observations = Vec::new();
+    for (o, pose, _) in &whole {
+        let targets = vec![Some(pose.translation_mm)];
+        observations.push(Observation { targets, covariances_mm2: Vec::new(), ..(*o).clone() });
+        let kind = Kind::Orientation { world_T_body: Pose { translation_mm: [0.0; 3], ..*pose }, mounting };
+        let (pose, cycle, joints) = (o.pose, o.cycle, o.joints.clone());
+        settings.conditions.push(Condition { pose, cycle, joints, target: 0, kind, standard_uncertainty: u_rad });
+    }
+    let other = identify(robot.as_ref(), &observations, &settings).unwrap();
+    let (mut worst, mut compared) = (0.0f64, 0);
+    for &i in &found.found.free {
+        let p = &by_points.parameters()[i];
+        let Some(j) = robot.index(&p.name).filter(|_| p.role == Role::Robot) else { continue };
+        let u = found.found.standard_uncertainty(i).unwrap().hypot(other.standard_uncertainty(j).unwrap());
+        let ratio = (found.found.values[i] - other.values[j]).abs() / u;
+        println!("{}: {ratio:.2} u", p.name);
+        (worst, compared) = (worst.max(ratio), compared + 1);
+    }
+    let [probe, turn] = [robot.free_base().unwrap().target_place(0), mounting].map(|first| {
+        let value = |i: usize| other.values[first + i];
+        [value(0), value(1), value(2)]
+    });
+    let on_flange = Pose { translation_mm: probe, ..Pose::from_rotation_vector(turn) };
+    let mut misses = Vec::new();
+    for o in &found.sets.validation {
+        let flange = robot.free_base().unwrap().flange(&other.values, &o.joints).then(&on_flange);
+        let seen = o.targets.iter().zip(&places).filter_map(|(seen, place)| Some((seen.as_ref()?, place)));
+        misses.extend(seen.map(|(seen, place)| norm(minus(*seen, flange.apply(*place)))));
+    }
+    let mean = misses.iter().sum::<f64>() / misses.len() as f64;
+    let by_points_mm = found.accuracy.sets[1].errors[0].after.mean;
+    println!(
+        "{compared} parameters within {worst:.2} u; mean of {} test errors {mean:.4}, {:.4} mm",
+        misses.len(),
+        by_points_mm
+    );
+    assert!(compared == 30 && misses.len() == 882);
+    assert!(worst < 2.0, "{worst}");
+    assert!((mean / by_points_mm - 1.0).abs() < 0.02, "{mean} {by_points_mm}");
 }

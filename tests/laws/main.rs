@@ -4,6 +4,7 @@
 
 mod arms;
 mod budget;
+mod chains;
 mod common;
 mod compare;
 mod compensation;

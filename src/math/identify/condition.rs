@@ -7,9 +7,9 @@
 use super::surface::Surface;
 use super::{Observation, ResidualKind, Settings, Status};
 use crate::base::message::{Message, Result};
-use crate::base::pose::{Pose, Vector, minus, norm, turning_axes, unit};
+use crate::base::pose::{Pose, Vector, cross, minus, norm, turning_axes, unit};
 use crate::base::pose_name::PoseName;
-use crate::math::robots::{FreeBase, Parameter, Quantity, Robot, Role};
+use crate::math::robots::{FreeBase, Parameter, Quantity, Robot, Role, meaning};
 use nalgebra::{Matrix3, Vector3};
 
 /// What was observed of a target at a pose.
@@ -59,6 +59,13 @@ pub enum Kind {
         /// First of the three coordinates of the socket.
         socket: usize,
     },
+    /// The target as another station of the instrument measures it. Residuals: its three coordinates less those of what is seen, mm.
+    Seen {
+        /// First of the six parameters of the station: its pose in the world.
+        station: usize,
+        /// Where the station has it, mm.
+        at_mm: Vector,
+    },
     /// The target is on a surface or line, or, of a plane or sphere, its centre `offset_mm` outside of it: the radius of a ball. Residuals: mm.
     On {
         /// What it touches.
@@ -89,6 +96,17 @@ pub enum Known {
         point: usize,
         /// The place, mm.
         place_mm: Vector,
+        /// Standard uncertainty of a coordinate, mm.
+        standard_uncertainty_mm: f64,
+    },
+    /// A point as another station of the instrument measures it.
+    Seen {
+        /// First of the six parameters of the station: its pose in the world.
+        station: usize,
+        /// First of the three coordinates of the point.
+        point: usize,
+        /// Where the station has it, mm.
+        at_mm: Vector,
         /// Standard uncertainty of a coordinate, mm.
         standard_uncertainty_mm: f64,
     },
@@ -129,7 +147,7 @@ impl Kind {
     /// Number of residuals.
     pub fn rows(&self) -> usize {
         match self {
-            Self::Orientation { .. } | Self::Contact { .. } => 3,
+            Self::Orientation { .. } | Self::Contact { .. } | Self::Seen { .. } => 3,
             Self::Coordinate { .. } | Self::Distance { .. } | Self::Joint { .. } => 1,
             Self::On { surface, .. } => surface.rows(),
         }
@@ -141,6 +159,7 @@ impl Kind {
             Self::Orientation { mounting: first, .. }
             | Self::Distance { to: first, .. }
             | Self::Contact { socket: first } => (first..first + 3).collect(),
+            Self::Seen { station, .. } => (station..station + 6).collect(),
             Self::On { surface, unknowns, .. } => unknowns[..surface.unknowns()].to_vec(),
             Self::Coordinate { .. } | Self::Joint { .. } => Vec::new(),
         }
@@ -167,6 +186,22 @@ fn of(values: &[f64], unknowns: [usize; 4]) -> [f64; 4] {
     unknowns.map(|i| values[i])
 }
 
+/// Pose in the world of the station whose first parameter is `first`.
+pub(super) fn station_pose(values: &[f64], first: usize) -> Pose {
+    Pose { translation_mm: point(values, first), ..Pose::from_rotation_vector(point(values, first + 3)) }
+}
+
+/// Takes from three rows of derivatives those of where a station puts `at_mm`.
+fn less_station(values: &[f64], station: usize, at_mm: Vector, rows: &mut [f64]) {
+    let n = values.len();
+    let lever = station_pose(values, station).rotate(at_mm);
+    for (k, axis) in turning_axes(point(values, station + 3)).into_iter().enumerate() {
+        rows[k * n + station + k] -= 1.0;
+        let turned = cross(axis, lever);
+        (0..3).for_each(|i| rows[i * n + station + 3 + k] -= turned[i]);
+    }
+}
+
 impl Condition {
     /// Writes its residuals over their standard uncertainties; `position` is that of the target at `values`.
     pub(super) fn residuals(&self, arm: Option<&dyn FreeBase>, values: &[f64], position: Vector, out: &mut [f64]) {
@@ -182,6 +217,9 @@ impl Condition {
             Kind::Coordinate { axis, at_mm } => out[0] = position[axis] - at_mm,
             Kind::Distance { to, distance_mm } => out[0] = norm(minus(position, point(values, to))) - distance_mm,
             Kind::Contact { socket } => out.copy_from_slice(&minus(position, point(values, socket))),
+            Kind::Seen { station, at_mm } => {
+                out.copy_from_slice(&minus(position, station_pose(values, station).apply(at_mm)));
+            }
             Kind::On { surface, unknowns, offset_mm } => {
                 let distances = surface.residuals(position, of(values, unknowns));
                 out.iter_mut().zip(distances).for_each(|(out, distance)| *out = distance - offset_mm);
@@ -202,7 +240,7 @@ impl Condition {
         self.residuals(robot.free_base(), values, position, &mut left[..self.kind.rows()]);
         let left = left.map(|r| -r * self.standard_uncertainty);
         match self.kind {
-            Kind::Orientation { .. } | Kind::Contact { .. } | Kind::Joint { .. } => left,
+            Kind::Orientation { .. } | Kind::Contact { .. } | Kind::Seen { .. } | Kind::Joint { .. } => left,
             Kind::Coordinate { axis, .. } => [0, 1, 2].map(|i| if i == axis { left[0] } else { 0.0 }),
             Kind::Distance { to, .. } => {
                 unit(minus(position, point(values, to))).unwrap_or_default().map(|v| v * left[0])
@@ -254,6 +292,10 @@ impl Condition {
                 out.copy_from_slice(moved);
                 (0..3).for_each(|i| out[i * n + socket + i] -= 1.0);
             }
+            Kind::Seen { station, at_mm } => {
+                out.copy_from_slice(moved);
+                less_station(values, station, at_mm, out);
+            }
             Kind::On { surface, unknowns, .. } => {
                 let gradients = surface.gradients(position, of(values, unknowns));
                 for (row, by) in out.chunks_exact_mut(n).zip(gradients) {
@@ -276,6 +318,7 @@ impl Known {
         match *self {
             Self::Place { point, .. } => vec![point],
             Self::Distance { from, to, .. } => vec![from, to],
+            Self::Seen { station, point, .. } => vec![station, point],
             Self::On { unknowns, .. } => vec![unknowns[0]],
             Self::Length { parameter, .. } => vec![parameter],
         }
@@ -284,7 +327,7 @@ impl Known {
     /// Number of rows.
     pub(super) fn rows(&self) -> usize {
         match self {
-            Self::Place { .. } => 3,
+            Self::Place { .. } | Self::Seen { .. } => 3,
             Self::Distance { .. } | Self::Length { .. } => 1,
             Self::On { surface, .. } => surface.rows(),
         }
@@ -295,6 +338,10 @@ impl Known {
         match *self {
             Self::Place { point: at, place_mm, standard_uncertainty_mm } => {
                 out.copy_from_slice(&minus(point(values, at), place_mm).map(|v| v / standard_uncertainty_mm));
+            }
+            Self::Seen { station, point: seen, at_mm, standard_uncertainty_mm } => {
+                let off = minus(point(values, seen), station_pose(values, station).apply(at_mm));
+                out.copy_from_slice(&off.map(|v| v / standard_uncertainty_mm));
             }
             Self::Distance { from, to, distance_mm, standard_uncertainty_mm } => {
                 out[0] = (norm(minus(point(values, to), point(values, from))) - distance_mm) / standard_uncertainty_mm;
@@ -316,6 +363,11 @@ impl Known {
         match *self {
             Self::Place { point: at, standard_uncertainty_mm, .. } => {
                 (0..3).for_each(|i| out[i * n + at + i] = 1.0 / standard_uncertainty_mm);
+            }
+            Self::Seen { station, point, at_mm, standard_uncertainty_mm } => {
+                (0..3).for_each(|i| out[i * n + point + i] = 1.0);
+                less_station(values, station, at_mm, out);
+                out.iter_mut().for_each(|d| *d /= standard_uncertainty_mm);
             }
             Self::Distance { from, to, standard_uncertainty_mm, .. } => {
                 let along = unit(minus(point(values, to), point(values, from))).unwrap_or_default();
@@ -349,9 +401,16 @@ pub enum Fixture<'a> {
     /// A line, with its axis: for the z axis `NAME_slope_x`, `NAME_slope_y`: its angles against z in the planes through z; `NAME_x`, `NAME_y`:
     /// where it meets z = 0.
     Line(&'a str, usize),
+    /// The pose in the world of another station of the instrument: `NAME_x`, `NAME_y`, `NAME_z`, and a rotation vector `NAME_rx`, `NAME_ry`,
+    /// `NAME_rz`.
+    Station(&'a str),
     /// The radius of a sphere: `NAME_radius`. Its centre is a point.
     Radius(&'a str),
 }
+
+const STATION: &str = meaning(
+    "Pose in the world of another station of the instrument: its origin, and its orientation as a rotation vector.",
+);
 
 impl Fixture<'_> {
     /// Adds its parameters to those of `robot`, where it does not have them yet, and gives the index of the first.
@@ -367,6 +426,10 @@ impl Fixture<'_> {
             Self::Line(name, axis) => {
                 vec![slope(name, axis, 1), slope(name, axis, 2), along(name, axis + 1), along(name, axis + 2)]
             }
+            Self::Station(name) => {
+                let turns = AXES.map(|axis| (format!("{name}_r{axis}"), Angle, Role::Fixture));
+                (0..3).map(|axis| along(name, axis)).chain(turns).collect()
+            }
             Self::Radius(name) => vec![(format!("{name}_radius"), Length, Role::Fixture)],
         };
         if let Some(first) = robot.index(&names[0].0) {
@@ -378,6 +441,9 @@ impl Fixture<'_> {
             tolerance: f64::INFINITY,
             ..Parameter::new(name, quantity, role, 0.0)
         }));
+        if let Self::Station(_) = self {
+            all[first..].iter_mut().for_each(|p| p.meaning = STATION);
+        }
         first
     }
 }
@@ -397,7 +463,7 @@ pub(super) fn without_length(
     status: &[Status],
 ) -> Option<Message> {
     let contains = |c: &Condition| match c.kind {
-        Kind::Distance { .. } | Kind::Coordinate { .. } => true,
+        Kind::Distance { .. } | Kind::Coordinate { .. } | Kind::Seen { .. } => true,
         Kind::On { surface: Surface::Plane { .. }, offset_mm, .. } => offset_mm != 0.0,
         Kind::Joint { is_angle, .. } => !is_angle,
         Kind::Orientation { .. } | Kind::Contact { .. } | Kind::On { .. } => false,
@@ -472,12 +538,14 @@ mod tests {
         let (plane, line) = (Fixture::Plane("p", 1).add_to(&mut robot), Fixture::Line("l", 2).add_to(&mut robot));
         let radius = Fixture::Radius("s").add_to(&mut robot);
         let mounting = Fixture::Mounting("ball").add_to(&mut robot);
+        let station = Fixture::Station("t").add_to(&mut robot);
         let from = |first: usize, last: usize| [first, first + 1, first + 2, last];
         let kinds = [
             Kind::Orientation { world_T_body: Pose::from_rotation_vector([0.3, -0.8, 1.1]), mounting },
             Kind::Coordinate { axis: 1, at_mm: 12.0 },
             Kind::Distance { to: socket, distance_mm: 300.0 },
             Kind::Contact { socket },
+            Kind::Seen { station, at_mm: [800.0, -300.0, 500.0] },
             Kind::On { surface: Surface::Plane { axis: 1 }, unknowns: from(plane, plane + 2), offset_mm: 3.0 },
             Kind::On { surface: Surface::Line { axis: 2 }, unknowns: from(line, line + 3), offset_mm: 0.0 },
             Kind::On { surface: Surface::Sphere, unknowns: from(socket, radius), offset_mm: 3.0 },

@@ -1,7 +1,7 @@
 //! Starting values of what conditions refer to: sockets, fixed points, planes and the orientations of bodies, each in closed form
 //! at the present base and joints.
 
-use super::condition::{Condition, Kind, Known, point};
+use super::condition::{Condition, Kind, Known, point, station_pose};
 use super::surface::Surface;
 use super::{Observation, Settings};
 use crate::base::pose::{Pose, Vector, centroid, dot, minus};
@@ -49,6 +49,7 @@ pub(super) fn place_fixtures(
     if free_base {
         move_base(arm, &known, values);
     }
+    stand(arm, settings, &seen, wanted, values);
     mount(arm, &settings.conditions, wanted, values);
     let is_unknown = |first| wanted.contains(&first) && !known.contains_key(&first) && !sockets.contains(&first);
     reach(arm, &settings.conditions, is_unknown, values);
@@ -59,7 +60,7 @@ pub(super) fn place_fixtures(
 fn places(known: &[Known]) -> BTreeMap<usize, Vector> {
     let place = |k: &Known| match *k {
         Known::Place { point, place_mm, .. } => Some((point, place_mm)),
-        Known::Distance { .. } | Known::On { .. } | Known::Length { .. } => None,
+        Known::Distance { .. } | Known::Seen { .. } | Known::On { .. } | Known::Length { .. } => None,
     };
     known.iter().filter_map(place).collect()
 }
@@ -99,16 +100,61 @@ fn meet(arm: &dyn FreeBase, contacts: &[&Condition], unknown: &[usize], values: 
 /// The base, which is at the world's origin, where the sockets come to their known places.
 fn move_base(arm: &dyn FreeBase, known: &BTreeMap<usize, Vector>, values: &mut [f64]) {
     let pairs: Vec<(Vector, Vector)> = known.iter().map(|(&first, &place)| (point(values, first), place)).collect();
-    let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().copied().unzip();
-    let (Some(here), Some(there)) = (centroid(&from), centroid(&to)) else { return };
-    let rotation = rotation_onto(pairs.iter().map(|(p, q)| (minus(*p, here), minus(*q, there))));
-    let turn = Pose { rotation, translation_mm: [0.0; 3] };
-    let moved = Pose { translation_mm: minus(there, turn.rotate(here)), ..turn };
+    let Some(moved) = onto(&pairs) else { return };
     values[..3].copy_from_slice(&moved.translation_mm);
     values[3..6].copy_from_slice(&arm.base_angles(&moved));
     for (&first, place) in known {
         values[first..first + 3].copy_from_slice(place);
     }
+}
+
+/// Stations where what they see of targets and points comes to where the world has it; then targets and points that only they see.
+fn stand(arm: &dyn FreeBase, settings: &Settings, seen: &BTreeSet<usize>, wanted: &[usize], values: &mut [f64]) {
+    let known = places(&settings.known);
+    let mut stations: BTreeMap<usize, Vec<(Vector, Vector)>> = BTreeMap::new();
+    for c in settings.conditions.iter().filter(|c| seen.contains(&c.target)) {
+        if let Kind::Seen { station, at_mm } = c.kind {
+            stations.entry(station).or_default().push((at_mm, place(arm, c, values)));
+        }
+    }
+    for k in &settings.known {
+        if let Known::Seen { station, point, at_mm, .. } = *k
+            && let Some(place) = known.get(&point)
+        {
+            stations.entry(station).or_default().push((at_mm, *place));
+        }
+    }
+    for (first, pairs) in stations.into_iter().filter(|s| wanted.contains(&s.0)) {
+        let Some(pose) = onto(&pairs) else { continue };
+        values[first..first + 3].copy_from_slice(&pose.translation_mm);
+        values[first + 3..first + 6].copy_from_slice(&pose.rotation_vector_rad());
+    }
+    let mut alone: BTreeMap<usize, Vec<Vector>> = BTreeMap::new();
+    for c in settings.conditions.iter().filter(|c| !seen.contains(&c.target)) {
+        if let Kind::Seen { station, at_mm } = c.kind {
+            let at = arm.flange(values, &c.joints).inverse().apply(station_pose(values, station).apply(at_mm));
+            alone.entry(arm.target_place(c.target)).or_default().push(at);
+        }
+    }
+    for k in &settings.known {
+        if let Known::Seen { station, point, at_mm, .. } = *k
+            && !known.contains_key(&point)
+        {
+            alone.entry(point).or_default().push(station_pose(values, station).apply(at_mm));
+        }
+    }
+    for (first, all) in alone.into_iter().filter(|a| wanted.contains(&a.0)) {
+        values[first..first + 3].copy_from_slice(&centroid(&all).unwrap_or_default());
+    }
+}
+
+/// The motion that brings the first of each pair to the second, by least squares.
+fn onto(pairs: &[(Vector, Vector)]) -> Option<Pose> {
+    let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().copied().unzip();
+    let (here, there) = (centroid(&from)?, centroid(&to)?);
+    let rotation = rotation_onto(pairs.iter().map(|(p, q)| (minus(*p, here), minus(*q, there))));
+    let turn = Pose { rotation, translation_mm: [0.0; 3] };
+    Some(Pose { translation_mm: minus(there, turn.rotate(here)), ..turn })
 }
 
 /// Orientations of bodies on the flange: the mean of what their observed orientations show.

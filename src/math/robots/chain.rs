@@ -28,6 +28,8 @@ pub(super) enum Coefficient {
     Constant(f64),
     /// factor · joint value + offset (rad or mm).
     Joint { joint: usize, factor: f64, offset: f64 },
+    /// Sine or cosine of `order` times the angle of a joint.
+    Harmonic { joint: usize, factor: f64, offset: f64, order: f64, sine: bool },
     /// A load on the chain, by its number.
     Load(usize),
 }
@@ -68,7 +70,25 @@ impl<J: Scalar> State<'_, J> {
         match term.coefficient {
             Coefficient::Constant(value) => J::from(value),
             Coefficient::Joint { joint, factor, offset } => self.joints[joint] * factor + offset,
+            Coefficient::Harmonic { joint, factor, offset, order, sine } => {
+                let (sin, cos) = ((self.joints[joint] * factor + offset) * order).sin_cos();
+                if sine { sin } else { cos }
+            }
             Coefficient::Load(load) => self.loads.get(load).copied().unwrap_or(J::from(0.0)),
+        }
+    }
+}
+
+impl State<'_> {
+    /// The joint that moves a coefficient, and its derivative by that joint's value, loads as they are.
+    pub fn rate(&self, coefficient: Coefficient) -> Option<(usize, f64)> {
+        match coefficient {
+            Coefficient::Joint { joint, factor, .. } => Some((joint, factor)),
+            Coefficient::Harmonic { joint, factor, offset, order, sine } => {
+                let (sin, cos) = ((self.joints[joint] * factor + offset) * order).sin_cos();
+                Some((joint, order * factor * if sine { cos } else { -sin }))
+            }
+            Coefficient::Constant(_) | Coefficient::Load(_) => None,
         }
     }
 }

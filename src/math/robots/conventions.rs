@@ -5,7 +5,7 @@
 
 use super::chain::Motion;
 use super::serial::{ArmBuilder, BaseAngles, Drive, Effects};
-use super::{Description, Model, Quantity, Robot, Serial, Source, meaning, wrong_targets};
+use super::{Description, Joint, Model, Quantity, Robot, Serial, Source, meaning, wrong_targets};
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, unit};
 use schemars::JsonSchema;
@@ -20,6 +20,7 @@ pub(super) const MODEL: Model = Model::new::<Keys>(
         &["gravity"],
         &["bending"],
         &["coupling"],
+        &["harmonics"],
         &["base_turn_y_deg"],
         &["flange_xyz_mm"],
         &["flange_rpy_deg"],
@@ -74,6 +75,9 @@ struct Keys {
     /// Coupled joints of an arm: pairs of a joint and the joint that moves it, by their numbers, from 1, or names.
     #[serde(default)]
     coupling: Vec<(JointRef, JointRef)>,
+    /// Joints of an arm whose transmission deviates once and twice a turn: their numbers, from 1, or names.
+    #[serde(default)]
+    harmonics: Vec<JointRef>,
     /// Rotation about the y axis of the world before base_rx, base_ry and base_rz of a serial arm in modified Denavit-Hartenberg
     /// parameters.
     #[serde(default)]
@@ -99,33 +103,40 @@ pub(super) enum JointRef {
 }
 
 impl Effects {
-    /// Looks up joints by `labels`, the names of joints in their order.
+    /// Looks up joints among `joints`, by their numbers or names.
     pub(super) fn new(
         gravity: Vector,
-        bending: &[JointRef],
+        [bending, harmonics]: [&[JointRef]; 2],
         coupling: &[(JointRef, JointRef)],
-        labels: &[String],
+        joints: &[Joint],
         place: &dyn Fn(&[&str]) -> Place,
     ) -> Result<Self> {
-        let n = labels.len();
+        let n = joints.len();
         let mut problems = Problems::default();
+        let names: Vec<&str> = joints.iter().map(|joint| joint.name.as_str()).collect();
         let mut wrong = |key: &str, i: usize, what: String| {
             let message = Message::error(what).at(place(&[key, &i.to_string()]));
             let message = message.expected(format!("joints from 1 to {n}, each once"));
-            problems.0.push(message.hint(format!("the joints are {}", labels.join(", "))));
+            problems.0.push(message.hint(format!("the joints are {}", names.join(", "))));
         };
         let find = |joint: &JointRef| match joint {
             JointRef::Number(number) => {
                 Some(*number).filter(|j| (1..=n).contains(j)).map(|j| j - 1).ok_or_else(|| number.to_string())
             }
-            JointRef::Name(name) => labels.iter().position(|label| label == name).ok_or_else(|| format!("`{name}`")),
+            JointRef::Name(name) => names.iter().position(|known| known == name).ok_or_else(|| format!("`{name}`")),
         };
         let mut effects = Self::default();
-        for (i, joint) in bending.iter().enumerate() {
-            match find(joint) {
-                Err(name) => wrong("bending", i, format!("there is no joint {name}")),
-                Ok(j) if effects.bending.contains(&j) => wrong("bending", i, format!("joint {} is there twice", j + 1)),
-                Ok(j) => effects.bending.push(j),
+        let lists = [("bending", bending, &mut effects.bending), ("harmonics", harmonics, &mut effects.harmonics)];
+        for (key, stated, list) in lists {
+            for (i, joint) in stated.iter().enumerate() {
+                match find(joint) {
+                    Err(name) => wrong(key, i, format!("there is no joint {name}")),
+                    Ok(j) if key == "harmonics" && joints[j].quantity == Quantity::Length => {
+                        wrong(key, i, format!("joint {} slides: it has no turn", names[j]));
+                    }
+                    Ok(j) if list.contains(&j) => wrong(key, i, format!("joint {} is there twice", j + 1)),
+                    Ok(j) => list.push(j),
+                }
             }
         }
         for (i, (joint, by)) in coupling.iter().enumerate() {
@@ -326,8 +337,9 @@ impl Description for Keys {
                 .into());
         }
         let mut problems = wrong_targets(targets);
-        let labels: Vec<String> = (1..=self.joints.len()).map(|i| format!("q{i}")).collect();
-        let effects = problems.keep(Effects::new(self.gravity, &self.bending, &self.coupling, &labels, place));
+        let joints: Vec<Joint> = (1..).zip(&self.joints).map(|(i, keys)| Joint::numbered(i, keys.prismatic)).collect();
+        let effects =
+            problems.keep(Effects::new(self.gravity, [&self.bending, &self.harmonics], &self.coupling, &joints, place));
         // geometry is checked whatever is wrong with the rest
         let effects = effects.unwrap_or_default();
         let arm = problems.keep(match self.convention {
@@ -423,6 +435,7 @@ impl Serial {
             gravity,
             bending: bending.iter().map(|j| j - 1).collect(),
             coupling: coupling.iter().map(|&(j, by)| (j - 1, by - 1)).collect(),
+            harmonics: Vec::new(),
         };
         Self::of_table(TableConvention::Modified, joints, targets, &effects)
     }
@@ -480,7 +493,7 @@ impl Serial {
                 link(&mut arm);
             }
         }
-        arm.finish(joints.len(), joints.iter().map(|j| j.prismatic), effects)
+        arm.finish(joints.iter().map(|j| j.prismatic), effects)
     }
 
     /// An arm of screw axes with `targets` on its flange, whose pose in the base at zero joints is `home`. Each axis has its own small
@@ -495,7 +508,7 @@ impl Serial {
             arm.place(at.inverse());
         }
         arm.place(*home);
-        arm.finish(screws.len(), screws.iter().map(|s| s.prismatic), effects)
+        arm.finish(screws.iter().map(|s| s.prismatic), effects)
     }
 }
 

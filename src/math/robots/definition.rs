@@ -60,6 +60,8 @@ pub enum Effect {
     Geometry,
     /// Gains: leads, ratios of the transmissions.
     Gains,
+    /// Harmonics of the transmissions.
+    Harmonics,
     /// Coupling of one joint to another.
     Coupling,
     /// Bending of joints and links under loads.
@@ -161,6 +163,12 @@ pub struct Joint {
 }
 
 impl Joint {
+    /// Joint q`number` of an arm.
+    pub(super) fn numbered(number: usize, prismatic: bool) -> Self {
+        let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
+        Self { name: format!("q{number}"), quantity }
+    }
+
     /// Name of the column in a table of observations: `rho1_mm`, `q1_deg`.
     pub fn column(&self) -> String {
         format!("{}_{}", self.name, self.quantity.unit())

@@ -48,12 +48,13 @@ pub(super) struct Drive {
     pub prismatic: bool,
 }
 
-/// The joints that `bending` and `coupling` name, and the direction of `gravity`.
+/// The joints that `bending`, `coupling` and `harmonics` name, and the direction of `gravity`.
 #[derive(Debug, Default)]
 pub(super) struct Effects {
     pub gravity: Vector,
     pub bending: Vec<usize>,
     pub coupling: Vec<(usize, usize)>,
+    pub harmonics: Vec<usize>,
 }
 
 /// A moving joint of the chain.
@@ -89,6 +90,9 @@ const BENDING: &str = meaning(
 );
 const COUPLING: &str =
     meaning("Coupling: by how much the first joint moves for each unit that the second one is moved.");
+const HARMONIC: &str = meaning(
+    "Harmonic of the transmission: by how much the joint moves for each unit of the sine or cosine that the name ends with, of once or twice the angle of the joint.",
+);
 const TILT: &str =
     meaning("Small rotation of the joint's axis, about the axis that the name ends with; counterclockwise positive.");
 const ASIDE: &str = meaning("Small displacement of the joint's axis, along the axis that the name ends with.");
@@ -234,6 +238,20 @@ impl ArmBuilder {
         }
     }
 
+    /// Harmonics of axes, once and twice a turn, as a deviating gear or encoder has them.
+    pub fn harmonics(&mut self, axes: &[usize]) {
+        for &k in axes {
+            let Drive { label, joint, factor, offset, .. } = self.axes[k].drive.clone();
+            for (order, name, sine) in
+                [(1.0, "sin1", true), (1.0, "cos1", false), (2.0, "sin2", true), (2.0, "cos2", false)]
+            {
+                let parameter = self.parameter(format!("harmonic_{label}_{name}"), Quantity::Angle, 0.0, HARMONIC);
+                let coefficient = Coefficient::Harmonic { joint, factor, offset, order, sine };
+                self.moved[k].push(Term { parameter, coefficient });
+            }
+        }
+    }
+
     /// Bending of the axes `bending`, in their order, under the links behind them.
     pub fn bending(&mut self, bending: &[usize]) {
         for &axis in bending {
@@ -319,14 +337,14 @@ impl ArmBuilder {
         errors
     }
 
-    /// Gains, bending and coupling, and the robot with `joints` that are called q1, q2 ...
-    pub fn finish(mut self, joints: usize, prismatic: impl Iterator<Item = bool>, effects: &Effects) -> Serial {
+    /// Gains, harmonics, bending and coupling, and the robot with joints that are called q1, q2 ...
+    pub fn finish(mut self, prismatic: impl Iterator<Item = bool>, effects: &Effects) -> Serial {
         self.gains();
+        self.harmonics(&effects.harmonics);
         self.bending(&effects.bending);
         self.coupling(&effects.coupling);
-        let quantity = |prismatic| if prismatic { Quantity::Length } else { Quantity::Angle };
-        let names = (1..=joints).zip(prismatic).map(|(i, p)| Joint { name: format!("q{i}"), quantity: quantity(p) });
-        self.build("serial", names.collect(), effects.gravity)
+        let joints = (1..).zip(prismatic).map(|(i, prismatic)| Joint::numbered(i, prismatic));
+        self.build("serial", joints.collect(), effects.gravity)
     }
 
     /// The name of a parameter that is there twice.
@@ -574,12 +592,13 @@ impl Serial {
     fn joint_jacobian(&self, parameters: &[f64], q: &[f64]) -> (Pose, Vec<f64>) {
         let loads = self.loads(q);
         let mut axes = Vec::with_capacity(self.elements.len());
-        let reached = chain::trace(&self.elements, parameters, State { joints: q, loads: &loads }, &mut axes);
+        let state = State { joints: q, loads: &loads };
+        let reached = chain::trace(&self.elements, parameters, state, &mut axes);
         let mut a = vec![0.0; 6 * q.len()];
         for (element, &axis) in self.elements.iter().zip(&axes) {
             for term in &element.terms {
-                let Coefficient::Joint { joint, factor, .. } = term.coefficient else { continue };
-                let rate = factor * parameters[term.parameter];
+                let Some((joint, rate)) = state.rate(term.coefficient) else { continue };
+                let rate = rate * parameters[term.parameter];
                 let linear = element.velocity(axis, reached.translation_mm);
                 let angular = element.angular_velocity(axis);
                 for i in 0..3 {
@@ -690,9 +709,9 @@ impl Robot for Serial {
             let point = flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]]);
             for (element, &axis) in self.elements.iter().zip(&axes) {
                 for term in &element.terms {
-                    let Coefficient::Joint { joint, factor, .. } = term.coefficient else { continue };
+                    let Some((joint, rate)) = state.rate(term.coefficient) else { continue };
                     let v = element.velocity(axis, point);
-                    (0..3).for_each(|i| rows[i * n + joint] += v[i] * factor * parameters[term.parameter]);
+                    (0..3).for_each(|i| rows[i * n + joint] += v[i] * rate * parameters[term.parameter]);
                 }
             }
         }
@@ -701,13 +720,14 @@ impl Robot for Serial {
         limit_violation(self.joints(), &self.limits, joints)
     }
     fn effect(&self, parameter: usize) -> Effect {
-        let loaded = |term: &Term| term.parameter == parameter && matches!(term.coefficient, Coefficient::Load(_));
+        let mut terms = self.elements.iter().flat_map(|e| &e.terms);
         let p = &self.parameters()[parameter];
-        match p.quantity {
-            _ if self.elements.iter().flat_map(|e| &e.terms).any(loaded) => Effect::Bending,
+        match (terms.find(|t| t.parameter == parameter).map(|t| t.coefficient), p.quantity) {
+            (Some(Coefficient::Load(_)), _) => Effect::Bending,
+            (Some(Coefficient::Harmonic { .. }), _) => Effect::Harmonics,
             // a gain is 1 without error, a coupling 0
-            Quantity::Ratio if p.nominal == 0.0 => Effect::Coupling,
-            Quantity::Ratio => Effect::Gains,
+            (_, Quantity::Ratio) if p.nominal == 0.0 => Effect::Coupling,
+            (_, Quantity::Ratio) => Effect::Gains,
             _ => Effect::Geometry,
         }
     }

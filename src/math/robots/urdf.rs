@@ -14,7 +14,7 @@ use serde::Deserialize;
 /// Robot of a URDF file.
 pub(super) const MODEL: Model = Model::new::<Keys>(
     "urdf",
-    &[&["file"], &["base_link"], &["tool_link"], &["gravity"], &["bending"], &["coupling"]],
+    &[&["file"], &["base_link"], &["tool_link"], &["gravity"], &["bending"], &["coupling"], &["harmonics"]],
     &["file", "base_link", "tool_link"],
 );
 
@@ -30,7 +30,8 @@ const PARALLEL: f64 = 1e-6;
 struct Keys {
     /// URDF file of the robot, beside this one.
     file: String,
-    /// Link of the URDF that is the base.
+    /// Link of the URDF that is the base: one that does not move, or, where nothing is measured from outside, the flange of another arm
+    /// or a part on a positioner.
     base_link: String,
     /// Link of the URDF that carries the targets: their coordinates are in its frame.
     tool_link: String,
@@ -43,6 +44,9 @@ struct Keys {
     /// Coupled joints of an arm: pairs of a joint and the joint that moves it, by their numbers, from 1, or names.
     #[serde(default)]
     coupling: Vec<(JointRef, JointRef)>,
+    /// Joints of an arm whose transmission deviates once and twice a turn: their numbers, from 1, or names.
+    #[serde(default)]
+    harmonics: Vec<JointRef>,
 }
 
 /// Links and joints of a URDF, in mm and rad.
@@ -134,6 +138,13 @@ impl TreeJoint {
     }
 }
 
+/// A joint of a chain and whether the chain passes it from its child to its parent.
+#[derive(Clone, Copy, Debug)]
+struct Step<'a> {
+    joint: &'a TreeJoint,
+    upward: bool,
+}
+
 /// The chain of a URDF with the most moving joints.
 #[derive(Clone, Debug)]
 pub struct LongestChain {
@@ -158,7 +169,7 @@ impl Tree {
             }
             let chain = self.chain(file, [base, &leaf.name], place)?;
             let mut joints: Vec<Joint> = Vec::new();
-            let moving = chain.iter().filter(|joint| joint.kind != "fixed");
+            let moving = chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed");
             for joint in moving.clone() {
                 let (driver, ..) = self.driven_by(joint)?;
                 if joints.iter().all(|known| known.name != driver.name) {
@@ -192,8 +203,23 @@ impl Tree {
         }
     }
 
-    /// Joints of a file from one link to another.
-    fn chain(&self, file: &str, ends: [&str; 2], place: &dyn Fn(&[&str]) -> Place) -> Result<Vec<&TreeJoint>> {
+    /// Joints from a link to the root of the tree.
+    fn upward<'a>(&'a self, mut link: &'a str) -> Result<Vec<&'a TreeJoint>> {
+        let mut chain = Vec::new();
+        while let Some(joint) = self.above(link)? {
+            if chain.len() > self.joints.len() {
+                let what = format!("the joints from `{}` on form a loop", joint.child);
+                return Err(joint.error(what).hint("a URDF is a tree: loops are closed by `mimic`").into());
+            }
+            chain.push(joint);
+            link = &joint.parent;
+        }
+        Ok(chain)
+    }
+
+    /// Joints of a file from one link to another, by way of the link that carries both: up from a link that moves itself, the flange of
+    /// another arm or the table of a positioner, and down to the other.
+    fn chain<'a>(&'a self, file: &str, ends: [&'a str; 2], place: &dyn Fn(&[&str]) -> Place) -> Result<Vec<Step<'a>>> {
         let [base_link, tool_link] = ends;
         for (key, link) in [("base_link", base_link), ("tool_link", tool_link)] {
             if self.links.iter().all(|l| l.name != *link) {
@@ -201,23 +227,25 @@ impl Tree {
                 return Err(message.hint_names(link, self.links.iter().map(|l| l.name.as_str())).into());
             }
         }
-        let (mut chain, mut link) = (Vec::new(), tool_link);
-        while link != base_link {
-            let Some(joint) = self.above(link)? else {
-                let what = format!("no joints lead from `{base_link}` to `{tool_link}`");
-                let message = Message::error(what).at(place(&["tool_link"]));
-                return Err(message.hint(format!("no joint carries `{link}`")).into());
-            };
-            if chain.len() > self.joints.len() {
-                let what = format!("the joints from `{tool_link}` on form a loop");
-                return Err(joint.error(what).hint("a URDF is a tree: loops are closed by `mimic`").into());
-            }
-            chain.push(joint);
-            link = &joint.parent;
+        let (mut up, mut down) = (self.upward(base_link)?, self.upward(tool_link)?);
+        let root = |chain: &[&TreeJoint], link: &str| chain.last().map_or(link.to_owned(), |j| j.parent.clone());
+        let (carries_base, carries_tool) = (root(&up, base_link), root(&down, tool_link));
+        while let (Some(a), Some(b)) = (up.last(), down.last())
+            && std::ptr::eq(*a, *b)
+        {
+            up.pop();
+            down.pop();
         }
-        chain.reverse();
+        if carries_base != carries_tool || (down.is_empty() && !up.is_empty()) {
+            let what = format!("no joints lead from `{base_link}` to `{tool_link}`");
+            let message = Message::error(what).at(place(&["tool_link"]));
+            return Err(message.hint(format!("no joint carries `{carries_tool}`")).into());
+        }
+        let upward = up.into_iter().map(|joint| Step { joint, upward: true });
+        let chain: Vec<Step> =
+            upward.chain(down.into_iter().rev().map(|joint| Step { joint, upward: false })).collect();
         let mut problems = Problems::default();
-        chain.iter().for_each(|joint| problems.0.extend(joint.check().0));
+        chain.iter().for_each(|step| problems.0.extend(step.joint.check().0));
         problems.check().map(|_| chain)
     }
 
@@ -274,23 +302,38 @@ impl Description for Keys {
         let tree = source.tree()?;
         let chain = tree.chain(&self.file, [&self.base_link, &self.tool_link], place)?;
         let mut problems = wrong_targets(targets);
-        let moving: Vec<&TreeJoint> = chain.iter().copied().filter(|joint| joint.kind != "fixed").collect();
-        let labels: Vec<String> = moving.iter().map(|joint| joint.name.clone()).collect();
-        if moving.is_empty() {
+        let moving = || chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed");
+        let axes: Vec<Joint> =
+            moving().map(|joint| Joint { name: joint.name.clone(), quantity: joint.quantity() }).collect();
+        if axes.is_empty() {
             let what = format!("no joint moves between `{}` and `{}`", self.base_link, self.tool_link);
             problems.0.push(Message::error(what).at(place(&["tool_link"])));
         }
-        let effects = problems.keep(Effects::new(self.gravity, &self.bending, &self.coupling, &labels, place));
+        let effects =
+            problems.keep(Effects::new(self.gravity, [&self.bending, &self.harmonics], &self.coupling, &axes, place));
+        if !self.bending.is_empty() && chain.iter().any(|step| step.upward && step.joint.kind != "fixed") {
+            let what = format!("`bending` needs a fixed direction of gravity, and joints move `{}`", self.base_link);
+            let message = Message::error(what).at(place(&["bending"]));
+            problems.0.push(message.hint("remove it, or let `base_link` be a link that does not move"));
+        }
         let Some(effects) = effects.filter(|_| problems.0.is_empty()) else { return Err(problems) };
         let mut arm = ArmBuilder::new(BaseAngles::Vector, targets);
         let (mut joints, mut limits): (Vec<Joint>, Vec<Option<[f64; 2]>>) = Default::default();
         let mut errors = Vec::new();
         // the sliding axis before a joint, in its frame, and the joint that drives it
         let mut before: Option<(Vector, &str)> = None;
-        for joint in chain {
-            arm.place(joint.origin);
-            before = before.map(|(axis, driver)| (joint.origin.inverse().rotate(axis), driver));
+        for Step { joint, upward } in &chain {
+            let pass = |arm: &mut ArmBuilder, before: &mut Option<(Vector, &str)>, origin: Pose| {
+                arm.place(origin);
+                *before = before.map(|(axis, driver)| (origin.inverse().rotate(axis), driver));
+            };
+            if !upward {
+                pass(&mut arm, &mut before, joint.origin);
+            }
             if joint.kind == "fixed" {
+                if *upward {
+                    pass(&mut arm, &mut before, joint.origin.inverse());
+                }
                 continue;
             }
             let (driver, factor, offset) = tree.driven_by(joint)?;
@@ -303,17 +346,22 @@ impl Description for Keys {
             let prismatic = joint.kind == "prismatic";
             let name = joint.name.clone();
             let drive = Drive { label: name.clone(), name, joint: index, factor, offset, prismatic };
-            let axis = unit(joint.axis).unwrap_or_default();
+            // passed upward, it moves the other way
+            let axis = unit(joint.axis).unwrap_or_default().map(|v| if *upward { -v } else { v });
             let parallel = |along: Vector| norm(cross(along, axis)) < PARALLEL;
             let follows = prismatic && before.is_some_and(|(along, by)| by == driver.name && parallel(along));
             errors.push(arm.screw(axis, drive, follows));
             before = prismatic.then_some((axis, driver.name.as_str()));
             arm.carry(tree.body(&joint.child));
+            if *upward {
+                pass(&mut arm, &mut before, joint.origin.inverse());
+            }
         }
         arm.gains();
+        arm.harmonics(&effects.harmonics);
         for &k in &effects.bending {
             if !arm.is_loaded(k) {
-                let what = format!("no mass is stated beyond joint `{}`: nothing bends it", labels[k]);
+                let what = format!("no mass is stated beyond joint `{}`: nothing bends it", axes[k].name);
                 problems.0.push(Message::error(what).at(place(&["bending"])).hint("add <inertial> to its links"));
             }
             arm.bending_by_masses(k, &errors[k]);
