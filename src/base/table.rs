@@ -26,6 +26,8 @@ pub const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 /// Column of a point's label; in a log, of the point that the robot touches.
 pub const LABEL: &str = "label";
 
+/// Column of the time of a measurement in s.
+pub const TIME: &str = "time_s";
 /// Column of the assembly mode, +1 or -1, of robots that have several.
 pub const ASSEMBLY: &str = "assembly";
 

@@ -5,7 +5,7 @@ use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, count};
-use crate::base::table::{ASSEMBLY, COVARIANCES, UNCERTAINTIES};
+use crate::base::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
 use crate::campaign::{Exclude, read_robot};
 use crate::document::to_json;
 use crate::math::identify::{ResidualKind, Settings, fit_frames, identify_from, weigh};
@@ -160,6 +160,6 @@ pub(super) fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message>
     let joints = observed.table.get_column_names().into_iter().map(|name| name.as_str());
     let joints = joints.filter(|name| robot.joints().iter().any(|joint| joint.factor(name).is_some()));
     let known =
-        ["pose", "cycle", "target", ASSEMBLY].into_iter().chain(UNCERTAINTIES).chain(COVARIANCES).chain(kinds::COLUMNS);
+        ["pose", "cycle", "target", ASSEMBLY, TIME].into_iter().chain(UNCERTAINTIES).chain(COVARIANCES).chain(kinds::COLUMNS);
     observed.named().unread(&known.chain(joints).collect::<Vec<_>>())
 }

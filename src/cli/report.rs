@@ -4,6 +4,7 @@ use super::{Verdict, print_written};
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result};
 use crate::document::{Language, Presentation};
+use crate::export::CERTIFICATE;
 use crate::report::branding;
 use crate::report::{self, Faces};
 use crate::run::documents::{self, Documents};
@@ -116,9 +117,12 @@ fn write_report(folder: &Path, dressed: &Dressed, certificate: bool) -> Result<V
     let documents = Documents::open(&documents::folder_of(folder)?)?;
     let mut run = documents::Run::read(&documents)?;
     run.campaign.report = dressed.over(run.campaign.report)?;
+    let exported = documents.manifest.files.contains_key(CERTIFICATE);
+    let exported = exported.then(|| documents.bytes(CERTIFICATE)).transpose()?;
+    let attached = |faces: Faces| faces.with_certificate(CERTIFICATE, exported.as_deref());
     let files = match certificate {
-        true => Faces::certificate(&run.report())?.certificate_files()?,
-        false => Faces::campaign(&run.report())?.files()?,
+        true => attached(Faces::certificate(&run.report())?).certificate_files()?,
+        false => attached(Faces::campaign(&run.report())?).files()?,
     };
     documents.write(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
 }

@@ -195,7 +195,7 @@ pub struct PointError {
     pub before_deg: Option<f64>,
     /// Orientation error after.
     pub after_deg: Option<f64>,
-    /// Values of the joints in mm or deg, as [`AccuracyDocument::joints`] names them.
+    /// Values of the joints in mm or deg and, where it is known, the time in s, as [`AccuracyDocument::joints`] names them.
     #[serde(default)]
     pub joints: Vec<f64>,
 }

@@ -14,6 +14,8 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 /// XML, parameters with their covariance.
 pub(super) struct Dcc;
 
+/// Its file.
+pub const FILE: &str = "calibration_certificate_draft.xml";
 /// Coverage probability of the region of all identified parameters.
 const PROBABILITY: f64 = 0.95;
 
@@ -23,7 +25,7 @@ const REGION: &str = "The ellipsoidal region has a coverage probability of 95 % 
 
 impl Exporter for Dcc {
     fn file_name(&self) -> &'static str {
-        "calibration_certificate_draft.xml"
+        FILE
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {

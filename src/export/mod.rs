@@ -30,6 +30,8 @@ mod xml;
 
 pub use targets::{places, targets};
 
+pub use dcc::FILE as CERTIFICATE;
+
 use crate::base::files;
 use crate::base::message::{Message, Problems, Result, Severity};
 use crate::base::pose::{Pose, Vector};

@@ -147,6 +147,7 @@ struct Attachment {
     /// how it relates to the report (ISO 19005-3, 6.8)
     relationship: &'static str,
     description: &'static str,
+    mime: &'static str,
     text: String,
 }
 
@@ -159,7 +160,7 @@ impl Attachment {
     ) -> Result<Self> {
         let text = serde_json::to_string_pretty(document)
             .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
-        Ok(Self { name, relationship, description, text: text + "\n" })
+        Ok(Self { name, relationship, description, mime: "application/json", text: text + "\n" })
     }
 }
 
@@ -338,6 +339,19 @@ impl Faces {
     /// Whether every limit is met, and the result can be that of a robot.
     pub fn is_met(&self) -> bool {
         self.contents.verdict.met
+    }
+
+    /// With the digital calibration certificate of the same results, an XML file, attached to the PDF.
+    pub fn with_certificate(mut self, name: &'static str, xml: Option<&[u8]>) -> Self {
+        let attached = |xml| Attachment {
+            name,
+            relationship: "alternative",
+            description: "Digital calibration certificate (DCC), draft",
+            mime: "application/xml",
+            text: String::from_utf8_lossy(xml).into_owned(),
+        };
+        self.attachments.extend(xml.map(attached));
+        self
     }
 
     /// What a terminal shows.

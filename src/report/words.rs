@@ -21,7 +21,13 @@ pub(crate) fn isolated(name: &str) -> String {
 
 /// Words that come from documents, not from the text of this program's reports.
 #[cfg(test)]
-const OF_DOCUMENTS: [&str; 50] = [
+const OF_DOCUMENTS: [&str; 56] = [
+    "zeros",
+    "zeros of the joints",
+    "geometry",
+    "gains",
+    "coupling",
+    "bending",
     "calibration",
     "validation",
     "position",
@@ -100,6 +106,8 @@ impl Words {
     pub fn of_document(&self, sentence: &str) -> Option<String> {
         self.sentences.iter().find_map(|(pattern, translation)| {
             let values = values(pattern, sentence)?;
+            let said = |v: &&str| v.split(", ").map(|name| self.say(name)).collect::<Vec<_>>().join(", ");
+            let values: Vec<String> = values.iter().map(said).collect();
             let values: Vec<&dyn Display> = values.iter().map(|v| v as &dyn Display).collect();
             Some(self.filled(translation, &values))
         })

@@ -37,6 +37,11 @@ impl Output {
         self.files.push((name.to_owned(), bytes));
     }
 
+    /// A file that was added.
+    pub fn file(&self, name: &str) -> Option<&[u8]> {
+        self.files.iter().find(|(added, _)| added == name).map(|(_, bytes)| bytes.as_slice())
+    }
+
     /// Adds a document.
     pub fn json<T: Serialize>(&mut self, name: &str, document: &T) -> Result<()> {
         let bytes = to_json(document)?;

@@ -184,6 +184,7 @@ fn write(
             out.bytes(exporter.file_name(), exporter.write(&given)?);
         }
     }
+    let faces = faces.map(|faces| faces.with_certificate(export::CERTIFICATE, out.file(export::CERTIFICATE)));
     if let Some(faces) = &faces {
         out.reports(faces.files()?);
     }

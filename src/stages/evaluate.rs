@@ -3,7 +3,7 @@
 use crate::base::message::{Message, Result};
 use crate::base::pose::{Vector, centroid, minus, norm};
 use crate::base::pose_name::PoseName;
-use crate::base::table::{self, XYZ};
+use crate::base::table::{self, TIME, XYZ};
 use crate::campaign::{Campaign, Limits, Selections};
 use crate::document::{
     AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
@@ -92,6 +92,31 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
         }
     }
     all
+}
+
+/// Adds the time of each observation in s from the first, as the last of what errors are drawn against; whether the table has one.
+///
+/// # Errors
+/// If the table of observations is not one.
+pub fn with_times(errors: &mut [PointError], table: &DataFrame) -> Result<bool> {
+    if table.column(TIME).is_err() {
+        return Ok(false);
+    }
+    let (poses, cycles) = (table::poses(table)?, table::integers(table, "cycle")?);
+    let (targets, times) = (table::texts(table, "target")?, table::numbers(table, TIME)?);
+    let first = times.iter().copied().filter(|t| t.is_finite()).fold(f64::INFINITY, f64::min);
+    // the centre of a platform has the time of its first target
+    let mut of_pose = BTreeMap::new();
+    let mut of_target = BTreeMap::new();
+    for (i, time_s) in times.iter().enumerate() {
+        of_pose.entry((poses[i], cycles[i])).or_insert(time_s - first);
+        of_target.entry((poses[i], cycles[i], targets[i].as_str())).or_insert(time_s - first);
+    }
+    for e in errors {
+        let own = of_target.get(&(e.pose, e.cycle, e.target.as_str()));
+        e.joints.push(own.or(of_pose.get(&(e.pose, e.cycle))).copied().unwrap_or(f64::NAN));
+    }
+    Ok(true)
 }
 
 /// Values of the joints in mm or deg.
@@ -416,5 +441,29 @@ mod tests {
         assert_eq!((s.mean, s.p95, s.max), (11.0, 20.0, 21.0));
         assert!((s.rms - (3311.0f64 / 21.0).sqrt()).abs() < 1e-12);
         assert_eq!(summarise(Vec::new()).max, 0.0);
+    }
+
+    #[test]
+    fn each_error_has_the_time_of_its_target_and_a_platform_that_of_the_pose() {
+        let frame = polars::df!(
+            "pose" => [1i64, 1, 2], "cycle" => [1i64, 1, 1], "target" => ["a", "b", "a"], TIME => [1e9, 1e9 + 2.0, 1e9 + 60.0],
+        );
+        let error = |pose: i64, target: &str| PointError {
+            set: "calibration".to_owned(),
+            pose: pose.into(),
+            cycle: 1,
+            target: target.to_owned(),
+            at_mm: [0.0; 3],
+            before_mm: [0.0; 3],
+            after_mm: [0.0; 3],
+            before_deg: None,
+            after_deg: None,
+            joints: vec![7.0],
+        };
+        let mut errors = [error(1, "b"), error(2, "C"), error(3, "a")];
+        assert!(with_times(&mut errors, &frame.unwrap()).unwrap());
+        assert_eq!((&errors[0].joints[..], &errors[1].joints[..]), (&[7.0, 2.0][..], &[7.0, 60.0][..]));
+        assert!(errors[2].joints[1].is_nan(), "a pose that was not observed has no time");
+        assert!(!with_times(&mut errors, &DataFrame::empty()).unwrap() && errors[0].joints.len() == 2);
     }
 }

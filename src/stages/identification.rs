@@ -2,6 +2,7 @@
 
 use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose_name::PoseName;
+use crate::base::table;
 use crate::campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
 use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings, ToolPoint};
@@ -71,12 +72,15 @@ pub fn identify(
         found.warnings.extend(warnings.into_iter().flatten());
     }
     found.warnings.splice(0..0, messages);
-    let errors = evaluate::errors(robot, &sets, &before, &found.values);
+    let mut errors = evaluate::errors(robot, &sets, &before, &found.values);
     let messages = plausibility(robot, &sets.calibration, &settings, &before, &found, &errors);
     found.warnings.splice(0..0, messages);
     let uncertainty = ErrorUncertainty::of(campaign, robot, &sets, &settings);
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.validation_distance = validation_distance(robot, &sets);
+    if evaluate::with_times(&mut errors, &joined.observations[0].1)? {
+        accuracy.joints.push(table::TIME.to_owned());
+    }
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
     if sets.validation_conditions.is_empty() {
         let budgets = identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)?;

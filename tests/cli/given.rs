@@ -88,6 +88,38 @@ fn parameters_of_one_instrument_are_judged_on_the_campaign_of_another() {
     assert!(text(&warned.stderr).contains("leave larger errors than the nominal ones"), "{}", text(&warned.stderr));
 }
 
+/// Each answer is written as a page, a workbook and, where there is one, a PDF, in every language.
+#[test]
+fn answers_are_written_as_reports_in_every_language() {
+    let folder = run("prexyt-cmm");
+    std::fs::write(folder.path().join("few.csv"), observations(&folder.path(), |_, _| {})).unwrap();
+    let verify = ["verify", "few.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json"];
+    let validate = ["validate", ".", "--parameters", "out/parameters.json"];
+    let titles = [
+        (&verify[..], "Verification of identified parameters", "berprüfung identifizierter", "rification de"),
+        (&validate[..], "Validation of given parameters", "Validierung", "Validation de"),
+        (&["recommend", "."][..], "Recommendation of parameters to load", "Empfehlung", "Recommandation"),
+    ];
+    for (command, english, german, french) in titles {
+        let mut pages = Vec::new();
+        for (language, title) in [("en", english), ("de", german), ("fr", french)] {
+            let written = ["--report", "answer.html", "--report", "answer.xlsx", "--language", language];
+            let done = etalon(&folder.path(), &[command, &written].concat());
+            assert_eq!(code(&done), Some(0), "{command:?}: {}", text(&done.stderr));
+            let page = std::fs::read_to_string(folder.path().join("answer.html")).unwrap();
+            assert!(page.contains(title) && text(&done.stdout).contains(title), "{command:?} {language}");
+            assert!(!page.contains("<bdi lang=\"en\">") || language == "en", "{command:?} {language}: not translated");
+            assert!(std::fs::read(folder.path().join("answer.xlsx")).unwrap().starts_with(b"PK"));
+            pages.push(page);
+        }
+        assert!(pages[1] != pages[0] && pages[2] != pages[0]);
+        let refused = etalon(&folder.path(), &[command, &["--report", "answer.txt"]].concat());
+        assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("ends in .html"));
+    }
+    let over = etalon(&folder.path(), &[&validate[..], &["--report", "out/../out/report.html"]].concat());
+    assert_eq!(code(&over), Some(0), "a report of before is no input");
+}
+
 /// Some rows of the observations of a run, changed.
 fn observations(folder: &Path, change: impl Fn(&[&str], &mut Vec<String>)) -> String {
     let all = std::fs::read_to_string(folder.join("out/observations.csv")).unwrap();

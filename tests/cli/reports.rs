@@ -196,6 +196,24 @@ mod pdf {
             assert!(attached == std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap(), "{name}");
         }
     }
+
+    #[test]
+    fn the_digital_certificate_is_attached_where_it_was_exported_and_when_the_report_is_made_again() {
+        let scratch = copy_sample("prexyt-cmm");
+        scratch.replace("campaign.toml", "name = ", "controllers = [\"dcc\"]\nname = ");
+        assert!(etalon(scratch.root(), &["run", "campaign"]).status.success());
+        let name = "calibration_certificate_draft.xml";
+        let exported = std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap();
+        for again in [false, true] {
+            if again {
+                assert!(etalon(scratch.root(), &["report", "campaign/out"]).status.success());
+            }
+            let file = scratch.path().join("out/report.pdf");
+            let Some(attached) = tool("qpdf", &[&format!("--show-attachment={name}"), "{}"], &file) else { return };
+            assert_eq!(attached, exported);
+            assert!(!tool("qpdf", &["--list-attachments", "{}"], &file).unwrap().is_empty());
+        }
+    }
 }
 
 /// What `pdftotext` reads of a file; `None` where it is not installed, or there is no PDF.

@@ -15,7 +15,7 @@ use typst_pdf::{PdfOptions, PdfStandard, PdfStandards, Timestamp};
 /// What is typeset: attachments first, so that no template can leave them out.
 const MAIN: &str = "main.typ";
 const START: &str = "#for file in json(\"attachments.json\") {\n  \
-    pdf.attach(file.name, bytes(file.text), relationship: file.relationship, mime-type: \"application/json\", \
+    pdf.attach(file.name, bytes(file.text), relationship: file.relationship, mime-type: file.mime, \
     description: file.description)\n}\n#include \"report.typ\"\n";
 
 /// Files and fonts, and the date that is today.

@@ -1,5 +1,6 @@
 //! The poses of a test in space or, of planar robots, in their plane; with the cube of ISO 9283:1998, 6, where they are laid into one.
 
+use super::axis::range;
 use super::map::Space;
 use super::plane::{Plane, WIDTH};
 use super::svg::{Shape, Svg};
@@ -15,6 +16,8 @@ use crate::report::words::Words;
 const FROM_CENTRE: f64 = 0.8;
 /// How far the coordinates of a pose from the centre may differ: 2 % of the diagonal over 80 % of its half.
 const TOLERANCE: f64 = 0.05;
+/// Height of poses in a plane over their extent.
+const FLAT: f64 = 0.01;
 /// More names than this hide each other.
 const NAMED: usize = 12;
 
@@ -45,7 +48,8 @@ fn cube(places: &[(PoseName, Vector)], planar: bool) -> Option<(Vector, f64)> {
 /// All poses, and the cube where there is one.
 pub(in crate::report) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figure> {
     let places = places(document);
-    let planar = document.poses.iter().all(|p| p.rp_z_mm.is_none());
+    let extent = |axis: usize| range(places.iter().map(|(_, p)| p[axis])).map_or(0.0, |(low, high)| high - low);
+    let planar = extent(2) < FLAT * extent(0).max(extent(1));
     let cube = cube(&places, planar);
     let mut around: Vec<Vector> = places.iter().map(|(_, p)| *p).collect();
     if places.len() < 2 || !around.iter().flatten().all(|v| v.abs() < 1e7) {

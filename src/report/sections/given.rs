@@ -61,7 +61,7 @@ pub(in crate::report) fn recommendation(document: &RecommendationDocument, words
     let mut effects =
         Section::new("effects", words.fill("Effects, at {0} poses in {1} parts, {2} times", &values)).on_terminal();
     let name = |s: &EffectStep| match s.effect {
-        Some(effect) => format!("+ {effect:?}").to_lowercase(),
+        Some(effect) => format!("+ {}", words.say(&format!("{effect:?}").to_lowercase())),
         None => words.say("base and targets"),
     };
     let columns = Columns::<EffectStep>::new()

@@ -64,6 +64,8 @@ struct Row {
     target: usize,
     world_mm: Vector,
     covariance_mm2: Option<Covariance>,
+    /// of the export or, where it has none, of the log
+    time_s: Option<f64>,
     assembly: Option<f64>,
     joints: Vec<f64>,
 }
@@ -77,6 +79,7 @@ impl Row {
             target: target.index,
             world_mm: target.world_mm,
             covariance_mm2: target.covariance_mm2,
+            time_s: target.point.time_s.or(met.time_s),
             assembly: met.assembly,
             joints: met.joints.clone(),
         }
@@ -338,6 +341,9 @@ fn tidy(mut rows: Vec<Row>, log: &JointLog, robot: &dyn Robot) -> Result<DataFra
                 .hint_names(&joint, log.joints.iter().map(String::as_str))
         })?;
         columns.push(real(&joint, &|row| row.joints.get(k).copied()));
+    }
+    if rows.iter().all(|row| row.time_s.is_some()) {
+        columns.push(real(table::TIME, &|row| row.time_s));
     }
     if robot.has_assembly_modes() && log.has(table::ASSEMBLY) {
         columns.push(real(table::ASSEMBLY, &|row| row.assembly));
