@@ -106,7 +106,10 @@ impl Words {
     pub fn of_document(&self, sentence: &str) -> Option<String> {
         self.sentences.iter().find_map(|(pattern, translation)| {
             let values = values(pattern, sentence)?;
-            let said = |v: &&str| v.split(", ").map(|name| self.say(name)).collect::<Vec<_>>().join(", ");
+            let and = self.filled(&self.say("{0} and {1}"), &[&"`", &"`"]);
+            let said = |v: &&str| {
+                v.split(", ").map(|name| self.say(name)).collect::<Vec<_>>().join(", ").replace("` and `", &and)
+            };
             let values: Vec<String> = values.iter().map(said).collect();
             let values: Vec<&dyn Display> = values.iter().map(|v| v as &dyn Display).collect();
             Some(self.filled(translation, &values))

@@ -61,6 +61,22 @@ fn the_same_documents_make_the_same_bytes() {
     assert_eq!(page(&Documents::demo()), page(&Documents::demo()));
 }
 
+#[test]
+fn of_many_poses_the_page_has_the_worst_and_says_what_is_left_out() {
+    let mut documents = Documents::demo();
+    let error = |i: i64| {
+        let size = 0.001 * (1 + i % 97) as f64;
+        let mut error = point(i, [10.0 * (i % 120) as f64, 10.0 * (i / 120) as f64, 0.0], [0.3; 3], [size; 3]);
+        error.set = if i < 8400 { "calibration" } else { "validation" }.to_owned();
+        error
+    };
+    documents.errors = (0..16_800).map(error).collect();
+    let page = page(&documents);
+    assert!(page.len() < 3_000_000, "{}", page.len());
+    assert!(page.contains("8400 more rows are left out: the workbook has all."));
+    assert!(page.contains("Errors of each pose, the largest first"));
+}
+
 /// Puts a text wherever a campaign, a file or a person can put one.
 pub(in crate::report) fn with_text(text: &str) -> Documents {
     let mut d = Documents::demo();
