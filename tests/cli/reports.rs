@@ -200,7 +200,11 @@ mod pdf {
     #[test]
     fn the_digital_certificate_is_attached_where_it_was_exported_and_when_the_report_is_made_again() {
         let scratch = copy_sample("prexyt-cmm");
-        scratch.replace("campaign.toml", "robot = \"robot.toml\"", "date = \"2026-03-02\"\ncontrollers = [\"dcc\"]\nrobot = \"robot.toml\"");
+        scratch.replace(
+            "campaign.toml",
+            "robot = \"robot.toml\"",
+            "date = \"2026-03-02\"\ncontrollers = [\"dcc\"]\nrobot = \"robot.toml\"",
+        );
         assert!(etalon(scratch.root(), &["run", "campaign"]).status.success());
         let name = "calibration_certificate_draft.xml";
         let exported = std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap();
