@@ -16,7 +16,7 @@ measure() {
         "$(nproc)" "$(uname -sr)" "$(cut -d' ' -f1 /proc/loadavg)"
     printf -- '- Versions: etalon %s (%s), %s; %s.\n' "$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)" \
         "$(git rev-parse --short HEAD)" "$(rustc --version)" \
-        "$("$python" -c 'import sys, numpy, scipy; print("Python", sys.version.split()[0] + ", NumPy", numpy.__version__ + ", SciPy", scipy.__version__)' 2>/dev/null || echo 'SciPy is not there: left out')"
+        "$("$python" -c 'import sys, numpy, scipy; print("Python", sys.version.split()[0] + ", NumPy", numpy.__version__ + ", SciPy", scipy.__version__)' 2>/dev/null || echo 'SciPy is not there: left out')$("$python" -c 'import pinocchio; print(", Pinocchio", pinocchio.__version__, end="")' 2>/dev/null)"
     printf -- '- Command: `%smake bench`\n' "${COUNT:+COUNT=$COUNT }"
     measure 'Many campaigns, and start-up' "$(<benches/batch.md)" batch
     measure 'Identification' 'IRB 120, 688 poses, 45 and 39 parameters: SciPy'"'"'s whole job, and its last fit alone.' identify

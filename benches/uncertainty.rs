@@ -1,7 +1,7 @@
 //! Draws of whole campaigns (`etalon uncertainty`) beside identifications by SciPy of the same observations, in the same run: the sample
 //! dextar on one thread and two, and the sample prexyt-cmm as far as a million draws would take.
 //!
-//! `DRAWS` sets how many of the PreXYT (20,000); `PYTHON` names the Python.
+//! `DRAWS` sets how many of each (20,000); `PYTHON` names the Python.
 
 #![allow(clippy::print_stdout)] // a benchmark prints
 
@@ -14,7 +14,7 @@ const ETALON: &str = env!("CARGO_BIN_EXE_etalon");
 fn main() {
     let folder = tempfile::tempdir().expect("folder");
     let draws: u32 = std::env::var("DRAWS").ok().and_then(|n| n.parse().ok()).unwrap_or(20_000);
-    let dextar = rates("dextar", 20_000, folder.path());
+    let dextar = rates("dextar", draws, folder.path());
     scipy(folder.path(), dextar);
     let [_, two] = rates("prexyt-cmm", draws, folder.path());
     println!("a million draws of prexyt-cmm on two threads: {:.0} s", 1e6 / two);
