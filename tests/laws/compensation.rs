@@ -55,6 +55,9 @@ fn arm(robot: &dyn Robot, p: &[f64], q: &[f64]) -> Option<[f64; 3]> {
 fn range(robot: &dyn Kinematics, joint: usize) -> [f64; 2] {
     match (robot.model(), &robot.joints()[joint]) {
         ("prexyt", _) => [20.0, 160.0],
+        ("hexapod", _) => [30.0, 120.0],
+        ("delta_linear", _) => [300.0, 420.0],
+        ("delta", _) => [-0.3, 1.2],
         (_, joint) if joint.quantity == Quantity::Length => [50.0, 750.0],
         ("five_bar", _) => [0.3, 2.8],
         _ => [-1.9, 1.9],
@@ -68,7 +71,7 @@ fn pseudo_poses_land_on_their_targets() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
         read_robot(&path).unwrap().build(&["tool".to_owned()]).unwrap()
     };
-    let cases: [(&str, Box<dyn Robot>, Direct); 8] = [
+    let cases: [(&str, Box<dyn Robot>, Direct); 11] = [
         ("prexyt", of_file("samples/prexyt-cmm/robot.toml"), prexyt),
         ("five-bar", of_file("samples/dextar/robot.toml"), five_bar),
         ("mdh without effects", conventions::robot("mdh", ""), modified_denavit_hartenberg),
@@ -77,6 +80,9 @@ fn pseudo_poses_land_on_their_targets() {
         ("poe", conventions::robot("poe", conventions::EFFECTS), arm),
         ("urdf", conventions::robot("urdf", ""), arm),
         ("urdf of seven joints", of_file("samples/column-arm/robot.toml"), arm),
+        ("hexapod", of_file("samples/hexapod/robot.toml"), arm),
+        ("delta", of_file("samples/delta/robot.toml"), arm),
+        ("delta with towers", of_file("docs/keys/robot-delta_linear.toml"), arm),
     ];
     for (file, robot, direct) in cases {
         let arm = robot.kinematics().unwrap();
