@@ -34,6 +34,9 @@ pub struct AccuracyDocument {
     /// The error to expect at the tool point; absent where there is none, or no covariance.
     #[serde(default)]
     pub tool: Option<ToolAccuracy>,
+    /// The same over the workspace; absent where there is no covariance, or the model has no inverse kinematics.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub map: Option<PredictionMap>,
     /// What is given, where the parameters were not identified from these data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub given: Option<GivenSummary>,
@@ -111,6 +114,41 @@ pub struct ToolAccuracy {
     pub model_mm: f64,
     /// Share of the uncertainty of the point's place on the tool, mm.
     pub place_mm: f64,
+}
+
+/// The error to expect at the tool point with the identified parameters, on a grid of the workspace that the calibration poses span:
+/// places between theirs at which no joint leaves its range in the calibration.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PredictionMap {
+    /// What the numbers of a node mean, in words.
+    pub definition: String,
+    /// Place of the point in `frame`.
+    pub point_mm: Vector,
+    /// The part in whose frame it is stated.
+    pub frame: ToolFrame,
+    /// Distance of neighbouring nodes, mm.
+    pub spacing_mm: f64,
+    /// The nodes by x, y and z.
+    pub nodes: Vec<MapNode>,
+}
+
+/// The error to expect at one place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MapNode {
+    /// The place in the base frame.
+    pub at_mm: Vector,
+    /// Values of the joints there in mm or deg, as [`AccuracyDocument::joints`] names them: in the orientation of the nearest calibration pose.
+    pub joints: Vec<f64>,
+    /// Size of the error before: predicted with the parameters before minus predicted with the identified ones, mm.
+    pub before_mm: f64,
+    /// Standard uncertainty (k = 1) of the predicted position by the identified parameters, mm.
+    pub parameters_mm: f64,
+    /// The same with all else that contributes: the expected size of the error (root mean square), mm.
+    pub standard_uncertainty_mm: f64,
+    /// 95 % of the errors are at most this, mm.
+    pub p95_mm: f64,
 }
 
 /// Distances from validation poses to the nearest calibration pose, over the calibration poses' spacing: the median of their distances to

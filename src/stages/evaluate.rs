@@ -311,6 +311,7 @@ pub fn evaluate(
         budget: Vec::new(),
         limits: verdicts,
         tool: None,
+        map: None,
         given: None,
     })
 }

@@ -5,7 +5,7 @@ use crate::base::pose_name::PoseName;
 use crate::base::table;
 use crate::campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
 use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
-use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings, ToolPoint};
+use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings};
 use crate::math::robots::Robot;
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
@@ -16,7 +16,7 @@ use crate::stages::orientations::AngleOrder;
 use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
-use crate::stages::tool::tool_accuracy;
+use crate::stages::tool::Expected;
 use polars::prelude::DataFrame;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -86,11 +86,13 @@ pub fn identify(
         let budgets = identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)?;
         accuracy.budget = evaluate::budgets(budgets.unwrap_or_default());
     }
-    let tool = campaign.file.tool.map(|tool| tool.point()).or_else(|| ToolPoint::centre(robot));
-    if let Some(point) = &tool {
-        let found = tool_accuracy(robot, point, &sets, &settings, &before, &found, &accuracy);
-        accuracy.tool = found.map_err(|problems| problems.at(&campaign.place_of(&["tool"])))?;
+    let tool = campaign.file.tool.map(|tool| tool.point());
+    let at_tool = |problems: Problems| problems.at(&campaign.place_of(&["tool"]));
+    let expected = Expected::new(robot, tool, &sets, &settings, &before, &found, &accuracy)?;
+    if tool.is_some() || robot.platform().is_some() {
+        accuracy.tool = expected.accuracy(&sets, &accuracy).map_err(at_tool)?;
     }
+    accuracy.map = expected.map(&sets).map_err(at_tool)?;
     Ok(Identified {
         parameters: parameters_document(robot, &settings, &before, &found, inputs),
         accuracy,

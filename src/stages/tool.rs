@@ -2,74 +2,214 @@
 
 use super::evaluate::{Sets, summarise};
 use crate::base::message::Result;
-use crate::base::pose::norm;
+use crate::base::pose::{Pose, Vector, minus, norm};
 use crate::base::pose_name::PoseName;
-use crate::document::{AccuracyDocument, Statistics, ToolAccuracy};
-use crate::math::identify::{Identification, Settings, ToolFrame, ToolPoint, UncertaintyFrom, held};
-use crate::math::robots::Robot;
+use crate::document::{AccuracyDocument, MapNode, PredictionMap, Statistics, ToolAccuracy};
+use crate::math::identify::{Held, Identification, Settings, ToolError, ToolFrame, ToolPoint, UncertaintyFrom, held};
+use crate::math::robots::{Kinematics, Robot};
+use nalgebra::Matrix3;
+use rayon::prelude::*;
+use statrs::distribution::{ContinuousCDF, Gamma};
 use std::collections::BTreeSet;
 
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
 
-/// The error that the controller will make at `point` with what was `found`, over the poses that are judged; `None` without a
-/// covariance. Its variance is the sum of those of the predicted position, of parameters that the data do not
-/// determine, of what the model leaves out, and of the point's place.
-pub fn tool_accuracy(
-    robot: &dyn Robot,
-    point: &ToolPoint,
-    sets: &Sets,
-    settings: &Settings,
-    before: &[f64],
-    found: &Identification,
-    accuracy: &AccuracyDocument,
-) -> Result<Option<ToolAccuracy>> {
-    let Some(judged) = accuracy.sets.last() else { return Ok(None) };
-    let observations = if judged.name == "validation" { &sets.validation } else { &sets.calibration };
-    let dimension = robot.dimension() as f64;
-    // what is measured beyond the instrument's own error, where the residuals show that there is something
-    let measured = judged.errors.iter().find(|e| e.quantity == "position").map_or(0.0, |e| e.after.rms);
-    let instrument = dimension * settings.coordinate_uncertainty_mm().powi(2);
-    let model_mm = match found.uncertainty_from {
-        UncertaintyFrom::Instrument => 0.0,
-        _ => (measured.powi(2) - instrument).max(0.0).sqrt(),
-    };
-    let place_mm = dimension.sqrt() * point.standard_uncertainty_mm;
-    let held = held(robot, &sets.calibration, settings, found)?;
-    let count = observations.len() as f64;
-    let (mut sizes_before, mut sizes) = (Vec::new(), Vec::new());
-    let (mut of_parameters, mut of_held) = (0.0, 0.0);
-    for o in observations {
-        let Some(error) = point.error(robot, o, before, found, &held)? else { return Ok(None) };
-        sizes_before.push(norm(error.before_mm));
-        sizes.push(error.parameters_mm.hypot(error.held_mm).hypot(model_mm).hypot(place_mm));
-        of_parameters += error.parameters_mm.powi(2) / count;
-        of_held += error.held_mm.powi(2) / count;
+/// The error that the controller will make at a point with what was found. Its variance is the sum of those of the predicted position, of
+/// parameters that the data do not determine, of what the model leaves out, and of the point's place.
+pub struct Expected<'a> {
+    robot: &'a dyn Robot,
+    point: ToolPoint,
+    before: &'a [f64],
+    found: &'a Identification,
+    held: Vec<Held>,
+    model_mm: f64,
+    place_mm: f64,
+}
+
+impl<'a> Expected<'a> {
+    /// At `point`, or, where none is stated, at the centre of a platform, or else at the first target.
+    pub fn new(
+        robot: &'a dyn Robot,
+        point: Option<ToolPoint>,
+        sets: &Sets,
+        settings: &Settings,
+        before: &'a [f64],
+        found: &'a Identification,
+        accuracy: &AccuracyDocument,
+    ) -> Result<Self> {
+        let dimension = robot.dimension() as f64;
+        // what is measured beyond the instrument's own error, where the residuals show that there is something
+        let position = accuracy.sets.last().and_then(|set| set.errors.iter().find(|e| e.quantity == "position"));
+        let measured = position.map_or(0.0, |e| e.after.rms);
+        let instrument = dimension * settings.coordinate_uncertainty_mm().powi(2);
+        let model_mm = match found.uncertainty_from {
+            UncertaintyFrom::Instrument => 0.0,
+            _ => (measured.powi(2) - instrument).max(0.0).sqrt(),
+        };
+        let point = point.or_else(|| ToolPoint::centre(robot)).unwrap_or(ToolPoint::FIRST_TARGET);
+        let place_mm = dimension.sqrt() * point.standard_uncertainty_mm;
+        let held = held(robot, &sets.calibration, settings, found)?;
+        Ok(Self { robot, point, before, found, held, model_mm, place_mm })
     }
-    let after: Statistics = summarise(sizes);
-    let which = match point.frame {
-        ToolFrame::Platform if point.point_mm == [0.0; 3] => "the platform's centre C".to_owned(),
-        ToolFrame::Platform => format!("the point {:?} mm in the frame of the platform", point.point_mm),
-        ToolFrame::Flange => format!("the point {:?} mm in the frame of the flange", point.point_mm),
-        ToolFrame::Targets => format!("the point {:?} mm in the frame of the targets", point.point_mm),
+
+    fn at(&self, joints: &[f64]) -> Result<Option<ToolError>> {
+        self.point.error(self.robot, joints, self.before, self.found, &self.held)
+    }
+
+    /// Standard uncertainty of the position (k = 1), mm.
+    fn total_mm(&self, error: &ToolError) -> f64 {
+        error.parameters_mm.hypot(error.held_mm).hypot(self.model_mm).hypot(self.place_mm)
+    }
+
+    /// Over the poses that are judged; `None` without a covariance.
+    pub fn accuracy(&self, sets: &Sets, accuracy: &AccuracyDocument) -> Result<Option<ToolAccuracy>> {
+        let Some(judged) = accuracy.sets.last() else { return Ok(None) };
+        let observations = if judged.name == "validation" { &sets.validation } else { &sets.calibration };
+        let count = observations.len() as f64;
+        let (mut sizes_before, mut sizes) = (Vec::new(), Vec::new());
+        let (mut of_parameters, mut of_held) = (0.0, 0.0);
+        for o in observations {
+            let Some(error) = self.at(&o.joints)? else { return Ok(None) };
+            sizes_before.push(norm(error.before_mm));
+            sizes.push(self.total_mm(&error));
+            of_parameters += error.parameters_mm.powi(2) / count;
+            of_held += error.held_mm.powi(2) / count;
+        }
+        let after: Statistics = summarise(sizes);
+        Ok(Some(ToolAccuracy {
+            definition: format!(
+                "{}; {MADE_OF}; errors of the targets do not show parameters that shift targets and tool alike",
+                self.error()
+            ),
+            point_mm: self.point.point_mm,
+            frame: self.point.frame,
+            set: judged.name.clone(),
+            poses: observations.iter().map(|o| o.pose).collect::<BTreeSet<PoseName>>().len(),
+            before: summarise(sizes_before),
+            after,
+            expanded_max_mm: COVERAGE * after.max,
+            parameters_mm: of_parameters.sqrt(),
+            held_mm: of_held.sqrt(),
+            model_mm: self.model_mm,
+            place_mm: self.place_mm,
+        }))
+    }
+
+    /// What the error is, in words.
+    fn error(&self) -> String {
+        let place = self.point.point_mm;
+        let which = match self.point.frame {
+            ToolFrame::Platform if place == [0.0; 3] => "the platform's centre C".to_owned(),
+            ToolFrame::Targets if place == [0.0; 3] => format!("the target {}", self.robot.targets()[0]),
+            ToolFrame::Platform => format!("the point {place:?} mm in the frame of the platform"),
+            ToolFrame::Flange => format!("the point {place:?} mm in the frame of the flange"),
+            ToolFrame::Targets => format!("the point {place:?} mm in the frame of the targets"),
+        };
+        format!("error: the true place of {which} in the base frame minus the one that the controller computes")
+    }
+
+    /// On a grid of the workspace that the calibration poses span; `None` without a covariance or inverse kinematics.
+    pub fn map(&self, sets: &Sets) -> Result<Option<PredictionMap>> {
+        let Some(kinematics) = self.robot.kinematics() else { return Ok(None) };
+        let values = &self.found.values;
+        let mut poses = Vec::new();
+        for o in &sets.calibration {
+            let at_mm = self.point.in_base(self.robot, values, &o.joints)?;
+            if let Some(tool) = kinematics.tool_pose(values, &o.joints).filter(|_| at_mm.iter().all(|v| v.is_finite()))
+            {
+                poses.push(Spanning { at_mm, tool, joints: &o.joints });
+            }
+        }
+        let (places, spacing_mm) = grid(&poses);
+        let nodes = places.par_iter().map(|at| self.node(kinematics, &poses, *at)).collect::<Result<Vec<_>>>()?;
+        let nodes: Vec<MapNode> = nodes.into_iter().flatten().collect();
+        Ok((!nodes.is_empty()).then(|| PredictionMap {
+            definition: format!(
+                "{}; {MADE_OF}; 95 % of the errors at a node are at most p95_mm, if they are normal (Box 1954)",
+                self.error()
+            ),
+            point_mm: self.point.point_mm,
+            frame: self.point.frame,
+            spacing_mm,
+            nodes,
+        }))
+    }
+
+    /// A node, where the robot reaches it with joint values within those of the calibration.
+    fn node(&self, kinematics: &dyn Kinematics, poses: &[Spanning], at_mm: Vector) -> Result<Option<MapNode>> {
+        let distance = |pose: &&Spanning| norm(minus(pose.at_mm, at_mm));
+        let Some(near) = poses.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else { return Ok(None) };
+        // in the same orientation the tool is as far from the point
+        let lever = minus(near.at_mm, near.tool.translation_mm);
+        let target = Pose { translation_mm: minus(at_mm, lever), ..near.tool };
+        let Ok(joints) = kinematics.nearest_joints(&self.found.values, &target, near.joints) else { return Ok(None) };
+        let within = |k: usize| {
+            let all = || poses.iter().map(|pose| pose.joints[k]);
+            all().any(|q| q <= joints[k] + SAME) && all().any(|q| q >= joints[k] - SAME)
+        };
+        if !(0..joints.len()).all(within) {
+            return Ok(None);
+        }
+        let Some(error) = self.at(&joints)? else { return Ok(None) };
+        let d = self.robot.dimension();
+        let others = (self.model_mm.powi(2) + self.place_mm.powi(2)) / d as f64;
+        let mut covariance = error.covariance_mm2;
+        (0..d).for_each(|i| covariance[(i, i)] += others);
+        let joint = self.robot.joints().iter().zip(&joints);
+        Ok(Some(MapNode {
+            at_mm,
+            joints: joint.map(|(joint, q)| joint.quantity.outward(*q)).collect(),
+            before_mm: norm(error.before_mm),
+            parameters_mm: error.parameters_mm,
+            standard_uncertainty_mm: self.total_mm(&error),
+            p95_mm: p95(&covariance),
+        }))
+    }
+}
+
+/// What the numbers are made of, in words.
+const MADE_OF: &str = "before: predicted with nominal minus with identified parameters; after: expected size (k = 1), from the covariance of \
+                       the parameters, the tolerance of those that the data do not determine, what the model leaves out beyond the \
+                       instrument, and the place of the point on the tool";
+/// Joint values beyond those of the calibration by less than this are within them, mm or rad.
+const SAME: f64 = 1e-9;
+/// Nodes that a map has at most.
+const MOST_NODES: usize = 300;
+
+/// A pose of the calibration.
+struct Spanning<'a> {
+    at_mm: Vector,
+    tool: Pose,
+    joints: &'a [f64],
+}
+
+/// The places of a grid over the box of these poses, and its spacing: the least of 1, 2, 5, 10 ... that makes few enough. Along an axis in
+/// which the poses differ by less than that, the middle.
+fn grid(poses: &[Spanning]) -> (Vec<Vector>, f64) {
+    let bounds: [[f64; 2]; 3] = std::array::from_fn(|axis| {
+        let of = |pick: fn(f64, f64) -> f64| poses.iter().map(|p| p.at_mm[axis]).reduce(pick).unwrap_or(0.0);
+        [of(f64::min), of(f64::max)]
+    });
+    let along = |[lower, upper]: [f64; 2], step: f64| -> Vec<f64> {
+        let (first, last) = ((lower / step).ceil() as i64, (upper / step).floor() as i64);
+        if last <= first { vec![0.5 * (lower + upper)] } else { (first..=last).map(|i| i as f64 * step).collect() }
     };
-    Ok(Some(ToolAccuracy {
-        definition: format!(
-            "error: the true place of {which} in the base frame minus the one that the controller computes; before: predicted with \
-             nominal minus with identified parameters; after: expected size (k = 1), from the covariance of the parameters, the tolerance of those \
-             that the data do not determine, what the model leaves out beyond the instrument, and the place of the point on the tool; errors of the targets do not show \
-             parameters that shift targets and tool alike"
-        ),
-        point_mm: point.point_mm,
-        frame: point.frame,
-        set: judged.name.clone(),
-        poses: observations.iter().map(|o| o.pose).collect::<BTreeSet<PoseName>>().len(),
-        before: summarise(sizes_before),
-        after,
-        expanded_max_mm: COVERAGE * after.max,
-        parameters_mm: of_parameters.sqrt(),
-        held_mm: of_held.sqrt(),
-        model_mm,
-        place_mm,
-    }))
+    let steps = (-2..9).flat_map(|power| [1.0, 2.0, 5.0].map(|digit| digit * 10f64.powi(power)));
+    let few =
+        |step: &f64| bounds.iter().map(|[l, u]| ((u - l) / step + 1.0).floor()).product::<f64>() <= MOST_NODES as f64;
+    let spacing = { steps }.find(few).unwrap_or(f64::MAX);
+    let [x, y, z] = bounds.map(|b| along(b, spacing));
+    let yz = |&x: &f64| y.iter().flat_map(|&y| z.iter().map(move |&z| [x, y, z])).collect::<Vec<_>>();
+    (x.iter().flat_map(yz).collect(), spacing)
+}
+
+/// The size that a normal error of this covariance exceeds once in 20 times: the sum of squares has nearly the distribution g χ²(ν) with the
+/// same mean and variance (Box 1954, Ann. Math. Statist. 25, 290, theorem 3.1).
+fn p95(covariance: &Matrix3<f64>) -> f64 {
+    let (trace, of_square) = (covariance.trace(), (covariance * covariance).trace());
+    match Gamma::new(0.5 * trace.powi(2) / of_square, 0.5 * trace / of_square) {
+        Ok(distribution) => distribution.inverse_cdf(0.95).sqrt(),
+        Err(_) => 0.0,
+    }
 }

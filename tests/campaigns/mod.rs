@@ -13,6 +13,7 @@ mod mixed;
 mod own_formats;
 mod platform_controllers;
 mod pose_names;
+mod prediction;
 mod repeatability;
 mod standstills;
 mod texts;

@@ -84,6 +84,7 @@ pub(super) fn identified(
         budget: vec![],
         limits: Vec::new(),
         tool: None,
+        map: None,
     };
     let campaign = CampaignSummary {
         name: folder.to_owned(),

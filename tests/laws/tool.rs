@@ -114,7 +114,7 @@ fn actual_over_predicted(
         for joints in at {
             let there = Observation { joints: joints.clone(), ..observations[0].clone() };
             if found.uncertainty_from == UncertaintyFrom::Instrument {
-                let error = point.error(robot, &there, truth, &found, &held).unwrap().unwrap();
+                let error = point.error(robot, &there.joints, truth, &found, &held).unwrap().unwrap();
                 actual += norm(error.before_mm).powi(2);
                 predicted += error.parameters_mm.powi(2);
                 predicted += error.held_mm.powi(2);

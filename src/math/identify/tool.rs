@@ -7,9 +7,10 @@ use super::residuals::Residuals;
 use super::rigid_part::turn_of;
 use super::{Group, Identification, Observation, Settings};
 use crate::base::message::{Message, Result};
-use crate::base::pose::{Pose, Vector, centroid, cross, minus, norm, unit};
+use crate::base::pose::{Pose, Vector, centroid, cross, minus, unit};
 use crate::math::robots::{Robot, Role};
 use crate::math::solve::{covariance, factor_at};
+use nalgebra::{Matrix3, Vector3};
 
 /// The part in whose frame a tool point is stated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
@@ -43,9 +44,14 @@ pub struct ToolError {
     pub parameters_mm: f64,
     /// What parameters that are held contribute, each with its tolerance as half the width of an interval (GUM 4.3.7), mm.
     pub held_mm: f64,
+    /// Covariance of the position by both, mm².
+    pub covariance_mm2: Matrix3<f64>,
 }
 
 impl ToolPoint {
+    /// The first target.
+    pub const FIRST_TARGET: Self = Self { point_mm: [0.0; 3], frame: ToolFrame::Targets, standard_uncertainty_mm: 0.0 };
+
     /// The centre C of a platform; `None` for robots without one.
     pub fn centre(robot: &dyn Robot) -> Option<Self> {
         robot.platform()?;
@@ -135,38 +141,40 @@ impl ToolPoint {
         Ok(of_roles(robot, columns, &[Role::Robot, Role::Target]))
     }
 
-    /// The expected error at the joint values of an observation, `held` being the parameters that the data do not determine; `None`
-    /// without a covariance.
+    /// The expected error at joint values, `held` being the parameters that the data do not determine; `None` without a covariance.
     pub fn error(
         &self,
         robot: &dyn Robot,
-        observation: &Observation,
+        joints: &[f64],
         before: &[f64],
         found: &Identification,
         held: &[Held],
     ) -> Result<Option<ToolError>> {
         let Some(covariance) = &found.covariance else { return Ok(None) };
-        let joints = &observation.joints;
         let (nominal, identified) = (self.in_base(robot, before, joints)?, self.in_base(robot, &found.values, joints)?);
-        let columns = self.jacobian(robot, &found.values, joints)?;
+        let columns: Vec<Vector3<f64>> =
+            self.jacobian(robot, &found.values, joints)?.into_iter().map(Vector3::from).collect();
         let n = found.free.len();
-        let mut trace = 0.0;
+        let mut by_parameters = Matrix3::zeros();
         for (i, &a) in found.free.iter().enumerate() {
             for (k, &b) in found.free.iter().enumerate() {
-                trace += covariance[i * n + k] * (0..3).map(|axis| columns[a][axis] * columns[b][axis]).sum::<f64>();
+                by_parameters += columns[a] * columns[b].transpose() * covariance[i * n + k];
             }
         }
         let of_held = |held: &Held| {
             let mut by = columns[held.parameter];
             for (&i, compensation) in found.free.iter().zip(&held.compensation) {
-                by.iter_mut().zip(columns[i]).for_each(|(by, column)| *by += compensation * column);
+                by += columns[i] * *compensation;
             }
-            norm(by) * robot.parameters()[held.parameter].tolerance / 3f64.sqrt()
+            by *= robot.parameters()[held.parameter].tolerance / 3f64.sqrt();
+            by * by.transpose()
         };
+        let by_held: Matrix3<f64> = held.iter().map(of_held).sum();
         Ok(Some(ToolError {
             before_mm: minus(nominal, identified),
-            parameters_mm: trace.max(0.0).sqrt(),
-            held_mm: held.iter().map(|held| of_held(held).powi(2)).sum::<f64>().sqrt(),
+            parameters_mm: by_parameters.trace().max(0.0).sqrt(),
+            held_mm: by_held.trace().sqrt(),
+            covariance_mm2: by_parameters + by_held,
         }))
     }
 }

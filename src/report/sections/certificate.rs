@@ -17,8 +17,13 @@ pub(in crate::report) fn contents(report: &Report, whole: Contents, words: &Word
     let of_set = report.identified.and_then(|i| {
         // of the poses that decide
         let set = i.accuracy.sets.iter().rfind(|s| s.count > 0)?;
-        let accuracy =
-            AccuracyDocument { sets: vec![set.clone()], tool: None, validation_distance: None, ..i.accuracy.clone() };
+        let accuracy = AccuracyDocument {
+            sets: vec![set.clone()],
+            tool: None,
+            map: None,
+            validation_distance: None,
+            ..i.accuracy.clone()
+        };
         let mut section = errors::of(&accuracy, &[], words);
         section.title = words.say("Results: errors before and after");
         Some(section)

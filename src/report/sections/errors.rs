@@ -261,6 +261,7 @@ mod tests {
             budget: Vec::new(),
             limits: vec![],
             tool: None,
+            map: None,
         };
         page_of(&statistics(&document, &set, &Words::default()))
     }

@@ -119,6 +119,7 @@ impl Documents {
                     limit("orientation_max_deg", "deg", 0.010, 0.0056),
                 ],
                 tool: None,
+                map: None,
             },
             errors,
         }
