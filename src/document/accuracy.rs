@@ -3,7 +3,7 @@
 use super::LimitVerdict;
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
-use crate::math::identify::{Figure, ToolFrame, UncertaintySource};
+use crate::math::identify::{Figure, ReadingReliability, ToolFrame, UncertaintySource};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +29,9 @@ pub struct AccuracyDocument {
     /// Standard uncertainties of the position errors of the validation poses after calibration; empty without a validation or a covariance.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub budget: Vec<FigureBudget>,
+    /// How the mean errors of the calibration poses after identification depend on joints, reach and time; empty with fewer than ten poses.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub trends: Vec<ResidualTrend>,
     /// Limits that the campaign states, and whether they are met.
     pub limits: Vec<LimitVerdict>,
     /// The error to expect at the tool point; absent where there is none, or no covariance.
@@ -40,6 +43,20 @@ pub struct AccuracyDocument {
     /// What is given, where the parameters were not identified from these data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub given: Option<GivenSummary>,
+}
+
+/// An F test of errors after identification: of a parabola of one quantity against a constant, all coordinates of the poses' means together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ResidualTrend {
+    /// The quantity: a joint as columns name it, `reach_mm` (distance from the base) or `order` (of the measurement).
+    pub against: String,
+    /// Root mean square of what the parabola explains, mm.
+    pub explained_mm: f64,
+    /// F statistic.
+    pub f: f64,
+    /// Probability of such a trend of a right model, corrected for the number of tests (Holm 1979).
+    pub p_value: f64,
 }
 
 /// The standard uncertainty of a figure, and what it is made of (GUM 5.1.2).
@@ -236,4 +253,7 @@ pub struct PointError {
     /// Values of the joints in mm or deg and, where it is known, the time in s, as [`AccuracyDocument::joints`] names them.
     #[serde(default)]
     pub joints: Vec<f64>,
+    /// How well the other readings of the calibration control it; absent of validation poses.
+    #[serde(default)]
+    pub reliability: Option<ReadingReliability>,
 }

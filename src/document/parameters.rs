@@ -2,6 +2,7 @@
 
 use super::Provenance;
 use crate::base::message::Message;
+use crate::base::pose_name::PoseName;
 use crate::base::sketch::Sketch;
 use crate::math::identify::{Replicates, ResidualKind, UncertaintyFrom, UncertaintySource};
 pub use crate::math::robots::Role;
@@ -34,6 +35,10 @@ pub struct ParametersDocument {
     pub budget: Vec<BudgetSource>,
     /// How well they fit.
     pub residuals: ResidualSummary,
+    /// How well readings control each other, and which poses decide; absent where readings are weighted by covariances of their own, have errors in
+    /// common, are poses instead of positions, or unknown points are many.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reliability: Option<ReliabilitySummary>,
     /// Observability; absent where it is not a number.
     pub observability: Option<ObservabilitySummary>,
     /// How the solver ended.
@@ -164,6 +169,48 @@ pub struct ResidualSummary {
     /// By how much standard uncertainties are larger than the instrument's alone makes them (median); 1 where chi-square
     /// does not reject the model, or no uncertainty is stated.
     pub uncertainties_enlarged_by: f64,
+}
+
+/// How well the readings control each other (Baarda 1968), and which poses decide (Cook 1977).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ReliabilitySummary {
+    /// Significance level α0 of the test of one residual.
+    pub significance: f64,
+    /// Power β0 with which an error is detected that is called detectable.
+    pub power: f64,
+    /// Standard deviation σ of a coordinate: the stated one where that explains the residuals, or theirs, mm.
+    pub sigma_mm: f64,
+    /// Measured positions.
+    pub readings: usize,
+    /// Least redundancy number r of a coordinate: the share of its error that its residual shows, from 0 to 1.
+    pub least_redundancy: f64,
+    /// Least error of a coordinate that is detected, 4.13 σ / √r: median over the readings, mm.
+    pub median_detectable_mm: Option<f64>,
+    /// The largest; absent where nothing controls a reading, mm.
+    pub largest_detectable_mm: Option<f64>,
+    /// Residual over its standard deviation σ √r beyond which a reading is an outlier.
+    pub critical_w: f64,
+    /// Readings beyond it.
+    pub beyond: usize,
+    /// Cook's distance beyond which a pose is influential: the median of F.
+    pub influential: f64,
+    /// The poses without which the parameters would change most.
+    pub poses: Vec<InfluenceEntry>,
+}
+
+/// What the identification would change by without a pose.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct InfluenceEntry {
+    /// The pose.
+    pub pose: PoseName,
+    /// Cook's distance of all its readings; absent where the other poses do not determine all parameters.
+    pub cooks_distance: Option<f64>,
+    /// The parameter that changes most over its standard uncertainty by the residuals.
+    pub parameter: String,
+    /// Its change, over that.
+    pub change_over_u: f64,
 }
 
 /// Observability of the parameters from the poses.

@@ -52,6 +52,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             chi_square_rejected: false,
             uncertainties_enlarged_by: 1.0,
         },
+        reliability: None,
         observability: Some(ObservabilitySummary {
             o1: 0.0,
             o2: 0.0,

@@ -10,7 +10,9 @@ use crate::document::{
     Statistics,
 };
 use crate::math::fit;
-use crate::math::identify::{Condition, Contributions, Figure, Kind, Observation, Settings, UncertaintySource};
+use crate::math::identify::{
+    Condition, Contributions, Figure, Kind, Observation, ReadingReliability, Settings, UncertaintySource,
+};
 use crate::math::robots::Robot;
 use crate::stages::kinds::Observed;
 use polars::prelude::{Column, DataFrame};
@@ -78,6 +80,7 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
                         before_deg: Some(b[2].to_degrees()),
                         after_deg: Some(a[2].to_degrees()),
                         joints: logged(robot, &o.joints),
+                        reliability: None,
                     });
                 }
                 None => all.extend(target_errors(robot, o, name, before, after)),
@@ -160,6 +163,7 @@ fn condition_error(
         before_deg: None,
         after_deg: None,
         joints: logged(robot, &condition.joints),
+        reliability: None,
     });
 }
 
@@ -187,6 +191,7 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
         before_deg: before_deg.filter(|_| i == 0),
         after_deg: after_deg.filter(|_| i == 0),
         joints: logged(robot, &o.joints),
+        reliability: None,
     };
     (0..seen.len()).map(error).collect()
 }
@@ -309,6 +314,7 @@ pub fn evaluate(
         sets,
         validation_distance: None,
         budget: Vec::new(),
+        trends: Vec::new(),
         limits: verdicts,
         tool: None,
         map: None,
@@ -371,7 +377,7 @@ pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
     Statistics { mean: sizes.iter().sum::<f64>() / n, rms: (sum_of_squares / n).sqrt(), p95, max }
 }
 
-/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, and the columns `joints`.
+/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns `joints`, and `redundancy w detectable_mm`.
 pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     let text =
         |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
@@ -395,8 +401,17 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
         let values: Vec<f64> = errors.iter().map(|e| e.joints.get(k).copied().unwrap_or(f64::NAN)).collect();
         columns.push(Column::new(name.as_str().into(), values));
     }
+    for (name, of) in RELIABILITY {
+        columns.push(Column::new(name.into(), errors.iter().map(|e| e.reliability.map(of)).collect::<Vec<_>>()));
+    }
     Ok(DataFrame::new(errors.len(), columns)?)
 }
+
+/// Name of a column, and the number in it.
+type ReliabilityColumn = (&'static str, fn(ReadingReliability) -> f64);
+
+const RELIABILITY: [ReliabilityColumn; 3] =
+    [("redundancy", |r| r.redundancy), ("w", |r| r.w), ("detectable_mm", |r| r.detectable_mm)];
 
 /// Prefix of three columns, and the vector in them.
 type VectorColumns = (&'static str, fn(&PointError) -> Vector);
@@ -414,9 +429,16 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
     let (at, before, after) = (vectors("")?, vectors("before_")?, vectors("after_")?);
     let (before_deg, after_deg) = (table::numbers(frame, "before_deg")?, table::numbers(frame, "after_deg")?);
     let known = ["set", "pose", "cycle", "target", "before_deg", "after_deg"];
-    let is_joint = |name: &str| !known.contains(&name) && !XYZ.iter().any(|axis| name.ends_with(axis));
+    let of_reading = |name: &str| RELIABILITY.iter().any(|column| column.0 == name);
+    let is_joint =
+        |name: &str| !known.contains(&name) && !of_reading(name) && !XYZ.iter().any(|axis| name.ends_with(axis));
     let names = frame.get_column_names().into_iter().map(|name| name.as_str()).filter(|name| is_joint(name));
     let joints = names.map(|name| table::numbers(frame, name)).collect::<Result<Vec<_>>>()?;
+    let [redundancy, w, detectable] = RELIABILITY.map(|(name, _)| table::numbers(frame, name).unwrap_or_default());
+    let reliability = |i: usize| {
+        let redundancy = *redundancy.get(i).filter(|r| r.is_finite())?;
+        Some(ReadingReliability { redundancy, w: *w.get(i)?, detectable_mm: *detectable.get(i)? })
+    };
     let error = |i: usize| PointError {
         set: sets[i].clone(),
         pose: poses[i],
@@ -428,6 +450,7 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
         before_deg: Some(before_deg[i]).filter(|d| d.is_finite()),
         after_deg: Some(after_deg[i]).filter(|d| d.is_finite()),
         joints: joints.iter().map(|values| values[i]).collect(),
+        reliability: reliability(i),
     };
     Ok((0..frame.height()).map(error).collect())
 }

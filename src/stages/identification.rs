@@ -7,6 +7,7 @@ use crate::campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
 use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings};
 use crate::math::robots::Robot;
+use crate::stages::checks::{reliability_summary, trends, with_reliability};
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
@@ -93,13 +94,14 @@ pub fn identify(
         accuracy.tool = expected.accuracy(&sets, &accuracy).map_err(at_tool)?;
     }
     accuracy.map = expected.map(&sets).map_err(at_tool)?;
-    Ok(Identified {
-        parameters: parameters_document(robot, &settings, &before, &found, inputs),
-        accuracy,
-        errors,
-        sets,
-        found,
-    })
+    let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
+    if let Some(reliability) = identify::reliability(robot, &sets.calibration, &settings, &found)? {
+        with_reliability(robot, &reliability, &mut errors);
+        parameters.reliability = reliability_summary(robot, &reliability);
+    }
+    let base = robot.kinematics().and_then(|k| k.base_in_world(&found.values)).filter(|_| robot.platform().is_none());
+    accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
+    Ok(Identified { parameters, accuracy, errors, sets, found })
 }
 
 /// The observations of a campaign in its sets, and what weighs them.

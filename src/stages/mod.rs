@@ -1,5 +1,6 @@
 //! The stages of a run, each from documents to the next document.
 
+mod checks;
 pub mod distance;
 pub mod evaluate;
 pub mod exclusions;

@@ -76,6 +76,7 @@ pub fn parameters_document(
             uncertainties_from: found.uncertainty_from,
             uncertainties_enlarged_by: found.inflation_factor,
         },
+        reliability: None,
         observability: found.observability.as_ref().map(|o| observability_summary(robot, o)),
         solver: SolverSummary {
             method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),

@@ -62,6 +62,7 @@ pub(super) fn identified(
         covariance_without: Vec::new(),
         budget: vec![],
         residuals: residuals(100 - n),
+        reliability: None,
         observability: None,
         solver: SolverSummary {
             method: String::new(),
@@ -76,6 +77,7 @@ pub(super) fn identified(
     let accuracy = AccuracyDocument {
         given: None,
         joints: vec![],
+        trends: vec![],
         schema: "etalon/accuracy/1".to_owned(),
         definition: String::new(),
         point: String::new(),

@@ -253,6 +253,7 @@ mod tests {
         let document = AccuracyDocument {
             given: None,
             joints: vec![],
+            trends: vec![],
             schema: String::new(),
             point: String::new(),
             definition: String::new(),

@@ -4,6 +4,7 @@ pub(super) mod accuracy;
 mod budget;
 pub(super) mod certificate;
 pub(super) mod changes;
+mod checks;
 mod compliance;
 pub(super) mod conditions;
 pub(super) mod distributions;
@@ -34,9 +35,10 @@ type Make = fn(&Report, &Words) -> Option<Section>;
 
 /// What comes before the characteristics of ISO 9283, and after them, in the order of reading.
 const BEFORE: [Make; 5] = [conditions::section, limits::section, messages::section, errors::section, errors::pictures];
-const AFTER: [Make; 7] = [
+const AFTER: [Make; 8] = [
     parameters::section,
     budget::section,
+    checks::section,
     geometric::section,
     fit::section,
     frames::section,

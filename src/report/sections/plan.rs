@@ -173,5 +173,6 @@ fn error(place: &StudiedPlace, words: &Words) -> PointError {
         before_deg: None,
         after_deg: None,
         joints: Vec::new(),
+        reliability: None,
     }
 }

@@ -22,6 +22,7 @@ pub(in crate::report) fn point(pose: i64, at_mm: Vector, before_mm: Vector, afte
         before_deg: None,
         after_deg: None,
         joints: vec![],
+        reliability: None,
     }
 }
 
@@ -107,6 +108,7 @@ impl Documents {
             accuracy: AccuracyDocument {
                 given: None,
                 joints: vec![],
+                trends: vec![],
                 schema: "etalon/accuracy/1".to_owned(),
                 point: "the platform's centre as the balls measure it".to_owned(),
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
@@ -147,6 +149,7 @@ fn errors() -> Vec<PointError> {
                 before_deg: Some(0.1 + draw()),
                 after_deg: Some(draw()),
                 joints: vec![],
+                reliability: None,
             });
         }
     }
@@ -263,6 +266,7 @@ fn parameters() -> ParametersDocument {
         covariance_without: vec![],
         budget,
         residuals: residuals(),
+        reliability: None,
         observability: Some(observability()),
         solver: SolverSummary {
             method: "Levenberg-Marquardt".to_owned(),

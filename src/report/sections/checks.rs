@@ -1,0 +1,84 @@
+//! Checks of the model by what it leaves: readings that control each other, poses that decide, trends of the residuals.
+
+use crate::document::{InfluenceEntry, ReliabilitySummary, ResidualTrend};
+use crate::report::Report;
+use crate::report::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term};
+use crate::report::number;
+use crate::report::words::Words;
+
+/// Below this p value residuals have a trend.
+const SIGNIFICANCE: f64 = 0.05;
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    let (parameters, accuracy) = (report.identified?.parameters, report.identified?.accuracy);
+    let mut section = Section::new("checks", words.say("Checks of the model"));
+    if let Some(found) = &parameters.reliability {
+        section.push(Block::text(readings(found, words)));
+        section.push(Block::heading(words.say("Poses that decide")));
+        section.push(Block::note(words.fill("Without a pose the parameters change by its Cook's distance, over their covariance; beyond {0} it is influential (median of F; Cook 1977).", &[&number::significant(found.influential, 2)])));
+        section.push(Block::Table(poses(found, words)));
+    }
+    if !accuracy.trends.is_empty() {
+        section.push(Block::heading(words.say("Trends of the residuals")));
+        section.push(Block::note(words.say("F tests of the mean errors of the calibration poses after identification: a parabola against a constant; p values are corrected for their number (Holm 1979). A trend is an error that the model does not describe.")));
+        section.push(Block::Table(trends(&accuracy.trends, words)));
+    }
+    section.whole()
+}
+
+/// How well the readings control each other, in sentences.
+fn readings(found: &ReliabilitySummary, words: &Words) -> String {
+    let um = |mm: Option<f64>| {
+        mm.map_or_else(|| words.say("not detectable"), |mm| format!("{} µm", number::significant(1e3 * mm, 3)))
+    };
+    words.fill(
+        "Reliability (Baarda 1968; significance level {0} %, power {1} %): an error of one coordinate is detected from {2} on (median), of the worst reading {3}; least redundancy {4}. Of {5} readings {6} have a residual beyond {7} of its standard deviations.",
+        &[
+            &number::significant(100.0 * found.significance, 1),
+            &number::significant(100.0 * found.power, 2),
+            &um(found.median_detectable_mm),
+            &um(found.largest_detectable_mm),
+            &number::fixed(found.least_redundancy, 2),
+            &found.readings,
+            &found.beyond,
+            &number::fixed(found.critical_w, 2),
+        ],
+    )
+}
+
+fn poses(found: &ReliabilitySummary, words: &Words) -> Table {
+    let influential = |p: &InfluenceEntry| match p.cooks_distance.is_none_or(|d| d > found.influential) {
+        true => strong_term(words, "yes"),
+        false => term(words, "no"),
+    };
+    let distance = |p: &InfluenceEntry| match p.cooks_distance {
+        Some(d) => significant(d, 2),
+        None => Cell::from(words.say("needed")),
+    };
+    let columns = Columns::<InfluenceEntry>::new()
+        .both("pose", "", |p| p.pose)
+        .both("Cook's distance", "", distance)
+        .both("influential", "", influential)
+        .both("parameter", "", |p| p.parameter.as_str())
+        .both("change over u", "", |p| significant(p.change_over_u, 2));
+    Table::of(words, &found.poses, columns).on("Influence of poses")
+}
+
+fn trends(all: &[ResidualTrend], words: &Words) -> Table {
+    let name = |t: &ResidualTrend| match t.against.as_str() {
+        "reach_mm" => term(words, "distance from the base"),
+        "order" => term(words, "order of the measurement"),
+        joint => joint.into(),
+    };
+    let verdict = |t: &ResidualTrend| match t.p_value < SIGNIFICANCE {
+        true => strong_term(words, "yes"),
+        false => term(words, "no"),
+    };
+    let columns = Columns::<ResidualTrend>::new()
+        .both("against", "", name)
+        .micrometres("explained", |t| t.explained_mm)
+        .both("F", "", |t| significant(t.f, 3))
+        .both("p value", "", |t| Cell::from(number::probability(t.p_value)))
+        .both("trend", "", verdict);
+    Table::of(words, all, columns).on("Trends of residuals")
+}
