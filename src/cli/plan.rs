@@ -159,7 +159,7 @@ impl Plan {
 }
 
 /// The robot with the targets that a table of candidates names, and its configurations.
-fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot>, Candidates)> {
+pub(super) fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot>, Candidates)> {
     let file = TableFile::read(path)?;
     let here = |problems: Problems| file.place(problems);
     let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };

@@ -14,7 +14,7 @@ Documents of the output folder, by the name of the file without `.json`:
 
 Answers to `--json` of commands:
   batch, check, compare, compensation, fit, formats, iso230, iso9283-plan, iso9283-stream, kinematics,
-  plan, recommendation, study, uncertainty, verification, written (files that a command wrote)")]
+  plan, recommendation, study, uncertainty, verification, verification-plan, written (files that a command wrote)")]
 pub struct Schema {
     /// Name of the file or document, e.g. campaign.toml or parameters
     name: String,

@@ -1,19 +1,21 @@
 //! `etalon verify`
 
 use super::identify::unread;
+use super::plan::read as candidates_of;
 use super::report::Reports;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
-use crate::campaign::read_robot;
-use crate::document::{Presentation, to_json};
+use crate::campaign::{RobotFile, read_robot};
+use crate::document::{ParametersDocument, Presentation, to_json};
 use crate::math::identify::Observation;
+use crate::math::plan::candidates::Candidates;
 use crate::report::Faces;
 use crate::run::documents::read_parameters;
 use crate::stages::kinds;
-use crate::stages::verification::verify;
+use crate::stages::verification::{plan, verify};
 use std::path::PathBuf;
 
 /// Check whether identified parameters still hold, from some few measured poses
@@ -31,7 +33,14 @@ Exit code 1 where the parameters are no longer valid."
 pub struct Verify {
     /// Observations of the targets of the calibration: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] in the same world frame, and one column
     /// per joint with its unit
-    observations: PathBuf,
+    #[arg(required_unless_present = "candidates")]
+    observations: Option<PathBuf>,
+    /// Poses of which some are chosen that detect the least changes, in place of observations: a table as `etalon plan` reads it
+    #[arg(long, value_name = "FILE", conflicts_with = "observations")]
+    candidates: Option<PathBuf>,
+    /// How many of the candidates to choose
+    #[arg(long, value_name = "N", default_value_t = 8, requires = "candidates")]
+    positions: usize,
     /// Robot file
     #[arg(long, value_name = "FILE")]
     robot: PathBuf,
@@ -55,25 +64,45 @@ impl Verify {
         if let Some(message) = super::identify::implausible("--standard-uncertainty-um", self.standard_uncertainty_um) {
             return Err(Problems::from(message).into());
         }
-        self.reports.check([&self.robot, &self.parameters, &self.observations])?;
+        let given = [Some(&self.robot), Some(&self.parameters), self.observations.as_ref(), self.candidates.as_ref()];
+        self.reports.check(given.into_iter().flatten())?;
         let robot_file = read_robot(&self.robot)?;
         let document = read_parameters(&self.parameters)?;
-        let observed = self.format.read(&self.observations)?;
+        let Some(observations) = &self.observations else { return self.plan(&robot_file, &document) };
+        let observed = self.format.read(observations)?;
         let here = |problems: Problems| observed.place(problems);
         let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
         only_points(&observed)?;
         let mut messages: Vec<Message> = unread(robot.as_ref(), &observed).into_iter().collect();
-        let observations = Observation::from_table(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
+        let measured = Observation::from_table(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
         let described = robot_file.description_path();
-        let inputs =
-            files::sha256_of([&self.robot, &self.parameters, &self.observations].into_iter().chain(&described))?;
+        let inputs = files::sha256_of([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
-        let mut found = verify(robot.as_mut(), &document, observations, stated_mm, inputs)?;
+        let mut found = verify(robot.as_mut(), &document, measured, stated_mm, inputs)?;
         found.messages.splice(0..0, messages);
         if !self.json {
             remark(&found.messages);
         }
         let faces = Faces::verification(&found, self.reports.over(Presentation::default())?)?;
+        self.reports.write(&faces)?;
+        answer(&faces, self.json.then(|| to_json(&found)).transpose()?)
+    }
+}
+
+impl Verify {
+    /// Which of the candidates to measure.
+    fn plan(&self, robot_file: &RobotFile, document: &ParametersDocument) -> anyhow::Result<Verdict> {
+        let Some(candidates) = &self.candidates else { return Ok(Verdict::Met) };
+        let (mut robot, Candidates { observations, beyond }) = candidates_of(robot_file, candidates)?;
+        let described = robot_file.description_path();
+        let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
+        let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
+        let mut found = plan(robot.as_mut(), document, observations, self.positions, stated_mm, inputs)?;
+        found.messages.extend(beyond);
+        if !self.json {
+            remark(&found.messages);
+        }
+        let faces = Faces::verification_plan(&found, self.reports.over(Presentation::default())?)?;
         self.reports.write(&faces)?;
         answer(&faces, self.json.then(|| to_json(&found)).transpose()?)
     }

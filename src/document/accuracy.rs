@@ -101,6 +101,8 @@ pub enum GivenFrames {
     /// Fitted to the calibration poses of the campaign
     #[default]
     Refit,
+    /// From the parameters with their covariance, and from the calibration poses: the most probable ones by both
+    Prior,
 }
 
 /// The error that the controller will make at the tool point: its true place in the base frame minus the one that the parameters predict.

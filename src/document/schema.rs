@@ -32,6 +32,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("study", schema::<StudiesDocument>()),
         ("uncertainty", schema::<UncertaintyDocument>()),
         ("verification", schema::<VerificationDocument>()),
+        ("verification-plan", schema::<VerificationPlanDocument>()),
         ("written", schema::<WrittenDocument>()),
     ]
 }

@@ -2,6 +2,7 @@
 
 use super::Provenance;
 use crate::base::message::Message;
+use crate::base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -47,6 +48,40 @@ pub struct VerificationDocument {
     pub messages: Vec<Message>,
     /// Where the numbers come from.
     pub provenance: Provenance,
+}
+
+/// Which of some candidates to measure, so that `etalon verify` detects the least changes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VerificationPlanDocument {
+    /// `etalon/verification-plan/1`
+    pub schema: String,
+    /// Model of the robot.
+    pub robot: String,
+    /// The probability with which changes are detected.
+    pub probability: f64,
+    /// The probability with which the right joint is named.
+    pub naming: f64,
+    /// The poses in the order of their choice.
+    pub steps: Vec<VerificationStep>,
+    /// Standard uncertainty of a measured coordinate, mm.
+    pub standard_uncertainty_mm: f64,
+    /// What the calibrated model leaves unexplained of a coordinate beside that (standard deviation), mm.
+    pub model_mm: f64,
+    /// Warnings, with remedies.
+    pub messages: Vec<Message>,
+    /// Where the numbers come from.
+    pub provenance: Provenance,
+}
+
+/// A pose that was chosen.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VerificationStep {
+    /// The pose.
+    pub pose: PoseName,
+    /// What it would detect together with those before it.
+    pub least: Vec<LeastDetectable>,
 }
 
 /// What observations prove of given parameters.

@@ -24,7 +24,7 @@ use crate::base::message::{Message, Result, one_line};
 use crate::document::{
     AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, FeaturesDocument, FramesDocument,
     GeometricDocument, ImportDocument, ParametersDocument, PlanDocument, PointError, Presentation, Provenance,
-    RecommendationDocument, UncertaintyDocument, VerificationDocument,
+    RecommendationDocument, UncertaintyDocument, VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};
 use serde::Serialize;
@@ -281,6 +281,21 @@ impl Faces {
             ..Contents::default()
         };
         let attached = Attachment::of("verification.json", "data", "Verification", document)?;
+        Ok(Self::answer(contents, attached, presentation, words))
+    }
+
+    /// Which poses to measure to verify parameters.
+    pub fn verification_plan(document: &VerificationPlanDocument, presentation: Presentation) -> Result<Self> {
+        use sections::given::{chosen, poses_to_verify};
+        let words = Words::of(presentation.language)?;
+        let contents = Contents {
+            title: words.say("Poses to verify identified parameters"),
+            subtitle: named(&document.robot, &words),
+            verdict: chosen(document, &words),
+            sections: poses_to_verify(document, &words),
+            ..Contents::default()
+        };
+        let attached = Attachment::of("verification-plan.json", "data", "Poses to verify", document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 

@@ -7,7 +7,7 @@ use super::join::Joined;
 use crate::base::message::{Message, Result};
 use crate::campaign::{Campaign, Identify};
 use crate::document::{AccuracyDocument, GivenFrames, GivenSummary, ParametersDocument, Statistics};
-use crate::math::identify::{self, Settings};
+use crate::math::identify::{self, GivenParameters, Settings};
 use crate::math::robots::{Robot, Role};
 
 /// Errors of given parameters, and what a reader must know of them.
@@ -29,6 +29,10 @@ pub fn validate(
     frames: GivenFrames,
 ) -> Result<Validated> {
     let Selected { sets, settings, mut messages, .. } = select(campaign, stated, robot, joined)?;
+    if frames == GivenFrames::Prior && document.is_none() {
+        let message = Message::error("nominal parameters have no uncertainty that `--frames prior` could use");
+        return Err(message.hint("name identified ones with `--parameters`, or use `--frames refit`").into());
+    }
     if let Some(error) = wrong_set_up(robot, &sets.calibration, &settings) {
         return Err(error.into());
     }
@@ -39,7 +43,7 @@ pub fn validate(
     let uncertainty = ErrorUncertainty::of(campaign, robot, &sets, &settings);
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.definition = definition(&accuracy, document.is_some(), frames);
-    let consistency = document.filter(|_| frames == GivenFrames::Given && sets.calibration_conditions.is_empty());
+    let consistency = document.filter(|_| frames != GivenFrames::Refit && sets.calibration_conditions.is_empty());
     let p_value = consistency.map(|document| p_value(robot, document, &sets, &settings)).transpose()?.flatten();
     accuracy.given = Some(GivenSummary { frames, p_value });
     messages.extend(worse(&accuracy));
@@ -74,6 +78,9 @@ impl Values {
             return Ok(Self { before: earlier.collect(), after });
         }
         let before = identify::fit_frames(robot, &sets.calibration, settings)?;
+        if let (GivenFrames::Prior, Some(document)) = (frames, document) {
+            return Ok(Self { before, after: with_prior(robot, document, sets, settings)? });
+        }
         let Some(document) = document else { return Ok(Self { after: before.clone(), before }) };
         let values = robot_values(robot, document, &[Role::Robot])?;
         robot.definition_mut().set_nominal(&values);
@@ -81,6 +88,28 @@ impl Values {
         robot.definition_mut().set_nominal(&nominal);
         Ok(Self { before, after: after? })
     }
+}
+
+/// The given parameters with the most probable base and targets, by what they are given with and by the calibration poses.
+fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Vec<f64>> {
+    if !sets.calibration_conditions.is_empty() {
+        let message = Message::error("`--frames prior` is for measured positions alone");
+        return Err(message.hint("leave rows of other kinds out, or refit base and targets: `--frames refit`").into());
+    }
+    let all = given(robot, document)?;
+    let n = all.free.len();
+    let kept: Vec<usize> = (0..n).filter(|&k| robot.parameters()[all.free[k]].role != Role::Robot).collect();
+    let covariance =
+        kept.iter().flat_map(|&i| kept.iter().map(move |&j| (i, j))).map(|(i, j)| all.covariance[i * n + j]);
+    let frames = GivenParameters {
+        covariance: covariance.collect(),
+        free: kept.iter().map(|&k| all.free[k]).collect(),
+        values: all.values,
+    };
+    let mut observations = sets.calibration.clone();
+    let noise = Noise::of(document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
+    let settings = noise.applied(&mut observations, Settings::default());
+    identify::most_probable(robot, &observations, &settings, &frames)
 }
 
 /// The nominal parameters, where base and targets are among them.
@@ -114,11 +143,15 @@ fn definition(accuracy: &AccuracyDocument, identified: bool, frames: GivenFrames
         (true, GivenFrames::Refit) => {
             "before: nominal parameters of the robot, after: the given ones, each with base and targets fitted to the calibration poses"
         }
+        (true, GivenFrames::Prior) => {
+            "before: nominal parameters of the robot, with base and targets fitted to the calibration poses; after: all parameters as given, base \
+             and targets the most probable ones by the covariance that they are given with and by the calibration poses"
+        }
         (true, GivenFrames::Given) => {
             "before: nominal parameters of the robot, with base and targets as the calibration that gave the parameters fitted them to it; \
              after: all parameters as given, base and targets too; nothing is fitted to these data"
         }
-        (false, GivenFrames::Refit) => {
+        (false, GivenFrames::Refit | GivenFrames::Prior) => {
             "before and after: nominal parameters of the robot, with base and targets fitted to the calibration poses"
         }
         (false, GivenFrames::Given) => {

@@ -11,6 +11,7 @@ use crate::math::identify::{
     set_up_problem,
 };
 use crate::math::robots::{Quantity, Robot};
+use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Compares observations with the parameters of a document. `stated_mm` is the standard uncertainty of a coordinate where it is not that of
@@ -79,6 +80,79 @@ pub fn verify(
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: None },
     })
 }
+
+/// Chooses `count` of the candidate poses, by what `parameters` of a document and their uncertainty leave to detect: one by one the pose with
+/// which the least detectable changes, and those from which on a joint is named, have the least product; then each is exchanged for a better
+/// one (Fedorov 1972).
+pub fn plan(
+    robot: &mut dyn Robot,
+    document: &ParametersDocument,
+    mut candidates: Vec<Observation>,
+    count: usize,
+    stated_mm: Option<f64>,
+    inputs: BTreeMap<String, String>,
+) -> Result<VerificationPlanDocument> {
+    let parameters = given(robot, document)?;
+    let noise = Noise::of(document, stated_mm)?;
+    let messages: Vec<Message> = other_nominal(robot, document).into_iter().collect();
+    robot.definition_mut().set_nominal(&parameters.values);
+    let robot: &dyn Robot = robot;
+    for o in &mut candidates {
+        let at = |k: usize| robot.position(&parameters.values, &o.joints, k);
+        o.targets = o.targets.iter().enumerate().map(|(k, seen)| seen.map(|_| at(k))).collect();
+    }
+    let settings = noise.applied(&mut candidates, Settings::default());
+    let poses: Vec<PoseName> = candidates.iter().map(|o| o.pose).collect::<BTreeSet<_>>().into_iter().collect();
+    if !(1..=poses.len()).contains(&count) {
+        let message = Message::error(format!("{count} of {} candidate poses cannot be chosen", poses.len()));
+        return Err(message.hint("state fewer `--positions`, or more candidates").into());
+    }
+    let detectable = |chosen: &[PoseName]| {
+        let of_pose = |pose: &PoseName| candidates.iter().filter(move |o| o.pose == *pose).cloned().collect::<Vec<_>>();
+        let observations: Vec<Observation> = chosen.iter().flat_map(of_pose).collect();
+        identify::detectable(robot, &observations, &settings, &parameters, noise.variance)
+    };
+    // sum of logarithms; what is not shown at all counts as the largest change
+    let score = |chosen: &[PoseName]| {
+        let all = |d: &Detectable| d.change.iter().copied().chain(d.named).collect::<Vec<f64>>();
+        let found = detectable(chosen).ok()?;
+        Some(found.iter().flat_map(all).map(|change| change.min(UNSEEN).ln()).sum::<f64>())
+    };
+    let best = |others: &[PoseName]| {
+        let of = |pose: &PoseName| Some((score(&[others, &[*pose]].concat())?, *pose));
+        let all: Vec<(f64, PoseName)> = poses.par_iter().filter(|pose| !others.contains(pose)).filter_map(of).collect();
+        all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    let mut chosen: Vec<PoseName> = Vec::new();
+    for k in 0..2 * count {
+        // the first round adds, the second exchanges
+        let others: Vec<PoseName> =
+            chosen.iter().enumerate().filter(|(i, _)| k < count || *i != k - count).map(|(_, p)| *p).collect();
+        let Some((_, pose)) = best(&others) else { break };
+        match k < count {
+            true => chosen.push(pose),
+            false => chosen[k - count] = pose,
+        }
+    }
+    let step = |k: usize| {
+        let least = detectable(&chosen[..=k])?.iter().flat_map(|d| least(robot, d)).collect();
+        Ok(VerificationStep { pose: chosen[k], least })
+    };
+    Ok(VerificationPlanDocument {
+        schema: "etalon/verification-plan/1".to_owned(),
+        robot: robot.model().to_owned(),
+        probability: POWER,
+        naming: NAMING,
+        steps: (0..chosen.len()).map(step).collect::<Result<_>>()?,
+        standard_uncertainty_mm: noise.measured_mm,
+        model_mm: noise.model_mm,
+        messages,
+        provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: None },
+    })
+}
+
+/// What poses are chosen by takes a change that they do not show for this large, mm or rad.
+const UNSEEN: f64 = 1e3;
 
 /// An error where two targets with each other's names are where the parameters put them.
 fn exchanged_targets(

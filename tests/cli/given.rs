@@ -120,6 +120,83 @@ fn answers_are_written_as_reports_in_every_language() {
     assert_eq!(code(&over), Some(0), "a report of before is no input");
 }
 
+#[test]
+fn base_and_targets_with_a_prior_are_between_given_and_refitted_ones() {
+    let cmm = run("prexyt-cmm");
+    let arm = copy_sample("prexyt-faroarm");
+    let parameters = document(&cmm.path(), "parameters.json");
+    let judged = |frames: &str, factor: f64| {
+        let mut scaled = parameters.clone();
+        for row in scaled["covariance"].as_array_mut().unwrap() {
+            row.as_array_mut().unwrap().iter_mut().for_each(|v| *v = (factor * v.as_f64().unwrap()).into());
+        }
+        std::fs::write(arm.path().join("scaled.json"), scaled.to_string()).unwrap();
+        let more = ["validate", ".", "--parameters", "scaled.json", "--frames", frames, "--json"];
+        let output = etalon(&arm.path(), &more);
+        assert!(code(&output).is_some_and(|code| code < 2), "{}", text(&output.stderr));
+        json(&output)
+    };
+    let rms = |answer: &Value| answer["sets"][0]["errors"][0]["after"]["rms"].as_f64().unwrap();
+    let (given, refit) = (rms(&judged("given", 1.0)), rms(&judged("refit", 1.0)));
+    // what is certain stays, and what is not is fitted
+    let [certain, prior, vague] = [1e-12, 1.0, 1e12].map(|factor| rms(&judged("prior", factor)));
+    assert!(
+        (certain / given - 1.0).abs() < 1e-6 && (vague / refit - 1.0).abs() < 1e-3,
+        "{certain} {given} {vague} {refit}"
+    );
+    assert!(refit < prior && prior < given, "{refit} {prior} {given}");
+    assert!(judged("prior", 1.0)["given"]["p_value"].is_number());
+    let nominal = etalon(&arm.path(), &["validate", ".", "--frames", "prior"]);
+    assert!(code(&nominal) == Some(2) && text(&nominal.stderr).contains("nominal parameters have no uncertainty"));
+}
+
+#[test]
+fn poses_are_chosen_that_detect_smaller_changes() {
+    let folder = run("prexyt-cmm");
+    let all = std::fs::read_to_string(folder.path().join("out/observations.csv")).unwrap();
+    let header: Vec<&str> = all.lines().next().unwrap().split(',').collect();
+    let cycle = header.iter().position(|name| *name == "cycle").unwrap();
+    let first = all.lines().skip(1).filter(|line| line.split(',').nth(cycle) == Some("1"));
+    let of = |poses: &dyn Fn(&str) -> bool| -> String {
+        let kept = first.clone().filter(|line| poses(line.split(',').next().unwrap()));
+        header.join(",") + "\n" + &kept.map(|line| format!("{line}\n")).collect::<String>()
+    };
+    let given = ["--robot", "robot.toml", "--parameters", "out/parameters.json", "--json"];
+    let answer = |arguments: &[&str]| {
+        let output = etalon(&folder.path(), &[&["verify"], arguments, &given].concat());
+        assert!(code(&output).is_some_and(|code| code < 2), "{}", text(&output.stderr));
+        json(&output)
+    };
+    std::fs::write(folder.path().join("candidates.csv"), of(&|_| true)).unwrap();
+    let plan = answer(&["--candidates", "candidates.csv", "--positions", "3"]);
+    let steps = plan["steps"].as_array().unwrap();
+    let chosen: Vec<&str> = steps.iter().map(|s| s["pose"].as_str().unwrap_or_default()).collect();
+    let chosen: Vec<String> = match chosen.iter().all(|name| name.is_empty()) {
+        true => steps.iter().map(|s| s["pose"].to_string()).collect(),
+        false => chosen.into_iter().map(str::to_owned).collect(),
+    };
+    let least = |document: &Value| -> Vec<f64> {
+        document.as_array().unwrap().iter().map(|l| l["value"].as_f64().unwrap_or(1e3)).collect()
+    };
+    let verified = |poses: &dyn Fn(&str) -> bool| {
+        std::fs::write(folder.path().join("few.csv"), of(poses)).unwrap();
+        least(&answer(&["few.csv"])["power"]["least"])
+    };
+    // what the plan states is what a verification with these poses states
+    let measured = verified(&|pose| chosen.iter().any(|c| c == pose));
+    for (a, b) in least(&steps[2]["least"]).iter().zip(&measured) {
+        assert!((a / b - 1.0).abs() < 0.01, "{a} {b}");
+    }
+    let product = |all: &[f64]| all.iter().map(|v| v.ln()).sum::<f64>();
+    for others in [["11", "20", "33"], ["1", "2", "3"], ["9", "30", "59"]] {
+        let others = verified(&|pose| others.contains(&pose));
+        assert!(product(&measured) < product(&others), "{measured:?} {others:?}");
+    }
+    let few = [&["verify", "--candidates", "candidates.csv", "--positions", "0"][..], &given].concat();
+    let refused = etalon(&folder.path(), &few);
+    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("cannot be chosen"));
+}
+
 /// Some rows of the observations of a run, changed.
 fn observations(folder: &Path, change: impl Fn(&[&str], &mut Vec<String>)) -> String {
     let all = std::fs::read_to_string(folder.join("out/observations.csv")).unwrap();

@@ -51,7 +51,7 @@ pub use tool::{Held, ToolError, ToolFrame, ToolPoint, held};
 pub use uncertainty::UncertaintyFrom;
 pub use verification::{
     Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test, Verification,
-    p_value, verify,
+    detectable, most_probable, p_value, verify,
 };
 pub use weights::{Covariance, turned, weigh};
 

@@ -23,6 +23,8 @@ pub const POWER: f64 = 0.95;
 pub const NAMING: f64 = 0.9;
 /// A change explains the residuals where what it leaves is more probable than this.
 pub const EXPLAINED: f64 = 0.01;
+/// A step of the most probable values, over their uncertainty, that is the last.
+const SETTLED: f64 = 1e-10;
 /// Steps towards a large motion.
 const ITERATIONS: usize = 20;
 /// A step that explains less than this of the sum of squares is the last.
@@ -166,16 +168,6 @@ pub fn verify(
         let needs = |e: &Explanation| if suffices(e) { e.change.len() } else { usize::MAX };
         needs(a).cmp(&needs(b)).then(b.explained.total_cmp(&a.explained))
     });
-    let information = all.columns.transpose() * space.solve(&all.columns);
-    let detectable = all.parts.iter().map(|&(moved, first, count)| {
-        let shifts = if moved == Moved::Base { count - count / 2 } else { 0 };
-        let halves = [(first, shifts), (first + shifts, count - shifts)].into_iter().filter(|half| half.1 > 0);
-        let change = halves.map(|(first, count)| limits.detectable(&information, first, count)).collect();
-        let others = all.parts.iter().filter(|(other, ..)| matches!(other, Moved::Joint(_)) && *other != moved);
-        let others: Vec<usize> = others.map(|other| other.1).collect();
-        let named = matches!(moved, Moved::Joint(_)).then(|| limits.named(&information, first, &others));
-        Detectable { moved, change, named }
-    });
     let [rms_mm, expected_rms_mm] = space.rms_mm();
     Ok(Verification {
         p_value,
@@ -183,7 +175,7 @@ pub fn verify(
         of_rest,
         rms_mm,
         expected_rms_mm,
-        detectable: detectable.collect(),
+        detectable: space.detectable(&all, &limits),
         explanations,
     })
 }
@@ -202,6 +194,51 @@ pub fn p_value(
     let space = Space::new(robot, observations, settings, given)?;
     let [of_changes, of_rest] = space.tests(&space.columns(), variance);
     Ok(Test::together(&of_changes, &of_rest))
+}
+
+/// The least changes that observations at these poses would detect, wherever their targets are measured; as [`verify`] states them.
+///
+/// # Errors
+/// As there.
+pub fn detectable(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+    variance: Variance,
+) -> Result<Vec<Detectable>> {
+    let space = Space::new(robot, observations, settings, given)?;
+    let all = space.columns();
+    let [of_changes, of_rest] = space.tests(&all, variance);
+    Ok(space.detectable(&all, &Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom)))
+}
+
+/// The most probable values of all parameters by `observations` and by the covariance that they were given with: x = x₀ + L z with
+/// z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by Gauss and Newton's method.
+///
+/// # Errors
+/// As [`verify`].
+pub fn most_probable(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+) -> Result<Vec<f64>> {
+    let mut place = given.clone();
+    let mut z = DVector::zeros(given.free.len());
+    for _ in 0..ITERATIONS {
+        let space = Space::new(robot, observations, settings, &place)?;
+        let Some(inner) = &space.inner else { break };
+        let next = inner.solve(&space.b.tr_mul(&(&space.r + &space.b * &z)));
+        let step = (&next - &z).norm();
+        z = next;
+        let moved = &space.root * &z;
+        given.free.iter().zip(moved.iter()).for_each(|(&i, by)| place.values[i] = given.values[i] + by);
+        if step < SETTLED {
+            break;
+        }
+    }
+    Ok(place.values)
 }
 
 /// The motion that explains most, where it is too large to be linear, by Gauss and Newton's method; `None` where that does not end.
@@ -416,6 +453,21 @@ impl<'a> Space<'a> {
             Some(inner) => columns - &self.b * inner.solve(&(self.b.transpose() * columns)),
             None => columns.clone(),
         }
+    }
+
+    /// The least of these changes that are detected.
+    fn detectable(&self, all: &Columns, limits: &Limits) -> Vec<Detectable> {
+        let information = all.columns.transpose() * self.solve(&all.columns);
+        let of = |&(moved, first, count): &(Moved, usize, usize)| {
+            let shifts = if moved == Moved::Base { count - count / 2 } else { 0 };
+            let halves = [(first, shifts), (first + shifts, count - shifts)].into_iter().filter(|half| half.1 > 0);
+            let change = halves.map(|(first, count)| limits.detectable(&information, first, count)).collect();
+            let others = all.parts.iter().filter(|(other, ..)| matches!(other, Moved::Joint(_)) && *other != moved);
+            let others: Vec<usize> = others.map(|other| other.1).collect();
+            let named = matches!(moved, Moved::Joint(_)).then(|| limits.named(&information, first, &others));
+            Detectable { moved, change, named }
+        };
+        all.parts.iter().map(of).collect()
     }
 
     /// rᵀ S⁻¹ r

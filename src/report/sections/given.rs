@@ -2,7 +2,7 @@
 
 use crate::document::{
     EffectStep, LeastDetectable, LoadVerdict, ParameterVerdict, RecommendationDocument, VerificationDocument,
-    VerificationVerdict,
+    VerificationPlanDocument, VerificationVerdict,
 };
 use crate::report::model::{Block, Columns, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
 use crate::report::number;
@@ -30,8 +30,13 @@ pub(in crate::report) fn verification(document: &VerificationDocument, words: &W
         (words.say("residuals, RMS"), words.fill("{0} mm, expected {1} mm", &[&rms, &expected]).into()),
         (words.say("coordinates"), words.fill("{0} at {1} poses", &[&count, &document.poses]).into()),
     ]));
+    vec![judged, detected(&document.power.least, document.power.probability, document.power.naming, words)]
+}
+
+/// The least motions that are detected.
+fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Words) -> Section {
     let percent = |p: f64| number::fixed(100.0 * p, 0);
-    let title = words.fill("Detected with a probability of {0} %", &[&percent(document.power.probability)]);
+    let title = words.fill("Detected with a probability of {0} %", &[&percent(probability)]);
     let mut power = Section::new("power", title).on_terminal();
     let least =
         |v: Option<f64>| numbers(v.map_or_else(|| words.say("not by these poses"), |v| number::significant(v, 3)));
@@ -41,10 +46,22 @@ pub(in crate::report) fn verification(document: &VerificationDocument, words: &W
         .both("detected from", "", |l| least(l.value))
         .both("named from", "", |l| joint(l).then(|| least(l.named)))
         .both("unit", "", |l| l.unit.as_str());
-    power.push(Block::Table(Table::of(words, &document.power.least, columns)));
-    let naming = percent(document.power.naming);
-    power.push(Block::note(words.fill("A joint is named with a probability of {0} %.", &[&naming])));
-    vec![judged, power]
+    power.push(Block::Table(Table::of(words, all, columns)));
+    power.push(Block::note(words.fill("A joint is named with a probability of {0} %.", &[&percent(naming)])));
+    power
+}
+
+/// The poses that were chosen.
+pub(in crate::report) fn chosen(document: &VerificationPlanDocument, words: &Words) -> Verdict {
+    let names: Vec<String> = document.steps.iter().map(|step| step.pose.to_string()).collect();
+    let sentences = vec![words.fill("Poses to measure: {0}.", &[&names.join(", ")])];
+    Verdict { class: "open", met: true, sentences, ..Verdict::default() }
+}
+
+/// What they would detect.
+pub(in crate::report) fn poses_to_verify(document: &VerificationPlanDocument, words: &Words) -> Vec<Section> {
+    let last = document.steps.last();
+    last.map(|step| detected(&step.least, document.probability, document.naming, words)).into_iter().collect()
 }
 
 /// The recommendation in sentences.
