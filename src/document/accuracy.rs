@@ -37,7 +37,7 @@ pub struct AccuracyDocument {
     /// The error to expect at the tool point; absent where there is none, or no covariance.
     #[serde(default)]
     pub tool: Option<ToolAccuracy>,
-    /// The same over the workspace; absent where there is no covariance, or the model has no inverse kinematics.
+    /// The same over the workspace; absent also where the model has no inverse kinematics, or few places between the poses are reached.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub map: Option<PredictionMap>,
     /// What is given, where the parameters were not identified from these data.

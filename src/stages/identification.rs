@@ -92,8 +92,8 @@ pub fn identify(
     let expected = Expected::new(robot, tool, &sets, &settings, &before, &found, &accuracy)?;
     if tool.is_some() || robot.platform().is_some() {
         accuracy.tool = expected.accuracy(&sets, &accuracy).map_err(at_tool)?;
+        accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
-    accuracy.map = expected.map(&sets).map_err(at_tool)?;
     let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
     if let Some(reliability) = identify::reliability(robot, &sets.calibration, &settings, &found)? {
         with_reliability(robot, &reliability, &mut errors);

@@ -124,7 +124,7 @@ impl<'a> Expected<'a> {
         let (places, spacing_mm) = grid(&poses);
         let nodes = places.par_iter().map(|at| self.node(kinematics, &poses, *at)).collect::<Result<Vec<_>>>()?;
         let nodes: Vec<MapNode> = nodes.into_iter().flatten().collect();
-        Ok((!nodes.is_empty()).then(|| PredictionMap {
+        Ok((nodes.len() >= FEWEST_NODES).then(|| PredictionMap {
             definition: format!(
                 "{}; {MADE_OF}; 95 % of the errors at a node are at most p95_mm, if they are normal (Box 1954)",
                 self.error()
@@ -174,6 +174,8 @@ const MADE_OF: &str = "before: predicted with nominal minus with identified para
                        instrument, and the place of the point on the tool";
 /// Joint values beyond those of the calibration by less than this are within them, mm or rad.
 const SAME: f64 = 1e-9;
+/// Nodes that a map has at least: with fewer it shows nothing of the workspace.
+const FEWEST_NODES: usize = 10;
 /// Nodes that a map has at most.
 const MOST_NODES: usize = 300;
 
