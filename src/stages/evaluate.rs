@@ -483,6 +483,7 @@ mod tests {
             before_deg: None,
             after_deg: None,
             joints: vec![7.0],
+            reliability: None,
         };
         let mut errors = [error(1, "b"), error(2, "C"), error(3, "a")];
         assert!(with_times(&mut errors, &frame.unwrap()).unwrap());
