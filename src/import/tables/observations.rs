@@ -12,7 +12,8 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Columns of text.
-const TEXTS: [&str; 9] = ["kind", "target", "socket", "other", "plane", "line_name", "sphere", "axis", "joint"];
+const TEXTS: [&str; 10] =
+    ["kind", "target", "station", "socket", "other", "plane", "line_name", "sphere", "axis", "joint"];
 
 /// How a table of observations is laid out, where it is not as this program writes one.
 #[derive(Clone, Debug)]
