@@ -173,28 +173,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
             document.questions.push("which joint each column is, and its unit".to_owned());
             log_lines(file, best, None)
         }
-        None => {
-            let unit = stated_unit(best);
-            document.doubts.extend(not_read(best));
-            document.doubts.extend(tried(file, text, best, unit));
-            if unit.is_none() {
-                document.questions.push("the unit of lengths".to_owned());
-            }
-            document
-                .questions
-                .push("whether the columns are x, y, z in this order, or angles and distances".to_owned());
-            if let Some(joints) = &mixed {
-                document.reasons.push(format!("the header names joints beside the points: {}", joints.join(", ")));
-                document.questions.push("which joint each column is, and its unit".to_owned());
-            }
-            match (&mixed, orientation(best)) {
-                (Some(joints), Some(turned)) => {
-                    document.reasons.push(format!("the header names orientations: {}", turned.join(", ")));
-                    observation_lines(file, best, joints, &turned)
-                }
-                _ => export_lines(file, best) + &mixed.map_or_else(String::new, |joints| joint_lines(&joints)),
-            }
-        }
+        None => rows_of_points(file, text, best, mixed, &mut document),
     };
     if let Some((kind, found)) = log {
         document.questions.push(format!(
@@ -205,6 +184,34 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     }
     document.toml = with_remarks(&document, &lines);
     document
+}
+
+/// Lines of rows of points, of joints and points, or of joints and orientations.
+fn rows_of_points(
+    file: &str,
+    text: &str,
+    best: &Guess,
+    mixed: Option<Vec<&str>>,
+    document: &mut FormatsDocument,
+) -> String {
+    let unit = stated_unit(best);
+    document.doubts.extend(not_read(best));
+    document.doubts.extend(tried(file, text, best, unit));
+    if unit.is_none() {
+        document.questions.push("the unit of lengths".to_owned());
+    }
+    document.questions.push("whether the columns are x, y, z in this order, or angles and distances".to_owned());
+    if let Some(joints) = &mixed {
+        document.reasons.push(format!("the header names joints beside the points: {}", joints.join(", ")));
+        document.questions.push("which joint each column is, and its unit".to_owned());
+    }
+    match (&mixed, orientation(best)) {
+        (Some(joints), Some(turned)) => {
+            document.reasons.push(format!("the header names orientations: {}", turned.join(", ")));
+            observation_lines(file, best, joints, &turned)
+        }
+        _ => export_lines(file, best) + &mixed.map_or_else(String::new, |joints| joint_lines(&joints)),
+    }
 }
 
 fn reading(guess: &Guess) -> Reading {

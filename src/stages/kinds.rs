@@ -203,6 +203,8 @@ struct Rows {
     u_mm: Vec<f64>,
     u_axes_mm: [Vec<f64>; 3],
     partial: Vec<bool>,
+    /// Rows that state a covariance.
+    covariant: Vec<bool>,
     u_rotation_rad: Vec<f64>,
     lines: Vec<i64>,
     without: Stated,
@@ -230,6 +232,8 @@ impl Rows {
         let (x, y, z) = (x?, y?, z?);
         let column = if has("u_mm") { "u_mm" } else { "ux_mm" };
         let [ux, uy, uz] = table::UNCERTAINTIES.map(|name| numbers(name, f64::NAN));
+        let covariances =
+            table::COVARIANCES.map(|name| numbers(name, f64::NAN)).into_iter().collect::<Result<Vec<_>>>()?;
         Ok(Self {
             kinds: texts("kind")?,
             fixed: fixed_rows(observations)?,
@@ -260,6 +264,7 @@ impl Rows {
             u_mm: numbers(column, f64::NAN)?,
             u_axes_mm: [ux?, uy?, uz?],
             partial: partial_rows(robot, observations)?,
+            covariant: (0..height).map(|row| covariances.iter().any(|c| !c[row].is_nan())).collect(),
             u_rotation_rad: numbers("urot_deg", f64::NAN)?.into_iter().map(f64::to_radians).collect(),
             lines: if has("line") { table::integers(observations, "line")? } else { Vec::new() },
             without,
@@ -421,6 +426,7 @@ impl Rows {
         let what = match self.xyz[row].iter().all(|v| v.is_finite()) {
             _ if kind != "point" => format!("a row of kind `{kind}` states the station `{station}`"),
             false => format!("a coordinate of what station `{station}` measured is missing or not a number"),
+            true if self.covariant[row] => format!("what station `{station}` measured states a covariance"),
             true if us[1..].iter().any(|u| u.to_bits() != us[0].to_bits()) => {
                 format!("the coordinates that station `{station}` measured have uncertainties of their own")
             }

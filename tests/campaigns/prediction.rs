@@ -123,31 +123,41 @@ fn errors_of_a_reading_are_detected_as_often_as_baarda_has_it() {
     assert!((0.0005..0.0016).contains(&(alarms / count)), "{}", alarms / count);
 }
 
+/// Cook's distance by its definition: how far the positions of all readings move where a pose is left out. The parameters of the arm are weakly
+/// determined, and its error is not linear in them: their change is tried with the table.
 #[test]
-fn the_influence_of_a_pose_is_what_the_parameters_change_by_without_it() {
-    let name = "prexyt-cmm";
-    let (robot, found) = sample(name);
-    let (robot, settings) = (robot.as_ref(), Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() });
-    let observations = drawn(robot, &found, 1);
-    let plain = identify_from(robot, &observations, &settings, &found.found.values).unwrap();
-    assert_eq!(plain.uncertainty_from, UncertaintyFrom::Instrument, "{name}");
-    let poses = reliability(robot, &observations, &settings, &plain).unwrap().unwrap().poses;
-    assert!(poses.windows(2).all(|pair| pair[0].cooks_distance >= pair[1].cooks_distance));
-    let n = plain.free.len();
-    let u = |k: usize| plain.standard_uncertainty(plain.free[k]).unwrap();
-    let covariance = plain.covariance.as_ref().unwrap();
-    let correlation = DMatrix::from_fn(n, n, |i, j| covariance[i * n + j] / (u(i) * u(j))).cholesky().unwrap();
-    for influence in poses.iter().filter(|p| p.cooks_distance.is_finite()).step_by(3).take(3) {
-        let rest: Vec<Observation> = observations.iter().filter(|o| o.pose != influence.pose).cloned().collect();
-        let values = identify_again(robot, &rest, &settings, &plain).unwrap();
-        let change = |k: usize| (plain.values[plain.free[k]] - values[plain.free[k]]) / u(k);
-        let change = DVector::from_fn(n, |k, _| change(k));
-        let distance = change.dot(&correlation.solve(&change)) / n as f64;
-        assert!((distance / influence.cooks_distance - 1.0).abs() < 0.02, "{name} {influence:?}: {distance}");
-        assert!(
-            (change.amax() / influence.change_over_u - 1.0).abs() < 0.02,
-            "{name} {influence:?}: {}",
-            change.amax()
-        );
+fn the_influence_of_a_pose_is_what_the_fit_changes_by_without_it() {
+    for name in ["prexyt-cmm", "column-arm"] {
+        let (robot, found) = sample(name);
+        let (robot, settings) =
+            (robot.as_ref(), Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() });
+        let observations = drawn(robot, &found, 1);
+        let plain = identify_from(robot, &observations, &settings, &found.found.values).unwrap();
+        assert_eq!(plain.uncertainty_from, UncertaintyFrom::Instrument, "{name}");
+        let poses = reliability(robot, &observations, &settings, &plain).unwrap().unwrap().poses;
+        assert!(poses.windows(2).all(|pair| pair[0].cooks_distance >= pair[1].cooks_distance));
+        let n = plain.free.len();
+        for influence in poses.iter().filter(|p| p.cooks_distance.is_finite()).step_by(3).take(3) {
+            let rest: Vec<Observation> = observations.iter().filter(|o| o.pose != influence.pose).cloned().collect();
+            let values = identify_again(robot, &rest, &settings, &plain).unwrap();
+            let seen =
+                |o: &Observation| o.targets.iter().enumerate().filter(|(_, t)| t.is_some()).map(|t| t.0).collect();
+            let moved = observations.iter().flat_map(|o| {
+                let targets: Vec<usize> = seen(o);
+                let at = |p: &[f64], k: usize| robot.position(p, &o.joints, k);
+                targets
+                    .into_iter()
+                    .map(|k| norm(minus(at(&plain.values, k), at(&values, k))).powi(2))
+                    .collect::<Vec<_>>()
+            });
+            let distance = moved.sum::<f64>() / (n as f64 * U_MM * U_MM);
+            assert!((distance / influence.cooks_distance - 1.0).abs() < 0.02, "{name} {influence:?}: {distance}");
+            let k = influence.parameter;
+            let change = (plain.values[k] - values[k]).abs() / plain.standard_uncertainty(k).unwrap();
+            assert!(
+                name == "column-arm" || (change / influence.change_over_u - 1.0).abs() < 0.02,
+                "{influence:?}: {change}"
+            );
+        }
     }
 }
