@@ -195,7 +195,14 @@ fn no_output_is_written_over_an_input() {
     write("c.csv", "pose,rho1_mm,rho2_mm,rho3_mm\n1,10,20,30\n2,20,10,5\n3,40,40,20\n");
     let plan = ["plan", "--robot", "campaign/robot.toml", "--candidates", "c.csv", "--positions", "2"];
     kept("c.csv", &[&plan[..], &["--poses", "./c.csv"]].concat(), "over the input `c.csv`");
-    kept("campaign/robot.toml", &[&plan[..], &["--report", "campaign/robot.toml"]].concat(), "over the input");
+    kept(
+        "campaign/robot.toml",
+        &[&plan[..], &["--report", "campaign/robot.toml"]].concat(),
+        "does not end like a report",
+    );
+    std::fs::copy(scratch.path().join("robot.toml"), scratch.path().join("robot.html")).unwrap();
+    let plan = plan.map(|argument| if argument.ends_with("robot.toml") { "campaign/robot.html" } else { argument });
+    kept("campaign/robot.html", &[&plan[..], &["--report", "campaign/robot.html"]].concat(), "over the input");
     write("programme.csv", "mine");
     let plan = ["iso9283", "--plan", "--write", ".", "--workspace-mm", "350,250,430,330"];
     kept("programme.csv", &plan, "`./programme.csv` is there already");

@@ -436,9 +436,12 @@ impl<L: Legs> Kinematics for Parallel<L> {
 
     /// Every combination of the ways of single legs that brings the platform to the pose and not to its other assembly modes.
     fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
+        if L::COUNT < 6 && pose.angle_rad() > TURNED {
+            return Vec::new();
+        }
         let values = self.values(parameters);
         let mut all = vec![Vec::new()];
-        for leg in 0..if L::COUNT < 6 && pose.angle_rad() > TURNED { 0 } else { L::COUNT } {
+        for leg in 0..L::COUNT {
             let at = |branch: &f64| self.legs.joint_at(leg, values.of(leg), pose, *branch);
             let ways: Vec<f64> = L::BRANCHES.iter().map(at).filter(|q| q.is_finite()).collect();
             all = all.iter().flat_map(|q: &Vec<f64>| ways.iter().map(|w| [&q[..], &[*w]].concat())).collect();
