@@ -137,7 +137,8 @@ impl<'a> Given<'a> {
         let mut lines = vec![format!("Written by etalon {}", self.parameters.provenance.version)];
         lines.extend(self.warning());
         lines.extend(self.summary.map(|summary| format!("campaign: {}", summary.name)));
-        lines.push(format!("robot: {}", self.name.unwrap_or(&self.parameters.robot)));
+        let named = self.name.or_else(|| self.summary?.robot.as_deref());
+        lines.push(format!("robot: {}", named.unwrap_or(&self.parameters.robot)));
         lines.push(format!("units: {units}"));
         lines.push(format!("sha256 of parameters.json: {hash}"));
         Ok(lines.iter().map(|line| comment(line)).collect())

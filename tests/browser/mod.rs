@@ -180,7 +180,7 @@ fn marks_answer_to_the_pointer_and_to_the_keyboard(browser: &mut Browser, report
         let said = browser.evaluate(tip).as_str().unwrap().to_owned();
         let numbers = said.split(|c: char| !c.is_ascii_digit()).filter(|n| !n.is_empty()).count();
         assert!(
-            numbers >= 4 && said.to_lowercase().contains("pose") && said.contains("µm"),
+            numbers >= 4 && said.to_lowercase().contains("pose") && (said.contains("µm") || said.contains("mm")),
             "{}: {said:?}",
             page.display()
         );

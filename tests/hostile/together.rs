@@ -177,10 +177,16 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
     // all of a table's problems at once
     let said = refused(PREXYT, &format!("{head}{good}1.5,1,L,1,2,3,4,5\n2,1,K,1,x,3,4,5\n"));
     assert!(said.contains("observations.csv:3") && said.contains("observations.csv:4"), "{said}");
-    let said = refused(PREXYT, &(head.replace("rho2_mm", "rho2").replace("cycle", "run") + good));
-    for part in ["no column `rho2_mm`", "no column `cycle`", "observations.csv:1", "| pose,run,target"] {
+    let said = refused(PREXYT, &(head.replace("rho2_mm", "rho2").replace("x_mm", "x") + good));
+    for part in ["no column `rho2_mm`", "no column `x_mm`", "observations.csv:1", "| pose,cycle,target,x,"] {
         assert!(said.contains(part), "{part:?} is not said:\n{said}");
     }
+    // repeats in a column of another name are readings of one target that occur twice
+    let said = refused(PREXYT, &(head.replace("cycle", "run") + good + "1,2,K,1,2,3,4,5\n"));
+    assert!(
+        said.contains("observations.csv:3") && said.contains("occurs twice") && said.contains("column `cycle`"),
+        "{said}"
+    );
     let said = refused(PREXYT, &(head.replace("rho2_mm", "rho1_mm") + good));
     assert!(said.contains("the header names `rho1_mm` twice") && said.contains("observations.csv:1"), "{said}");
 }

@@ -90,7 +90,8 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], axes: (usize, usize), wor
         words.fill("{0} visits about their mean, by approach; large marks are the means.", &[&visits.len()]);
     let point = commanded_um(of);
     let legend = |i: usize| (30.0 + 180.0 * (i % 2) as f64, plane.height() + 8.0 + 20.0 * (i / 2) as f64);
-    let lines = (groups.len() + usize::from(point.is_some())).div_ceil(2);
+    // the commanded point has a line of its own: its words are long
+    let lines = groups.len().div_ceil(2) + usize::from(point.is_some());
     let id = format!("visits-{pose}-{name}");
     let mut svg = Svg::new(&id, WIDTH, plane.height() + 20.0 * lines as f64 + 8.0, &title, &description);
     plane.draw(&mut svg, words);
@@ -115,7 +116,7 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], axes: (usize, usize), wor
         svg.text("start", (x + 10.0, y + 4.0), &format!("{} ({})", approached(*name, words), places.len()));
     }
     if let Some(at) = point {
-        commanded(&mut svg, &plane, at, legend(groups.len()), words);
+        commanded(&mut svg, &plane, at, legend(2 * groups.len().div_ceil(2)), words);
     }
     let row = |(visit, place): (&&Iso9283Visit, &Vector)| {
         let from = approached(visit.approach.as_deref(), words);
