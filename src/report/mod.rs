@@ -192,7 +192,6 @@ pub fn kinds() -> impl Iterator<Item = &'static str> {
 pub struct Faces {
     contents: Contents,
     /// Only a PDF carries them.
-    #[cfg_attr(not(feature = "pdf"), expect(dead_code))]
     attachments: Vec<Attachment>,
     presentation: Presentation,
     words: Words,

@@ -1,6 +1,6 @@
 //! Robots as functions of their parameters: direct and inverse kinematics, exact Jacobians.
 //!
-//! Each model is one file: its equations, written once and generic over the [`Scalar`](crate::base::scalar::Scalar), and
+//! Each model is one file: its equations, written once and generic over the [`Scalar`], and
 //! its keys of robot.toml; and one line of [`MODELS`]. What not all models can do is a capability: [`Platform`],
 //! [`RailTable`], [`FreeBase`]. Lengths are in millimetres, angles in radians.
 
