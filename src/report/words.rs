@@ -116,7 +116,7 @@ impl Words {
         })
     }
 
-    /// The numbers of a text with the decimal mark of the language; what has letters or several points is no number.
+    /// The numbers of a text with the decimal mark of the language; what has letters or several points is not a number.
     pub fn number(&self, text: &str) -> String {
         let Some(mark) = self.texts.get(".") else { return text.to_owned() };
         let is_part = |c: char| c.is_ascii_digit() || c == '.';

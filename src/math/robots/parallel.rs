@@ -379,7 +379,7 @@ impl<L: Legs> Robot for Parallel<L> {
     }
 }
 
-/// A platform that turns more than this is no pose of three legs, rad.
+/// Largest rotation of a platform on three legs, which does not turn, rad.
 const TURNED: f64 = 1e-6;
 /// How far from a pose, in mm and without unit, the joints that were found for it may bring the platform.
 const BACK: f64 = 1e-6;

@@ -130,7 +130,7 @@ mod tests {
             let (centre, found) = cube(&places, planar).unwrap();
             assert!((found - half).abs() < 1e-9 && centre == [50.0, 60.0, 70.0]);
             places[2].1[0] += 0.1 * half;
-            assert_eq!(cube(&places, planar), None, "a pose elsewhere is no cube");
+            assert_eq!(cube(&places, planar), None, "a pose elsewhere is not part of a cube");
             assert_eq!(cube(&places[..4], planar), None);
         }
     }
