@@ -72,7 +72,6 @@ compare: $(ETALON)
 # what is slow in tests runs in the profile of the program itself, and the other tests start the program of that profile
 test:
 	[ -n "$${ETALON_REFERENCE:-}" ] || echo "ETALON_REFERENCE is not set: tests on outside data (NIST, PreXYT, IRB 120) are skipped"
-	cargo test --locked --doc
 	if command -v cargo-nextest >/dev/null; then run='nextest run'; else run=test; fi; \
 	cargo $$run --locked --release --test laws && \
 	ETALON_PROGRAM='$(abspath $(CARGO_TARGET_DIR))/release/etalon' cargo $$run --locked --lib --bins --test etalon

@@ -47,32 +47,7 @@
 //!
 //! A campaign on disk: [`campaign::Campaign::read`], then [`run::pipeline::run`]. Or data in memory:
 //!
-//! ```
-//! use etalon::math::identify::{Observation, Settings, identify};
-//! use etalon::math::robots::{Prexyt, Robot};
-//!
-//! let robot = Prexyt::default();
-//! let mut truth = robot.nominal();
-//! truth[3] = 393.93; // s, mm
-//! let joints = [[0.0, 300.0, 300.0], [0.0, 0.0, 256.0], [0.0, 300.0, 44.0], [0.0, 0.0, 0.0], [170.0, 300.0, 300.0],
-//!     [170.0, 0.0, 256.0], [170.0, 300.0, 44.0], [170.0, 0.0, 0.0]];
-//! let observations: Vec<Observation> = joints
-//!     .iter()
-//!     .enumerate()
-//!     .map(|(i, q)| Observation {
-//!         pose: (i as i64).into(),
-//!         cycle: 1,
-//!         joints: q.to_vec(),
-//!         targets: robot.balls(&truth, q).map(|[x, y]| Some([x, y, 0.0])).to_vec(),
-//!         ..Observation::default()
-//!     })
-//!     .collect();
-//! let settings =
-//!     Settings { standard_uncertainty_mm: Some(0.002), ..Settings::default() };
-//! let found = identify(&robot, &observations, &settings)?;
-//! assert!((found.values[3] - 393.93).abs() < 1e-9);
-//! # Ok::<(), etalon::base::message::Problems>(())
-//! ```
+#![doc = concat!("```ignore\n", include_str!("../tests/in_memory.rs"), "```")]
 #![forbid(unsafe_code)]
 #![allow(non_snake_case)] // world_T_base: frames in names
 

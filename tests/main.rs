@@ -8,6 +8,7 @@ mod cli;
 mod dependencies;
 mod golden;
 mod hostile;
+mod in_memory;
 mod reference;
 mod support;
 

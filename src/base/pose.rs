@@ -2,6 +2,7 @@
 
 use crate::base::scalar::Scalar;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::{PI, TAU};
 
 /// A point or direction in space, in millimetres where it is a point.
 pub type Vector<T = f64> = [T; 3];
@@ -184,6 +185,13 @@ impl Pose {
         let r = &self.rotation;
         [r[2][1].atan2(r[2][2]), (-r[2][0]).atan2(r[0][0].hypot(r[1][0])), r[1][0].atan2(r[0][0])]
     }
+}
+
+/// The shortest rotation vector of the same rotation, rad.
+pub fn shortest(vector_rad: Vector) -> Vector {
+    let length = norm(vector_rad);
+    let turns = (length / TAU).round();
+    if length > PI { vector_rad.map(|v| v * (1.0 - turns * TAU / length)) } else { vector_rad }
 }
 
 /// Axes about which a rotation by a vector turns for each radian of the vector's components: columns of the left Jacobian of the

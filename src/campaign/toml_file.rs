@@ -385,6 +385,18 @@ fn top_level<T>(read: fn(Spanned<DeTable<'_>>) -> std::result::Result<T, Error>)
     read(Spanned::new(0..0, odd)).err().map(|e| known(&e)).unwrap_or_default()
 }
 
+/// What to do about keys that were read once, or that belong elsewhere.
+const REMEDIES: [(&str, &str); 2] = [
+    (
+        "base_turn_y_deg",
+        "delete it: base_rx, base_ry and base_rz are a rotation vector, and no orientation of the base is singular",
+    ),
+    (
+        "station",
+        "stations of an instrument are a column `station` of a table of observations: [observations] instead of exports and log",
+    ),
+];
+
 /// One error for each unknown key; for several of one section that are like no key of it, one error in all.
 fn unknown_keys(file: &str, text: &str, top: &[String], mut unknown: Vec<Unknown>) -> Vec<Message> {
     unknown.sort_by_key(|key| key.span.start);
@@ -399,6 +411,8 @@ fn unknown_keys(file: &str, text: &str, top: &[String], mut unknown: Vec<Unknown
             message.hint(format!("`{}` belongs at the top, before the first section", first.key))
         } else if names.len() > 1 {
             message.hint("is the head of their table missing, like `[section]` or `[[joint]]`?")
+        } else if let Some((_, remedy)) = REMEDIES.iter().find(|(key, _)| *key == first.key) {
+            message.hint(*remedy)
         } else {
             message.hint_names(&first.key, first.known.iter().map(String::as_str))
         })

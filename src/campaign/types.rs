@@ -1,6 +1,7 @@
 //! The keys of `campaign.toml`.
 
 use super::{Join, JoinBy, StatedPoses};
+use crate::base::country::Country;
 use crate::base::pose::{Vector, minus, norm, unit};
 use crate::document::{Conditions, DecisionRule, Language};
 use crate::import::format::{Decimal, Delimiter, Encoding, FromRow};
@@ -211,12 +212,12 @@ pub struct ObservationsDefinition {
     #[schemars(extend("default" = ","))]
     pub delimiter: Option<Delimiter>,
     /// Decimal mark.
-    #[serde(default)]
-    pub decimal: Decimal,
+    #[schemars(extend("default" = "."))]
+    pub decimal: Option<Decimal>,
     /// Encoding of its characters, where no byte-order mark states it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
-    /// Sheet of a workbook that holds the table.
+    /// Sheet of a workbook that holds the table: its cells need neither delimiter, decimal mark nor encoding.
     pub sheet: Option<String>,
     /// The heading in the file of each column that is called otherwise there.
     #[serde(default)]
@@ -232,11 +233,21 @@ pub struct ObservationsDefinition {
 }
 
 impl ObservationsDefinition {
+    /// The key beside `sheet` that means nothing for a workbook.
+    pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
+        let text = [
+            ("delimiter", self.delimiter.is_some()),
+            ("decimal", self.decimal.is_some()),
+            ("encoding", self.encoding.is_some()),
+        ];
+        text.into_iter().find(|(_, stated)| self.sheet.is_some() && *stated).map(|(key, _)| key)
+    }
+
     /// How the table is laid out.
     pub fn layout(&self) -> Layout {
         Layout {
             delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
-            decimal: self.decimal,
+            decimal: self.decimal.unwrap_or_default(),
             columns: self.columns.clone(),
             target: self.target.clone(),
             pose: self.pose,
@@ -578,6 +589,9 @@ pub struct ReportDefinition {
     pub amends: Option<String>,
     /// Name and contact of the customer.
     pub customer: Option<String>,
+    /// Country in which the calibration was made, for the certificate: two letters of ISO 3166-1.
+    #[schemars(with = "Option<String>")]
+    pub country: Option<Country>,
     /// Date of issue.
     pub issued: Option<String>,
     /// Who authorises the report: name and function.

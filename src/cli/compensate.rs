@@ -25,7 +25,8 @@ use std::path::PathBuf;
 #[command(after_help = "Targets:
   table    pose, x_mm, y_mm, z_mm, qw, qx, qy, qz, and joints near which the robot is to reach them; or pose and joints alone, which
            the nominal robot would be commanded
-  program  RAPID (.mod, .prg), KRL (.src, .dat), URScript (.script), G-code (.ngc, .nc, .gcode): printed with other targets
+  program  RAPID (.mod, .prg), KRL (.src, .dat), URScript (.script), G-code (.ngc, .nc, .gcode), Mecaprol (.mp), Galil (.dmc): printed with
+           other targets
 
 Exit code 1 where a target is out of reach or in another configuration; no program or list is written with a target out of reach: 2.")]
 pub struct Compensate {
@@ -49,6 +50,9 @@ pub struct Compensate {
     /// Frame of the targets (work object) in the base of the robot, likewise
     #[arg(long, value_name = "POSE", value_parser = pose_argument, allow_hyphen_values = true)]
     object: Option<Pose>,
+    /// Joint values where a program starts, mm and deg, and the assembly mode: the working mode of a five-bar is the nearest to them
+    #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
+    start: Vec<f64>,
     /// Counts of each axis for a mm or deg of its joint, for `galil`
     #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
     counts_per_unit: Vec<f64>,
@@ -85,6 +89,9 @@ impl Format {
         self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
     }
 }
+
+/// Name of the language whose targets are counts.
+const GALIL: &str = "galil";
 
 /// The frame that targets are in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -127,6 +134,8 @@ struct Compensator<'a> {
     format: Format,
     language: Option<(&'static str, &'static dyn Language)>,
     galil: Galil,
+    /// Joint values where the robot starts.
+    start: Vec<f64>,
     decimals: usize,
 }
 
@@ -178,7 +187,14 @@ impl Compensate {
     fn read(&self, robot: &Calibrated) -> Result<Source> {
         let ending = self.targets.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         match commands::language_of(ending) {
-            Some((name, language)) => self.read_program(name, language, freedoms(robot.arm)),
+            Some((name, language)) => {
+                if self.start.is_empty() && robot.arm.has_assembly_modes() {
+                    let message = Message::error("the program does not state which working mode the robot starts in");
+                    return Err(message.hint("state the joint values where it starts: --start N,N,+1").into());
+                }
+                self.read_program(name, language, freedoms(robot.arm))
+            }
+            None if ending.eq_ignore_ascii_case("dmc") => self.read_galil(robot),
             None => self.read_table(robot),
         }
     }
@@ -212,6 +228,42 @@ impl Compensate {
         };
         let targets = program.targets.iter().map(target).collect();
         Ok(Source { targets, program: Some(ProgramSource { language: name, bytes, program }) })
+    }
+
+    /// Positions of a Galil program: joint values that the nominal robot is commanded.
+    fn read_galil(&self, robot: &Calibrated) -> Result<Source> {
+        let bytes = files::read(&self.targets)?;
+        let text = String::from_utf8_lossy(&bytes);
+        let galil = self.galil(robot)?;
+        let found = galil.targets(&bytes);
+        let program = found.map_err(|problems| problems.in_text(&self.targets.display().to_string(), &text))?;
+        let target = |t: &ProgramTarget| -> Result<Target> {
+            let mut joints = self.start(robot);
+            let stated = robot.arm.joints().iter().zip(galil.joints(&t.numbers));
+            joints.iter_mut().zip(stated).for_each(|(q, (joint, v))| *q = joint.quantity.inward(v));
+            let pose = self.nominal_pose(robot, &joints)?;
+            Ok(Target { name: t.name.clone(), pose, near: Some(joints), configuration: None })
+        };
+        let targets = program.targets.iter().map(target).collect::<Result<_>>()?;
+        Ok(Source { targets, program: Some(ProgramSource { language: GALIL, bytes, program }) })
+    }
+
+    /// Joint values where a program starts, rad and mm; zero where they are not stated.
+    fn start(&self, robot: &Calibrated) -> Vec<f64> {
+        let joints = robot.arm.joints();
+        let value = |(i, v): (usize, &f64)| joints.get(i).map_or(*v, |joint| joint.quantity.inward(*v));
+        let mut all: Vec<f64> = self.start.iter().enumerate().map(value).collect();
+        all.resize(joints.len() + usize::from(robot.arm.has_assembly_modes()), 0.0);
+        all
+    }
+
+    fn galil(&self, robot: &Calibrated) -> Result<Galil> {
+        let axes = robot.arm.joints().len();
+        if self.counts_per_unit.len() != axes || self.counts_per_unit.contains(&0.0) {
+            let message = Message::error(format!("`galil` needs the counts of {axes} axes for a mm or deg"));
+            return Err(message.hint("--counts-per-unit N,N").into());
+        }
+        Ok(Galil { counts_per_unit: self.counts_per_unit.clone() })
     }
 
     fn read_table(&self, robot: &Calibrated) -> Result<Source> {
@@ -253,19 +305,15 @@ impl Compensate {
                     .inverse()
             }
         };
-        let galil = Galil { counts_per_unit: self.counts_per_unit.clone() };
-        let axes = robot.arm.joints().len();
-        if format == Format::Galil && (self.counts_per_unit.len() != axes || self.counts_per_unit.contains(&0.0)) {
-            let message = Message::error(format!("`galil` needs the counts of {axes} axes for a mm or deg"));
-            return Err(message.hint("--counts-per-unit N,N").into());
-        }
+        let galil = (format == Format::Galil).then(|| self.galil(&robot)).transpose()?.unwrap_or_default();
+        let start = self.start(&robot);
         if format == Format::Mecaprol && freedoms != Freedoms::Point {
             return Err(Message::error(format!("Mecaprol commands a five-bar, not `{}`", robot.arm.model())).into());
         }
         let language = commands::language(&format.name());
         let tool = self.tool.unwrap_or(Pose::identity());
         let frames = [targets_in_base, object];
-        Ok(Compensator { robot, freedoms, frames, tool, format, language, galil, decimals: self.decimals })
+        Ok(Compensator { robot, freedoms, frames, tool, format, language, galil, start, decimals: self.decimals })
     }
 }
 
@@ -281,7 +329,7 @@ impl Compensator<'_> {
             unreachable: Vec::new(),
             joint_targets: 0,
         };
-        let (mut commands, mut last) = (Vec::new(), vec![0.0; document.joints.len()]);
+        let (mut commands, mut last) = (Vec::new(), self.start.clone());
         for target in targets {
             match self.target(target, &mut last) {
                 Ok((command, entry)) => {
@@ -379,6 +427,11 @@ impl Compensator<'_> {
         source: Option<&ProgramSource>,
     ) -> Result<Vec<u8>> {
         let Some((name, language)) = self.language else {
+            if let Some(ProgramSource { bytes, program, .. }) = source.filter(|source| source.language == GALIL) {
+                let counts = answer.targets.iter().map(|t| self.galil.counts(&t.joints));
+                let counts: Vec<Vec<String>> = counts.map(|all| all.iter().map(f64::to_string).collect()).collect();
+                return Ok(commands::rewritten(bytes, &program.targets, &counts));
+            }
             let joints = answer.targets.iter().map(|t| (t.target.clone(), t.joints.clone()));
             return self.galil.list(given, &joints.collect::<Vec<_>>()).map(String::into_bytes);
         };

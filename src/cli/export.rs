@@ -2,7 +2,7 @@
 
 use super::{Verdict, print_written, remark};
 use crate::base::files;
-use crate::base::message::{Message, Problems};
+use crate::base::message::{Message, Problems, Severity};
 use crate::campaign::{Campaign, RobotFile, read_robot};
 use crate::document::{CampaignSummary, ParametersDocument, Presentation};
 use crate::export::{self, Description, Exporter, Given};
@@ -10,6 +10,7 @@ use crate::math::robots::Robot;
 use crate::run::documents::{Documents, read_parameters};
 use crate::run::summary::summary;
 use crate::run::validation::recommend;
+use crate::stages::given::other_nominal;
 use std::path::{Path, PathBuf};
 
 /// Write identified parameters as a file that a controller or another program loads
@@ -106,6 +107,10 @@ impl Exported {
     ) -> Result<Self, Problems> {
         // the model needs a target; no format holds its place
         let robot = file.as_ref().map(|file| file.build(&["tool".to_owned()])).transpose()?;
+        if let Some(stale) = robot.as_deref().and_then(|robot| other_nominal(robot, &parameters)) {
+            let hint = "run the campaign again, or name the robot.toml that it was run with";
+            return Err(Message { severity: Severity::Error, ..stale }.hint(hint).into());
+        }
         Ok(Self { parameters, file, robot, summary })
     }
 

@@ -158,11 +158,13 @@ pub(super) fn implausible(option: &str, stated_um: Option<f64>) -> Option<Messag
 /// A warning about columns that nothing reads.
 pub(super) fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message> {
     let joints = observed.table.get_column_names().into_iter().map(|name| name.as_str());
-    let joints = joints.filter(|name| robot.joints().iter().any(|joint| joint.factor(name).is_some()));
+    let joints = joints.filter(|name| {
+        robot.joints().iter().any(|joint| joint.factor(name).is_some() || *name == joint.direction_column())
+    });
     let known = ["pose", "cycle", "target", ASSEMBLY, TIME]
         .into_iter()
         .chain(UNCERTAINTIES)
         .chain(COVARIANCES)
-        .chain(kinds::COLUMNS);
+        .chain(kinds::columns());
     observed.named().unread(&known.chain(joints).collect::<Vec<_>>())
 }

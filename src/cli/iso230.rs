@@ -4,7 +4,7 @@ use super::{Verdict, print};
 use crate::base::message::{Message, Result};
 use crate::base::table;
 use crate::document::{AxisDocument, to_json};
-use crate::export::axis_tables;
+use crate::export::axis_tables::{self, Deviation};
 use crate::math::axis::{Approach, AxisPosition, AxisPositioning};
 use crate::stages::table_file::TableFile;
 use std::path::PathBuf;
@@ -51,20 +51,19 @@ impl Iso230 {
         let positions = positions(&file).map_err(|problems| file.place(problems))?;
         let document =
             AxisDocument { schema: "etalon/iso230/1".to_owned(), axis: AxisPositioning::new(&positions), positions };
+        let deviations: Vec<Deviation> = document.positions.iter().map(Deviation::from).collect();
+        axis_tables::plausible(&deviations).map_err(|problems| file.place(problems))?;
+        let header = |units: &str| axis_tables::header([], units, "the measured positions", file.text().as_bytes());
         match self.compensation {
-            Some(Controller::Linuxcnc) => print(axis_tables::linuxcnc(&document.positions)?)?,
-            Some(Controller::Beckhoff) => print(axis_tables::beckhoff(
-                &document.positions,
-                &self.axis,
-                concat!("Written by etalon ", env!("CARGO_PKG_VERSION"), ", measured minus programmed in 0.1 um"),
-            ))?,
+            Some(Controller::Linuxcnc) => print(axis_tables::linuxcnc(&deviations)?)?,
+            Some(Controller::Beckhoff) => {
+                let header = header("measured minus programmed in 0.1 um");
+                print(axis_tables::beckhoff(&deviations, &self.axis, &header))?;
+            }
             Some(Controller::Sinumerik) => {
-                let header = format!(
-                    "Written by etalon {}, mean of both directions in mm; mean reversal error {:.6} mm is not in it",
-                    env!("CARGO_PKG_VERSION"),
-                    document.axis.mean_reversal_mm
-                );
-                print(axis_tables::sinumerik(&document.positions, &self.axis, &header)?)?;
+                let reversal = document.axis.mean_reversal_mm;
+                let units = format!("mm, mean of both directions; mean reversal error {reversal:.6} mm is not in it");
+                print(axis_tables::sinumerik(&deviations, &self.axis, &header(&units))?)?;
             }
             None if self.json => print(to_json(&document)?)?,
             None => print(text(&document.axis))?,

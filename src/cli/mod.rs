@@ -3,6 +3,7 @@
 //! stdout is for data, stderr for talk. Exit codes: 0 done; 1 done, but a limit that the campaign states is not met, or the
 //! result cannot be a robot; 2 could not run.
 
+mod axis_table;
 mod batch;
 mod check;
 mod compare;
@@ -68,6 +69,7 @@ enum Command {
     Uncertainty(uncertainty::Uncertainty),
     Kinematics(kinematics::Kinematics),
     Compensate(Box<compensate::Compensate>),
+    AxisTable(axis_table::AxisTable),
     Plan(plan::Plan),
     Iso230(iso230::Iso230),
     Iso9283(Box<iso9283::Iso9283>),
@@ -109,6 +111,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Uncertainty(command) => command.run(),
         Command::Kinematics(command) => command.run(),
         Command::Compensate(command) => command.run(),
+        Command::AxisTable(command) => command.run(),
         Command::Plan(command) => command.run(),
         Command::Iso230(command) => command.run(),
         Command::Iso9283(command) => command.run(),

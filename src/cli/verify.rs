@@ -111,7 +111,7 @@ impl Verify {
 /// Other kinds of observations are refused: they would be left out.
 fn only_points(observed: &TableFile) -> Result<(), Problems> {
     // the uncertainty of a row is that of its position
-    let others = kinds::COLUMNS.into_iter().filter(|name| *name != "u_mm");
+    let others = kinds::columns().filter(|name| *name != "u_mm");
     match others.into_iter().find(|name| observed.table.column(name).is_ok()) {
         Some(name) => {
             let message =

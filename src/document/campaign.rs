@@ -1,6 +1,7 @@
 //! `campaign.json`: what the campaign states about itself, the conditions of a test, and the presentation of the report.
 
 use super::DecisionRule;
+use crate::base::country::Country;
 use crate::base::pose::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -70,6 +71,9 @@ pub struct Issue {
     pub amends: Option<String>,
     /// Name and contact of the customer.
     pub customer: Option<String>,
+    /// Country in which the calibration was made, by ISO 3166-1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub country: Option<Country>,
     /// Date of issue.
     pub issued: Option<String>,
     /// Who authorises the report: name and function.

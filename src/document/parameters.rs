@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ParametersDocument {
-    /// `etalon/parameters/1`
+    /// `etalon/parameters/2`
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
@@ -50,6 +50,10 @@ pub struct ParametersDocument {
 }
 
 impl ParametersDocument {
+    /// What `schema` states. In `/1` the angles of the base of an arm in modified Denavit-Hartenberg parameters were successive turns; since
+    /// `/2` they are a rotation vector, as those of the other arms.
+    pub const SCHEMA: &str = "etalon/parameters/2";
+
     /// The identified parameters that the covariance has, in its order.
     pub fn identified(&self) -> impl Iterator<Item = &ParameterEntry> {
         let without: BTreeSet<&str> = self.covariance_without.iter().map(String::as_str).collect();

@@ -66,7 +66,7 @@ pub(super) fn identifier(name: &str) -> String {
 }
 
 /// Text that can neither end a comment, nor join lines, nor spell a trigraph.
-pub(super) fn comment(text: &str) -> String {
+pub(crate) fn comment(text: &str) -> String {
     let safe = |c: char| if c.is_ascii_alphanumeric() || " .,-_:()=+".contains(c) { c } else { '_' };
     text.chars().map(safe).collect()
 }

@@ -5,10 +5,10 @@
 
 use super::xml::{Element, element, leaf};
 use super::{Exporter, Given};
+use crate::base::country::Country;
 use crate::base::date::date;
-use crate::base::files;
 use crate::base::message::{Message, Result};
-use crate::document::{CampaignSummary, Conditions, Issue, ParameterEntry, to_json};
+use crate::document::{CampaignSummary, Conditions, Issue, ParameterEntry};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 /// XML, parameters with their covariance.
@@ -49,6 +49,8 @@ struct Stated<'a> {
 }
 
 const NOT_STATED: &str = "not stated";
+/// A code that ISO 3166-1 leaves to its users.
+const NO_COUNTRY: &str = "ZZ";
 
 impl<'a> Stated<'a> {
     fn new(given: &'a Given<'a>) -> Result<Self> {
@@ -66,7 +68,7 @@ impl<'a> Stated<'a> {
         };
         let begin = dates.first().ok_or_else(missing)?.clone();
         let end = dates.get(1).unwrap_or(&begin).clone();
-        let hash = files::sha256(&to_json(given.parameters)?);
+        let hash = given.sha256()?;
         let identifier = format!("draft-{}", hash.get(..32).unwrap_or_default());
         let conditions = summary.map(|summary| summary.conditions.clone()).unwrap_or_default();
         Ok(Self { given, conditions, identifier, begin, end })
@@ -81,8 +83,7 @@ impl<'a> Stated<'a> {
     }
 
     fn robot(&self) -> &str {
-        let name = self.given.name.unwrap_or(&self.given.parameters.robot);
-        self.conditions.robot.as_deref().unwrap_or(name)
+        self.conditions.robot.as_deref().unwrap_or(self.given.robot_name())
     }
 
     fn core_data(&self) -> Element {
@@ -92,8 +93,7 @@ impl<'a> Stated<'a> {
         // the laboratory is where nothing else is stated
         let laboratory = self.conditions.laboratory.as_ref().filter(|_| place.is_none());
         let core = [
-            // the code that ISO 3166-1 leaves to its users: no country is stated
-            Some(leaf("dcc:countryCodeISO3166_1", "ZZ")),
+            Some(leaf("dcc:countryCodeISO3166_1", issue.country.as_ref().map_or(NO_COUNTRY, Country::code))),
             Some(leaf("dcc:usedLangCodeISO639_1", "en")),
             Some(leaf("dcc:mandatoryLangCodeISO639_1", "en")),
             Some(leaf("dcc:uniqueIdentifier", &self.identifier)),
@@ -151,7 +151,7 @@ impl<'a> Stated<'a> {
         let statement =
             |name: &str, what: &str| element("dcc:statement", [text("dcc:name", name), text("dcc:declaration", what)]);
         let missing = [
-            ("country (ZZ)", true),
+            ("country (ZZ)", issue.country.is_none()),
             ("customer", issue.customer.is_none()),
             ("laboratory", self.conditions.laboratory.is_none()),
             ("responsible person", self.summary(|s| s.operator.as_ref()) == NOT_STATED),

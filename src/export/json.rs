@@ -12,11 +12,17 @@ pub(super) struct Json;
 #[derive(Serialize)]
 struct Controller<'a> {
     schema: &'static str,
+    etalon: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     warning: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    campaign: Option<&'a str>,
+    name: &'a str,
+    /// Its model.
     robot: &'a str,
+    /// sha256 of parameters.json.
+    parameters_sha256: String,
     parameters: BTreeMap<&'a str, Parameter<'a>>,
-    etalon: &'a str,
     /// sha256 by name
     inputs: &'a BTreeMap<String, String>,
 }
@@ -42,10 +48,13 @@ impl Exporter for Json {
         });
         let controller = Controller {
             schema: "etalon/controller/1",
-            warning: given.warning(),
-            robot: &document.robot,
-            parameters: parameters.collect(),
             etalon: &document.provenance.version,
+            warning: given.warning(),
+            campaign: given.summary.map(|summary| summary.name.as_str()),
+            name: given.robot_name(),
+            robot: &document.robot,
+            parameters_sha256: given.sha256()?,
+            parameters: parameters.collect(),
             inputs: &document.provenance.inputs,
         };
         let mut bytes = serde_json::to_vec_pretty(&controller)

@@ -93,7 +93,7 @@ impl Exporter for LinuxCncComponent {
         let back = inverse.map(|formula| modes(formula, pose)).unwrap_or_default();
         let forth = modes(direct, joints);
 
-        let mut out: String = given.header("mm, deg")?.iter().map(|line| format!("// {line}\n")).collect();
+        let mut out: String = given.header_of_code("mm, deg")?.iter().map(|line| format!("// {line}\n")).collect();
         out += "component etalonkins \"Kinematics with identified parameters\";\npin out bit dummy;\n";
         for mode in forth.iter().chain(&back) {
             let _ = writeln!(out, "modparam int {mode} = 1 \"1 or -1: assembly mode, branch of the working mode\";");

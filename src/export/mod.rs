@@ -37,7 +37,7 @@ use crate::base::message::{Message, Problems, Result, Severity};
 use crate::base::pose::{Pose, Vector};
 use crate::document::{CampaignSummary, ParameterEntry, ParameterStatus, ParametersDocument, to_json};
 use crate::math::robots::{Robot, Role};
-use c_header::comment;
+pub(crate) use c_header::comment;
 use std::collections::BTreeSet;
 
 /// One controller format.
@@ -131,30 +131,56 @@ impl<'a> Given<'a> {
         problems.check().map(|_| ())
     }
 
+    /// Name of the robot as its campaign has it; of parameters alone their model.
+    fn robot_name(&self) -> &'a str {
+        let named = self.name.or_else(|| self.summary?.robot.as_deref());
+        named.unwrap_or(&self.parameters.robot)
+    }
+
+    /// sha256 of parameters.json.
+    fn sha256(&self) -> Result<String> {
+        Ok(files::sha256(&to_json(self.parameters)?))
+    }
+
+    /// The first 128 bits of that hash as a UUID is written: the same parameters have the same identifier.
+    fn identifier(&self) -> Result<String> {
+        let hash = self.sha256()?;
+        let part = |from: usize, to: usize| hash.get(from..to).unwrap_or_default();
+        Ok([part(0, 8), part(8, 12), part(12, 16), part(16, 20), part(20, 32)].join("-"))
+    }
+
     /// Lines that begin a file: version, campaign, robot, units and the hash of `parameters.json`, in characters that end no comment.
-    fn header(&self, units: &str) -> Result<Vec<String>> {
-        let hash = files::sha256(&to_json(self.parameters)?);
+    ///
+    /// # Errors
+    /// Parameters that cannot be written as JSON.
+    pub fn header(&self, units: &str) -> Result<Vec<String>> {
         let mut lines = vec![format!("Written by etalon {}", self.parameters.provenance.version)];
         lines.extend(self.warning());
         lines.extend(self.summary.map(|summary| format!("campaign: {}", summary.name)));
-        let named = self.name.or_else(|| self.summary?.robot.as_deref());
-        lines.push(format!("robot: {}", named.unwrap_or(&self.parameters.robot)));
+        lines.push(format!("robot: {}", self.robot_name()));
         lines.push(format!("units: {units}"));
-        lines.push(format!("sha256 of parameters.json: {hash}"));
+        lines.push(format!("sha256 of parameters.json: {}", self.sha256()?));
         Ok(lines.iter().map(|line| comment(line)).collect())
     }
 
-    /// [`Self::header`] of a format that has joints and links alone: it names the bending and coupling that it cannot hold.
+    /// [`Self::header`] of a format that has joints and links alone: it names the effects that it cannot hold.
     fn header_of_geometry(&self, units: &str) -> Result<Vec<String>> {
-        let effect = |entry: &&ParameterEntry| {
-            entry.value != 0.0
-                && ["compliance_", "coupling_", "harmonic_"].iter().any(|kind| entry.name.starts_with(kind))
-        };
-        let left_out = self.parameters.parameters.iter().filter(effect).map(|entry| entry.name.as_str());
-        let left_out = left_out.collect::<Vec<_>>().join(", ");
+        self.header_without(&["compliance_", "coupling_", "harmonic_", "backlash_"], "not in this format", units)
+    }
+
+    /// [`Self::header`] of code that computes from joint values alone: it names the backlash that it cannot follow.
+    fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
+        self.header_without(&["backlash_"], "joints are taken in the middle of their backlash, not in this code", units)
+    }
+
+    /// [`Self::header`] and the parameters, of those whose names begin with `kinds`, that are left out.
+    fn header_without(&self, kinds: &[&str], why: &str, units: &str) -> Result<Vec<String>> {
+        let of = |entry: &&ParameterEntry| entry.value != 0.0 && kinds.iter().any(|kind| entry.name.starts_with(kind));
+        let left_out: Vec<&str> =
+            self.parameters.parameters.iter().filter(of).map(|entry| entry.name.as_str()).collect();
         let mut lines = self.header(units)?;
         if !left_out.is_empty() {
-            lines.push(comment(&format!("not in this format: {left_out}")));
+            lines.push(comment(&format!("{why}: {}", left_out.join(", "))));
         }
         Ok(lines)
     }

@@ -4,9 +4,7 @@
 use super::code::{Kind, Unit, Variable, scl, units};
 use super::xml::{Element, block, element, leaf};
 use super::{Exporter, Given, comment};
-use crate::base::files;
 use crate::base::message::{Message, Result};
-use crate::document::to_json;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -54,10 +52,7 @@ impl Exporter for TwinCat {
             let _ = writeln!(list, "\t{name} : LREAL := {value}; // {}", comment(unit));
         }
         list += "END_VAR\n";
-        // the same parameters have the same number: the first 128 bits of their hash
-        let hash = files::sha256(&to_json(given.parameters)?);
-        let part = |from: usize, to: usize| hash.get(from..to).unwrap_or_default();
-        let id = [part(0, 8), part(8, 12), part(12, 16), part(16, 20), part(20, 32)].join("-");
+        let id = given.identifier()?;
         let text = format!(
             "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<TcPlcObject Version=\"1.1.0.1\" ProductVersion=\"3.1.4024.12\">\n  \
              <GVL Name=\"GVL_Etalon\" Id=\"{{{id}}}\">\n    <Declaration><![CDATA[{list}]]></Declaration>\n  </GVL>\n</TcPlcObject>\n"
@@ -72,7 +67,7 @@ impl Exporter for PlcOpen {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let header = given.header("mm, deg, 1")?;
+        let header = given.header_of_code("mm, deg, 1")?;
         let version = &given.parameters.provenance.version;
         // PLCopen asks for times, and no clock is looked at
         let time = "1980-01-01T00:00:00";
@@ -155,7 +150,7 @@ impl Exporter for Scl {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let mut out: String = given.header("mm, deg, 1")?.iter().map(|line| format!("// {line}\n")).collect();
+        let mut out: String = given.header_of_code("mm, deg, 1")?.iter().map(|line| format!("// {line}\n")).collect();
         out += "DATA_BLOCK \"Etalon\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\nNON_RETAIN\n   STRUCT\n";
         for Constant { name, value, unit } in constants(given)? {
             let _ = writeln!(out, "      {name} : LReal := {value};   // {}", comment(unit));

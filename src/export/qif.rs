@@ -3,9 +3,8 @@
 
 use super::xml::{Element, element, leaf};
 use super::{Exporter, Given};
-use crate::base::files;
 use crate::base::message::{Message, Result};
-use crate::document::{ParameterEntry, to_json};
+use crate::document::{ParameterEntry, ParametersDocument};
 
 /// XML, a characteristic for each parameter.
 pub(super) struct Qif;
@@ -26,16 +25,14 @@ impl Exporter for Qif {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let parameters = &given.parameters.parameters;
-        let hash = files::sha256(&to_json(given.parameters)?);
-        let part = |from: usize, to: usize| hash.get(from..to).unwrap_or_default();
-        let identifier = [part(0, 8), part(8, 12), part(12, 16), part(16, 20), part(20, 32)].join("-");
+        let identifier = given.identifier()?;
         let application =
             element("Application", [leaf("Name", format!("etalon {}", given.parameters.provenance.version))]);
         let scope = given.warning().unwrap_or_else(|| {
             "Identified kinematic parameters, standard uncertainties (k = 1); QIF holds no covariance".to_owned()
         });
         let organization = element("Organization", [leaf("OtherStandardsOrganization", "etalon")]);
-        let standard = [organization, leaf("Designator", "parameters.json, etalon/parameters/1")];
+        let standard = [organization, leaf("Designator", format!("parameters.json, {}", ParametersDocument::SCHEMA))];
         let standard = element("Standard", standard).with("id", STANDARD);
         let root = element(
             "QIFDocument",

@@ -54,7 +54,8 @@ impl Exporter for RepRapFiveBar {
         }
         let _ = writeln!(
             out,
-            "; L2, both elbows outwards, is the only working mode; B: the switches are at encoder value zero, else add theirs"
+            "; L2, both elbows outwards and the tool beyond the line from the left to the right one, is the only working and assembly mode; \
+             B: the switches are at encoder value zero, else add theirs"
         );
         let home = |delta: f64| delta.to_degrees() + phi_deg;
         let _ = writeln!(

@@ -31,7 +31,7 @@ fn parameter(name: &str, unit: &str, value: f64) -> ParameterEntry {
 fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
     let termination = Termination::StepVanished;
     ParametersDocument {
-        schema: "etalon/parameters/1".to_owned(),
+        schema: ParametersDocument::SCHEMA.to_owned(),
         robot: "prexyt".to_owned(),
         parameters,
         sketches: vec![],
@@ -415,15 +415,20 @@ fn compilers_read_the_same_numbers_whatever_the_names() {
 }
 
 #[test]
-fn bending_and_coupling_that_a_format_cannot_hold_are_named() {
+fn effects_that_a_format_cannot_hold_are_named() {
     let with = |value: f64| {
         let all = vec![
             parameter("a_2", "mm", 270.1),
             parameter("compliance_2_3", "deg", value),
             parameter("coupling_5_4", "1", value),
+            parameter("backlash_3", "deg", value),
         ];
-        Given::parameters(&document(all)).header_of_geometry("m, rad").unwrap().join("\n")
+        let document = document(all);
+        let given = Given::parameters(&document);
+        [given.header_of_geometry("m, rad"), given.header_of_code("m, rad")].map(|lines| lines.unwrap().join("\n"))
     };
-    assert!(with(0.01).contains("not in this format: compliance_2_3, coupling_5_4"), "{}", with(0.01));
-    assert!(!with(0.0).contains("not in this format"));
+    let [geometry, code] = with(0.01);
+    assert!(geometry.ends_with("not in this format: compliance_2_3, coupling_5_4, backlash_3"), "{geometry}");
+    assert!(code.ends_with("not in this code: backlash_3"), "{code}");
+    assert!(with(0.0).iter().all(|header| !header.contains("not in this")));
 }

@@ -23,7 +23,7 @@ pub(crate) use export::{Named as LabelNames, Pattern as LabelPattern};
 pub use formats::{Format, qif};
 pub(crate) use input::{bytes_of, read_text, text_of};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, Standstill, is_joint_column, standstill};
-pub(crate) use logs::{is_common_column, meaning as log_column, read as log, write as write_log};
+pub(crate) use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
 pub use points::{Point, table};
 pub use propose::{propose, propose_file};
 pub use tables::observations::{Layout, observations, observations_with};

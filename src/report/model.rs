@@ -7,7 +7,6 @@ use super::words::Words;
 use crate::base::message::one_line;
 use crate::base::pose_name::PoseName;
 use serde::{Serialize, Serializer};
-use std::mem::take;
 
 /// Rows of a table that a page shows; the workbook and the documents have all.
 pub(super) const ROWS: usize = 500;
@@ -39,8 +38,9 @@ pub(crate) struct Contents {
 }
 
 impl Contents {
-    /// The same with the decimal mark of a language: in cells, headlines and pictures; sentences have theirs.
+    /// The same in one notation a column and with the decimal mark of a language: in cells, headlines and pictures; sentences have theirs.
     pub fn in_language(mut self, words: &Words) -> Self {
+        self.sections.iter_mut().flat_map(|s| &mut s.blocks).for_each(Block::one_notation);
         if words.number("0.1") == "0.1" {
             return self;
         }
@@ -231,6 +231,8 @@ pub(crate) struct Figure {
     /// name that the figures before and after share, and which of them this is; empty where there is no other
     pub pair: String,
     pub side: &'static str,
+    /// what the two are called; "before" and "after" where this is absent
+    pub sides: Option<[&'static str; 2]>,
     /// its colours have a scale that both figures share, and one of its own
     pub scaled: bool,
     /// the numbers behind it; empty where another table has them
@@ -267,12 +269,22 @@ impl Cell {
 
     /// With the decimal mark of a language.
     fn numbers(&mut self, words: &Words) {
+        if let Some(shown) = self.shown_mut() {
+            *shown = words.number(shown);
+        }
+    }
+
+    /// The numbers as a page shows them.
+    fn shown_mut(&mut self) -> Option<&mut String> {
         match self {
             Self::Number { value, shown } => {
-                *shown = words.number(&if shown.is_empty() { number::significant(*value, 6) } else { take(shown) });
+                if shown.is_empty() {
+                    *shown = number::significant(*value, 6);
+                }
+                Some(shown)
             }
-            Self::Numbers(shown) => *shown = words.number(shown),
-            _ => {}
+            Self::Numbers(shown) => Some(shown),
+            _ => None,
         }
     }
 
@@ -691,6 +703,27 @@ impl Block {
         Self::Facts { rows: rows.into_iter().filter(|(_, said)| !said.is_missing()).map(fact).collect() }
     }
 
+    /// Every column of its tables in one notation.
+    fn one_notation(&mut self) {
+        match self {
+            Self::Table(table) => {
+                for i in table.on_page() {
+                    number::one_notation(table.rows.iter_mut().filter_map(|row| row[i].shown_mut()).collect());
+                }
+            }
+            Self::Figures { figures } => {
+                for figure in figures {
+                    let columns = figure.rows.iter().map(Vec::len).max().unwrap_or(0);
+                    for i in 0..columns {
+                        number::one_notation(figure.rows.iter_mut().filter_map(|row| row.get_mut(i)).collect());
+                    }
+                }
+            }
+            Self::Aside { blocks, .. } => blocks.iter_mut().for_each(Self::one_notation),
+            _ => {}
+        }
+    }
+
     /// With the decimal mark of a language.
     fn numbers(&mut self, words: &Words) {
         match self {
@@ -699,7 +732,7 @@ impl Block {
             Self::Aside { blocks, .. } => blocks.iter_mut().for_each(|block| block.numbers(words)),
             Self::Figures { figures } => {
                 for figure in figures {
-                    figure.rows.iter_mut().flatten().for_each(|value| *value = words.value(take(value)));
+                    figure.rows.iter_mut().flatten().for_each(|value| *value = words.value(std::mem::take(value)));
                     figure.svg = svg_numbers(&figure.svg, words);
                 }
             }

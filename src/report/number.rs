@@ -69,6 +69,28 @@ pub(crate) fn p_value(p: f64) -> String {
     if shown.starts_with('<') { format!("p {shown}") } else { format!("p = {shown}") }
 }
 
+/// The numbers of a column in one notation: decimals where none is below 1e-9, else powers of ten. What is not a number stays.
+pub(super) fn one_notation(column: Vec<&mut String>) {
+    let power = |text: &str| text.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let is_number = |text: &&mut String| text.parse::<f64>().is_ok_and(|v| v.is_finite() && v != 0.0);
+    let numbers: Vec<&mut String> = column.into_iter().filter(is_number).collect();
+    let powers: Vec<i32> = numbers.iter().filter_map(|text| power(text)).collect();
+    if powers.len() == numbers.len() {
+        return;
+    }
+    let decimal = powers.iter().all(|p| (-9..15).contains(p));
+    for text in numbers {
+        let (Ok(value), sign) = (text.parse::<f64>(), if text.starts_with('+') { "+" } else { "" }) else { continue };
+        let digits = text.split('e').next().unwrap_or_default().trim_start_matches(['+', '-', '0', '.']);
+        let digits = digits.bytes().filter(u8::is_ascii_digit).count().max(1);
+        *text = match power(text) {
+            Some(p) if decimal => sign.to_owned() + &fixed(value, (digits as i32 - 1 - p).max(0) as usize),
+            None if !decimal => format!("{sign}{value:.*e}", digits - 1),
+            _ => continue,
+        };
+    }
+}
+
 /// The largest of 1, 2 or 5 times a power of ten that is at most `value`.
 pub(super) fn round_down_125(value: f64) -> f64 {
     let Some(exponent) = magnitude(value, 17) else { return 1.0 };
@@ -96,6 +118,19 @@ pub(super) fn shown(unit: &str, largest: f64) -> Shown {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_column_has_one_notation() {
+        let shown = |column: &[&str]| {
+            let mut column: Vec<String> = column.iter().map(|&c| c.to_owned()).collect();
+            one_notation(column.iter_mut().collect());
+            column
+        };
+        assert_eq!(shown(&["0.83", "1.2e-6", "+4.70e-6", "", "—"]), ["0.83", "0.0000012", "+0.00000470", "", "—"]);
+        assert_eq!(shown(&["2.882", "7.8e-16", "0", "-0.050"]), ["2.882e0", "7.8e-16", "0", "-5.0e-2"]);
+        assert_eq!(shown(&["1.2e-6", "4e-16"]), ["1.2e-6", "4e-16"]);
+        assert_eq!(shown(&["1.5", "set"]), ["1.5", "set"]);
+    }
 
     #[test]
     fn values_show_the_second_digit_of_their_uncertainty() {

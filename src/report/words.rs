@@ -21,7 +21,10 @@ pub(crate) fn isolated(name: &str) -> String {
 
 /// Words that come from documents, not from the text of this program's reports.
 #[cfg(test)]
-const OF_DOCUMENTS: [&str; 56] = [
+const OF_DOCUMENTS: [&str; 59] = [
+    "before",
+    "after",
+    "nominal minus identified",
     "zeros",
     "zeros of the joints",
     "geometry",

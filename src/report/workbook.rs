@@ -5,7 +5,7 @@ use super::model::{Block, Cell, Columns, Contents, Fact, Table};
 use super::number;
 use super::words::Words;
 use crate::base::message::{Message, Result};
-use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
+use rust_xlsxwriter::{Chart, ChartType, Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
 /// What Excel holds on one sheet, less the header and a line on what is left out.
 const ROWS: usize = 1_048_574;
@@ -16,6 +16,22 @@ const WHOLE: u64 = 1 << 53;
 const WIDTH: std::ops::RangeInclusive<usize> = 8..=60;
 /// Rows that are looked at for the width of a column.
 const LOOKED_AT: usize = 1000;
+
+/// Colours of verdicts, by their English terms.
+const VERDICTS: [(&str, u32); 3] = [("met", 0x00C6_EFCE), ("not met", 0x00FF_C7CE), ("undecided", 0x00FF_EB9C)];
+
+/// The charts: the sheet, its title, the column across, and those that are drawn against it.
+const CHARTS: [(&str, ChartType, &str, &str, &[&str]); 3] = [
+    (
+        "Errors by pose",
+        ChartType::Line,
+        "Largest position error of each pose in mm",
+        "pose",
+        &["position before, max [mm]", "position after, max [mm]"],
+    ),
+    ("Parameters", ChartType::Column, "Change of each parameter over its standard uncertainty", "name", &["change/u"]),
+    ("ISO 9283 poses", ChartType::Column, "AP and RP of each pose in mm", "pose", &["AP [mm]", "RP [mm]"]),
+];
 
 /// One sheet: title and unit of its columns, and its rows.
 struct Sheet<'a> {
@@ -115,6 +131,15 @@ fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxErro
                 Cell::Count(count) if count.unsigned_abs() <= WHOLE => {
                     page.write_number_with_format(i, j, *count as f64, number)?
                 }
+                Cell::Term { english, .. } if VERDICTS.iter().any(|(verdict, _)| verdict == english) => {
+                    let colour = VERDICTS.iter().find(|(verdict, _)| verdict == english).map_or(0, |v| v.1);
+                    page.write_string_with_format(
+                        i,
+                        j,
+                        english,
+                        &text.clone().set_background_color(Color::RGB(colour)),
+                    )?
+                }
                 // a text is written as text, also where it looks like a formula, a number or a link
                 cell => page.write_string_with_format(i, j, printable(&cell.plain()), &text)?,
             };
@@ -127,6 +152,24 @@ fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxErro
     page.set_freeze_panes(1, 0)?;
     page.autofilter(0, 0, written, last)?;
     page.set_landscape().set_print_fit_to_pages(1, 0).set_repeat_rows(0, 0)?;
+    draw(page, sheet, written)
+}
+
+/// The chart of a sheet, beside its table.
+fn draw(page: &mut Worksheet, sheet: &Sheet, rows: u32) -> std::result::Result<(), XlsxError> {
+    let Some((name, kind, title, across, up)) = CHARTS.into_iter().find(|c| c.0 == sheet.name && rows > 0) else {
+        return Ok(());
+    };
+    let column = |title: &str| (0u16..).zip(&sheet.columns).find(|(_, c)| c.0 == title).map(|(i, _)| i);
+    let Some(across) = column(across) else { return Ok(()) };
+    let mut chart = Chart::new(kind);
+    for up in up.iter().filter_map(|title| column(title)) {
+        let series = chart.add_series().set_name((name, 0, up));
+        series.set_categories((name, 1, across, rows, across)).set_values((name, 1, up, rows, up));
+    }
+    chart.title().set_name(title);
+    chart.set_width(720).set_height(360);
+    page.insert_chart(1, sheet.columns.len() as u16 + 1, &chart)?;
     Ok(())
 }
 

@@ -209,9 +209,11 @@ fn checked(path: &Path, bytes: &[u8]) -> Result<ParametersDocument> {
 fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T> {
     let value: serde_json::Value = serde_json::from_slice(bytes).map_err(|e| wrong(path, &e.to_string()))?;
     let found = value.get("schema").and_then(|schema| schema.as_str()).unwrap_or("none");
-    if name != "campaign" && found != format!("etalon/{name}/1") {
+    let expected =
+        if name == "parameters" { ParametersDocument::SCHEMA.to_owned() } else { format!("etalon/{name}/1") };
+    if name != "campaign" && found != expected {
         let message = wrong(path, &format!("its schema is {found:?}"));
-        return Err(message.expected(format!("\"etalon/{name}/1\"")).into());
+        return Err(message.expected(format!("{expected:?}")).into());
     }
     Ok(serde_json::from_value(value).map_err(|e| wrong(path, &e.to_string()))?)
 }

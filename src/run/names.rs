@@ -119,7 +119,8 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
             problems.0.push(message.expected("letters, digits, `_` and `-`, another name for each log"));
         }
         let known = |key: &str| {
-            import::is_common_column(key) || robot.joints().iter().any(|joint| import::is_joint_column(key, joint))
+            import::is_common_column(key)
+                || robot.joints().iter().any(|j| import::is_joint_column(key, j) || key == j.direction_column())
         };
         for key in log.columns.keys().filter(|key| !known(key.get_ref()) && import::log_column(key.get_ref()).is_some())
         {

@@ -29,6 +29,7 @@ pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
 }
 
 fn issue(stated: &ReportDefinition) -> Issue {
-    let ReportDefinition { number, amends, customer, issued, authorised_by, external_results, .. } = stated.clone();
-    Issue { number, amends, customer, issued, authorised_by, external_results }
+    let ReportDefinition { number, amends, customer, country, issued, authorised_by, external_results, .. } =
+        stated.clone();
+    Issue { number, amends, customer, country, issued, authorised_by, external_results }
 }

@@ -107,10 +107,17 @@ impl Scene<'_> {
         self.truth.unmodelled.as_ref().map_or(p, |u| u.moved(self, p, turn.time_s() / 3600.0))
     }
 
-    /// True minus stated joint values, coming from the pose before.
+    /// True minus stated joint values: each joint comes from where it was before its last motion.
     fn joint_errors(&self, turn: Turn, stated: &[f64]) -> Vec<f64> {
-        let before = self.turn((turn.number - 1).max(1)).pose as usize - 1;
-        self.truth.unmodelled.as_ref().map_or_else(Vec::new, |u| u.joint_errors(self, stated, &self.joints[before]))
+        let Some(unmodelled) = &self.truth.unmodelled else { return Vec::new() };
+        let here = &self.joints[turn.pose as usize - 1];
+        let first = (turn.number - self.joints.len() as i64).max(1);
+        let before = |j: usize| {
+            let mut earlier = (first..turn.number).rev().map(|n| self.joints[self.turn(n).pose as usize - 1][j]);
+            earlier.find(|q| *q != here[j]).unwrap_or(stated[j])
+        };
+        let before: Vec<f64> = (0..stated.len()).map(before).collect();
+        unmodelled.joint_errors(self, stated, &before)
     }
 }
 

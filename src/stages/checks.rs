@@ -111,11 +111,12 @@ fn trend(poses: &BTreeMap<PoseName, Mean>, k: usize) -> Option<Trend> {
     }
     let of = |f: &dyn Fn(&Mean) -> f64| DVector::from_iterator(count, poses.values().map(|p| f(p) / p.count));
     let z = of(&|p| *p.against.get(k).unwrap_or(&f64::NAN));
+    let (mean, largest) = (z.mean(), z.amax().max(1e-300));
     let constant = DVector::repeat(count, 1.0 / (count as f64).sqrt());
     // orthonormal polynomials of the quantity: those that these poses determine
     let mut basis = vec![constant];
     for power in 1..=2 {
-        let column = z.map(|v| ((v - z.mean()) / z.amax().max(1e-300)).powi(power));
+        let column = z.map(|v| ((v - mean) / largest).powi(power));
         let rest = basis.iter().fold(column.clone(), |rest, u| &rest - u * u.dot(&rest));
         if rest.norm() > 1e-6 * column.norm() && rest.norm() > 1e-12 {
             basis.push(rest.normalize());

@@ -6,7 +6,7 @@ use crate::base::message::{Message, Place, Problems, Result, count};
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use crate::base::table;
-use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Settings, Surface, joint_column};
+use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Settings, Surface, joint_values};
 use crate::math::robots::{Joint, Quantity, Robot};
 use crate::stages::orientations::{AngleOrder, Orientations, unstated};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
@@ -14,9 +14,8 @@ use std::collections::BTreeSet;
 
 /// Kinds of rows.
 const KINDS: [&str; 8] = ["point", "pose", "distance", "contact", "plane", "line", "sphere", "joints"];
-/// Columns of all kinds beside those of positions.
-pub const COLUMNS: [&str; 31] = [
-    "kind",
+/// Columns of numbers of all kinds beside those of positions.
+const NUMBERS: [&str; 22] = [
     "qw",
     "qx",
     "qy",
@@ -33,20 +32,12 @@ pub const COLUMNS: [&str; 31] = [
     "a_rad",
     "b_rad",
     "c_rad",
-    "socket",
-    "other",
-    "plane",
-    LINE,
-    "sphere",
-    "axis",
-    "joint",
     "value_deg",
     "value_mm",
     "distance_mm",
     "offset_mm",
     "u_mm",
     "urot_deg",
-    STATION,
 ];
 /// Column of the name of a line: `line` are the lines of the file.
 const LINE: &str = "line_name";
@@ -54,6 +45,11 @@ const LINE: &str = "line_name";
 const STATION: &str = "station";
 /// Axes of the world.
 const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Columns of all kinds beside those of positions, to which the target belongs.
+pub fn columns<'a>() -> impl Iterator<Item = &'a str> {
+    table::TEXTS.into_iter().filter(|name| *name != "target").chain(NUMBERS)
+}
 
 /// What is stated of all rows: standard uncertainties of those that have none, and the order of angles.
 #[derive(Clone, Copy, Debug, Default)]
@@ -118,6 +114,16 @@ fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
     Ok(poses.is_null().iter().map(|null| null == Some(true)).collect())
 }
 
+/// A warning where an instrument measured positions, and joints move the base of the chain.
+fn moving_base(robot: &dyn Robot) -> Option<Message> {
+    let names = robot.joints_of_base().join(", ");
+    let what = format!(
+        "`base_link` is moved by the joints {names}: positions are taken as measured in a frame that moves with it"
+    );
+    let hint = "if the instrument is fixed in the room, let `base_link` be the root of the URDF";
+    (!names.is_empty()).then(|| Message::warning(what).to_decide().hint(hint))
+}
+
 /// Observations of `robot` from a table of any kinds; what they refer to is added to its parameters, and what is not the position of
 /// a target to `settings`. What was taken from the measurement is in `messages`.
 pub fn observed(
@@ -134,6 +140,7 @@ pub fn observed(
         && !Orientations::are_in(observations)
         && !fixed_rows(observations)?.contains(&true)
     {
+        messages.extend(moving_base(robot));
         return Ok(Observed { observations: Observation::from_table(robot, observations, messages)?, settings });
     }
     let rows = Rows::new(robot, observations, without)?;
@@ -166,7 +173,10 @@ pub fn observed(
         (0..observations.height()).map(|row| rows.has_position(row)),
     );
     let observations = match has_position.any() {
-        true => Observation::from_table(robot, &observations.filter(&has_position)?, messages)?,
+        true => {
+            messages.extend(moving_base(robot));
+            Observation::from_table(robot, &observations.filter(&has_position)?, messages)?
+        }
         false => Vec::new(),
     };
     if !angles.is_empty() && without.order.is_none() {
@@ -222,11 +232,6 @@ impl Rows {
             true => table::texts(observations, name),
             false => Ok(vec![String::new(); height]),
         };
-        let mut joints = Vec::new();
-        for joint in robot.joints() {
-            let (column, factor) = joint_column(joint, observations)?;
-            joints.push(table::numbers(observations, &column)?.into_iter().map(|v| factor * v).collect::<Vec<f64>>());
-        }
         let coordinates = table::XYZ.map(|name| numbers(name, f64::NAN));
         let [x, y, z] = coordinates;
         let (x, y, z) = (x?, y?, z?);
@@ -247,7 +252,7 @@ impl Rows {
             robot_targets: robot.targets().to_vec(),
             xyz: (0..height).map(|i| [x[i], y[i], z[i]]).collect(),
             orientations: Orientations::new(observations)?,
-            joints: (0..height).map(|row| joints.iter().map(|j| j[row]).collect()).collect(),
+            joints: joint_values(robot, observations, &[])?,
             stations: other_stations(texts(STATION)?, &x),
             sockets: texts("socket")?,
             others: texts("other")?,

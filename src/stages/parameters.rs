@@ -53,7 +53,7 @@ pub fn parameters_document(
     };
     let covariance = found.covariance.as_ref().map(outward).unwrap_or_default();
     ParametersDocument {
-        schema: "etalon/parameters/1".to_owned(),
+        schema: ParametersDocument::SCHEMA.to_owned(),
         robot: robot.model().to_owned(),
         parameters: parameters.collect(),
         sketches: robot.sketches(),

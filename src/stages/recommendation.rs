@@ -305,8 +305,15 @@ struct Change {
 }
 
 /// All effects, the plainer first.
-const ALL: [Effect; 6] =
-    [Effect::Zeros, Effect::Geometry, Effect::Gains, Effect::Harmonics, Effect::Coupling, Effect::Bending];
+const ALL: [Effect; 7] = [
+    Effect::Zeros,
+    Effect::Geometry,
+    Effect::Gains,
+    Effect::Harmonics,
+    Effect::Backlash,
+    Effect::Coupling,
+    Effect::Bending,
+];
 
 impl Tried {
     fn mean_square(&self) -> f64 {
@@ -367,6 +374,7 @@ fn meaning(chosen: &[Effect], parameters: &[ParameterVerdict], errors: &HeldOutE
         Effect::Geometry => "geometry",
         Effect::Gains => "gains",
         Effect::Harmonics => "harmonics of the transmissions",
+        Effect::Backlash => "backlash",
         Effect::Coupling => "coupling",
         Effect::Bending => "bending",
     };

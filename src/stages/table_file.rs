@@ -1,7 +1,7 @@
 //! A table that a command is given, or a campaign names: every one is read here.
 
 use crate::base::files::{self, Stamp};
-use crate::base::message::{Problems, Result};
+use crate::base::message::{Message, Problems, Result};
 use crate::base::table;
 use crate::campaign::{Campaign, ObservationsDefinition};
 use crate::document::Source;
@@ -54,6 +54,11 @@ impl TableFile {
         Ok(Self { table: table(&name, &text)?, name, text })
     }
 
+    /// The text that it was read from.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Takes the rows out for which `left_out` is true.
     pub fn leave_out(&mut self, left_out: &[bool]) -> Result<()> {
         if left_out.contains(&true) {
@@ -100,6 +105,14 @@ impl CampaignTables<'_> {
 
     /// The table of observations.
     pub fn observations(&mut self, stated: &ObservationsDefinition) -> Result<TableFile> {
+        if let Some(key) = stated.meaningless_beside_sheet() {
+            let message = Message::error(format!("`{key}` means nothing for a sheet of a workbook"));
+            let place = self.campaign.place_of(&["observations", key]);
+            return Err(message
+                .at(place)
+                .hint(format!("remove `{key}`: cells of a workbook are read as they are"))
+                .into());
+        }
         self.listed(&stated.file, "table", "observations", |path, bytes| {
             TableFile::observations(path, &bytes, stated.layout(), stated.encoding, stated.sheet.as_deref())
         })

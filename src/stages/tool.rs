@@ -169,8 +169,8 @@ impl<'a> Expected<'a> {
 }
 
 /// What the numbers are made of, in words.
-const MADE_OF: &str = "before: predicted with nominal minus with identified parameters; after: expected size (k = 1), from the covariance of \
-                       the parameters, the tolerance of those that the data do not determine, what the model leaves out beyond the \
+const MADE_OF: &str = "nominal minus identified: difference of the positions that both sets of parameters predict; expected: size (k = 1), from \
+                       the covariance of the parameters, the tolerance of those that the data do not determine, what the model leaves out beyond the \
                        instrument, and the place of the point on the tool";
 /// Joint values beyond those of the calibration by less than this are within them, mm or rad.
 const SAME: f64 = 1e-9;

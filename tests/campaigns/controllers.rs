@@ -3,8 +3,10 @@
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::{Campaign, read_robot};
-use etalon::document::ParametersDocument;
+use etalon::document::{CampaignSummary, ParametersDocument};
+use etalon::export::{self, Description, Given};
 use etalon::math::robots::{Robot, Role};
+use std::path::Path;
 use std::process::Command;
 
 pub fn etalon(arguments: &[&str]) -> (Option<i32>, String) {
@@ -23,7 +25,7 @@ pub fn parameters(scratch: &Scratch, robot: &dyn Robot, values: &[f64]) -> Strin
     };
     let all: Vec<_> = robot.parameters().iter().zip(values).map(entry).collect();
     let document = serde_json::json!({
-        "schema": "etalon/parameters/1", "robot": robot.model(), "parameters": all, "covariance": [],
+        "schema": "etalon/parameters/2", "robot": robot.model(), "parameters": all, "covariance": [],
         "residuals": {
             "kind": "targets", "count": 0, "rms": 0.0, "max": 0.0, "degrees_of_freedom": 0, "stated_standard_uncertainty_mm": null,
             "common_standard_uncertainty_mm": null, "chi_square": null, "uncertainties_from": "instrument", "uncertainties_enlarged_by": 1.0
@@ -50,6 +52,41 @@ pub fn disturbed(robot: &dyn Robot, gains: &[&str]) -> Vec<f64> {
         _ => p.nominal + noise.uniform(0.01),
     };
     robot.parameters().iter().map(&mut value).collect()
+}
+
+/// Direct kinematics of the URDF in Python, which shares nothing with the program.
+#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
+fn reads_as_the_identified_robot(urdf: &Path, robot: &dyn Robot, values: &[f64]) {
+    let arm = robot.kinematics().unwrap();
+    let mut noise = etalon::base::noise::Noise::new(19, 10);
+    let cases: Vec<Vec<f64>> = (0..50)
+        .map(|_| (0..7).map(|i| if i == 0 { 400.0 + noise.uniform(390.0) } else { noise.uniform(2.0) }).collect())
+        .collect();
+    let line = |q: &Vec<f64>| {
+        let value = |(joint, q): (&etalon::math::robots::Joint, &f64)| {
+            let metres = joint.quantity.unit() == "mm";
+            (joint.name.clone(), serde_json::Value::from(if metres { q / 1000.0 } else { *q }))
+        };
+        serde_json::Value::Object(arm.joints().iter().zip(q).map(value).collect()).to_string() + "\n"
+    };
+    let input = urdf.with_file_name("joints.jsonl");
+    std::fs::write(&input, cases.iter().map(line).collect::<String>()).unwrap();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support/urdf_direct.py");
+    let numpy = Command::new("python3").args(["-c", "import numpy"]).output();
+    if !numpy.is_ok_and(|output| output.status.success()) {
+        return println!("skipped: there is no `numpy`");
+    }
+    let mut reader = Command::new("python3");
+    let reader = reader.arg("-B").arg(script).arg(urdf).args(["base_link", "tool"]);
+    let output = reader.stdin(std::fs::File::open(input).unwrap()).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(read.lines().count(), cases.len());
+    for (line, q) in read.lines().zip(&cases) {
+        let at: Vec<f64> = line.split(' ').map(|v| v.parse().unwrap()).collect();
+        let ours = arm.tool_pose(values, q).unwrap().translation_mm;
+        assert!(norm(minus([at[0], at[1], at[2]], ours)) < 1e-9, "{at:?} {ours:?}");
+    }
 }
 
 #[test]
@@ -93,15 +130,7 @@ fn a_urdf_with_calibrated_origins_is_the_identified_robot() {
             assert!(off < 1e-9, "{off}");
         }
     }
-    // another reader: every joint, its attributes as numbers
-    let script = "import sys, xml.etree.ElementTree as E\nfor o in E.parse(sys.argv[1]).getroot().iterfind('joint/origin'):\n  \
-                  [float(v) for k in ('xyz', 'rpy') if k in o.attrib for v in o.attrib[k].split()]\nprint('read')";
-    match Command::new("python3").args(["-c", script]).arg(out.join("calibrated.urdf")).output() {
-        Ok(read) => {
-            assert!(String::from_utf8_lossy(&read.stdout).contains("read"), "{}", String::from_utf8_lossy(&read.stderr))
-        }
-        Err(_) => println!("skipped: there is no `python3`"),
-    }
+    reads_as_the_identified_robot(&out.join("calibrated.urdf"), robot.as_ref(), &values);
     // what failed its checks is written by force alone, and says so
     let (folder, lost) = (out.display().to_string(), std::fs::read_to_string(&found).unwrap());
     std::fs::write(&found, lost.replace("step_vanished", "lost_patience")).unwrap();
@@ -221,6 +250,109 @@ fn genserkins_has_the_axes_of_the_identified_arm() {
             let reached = (0..6).fold(base, link).then(&flange);
             let off = norm(minus(reached.translation_mm, robot.position(&values, &q, 0)));
             assert!(off < 1e-9, "{off}: {text}");
+        }
+    }
+}
+
+/// A robot that a format holds.
+fn robot_of(format: &str) -> &'static str {
+    match format {
+        "urdf" => "samples/column-arm/robot.toml",
+        "linuxcnc-hexapod" => "samples/hexapod/robot.toml",
+        "linuxcnc-delta" | "klipper-delta" | "reprap-delta" => "docs/keys/robot-delta_linear.toml",
+        "reprap-five-bar" => "samples/dextar/robot.toml",
+        "galil" => "samples/prexyt-cmm/robot.toml",
+        _ => "samples/abb-irb120/robot.toml",
+    }
+}
+
+/// What a format writes of its robot with nominal parameters, for a campaign and a robot of these names.
+fn written(format: &str, campaign: &str, robot_name: &str) -> Vec<u8> {
+    let scratch = Scratch::with(&[]);
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(robot_of(format));
+    let file = read_robot(&file).unwrap();
+    let robot = file.build(&["tool".to_owned()]).unwrap();
+    let found = parameters(&scratch, robot.as_ref(), &robot.nominal());
+    let found: ParametersDocument = serde_json::from_str(&std::fs::read_to_string(found).unwrap()).unwrap();
+    let summary = serde_json::json!({
+        "name": campaign, "robot": null, "synthetic": null, "notes": null, "date": "2026-03-02", "operator": null,
+        "instrument": "CMM", "expanded_uncertainty_um": 2.7, "coverage_factor": 2.0, "contact": null, "temperature_c": 20.0
+    });
+    let summary: CampaignSummary = serde_json::from_value(summary).unwrap();
+    let given = Given {
+        summary: Some(&summary),
+        name: Some(robot_name),
+        robot: Some(robot.as_ref()),
+        description: file.description().map(|(file, text)| Description { file, text }),
+        ..Given::parameters(&found)
+    };
+    export::by_name(format).unwrap().write(&given).unwrap_or_else(|problems| panic!("{format}: {problems}"))
+}
+
+/// Letters of arrays have more than one byte.
+fn letters(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).replace('\0', "")
+}
+
+#[test]
+fn every_format_begins_with_version_campaign_robot_units_and_hash() {
+    for format in export::names() {
+        let text = letters(&written(format, "Spring check 3", "Arm 7"));
+        // tables have the same as columns, arrays anywhere
+        let anywhere = ["csv", "numpy", "mat"].contains(&format);
+        let head: String = text.chars().take(if anywhere { usize::MAX } else { 1800 }).collect();
+        assert!(head.contains("etalon") && head.contains(env!("CARGO_PKG_VERSION")), "{format}: {head}");
+        assert!(head.contains("Spring check 3") && head.contains("Arm 7"), "{format}: {head}");
+        assert!([" mm", "\"mm\"", ",mm,", "units: "].iter().any(|unit| head.contains(unit)), "{format}: {head}");
+        let words = |text: &str| -> Vec<String> {
+            text.split(|c: char| !c.is_ascii_alphanumeric()).map(str::to_lowercase).collect()
+        };
+        let hash = |word: &String| word.get(..64).is_some_and(|hash| hash.chars().all(|c| c.is_ascii_hexdigit()));
+        assert!(words(&head).iter().any(hash), "{format}: {head}");
+        assert!(!words(&text).iter().any(|word| ["nan", "inf", "infinity"].contains(&word.as_str())), "{format}");
+    }
+}
+
+/// A name that ends comments, strings and lines of every language is the same with `_` in their places.
+#[test]
+#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
+fn names_end_no_comment_and_no_string() {
+    let hostile = "x */ --> *) ]]> \"\"\" ''' ; # // \\ ${y} `z` %} \n\rEND_VAR\u{202e}\u{e9} ??/";
+    let safe = |c: char| if c.is_ascii_alphanumeric() || " .,-_:()=+".contains(c) { c } else { '_' };
+    let harmless: String = hostile.chars().map(safe).collect();
+    let folder = tempfile::tempdir().unwrap();
+    for format in export::names() {
+        let [as_named, as_harmless] = [hostile, &harmless].map(|name| written(format, name, name));
+        std::fs::write(folder.path().join(format), &as_named).unwrap();
+        match format {
+            "json" => {
+                let read: serde_json::Value = serde_json::from_slice(&as_named).unwrap();
+                assert_eq!([&read["campaign"], &read["name"]], [hostile, hostile]);
+            }
+            "csv" => {
+                let mut reader = csv::Reader::from_reader(&as_named[..]);
+                assert!(reader.records().all(|row| [7, 8].iter().all(|&i| row.as_ref().unwrap()[i] == *hostile)));
+            }
+            // the robot is an element of a certificate
+            "dcc" | "qif" => {
+                let tags = |bytes: &[u8]| bytes.iter().filter(|byte| [b'<', b'>'].contains(byte)).count();
+                assert_eq!(tags(&as_named), tags(&as_harmless), "{format}");
+            }
+            _ => assert!(as_named == as_harmless, "{format}: {}", letters(&as_named)),
+        }
+    }
+    let script = "import ast, xml.etree.ElementTree as E\n\
+                  for name in ['urdf', 'plcopen', 'dcc', 'qif', 'twincat']: E.parse(name)\n\
+                  for name in ['python', 'python-kinematics']: ast.parse(open(name).read())\n";
+    match Command::new("python3").args(["-c", script]).current_dir(folder.path()).output() {
+        Ok(output) => assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr)),
+        Err(_) => println!("skipped: there is no `python3`"),
+    }
+    for (format, kind) in [("c-header", "c-header"), ("c-kinematics", "c")] {
+        let flags = ["-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-x", kind, format];
+        match Command::new("cc").args(flags).current_dir(folder.path()).output() {
+            Ok(output) => assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr)),
+            Err(_) => println!("skipped: there is no `cc`"),
         }
     }
 }

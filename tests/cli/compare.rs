@@ -93,8 +93,8 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
         output
     };
     refused(
-        &edit("parameters.json", "etalon/parameters/1", "etalon/parameters/2"),
-        &["\"etalon/parameters/2\"", "expected: "],
+        &edit("parameters.json", "etalon/parameters/2", "etalon/parameters/1"),
+        &["\"etalon/parameters/1\"", "expected: "],
     );
     refused(&edit("parameters.json", "\"prexyt\"", "\"serial\""), &["different models of robots"]);
     refused(

@@ -311,13 +311,113 @@ fn programs_that_cannot_be_compensated_target_by_target_are_refused() {
         ("a.src", "PTP {X 300}\n".to_owned(), "states a part of X, Y, Z"),
         ("a.src", "FOLD {TOOL_NO 3,BASE_NO 0}\nPTP {X 300,Y 0,Z 500,A 0,B 0,C 0}".to_owned(), "uses `TOOL_NO 3`"),
         ("a.script", "set_tcp(p[0,0,0.1,0,0,0])\nmovel(p[0.3,0.1,0.5,3.0,0.5,0])".to_owned(), "uses `p[0,0,0.1"),
-        ("a.mp", "MoveC X1 Y2;".to_owned(), "programs of this language are not read"),
     ] {
         let (new, code, said) = real.compensate(name, program.as_bytes(), &[]);
         assert!(code == Some(2) && new.is_empty() && said.contains(part), "{program}: {said}");
     }
     let tool = format!("MoveL {target},v10,fine,tGrip;");
     assert_eq!(real.compensate("a.mod", tool.as_bytes(), &["--tool", "0,0,-10"]).1, Some(0));
+}
+
+/// A five-bar and a PreXYT: every byte but the numbers of the targets stays, and these are those of a table of the same targets.
+#[test]
+fn programs_of_mecaprol_and_galil_have_other_targets_alone() {
+    let five_bar = Real::new("samples/dextar/robot.toml");
+    let program = b"! MoveC X1 Y2; gr\xfcn\r\nSTART;\r\nCFGLIN V150.0 A150.0;\r\nTCS Z-42.5; ! pen\r\nMoveC X40.00 Y330 S100 M1;\r\nMoveZ Z2.0;\r\n\
+                    MoveJ A0.0 B0.0;\r\n MoveC X-60. Y+300.25\r\nOutput ON;\r\nEND;\r\n";
+    let start = ["--start", "110,70,1"];
+    let (new, code, said) = five_bar.compensate("face.mp", program, &start);
+    assert!(code == Some(0) && said.contains("2 targets compensated; 1 target by joint values"), "{said}");
+    let table = "pose,x_mm,y_mm,theta1_deg,theta2_deg,assembly\n1,40,330,110,70,1\n2,-60,300.25,110,70,1\n";
+    let document: CompensationDocument = serde_json::from_str(&five_bar.table(table, &["--json"]).0).unwrap();
+    let xy = |i: usize| document.targets[i].command_xyz_mm.map(|v| format!("{v:.6}").trim_end_matches('0').to_owned());
+    let bytes = |text: &str| text.chars().map(|c| c as u8).collect::<Vec<u8>>();
+    let old: String = program.iter().map(|&b| b as char).collect();
+    let expected = old.replace("X40.00 Y330 ", &format!("X{} Y{} ", xy(0)[0], xy(0)[1]));
+    let expected = expected.replace("X-60. Y+300.25", &format!("X{} Y{}", xy(1)[0], xy(1)[1]));
+    assert_eq!(new, bytes(&expected), "{}", String::from_utf8_lossy(&new));
+    for (program, more, part) in [
+        ("MoveC X40 Y330;", &[][..], "--start"),
+        ("MoveC X40;", &start, "has not both X and Y"),
+        ("WCS X20 Y60 Z0 W0;\nMoveC X40 Y330;", &start, "uses `WCS X20 Y60 Z0 W0`"),
+        ("MoveC X40 Y330 M1;\nMoveC X40 Y330 M2;", &start, "changes the working mode"),
+        ("MoveC X4000 Y330;", &start, "out of reach"),
+    ] {
+        let (new, code, said) = five_bar.compensate("face.mp", program.as_bytes(), more);
+        assert!(code == Some(2) && new.is_empty() && said.contains(part), "{program}: {said}");
+    }
+    let object = [&start[..], &["--object", "20,60,0"]].concat();
+    let (new, code, said) = five_bar.compensate("face.mp", b"WCS X20 Y60 Z0 W0;\nMoveC X20 Y270;\n", &object);
+    let expected = format!("WCS X20 Y60 Z0 W0;\nMoveC X{:.3}", document.targets[0].command_xyz_mm[0] - 20.0);
+    assert!(code == Some(0) && text(&new).starts_with(&expected), "{said}{}", text(&new));
+
+    let table = Real::new("samples/prexyt-cmm/robot.toml");
+    let counts = ["--counts-per-unit", "1000,-2000,500"];
+    let program = "REM PA 1,2,3\n#PAGE\nPALLET=4;' PA 7,7,7\nSP 1000,1000,1000;PA 100000, -200000,+52000;BGABC;AM\n PA 90000,-220000,56000\nEN\n";
+    let (new, code, said) = table.compensate("table.dmc", program.as_bytes(), &counts);
+    assert!(code == Some(0) && said.contains("2 targets compensated"), "{said}");
+    let rows = "pose,rho1_mm,rho2_mm,rho3_mm\n1,100,100,104\n2,90,110,112\n";
+    let document: CompensationDocument = serde_json::from_str(&table.table(rows, &["--json"]).0).unwrap();
+    let n = |i: usize| -> Vec<String> {
+        let all = document.targets[i].joints.iter().zip([1000.0, -2000.0, 500.0]);
+        all.map(|(q, counts)| format!("{}", (q * counts).round())).collect()
+    };
+    let expected = program.replace("100000, -200000,+52000", &format!("{}, {},{}", n(0)[0], n(0)[1], n(0)[2]));
+    let expected = expected.replace("90000,-220000,56000", &n(1).join(","));
+    assert_eq!(text(&new), expected);
+    for (program, part) in [
+        ("PA 100000,-200000\n", "not a position of every axis"),
+        ("PA AX,AY,AZ\n", "not a position of every axis"),
+        ("PAX=100\n", "not a position of every axis"),
+        ("PA 1000,-2000,500;PR 1,1,1\n", "`PR 1,1,1` is not compensated"),
+        ("PA 900000000,-200000,52000\n", "target line 1: "),
+    ] {
+        let (new, code, said) = table.compensate("table.dmc", program.as_bytes(), &counts);
+        assert!(code == Some(2) && new.is_empty() && said.contains(part), "{program}: {said}");
+    }
+    assert!(table.compensate("table.dmc", b"PA 1,2,3\n", &[]).2.contains("--counts-per-unit"));
+}
+
+/// Configuration data hold quarter turns of joint 1: where its correction leads over the border, the configuration is another.
+#[test]
+fn a_command_in_another_configuration_is_named() {
+    let real = Real::new("samples/abb-irb120/robot.toml");
+    let robot = read_robot(&real.robot).unwrap().build(&["tool".to_owned()]).unwrap();
+    let arm = robot.kinematics().unwrap();
+    let mut codes = Vec::new();
+    for (q1, quarter) in [(89.999f64, 0), (90.001, 1)] {
+        let q = [q1, 20.0, -10.0, 30.0, 60.0, 20.0].map(f64::to_radians);
+        let pose = arm.tool_pose(&arm.nominal(), &q).unwrap();
+        let ([x, y, z], [w, a, b, c]) = (pose.translation_mm, pose.quaternion());
+        let target = format!("[[{x},{y},{z}],[{w},{a},{b},{c}],[{quarter},0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
+        let (_, code, said) = real.compensate("a.mod", format!("MoveL {target},v10,fine,tool0;").as_bytes(), &[]);
+        assert_eq!(code == Some(1), said.contains("the command is in another configuration"), "{said}");
+        codes.push(code);
+    }
+    // the correction of joint 1 has one sign
+    codes.sort();
+    assert_eq!(codes, [Some(0), Some(1)]);
+}
+
+/// A locale with a decimal comma changes no file.
+#[test]
+fn numbers_have_a_point_in_every_locale() {
+    let real = Real::new("samples/prexyt-cmm/robot.toml");
+    let robot = real.robot.display().to_string();
+    let written = |locale: &str| {
+        let to = real.scratch.path().join(locale);
+        let mut command = std::process::Command::new(crate::support::program());
+        command.args(["export", &real.parameters, "--robot", &robot, "--to"]).arg(&to);
+        let formats = ["csv", "json", "matlab", "galil", "structured-text", "c-kinematics"];
+        formats.iter().for_each(|format| _ = command.args(["--format", format]));
+        let output = command.env("LC_ALL", locale).env("LANG", locale).output().unwrap();
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let mut files: Vec<PathBuf> = std::fs::read_dir(to).unwrap().map(|e| e.unwrap().path()).collect();
+        files.sort();
+        files.iter().map(|file| std::fs::read(file).unwrap()).collect::<Vec<_>>()
+    };
+    let written_in_c = written("C");
+    assert!(written_in_c.len() == 6 && written_in_c == written("de_DE.UTF-8"));
 }
 
 #[test]

@@ -93,6 +93,11 @@ fn tables_that_are_no_test_of_an_axis_are_refused() {
         ("0,0.001,1\n0,0.002,1\n0,0,-1\n", "position 0 mm has fewer than two runs in direction -1"),
         ("0,0.001,2\n", "a row has no position"),
         ("", "no rows"),
+        // measured in metres
+        (
+            "0,0.0,1\n0,0.0,1\n0,0.0,-1\n0,0.0,-1\n10,0.01,1\n10,0.01,1\n10,0.01,-1\n10,0.01,-1\n",
+            "the deviation changes by 9.99 from 0 to 10",
+        ),
     ] {
         let (code, _, err) = answer(rows, &[]);
         assert!(code == Some(2) && err.contains(why), "{rows}: {err}");

@@ -56,25 +56,147 @@ fn has_point(text: &str) -> bool {
     !cited && words().any(decimal)
 }
 
+/// Every sample whose data are here.
+fn samples() -> Vec<&'static str> {
+    let outside = crate::reference_data("robots/irb120_faro_ets").map(|_| "abb-irb120");
+    let within = [
+        "column-arm",
+        "contacts",
+        "delta",
+        "dextar",
+        "hexapod",
+        "pose-test",
+        "prexyt-cmm",
+        "prexyt-faroarm",
+        "prexyt-geometric",
+        "prexyt-repeatability",
+        "rail-arm",
+    ];
+    within.into_iter().chain(outside).collect()
+}
+
+/// The page of a sample in a language.
+fn page_of(scratch: &Scratch, language: &str) -> String {
+    let output = etalon(scratch.root(), &["report", "campaign/out", "--language", language]);
+    assert!(output.status.success(), "{}", text_of(&output));
+    std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap()
+}
+
 #[test]
-fn a_report_has_the_decimal_comma_and_every_sentence_of_the_program_in_its_language() {
-    for sample in ["pose-test", "prexyt-repeatability", "prexyt-geometric"] {
-        let scratch = ran(sample);
+fn every_report_speaks_one_language_and_has_no_number_that_means_nothing() {
+    for sample in samples() {
+        let scratch = copy_sample(sample);
+        let output = etalon(scratch.root(), &["run", "campaign"]);
+        assert!(output.status.code() < Some(2), "{sample}: {}", text_of(&output));
         for language in ["de", "fr"] {
-            let output = etalon(scratch.root(), &["report", "campaign/out", "--language", language]);
-            assert!(output.status.success(), "{}", text_of(&output));
-            let page = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-            let (own, english) = texts(&page);
+            let (own, english) = texts(&page_of(&scratch, language));
             // how a file is read is stated in the words of campaign.toml
             let sentences: Vec<_> = english.iter().filter(|t| *t != "TOML" && !t.starts_with("{ ")).collect();
             assert!(sentences.is_empty(), "{sample}, {language}: not translated: {sentences:#?}");
             // what the campaign itself names
-            let named = |text: &&String| !text.contains("(table 2.");
+            let named = |text: &&String| !["(table 2.", "thesis table"].iter().any(|part| text.contains(part));
             let points: Vec<_> = own.iter().filter(|t| has_point(t)).filter(named).collect();
             assert!(points.is_empty(), "{sample}, {language}: {points:#?}");
             assert!(own.iter().any(|t| t.contains("0,")));
         }
+        let page = page_of(&scratch, "en");
+        let doubtful: Vec<_> = texts(&page).0.into_iter().filter(|t| is_doubtful(t)).collect();
+        assert!(doubtful.is_empty(), "{sample}: {doubtful:#?}");
+        for column in columns(&page) {
+            let numbers: Vec<&String> = column.iter().filter(|c| c.parse().is_ok_and(|v: f64| v != 0.0)).collect();
+            let powers = numbers.iter().filter(|c| c.contains('e')).count();
+            assert!(powers == 0 || powers == numbers.len(), "{sample}: {column:?}");
+        }
+        let bytes = std::fs::read(scratch.path().join("out/report.xlsx")).unwrap();
+        assert!(text_in(&bytes, "<c:chart>"), "{sample}: no chart");
+        let colours = ["C6EFCE", "FFC7CE", "FFEB9C"].map(|colour| text_in(&bytes, colour));
+        let limits = workbook(&scratch).sheet_names().iter().any(|name| name == "Limits");
+        assert_eq!(colours.contains(&true), limits, "{sample}: verdicts and their colours");
     }
+}
+
+/// Whether a text has a number that means nothing: a probability of zero, zero with a sign, a value that rounds to its limit, or, in
+/// a sentence, a rounding error of the computation.
+fn is_doubtful(text: &str) -> bool {
+    let words: Vec<&str> = text.split_whitespace().map(|w| w.trim_end_matches(['.', ',', ';', ':', ')'])).collect();
+    let is = |word: &&str, wanted: fn(f64) -> bool| word.parse().is_ok_and(wanted);
+    // the texts of the marks of singular values begin with their number
+    let of_mark = words.first().is_some_and(|w| w.parse::<u32>().is_ok()) && text.contains(": ");
+    words.windows(3).any(|w| {
+        (w[0] == "p" && w[1] == "=" && is(&w[2], |v| v == 0.0)) || (w[1] == "of" && w[0] == w[2] && w[0].contains('.'))
+    }) || words.iter().any(|w| w.starts_with('-') && is(w, |v| v == 0.0))
+        || !of_mark && words.len() > 2 && words.iter().any(|w| is(w, |v| v != 0.0 && v.abs() < 1e-9))
+}
+
+/// The columns of the tables of a page.
+fn columns(page: &str) -> Vec<Vec<String>> {
+    let mut all = Vec::new();
+    for table in page.split("<table").skip(1).filter_map(|rest| rest.split("</table>").next()) {
+        let mut columns: Vec<Vec<String>> = Vec::new();
+        for row in table.split("<tr").skip(1) {
+            let cells = row.replace("<th", "<td");
+            for (i, cell) in cells.split("<td").skip(1).enumerate() {
+                if columns.len() <= i {
+                    columns.push(Vec::new());
+                }
+                // the text without its tags
+                let text: String = cell.split('>').skip(1).filter_map(|piece| piece.split('<').next()).collect();
+                columns[i].push(text.trim().to_owned());
+            }
+        }
+        all.extend(columns);
+    }
+    all
+}
+
+#[test]
+fn doubtful_numbers_are_found() {
+    for text in ["p = 0.", "0.0054 of 0.0054: NOT MET", "mean -6.6e-12 µm, standard deviation", "x -0.0 mm"] {
+        assert!(is_doubtful(text), "{text}");
+    }
+    for text in ["p < 0.001", "0.0054 of 0.0055", "8: 4.3e-16 x_c, y_c", "1e-12", "rank cut of 1.0e-9"] {
+        assert!(!is_doubtful(text), "{text}");
+    }
+}
+
+/// In every face "before" is the same: nominal parameters with only base and targets fitted. What is predicted at the tool point without
+/// them has another name.
+#[test]
+fn before_has_one_meaning_in_a_report() {
+    let scratch = ran("prexyt-cmm");
+    let accuracy = document(&scratch, "accuracy.json");
+    let set = &accuracy["sets"][1];
+    let before_mm = set["errors"][0]["before"]["max"].as_f64().unwrap();
+    let mut book = workbook(&scratch);
+    let mut numbers = |sheet: &str, title: &str| -> Vec<f64> {
+        column(&mut book, sheet, title).iter().map(|c| if let Data::Float(v) = c { *v } else { f64::NAN }).collect()
+    };
+    let rows_above = accuracy["sets"][0]["errors"].as_array().unwrap().len();
+    assert_eq!(numbers("Errors", "before, max")[rows_above], before_mm);
+    let [x, y] = ["before, x [mm]", "before, y [mm]"].map(|title| numbers("Residuals", title));
+    let (by_pose, poses) = (numbers("Errors by pose", "position before, max [mm]"), numbers("Errors by pose", "pose"));
+    let (of_row, validation) = (numbers("Residuals", "pose"), |pose: f64| pose > 8.0);
+    let sizes = (0..x.len()).filter(|i| validation(of_row[*i])).map(|i| x[i].hypot(y[i]));
+    let in_poses = (0..poses.len()).filter(|i| validation(poses[*i])).map(|i| by_pose[i]);
+    for largest in [sizes.fold(0.0, f64::max), in_poses.fold(0.0, f64::max)] {
+        assert!((largest - before_mm).abs() < 1e-12, "{largest} {before_mm}");
+    }
+    let page = page_of(&scratch, "en");
+    assert!(page.contains(&format!("<b>{:.1} → ", 1e3 * before_mm)), "{before_mm}");
+    let terminal = text_of(&etalon(scratch.root(), &["report", "campaign/out"]));
+    let pdf = text_of_pdf(&scratch.path().join("out/report.pdf")).unwrap_or_default();
+    for face in [&page, &terminal, &pdf] {
+        let definitions = face.matches("before:").count();
+        assert!(definitions == 1 || !std::ptr::eq(face, &page) && definitions == 0, "{definitions}: {face}");
+    }
+    // the tool point: the place of the base plays no part in it
+    let tool_mm = accuracy["tool"]["before"]["max"].as_f64().unwrap();
+    assert!((tool_mm - before_mm).abs() > 1e-3, "another quantity");
+    assert_eq!(numbers("Tool point", "nominal minus identified, max"), [tool_mm]);
+    let tool = page.split_once("At the tool point").unwrap().1.split_once("</table>").unwrap().0;
+    assert!(tool.contains("nominal minus identified") && tool.contains("expected") && !tool.contains(">before<"));
+    assert!(page.contains("Tool point: nominal minus identified model, xy plane"));
+    assert!(!page.contains("Tool point: error before"));
 }
 
 fn document(scratch: &Scratch, name: &str) -> Value {
@@ -280,9 +402,10 @@ fn the_workbook_holds_every_number_of_a_calibration() {
     let singular = all(&parameters["observability"]["singular_values"], "/value");
     let title = "singular value (columns divided by their norms)";
     same(&column(&mut book, "Singular values", title)[..singular.len()], &singular);
-    let mut errors: Vec<Value> = all(&accuracy["sets"], "/errors").iter().flat_map(|e| all(e, "/after/rms")).collect();
-    errors.push(accuracy["tool"]["after"]["rms"].clone());
+    let errors: Vec<Value> = all(&accuracy["sets"], "/errors").iter().flat_map(|e| all(e, "/after/rms")).collect();
     same(&column(&mut book, "Errors", "after, RMS"), &errors);
+    same(&column(&mut book, "Tool point", "expected, RMS"), &[accuracy["tool"]["after"]["rms"].clone()]);
+    same(&column(&mut book, "Predicted errors", "95 % [mm]"), &all(&accuracy["map"]["nodes"], "/p95_mm"));
     same(&column(&mut book, "Limits", "reached"), &all(&accuracy["limits"], "/value"));
     let inputs = &parameters["provenance"]["inputs"];
     let checksums: Vec<Value> = inputs.as_object().unwrap().values().cloned().collect();

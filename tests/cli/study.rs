@@ -106,6 +106,45 @@ fn backlash_follows_the_direction_and_heat_grows_from_the_base() {
     }
 }
 
+/// Backlash that `simulate` adds to an arm on a column comes back as parameters, by the directions of a log with times.
+#[test]
+fn simulated_backlash_is_identified_by_the_times_of_the_log() {
+    let scratch = copy_sample("column-arm");
+    let edit = |file: &str, change: &dyn Fn(String) -> String| {
+        let path = scratch.path().join(file);
+        std::fs::write(&path, change(std::fs::read_to_string(&path).unwrap())).unwrap();
+    };
+    let lost = [("shoulder_pan", 0.04), ("shoulder_lift", 0.03), ("wrist_2", 0.02)];
+    edit("robot.toml", &|text| text + "backlash = [\"shoulder_pan\", \"shoulder_lift\", \"wrist_2\"]\n");
+    let stated: Vec<String> = lost.iter().map(|(joint, gap)| format!("{joint} = {gap}")).collect();
+    let quiet =
+        |text: String| text.replace("seed = 18", "seed = 18\nnoise_um = 0").replace("decimals = 9", "decimals = 12");
+    // gains and bending of the simulated arm follow the joint as it is, those of the model the logged value
+    let rigid = |text: String| {
+        let own = |line: &&str| !line.starts_with("gain_") && !line.starts_with("compliance_");
+        text.lines().filter(own).map(|line| format!("{line}\n")).collect::<String>()
+    };
+    edit("truth.toml", &|text| rigid(quiet(text)) + &format!("[unmodelled]\nbacklash = {{ {} }}\n", stated.join(", ")));
+    ends(&scratch, "simulate", 0, &[]);
+    ends(
+        &scratch,
+        "run",
+        2,
+        &["does not show from which direction joint `shoulder_pan` came", "`time_s` in `columns`"],
+    );
+    edit("campaign.toml", &|text| text.replace("[log.columns]", "[log.columns]\ntime_s = \"time_s\""));
+    ends(&scratch, "simulate", 0, &[]);
+    ends(&scratch, "run", 0, &["poses left out, before which a joint with backlash has no motion in log `log`: 1"]);
+    let text = std::fs::read_to_string(scratch.path().join("out/parameters.json")).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&text).unwrap();
+    for (joint, gap) in lost {
+        let name = format!("backlash_{joint}");
+        let found = document["parameters"].as_array().unwrap().iter().find(|p| p["name"] == name.as_str()).unwrap();
+        let off = found["value"].as_f64().unwrap() - gap;
+        assert!(off.abs() < 1e-9, "{name}: off by {off}");
+    }
+}
+
 #[test]
 fn bending_lowers_a_robot_in_space_by_the_third_power_of_its_reach() {
     let (plain, bent) = (simulated("delta", ""), simulated("delta", "[unmodelled]\nbending_um_at_1_m = 2000"));

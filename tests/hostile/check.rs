@@ -155,6 +155,7 @@ fn a_report_that_cannot_be_dressed_is_refused() {
         broken("campaign.toml", "[instrument]", &format!("[report]\n{line}\n\n[instrument]"), parts);
     };
     dressed("language = \"es\"", &["unknown variant `es`", "language = \"es\""]);
+    dressed("country = \"UK\"", &["`UK` is not a country code of ISO 3166-1", "country = \"UK\""]);
     dressed("logo = \"logo.svg\"", &["cannot read `", "logo.svg", "logo = \"logo.svg\""]);
     dressed("logo = \"robot.toml\"", &["is not a picture that a report can hold", "an SVG or PNG picture"]);
     dressed("logo = \"../logo.svg\"", &["leaves the folder of the campaign"]);

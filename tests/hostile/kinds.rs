@@ -13,8 +13,12 @@ const HEADER: &str = "kind,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm
 
 /// The error of a table that holds `rows`.
 fn error(header: &str, rows: &str, more: &[&str]) -> String {
+    error_of(ROBOT, header, rows, more)
+}
+
+fn error_of(robot: &str, header: &str, rows: &str, more: &[&str]) -> String {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("robot.toml"), ROBOT).unwrap();
+    std::fs::write(folder.path().join("robot.toml"), robot).unwrap();
     std::fs::write(folder.path().join("o.csv"), format!("{header}\n{rows}\n")).unwrap();
     let output = Command::new(crate::support::program())
         .current_dir(folder.path())
@@ -56,6 +60,62 @@ fn slips_are_refused_with_their_line() {
             assert!(error.contains(part), "{row}\nlacks {part:?}:\n{error}");
         }
     }
+}
+
+#[test]
+fn what_a_further_station_cannot_state_is_refused_with_its_line() {
+    let header = "kind,station,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,u_mm,ux_mm,uy_mm,uz_mm,cxx_mm2,cxy_mm2,cxz_mm2,cyy_mm2,cyz_mm2,czz_mm2,urot_deg";
+    for (row, what) in [
+        ("pose,T2,2,1,ball,1,2,3,1,2,3,1,0,0,0,0.02,,,,,,,,,,0.01", "a row of kind `pose` states the station `T2`"),
+        ("point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,", "station `T2` measured states a covariance"),
+        (
+            "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,0.01,0.02,0.01,,,,,,,",
+            "station `T2` measured have uncertainties of their own",
+        ),
+        ("point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,", "a coordinate of what station `T2` measured is missing"),
+    ] {
+        let good = "point,T1,1,1,ball,1,2,3,1,2,3,,,,,0.02,,,,,,,,,,";
+        let error = error(header, &format!("{good}\n{row}"), &[]);
+        assert!(error.contains(what) && error.contains("o.csv:3"), "{row}: {error}");
+    }
+}
+
+#[test]
+fn keys_that_were_read_once_or_belong_elsewhere_are_refused_with_what_to_do() {
+    use crate::support::scratch::{copy_sample, ends};
+    let scratch = copy_sample("column-arm");
+    scratch.replace(
+        "campaign.toml",
+        "label = \"{target}_{pose}_{cycle}\"",
+        "label = \"{target}_{pose}_{cycle}\"\nstation = \"T2\"",
+    );
+    ends(
+        &scratch,
+        "check",
+        2,
+        &["unknown key `station`", "a column `station` of a table of observations", "campaign.toml:"],
+    );
+    let text = error_of(&format!("{ROBOT}base_turn_y_deg = 90.0\n"), "pose,cycle,target,x_mm", "1,1,a,2", &[]);
+    assert!(text.contains("unknown key `base_turn_y_deg`") && text.contains("robot.toml:7"), "{text}");
+    assert!(text.contains("delete it: base_rx, base_ry and base_rz are a rotation vector"), "{text}");
+}
+
+#[test]
+fn backlash_without_a_direction_is_refused_by_name() {
+    let robot = format!("{ROBOT}backlash = [2]\n");
+    let header = "pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm";
+    let row = "1,1,ball,1,2,3,1,2,3";
+    let text = error_of(&robot, header, row, &[]);
+    assert!(text.contains("`backlash` of joint `q2` needs the direction from which it came"), "{text}");
+    assert!(text.contains("in a column `q2_direction`"), "{text}");
+    for (direction, what) in
+        [("", "`q2_direction` is missing"), ("0", "`q2_direction` is 0"), ("0.4", "`q2_direction` is 0.4")]
+    {
+        let text = error_of(&robot, &format!("{header},q2_direction"), &format!("{row},1\n{row},{direction}"), &[]);
+        assert!(text.contains(what) && text.contains("o.csv:3"), "{direction}: {text}");
+    }
+    let text = error_of(&format!("{ROBOT}backlash = [4]\n"), header, row, &[]);
+    assert!(text.contains("there is no joint 4") && text.contains("robot.toml:"), "{text}");
 }
 
 #[test]

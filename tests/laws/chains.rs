@@ -1,4 +1,4 @@
-//! Chains of more than one arm's joints, and transmissions: rails, two arms, parts on positioners, harmonics.
+//! Chains of more than one arm's joints, and transmissions: rails, two arms, parts on positioners, harmonics, backlash.
 
 use crate::support::arms::SIX_AXES;
 use crate::support::scratch::Scratch;
@@ -47,7 +47,9 @@ fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
 
 fn joints(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
     let range = |q: Quantity| if q == Quantity::Length { 900.0 } else { 2.5 };
-    robot.joints().iter().map(|joint| noise.uniform(range(joint.quantity))).collect()
+    let values: Vec<f64> = robot.joints().iter().map(|joint| noise.uniform(range(joint.quantity))).collect();
+    let directions = robot.approached().iter().map(|_| noise.uniform(1.0).signum());
+    values.into_iter().chain(directions.collect::<Vec<f64>>()).collect()
 }
 
 fn observe(robot: &dyn Robot, truth: &[f64], noise: &mut Noise, poses: usize, sd_mm: f64) -> Vec<Observation> {
@@ -72,7 +74,7 @@ fn apart_mm(robot: &dyn Robot, one: &[f64], other: &[f64], noise: &mut Noise) ->
 /// Derivatives by parameters and by joints, against numeric ones.
 fn derivatives_hold(robot: &dyn Robot, noise: &mut Noise) {
     let (values, q) = (truth(robot, noise), joints(robot, noise));
-    let (n, m, rows) = (values.len(), q.len(), 3 * robot.targets().len());
+    let (n, m, rows) = (values.len(), robot.joints().len(), 3 * robot.targets().len());
     let (mut by_values, mut by_joints) = (vec![0.0; rows * n], vec![0.0; rows * m]);
     robot.jacobian(&values, &q, &mut by_values);
     robot.joint_jacobian(&values, &q, &mut by_joints);
@@ -105,38 +107,47 @@ fn derivatives_hold(robot: &dyn Robot, noise: &mut Noise) {
 
 #[test]
 fn harmonics_come_back_with_intervals_that_hold() {
-    let robot = arm("harmonics = [1, 2, 5]\ncoupling = [[5, 4]]", "");
+    comes_back("harmonics = [1, 2, 5]\ncoupling = [[5, 4]]", Effect::Harmonics, 12, "harmonic_1_sin1");
+}
+
+#[test]
+fn backlash_comes_back_with_intervals_that_hold() {
+    comes_back("backlash = [1, 2, 3, 4, 5, 6]", Effect::Backlash, 6, "backlash_1");
+}
+
+/// Parameters of an effect, noise-free and in the intervals of draws.
+fn comes_back(keys: &str, effect: Effect, count: usize, first: &str) {
+    let robot = arm(keys, "");
     let robot = robot.as_ref();
     let mut noise = Noise::new(18, 41);
     derivatives_hold(robot, &mut noise);
-    let harmonics: Vec<usize> =
-        (0..robot.parameters().len()).filter(|&i| robot.effect(i) == Effect::Harmonics).collect();
-    assert_eq!(harmonics.len(), 12);
-    assert_eq!(robot.parameters()[harmonics[0]].name, "harmonic_1_sin1");
+    let own: Vec<usize> = (0..robot.parameters().len()).filter(|&i| robot.effect(i) == effect).collect();
+    assert_eq!(own.len(), count);
+    assert_eq!(robot.parameters()[own[0]].name, first);
     let truth = truth(robot, &mut noise);
     let exact = observe(robot, &truth, &mut noise, 60, 0.0);
     let found = identify(robot, &exact, &settings()).unwrap();
-    for &i in &harmonics {
+    for &i in &own {
         let off = (found.values[i] - truth[i]).abs();
         assert!(off < 1e-9, "{}: off by {off}", robot.parameters()[i].name);
     }
     assert!(apart_mm(robot, &found.values, &truth, &mut noise) < 1e-7);
     let (mut held, mut all, mut chi) = (0, 0, 0.0);
-    let draws = 30;
+    let draws = std::env::var("ETALON_DRAWS").map_or(360 / count as u32, |n| n.parse().unwrap());
     for _ in 0..draws {
         let noisy = observe(robot, &truth, &mut noise, 60, U_MM);
         let found = identify(robot, &noisy, &settings()).unwrap();
         chi += found.chi_square.unwrap() / found.degrees_of_freedom as f64 / f64::from(draws);
-        for &i in &harmonics {
+        for &i in &own {
             let u = found.standard_uncertainty(i).unwrap();
             held += usize::from((found.values[i] - truth[i]).abs() < 1.96 * u);
             all += 1;
         }
     }
     let share = held as f64 / all as f64;
-    println!("harmonics: {all} intervals, {:.1} % hold the truth; chi-square {chi:.3}", 100.0 * share);
-    // four standard deviations of a share of 360
-    assert!((share - 0.95).abs() < 0.046 && (chi - 1.0).abs() < 0.05, "{share} {chi}");
+    println!("{first}: {all} intervals, {:.1} % hold the truth; chi-square {chi:.3}", 100.0 * share);
+    let four_sd = 4.0 * (0.95 * 0.05 / all as f64).sqrt();
+    assert!((share - 0.95).abs() < four_sd && (chi - 1.0).abs() < 0.05, "{share} {chi}");
 }
 
 #[test]
@@ -281,6 +292,29 @@ fn two_arms_that_hold_ball_bars_come_back() {
     }
     println!("two arms: {} parameters, distances within {worst:.1e} mm", found.free.len());
     assert!(worst < 1e-6, "{worst}");
+}
+
+/// Points of a tracker in the room, of a chain that begins at a hand: the frame of the points would move.
+#[test]
+fn a_base_that_joints_move_is_named_where_positions_are_measured() {
+    let robot = of_two("left_hand", "right_hand", "").unwrap();
+    let mut noise = Noise::new(18, 47);
+    let mut truth = truth(robot.as_ref(), &mut noise);
+    truth[..6].fill(0.0);
+    let names: Vec<String> = robot.joints().iter().map(|j| j.column()).collect();
+    let mut table = format!("pose,cycle,target,{},x_mm,y_mm,z_mm\n", names.join(","));
+    for o in observe(robot.as_ref(), &truth, &mut noise, 60, 0.0) {
+        let cells = o.joints.iter().map(|q| q.to_degrees()).chain(o.targets[0].unwrap());
+        let cells: Vec<String> = cells.map(|v| format!("{v:?}")).collect();
+        let _ = writeln!(table, "{},1,ball,{}", o.pose, cells.join(","));
+    }
+    let toml = "model = \"urdf\"\nfile = \"two.urdf\"\nbase_link = \"left_hand\"\ntool_link = \"right_hand\"\n";
+    let scratch = Scratch::with(&[("robot.toml", toml), ("two.urdf", &two_arms()), ("o.csv", &table)]);
+    let mut etalon = Command::new(env!("CARGO_BIN_EXE_etalon"));
+    etalon.args(["identify", "--robot", "robot.toml", "--observations", "o.csv", "--standard-uncertainty-um", "20"]);
+    let output = etalon.current_dir(scratch.path()).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr).into_owned() + &String::from_utf8_lossy(&output.stdout);
+    assert!(said.contains("`base_link` is moved by the joints left_q3, left_q2, left_q1, left_q0"), "{said}");
 }
 
 #[test]

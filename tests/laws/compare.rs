@@ -54,7 +54,7 @@ pub(super) fn identified(
     let n = values.len();
     let square = |i: usize, j: usize| if i == j { u[i] * u[i] } else { 0.0 };
     let mut parameters = ParametersDocument {
-        schema: "etalon/parameters/1".to_owned(),
+        schema: "etalon/parameters/2".to_owned(),
         robot: "prexyt".to_owned(),
         parameters: values.iter().zip(u).enumerate().map(entry).collect(),
         sketches: vec![],

@@ -96,7 +96,7 @@ fn pseudo_poses_land_on_their_targets() {
         let identified: Vec<f64> = robot.parameters().iter().map(|p| real(p, &mut noise)).collect();
         let calibrated = Calibrated { arm, nominal: arm.nominal(), identified: identified.clone() };
         let (mut done, mut refused, mut worst) = (0, 0, 0.0f64);
-        while done + refused < wanted {
+        while done < wanted && refused < wanted {
             let mut q: Vec<f64> = (0..arm.joints().len())
                 .map(|i| range(arm, i))
                 .map(|[low, high]| 0.5 * (low + high) + noise.uniform(0.5 * (high - low)))

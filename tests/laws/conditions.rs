@@ -58,7 +58,8 @@ impl Campaign {
 
     /// The same with its base somewhere in the world.
     fn anywhere(mut self) -> Self {
-        for (i, range) in [2000.0, 2000.0, 2000.0, 3.0, 1.2, 3.0].into_iter().enumerate() {
+        // a rotation vector shorter than half a turn: a longer one is the same attitude by other numbers
+        for (i, range) in [2000.0, 2000.0, 2000.0, 2.0, 1.2, 2.0].into_iter().enumerate() {
             self.truth[i] = self.noise.uniform(range);
         }
         self
@@ -166,8 +167,9 @@ impl Campaign {
 
     /// Places of the sockets in a world in which the base is shifted and turned.
     fn with_places(mut self) -> Self {
-        let moved = Rotation3::from_scaled_axis(Vector3::new(0.3, -0.5, 1.2));
-        for (i, v) in [1500.0, -300.0, 250.0].into_iter().chain(pose_of(&moved).rpy_rad()).enumerate() {
+        let turn = [0.3, -0.5, 1.2];
+        let moved = Rotation3::from_scaled_axis(turn.into());
+        for (i, v) in [1500.0, -300.0, 250.0].into_iter().chain(turn).enumerate() {
             self.truth[i] = v;
         }
         for (k, point) in self.sockets().into_iter().enumerate() {

@@ -194,7 +194,7 @@ fn every_accuracy_figure_of_a_campaign_names_its_point() {
     assert_eq!(accuracy.point, "the platform's centre as the balls measure it");
     for said in [
         "Errors of the platform's centre as the balls measure it before → after",
-        "tool point RMS, expected",
+        "tool point RMS: nominal minus identified → expected",
         "At the tool point: 51 poses",
     ] {
         assert!(page.replace("&#39;", "'").replace("&#x27;", "'").contains(said), "{said}");

@@ -58,6 +58,7 @@ pub fn copy_sample(name: &str) -> Scratch {
         "robot.toml",
         "truth.toml",
         "encoders.csv",
+        "observations.csv",
         "poses.csv",
         "reference.csv",
         "loads.csv",

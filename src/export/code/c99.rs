@@ -139,7 +139,7 @@ impl Exporter for C99 {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let header = given.header("mm, rad")?.join("\n * ");
+        let header = given.header_of_code("mm, rad")?.join("\n * ");
         Ok(format!("/* {header} */\n#include <math.h>\n{}", functions(&formulas(given)?)).into_bytes())
     }
 }

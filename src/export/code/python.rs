@@ -81,7 +81,7 @@ impl Exporter for PythonCode {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let mut out: String = given.header("mm, rad")?.iter().map(|line| format!("# {line}\n")).collect();
+        let mut out: String = given.header_of_code("mm, rad")?.iter().map(|line| format!("# {line}\n")).collect();
         out += "from math import atan2, cos, pi, sin, sqrt\n\n";
         out += WRAP;
         for formula in formulas(given)? {

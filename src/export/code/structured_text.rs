@@ -341,7 +341,7 @@ impl Exporter for StructuredText {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let mut out: String = given.header("mm, rad")?.iter().map(|line| format!("(* {line} *)\n")).collect();
+        let mut out: String = given.header_of_code("mm, rad")?.iter().map(|line| format!("(* {line} *)\n")).collect();
         for unit in units(given)? {
             let (word, of) = if unit.is_function() { ("FUNCTION", " : LREAL") } else { ("FUNCTION_BLOCK", "") };
             let Unit { name, comment, body, .. } = &unit;

@@ -1,11 +1,11 @@
 //! Galil DMC: absolute positions of the axes in counts, `PA n,n,n`.
 
-use super::Given;
+use super::{Given, Number, Program, ProgramTarget, at_line, masked, number, skip_blanks, slots};
 use crate::base::message::{Message, Result};
 use std::fmt::Write;
 
 /// Counts of each axis for a mm or deg of its joint.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Galil {
     /// One an axis.
     pub counts_per_unit: Vec<f64>,
@@ -44,5 +44,64 @@ impl Galil {
             let _ = writeln!(out, "REM {}\nPA {};BG {axes};AM {axes}", super::super::comment(name), cells.join(","));
         }
         Ok(out + "EN\n")
+    }
+
+    /// The targets of a program: absolute positions of all axes, `PA n,n,n`, in counts.
+    ///
+    /// # Errors
+    /// Positions of some axes or by variables, relative and coordinated movements.
+    pub fn targets(&self, program: &[u8]) -> Result<Program> {
+        let text = masked(program, b'\'');
+        let (mut found, mut problems, mut at) = (Program::default(), Vec::new(), 0);
+        for (i, line) in text.split(|b| *b == b'\n').enumerate() {
+            let remark = line.trim_ascii_start().starts_with(b"REM");
+            for command in line.split(|b| *b == b';') {
+                let start = at;
+                at += command.len() + 1;
+                let words = command.trim_ascii();
+                let written = String::from_utf8_lossy(words);
+                // letters that go on are a variable's, but for an axis with its sign
+                let (name, rest) = words.split_at(words.len().min(2));
+                let of_axis = matches!(rest, [axis, b'=', ..] if axis.is_ascii_uppercase());
+                if remark || !of_axis && rest.first().is_some_and(|b| b.is_ascii_alphanumeric() && !b.is_ascii_digit())
+                {
+                    continue;
+                }
+                match name {
+                    b"PA" if rest.trim_ascii().starts_with(b"?") => {}
+                    b"PA" => match self.positions(&text[..start + command.len()], skip_blanks(&text, start) + 2) {
+                        Some(numbers) => found.targets.push(ProgramTarget {
+                            name: format!("line {}", i + 1),
+                            line: i + 1,
+                            numbers: numbers.iter().map(|n| n.value).collect(),
+                            slots: slots(&numbers),
+                            configuration: None,
+                        }),
+                        None => problems.push(at_line(i + 1, format!("`{written}` is not a position of every axis"))),
+                    },
+                    b"PR" | b"IP" | b"LI" | b"VP" | b"CR" => {
+                        let what = format!("`{written}` is not compensated: only absolute positions (PA) are");
+                        problems.push(at_line(i + 1, what));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        super::none(problems)?;
+        Ok(found)
+    }
+
+    /// One number for each axis, and nothing else up to the end of the text.
+    fn positions(&self, text: &[u8], from: usize) -> Option<Vec<Number>> {
+        let (mut at, mut all) = (from, Vec::new());
+        while all.len() < self.counts_per_unit.len() {
+            let next = number(text, at)?;
+            at = skip_blanks(text, next.range.end);
+            all.push(next);
+            if all.len() < self.counts_per_unit.len() {
+                at = (text.get(at) == Some(&b',')).then_some(at + 1)?;
+            }
+        }
+        (at == text.len()).then_some(all)
     }
 }

@@ -31,7 +31,7 @@ pub(super) fn summary() -> CampaignSummary {
             "robot_received": "2026-03-01", "laboratory": "Laboratory, Street 1", "place": "hall 3", "traceability": "to SI, by PTB"
         },
         "issue": {
-            "number": "R-17 <a>", "customer": "Customer, City", "issued": "2026-03-09", "authorised_by": "B. C., head",
+            "number": "R-17 <a>", "customer": "Customer, City", "country": "CA", "issued": "2026-03-09", "authorised_by": "B. C., head",
             "amends": "R-16 of 2026-03-08: a temperature", "external_results": "none"
         }
     });
@@ -83,7 +83,8 @@ fn certificates_are_valid_and_a_decimal_comma_is_not() {
                 "<dcc:content>B. C., head</dcc:content>",
                 "<dcc:content>R-16 of 2026-03-08: a temperature</dcc:content>",
                 "<dcc:content>hall 3</dcc:content>",
-                "<dcc:content>country (ZZ), calibration of the instrument</dcc:content>",
+                "<dcc:countryCodeISO3166_1>CA</dcc:countryCodeISO3166_1>",
+                "<dcc:content>calibration of the instrument</dcc:content>",
             ],
             _ => &["<ReportNumber>R-17 &lt;a&gt;</ReportNumber>", "<LocationDescription>hall 3</LocationDescription>"],
         };

@@ -10,6 +10,9 @@ use polars::prelude::{Column, DataFrame};
 /// Keys of `columns` that bring the time, and seconds in one of their unit.
 const TIMES: [(&str, f64); 3] = [("time_s", 1.0), ("time_ms", 1e-3), ("time_ns", 1e-9)];
 
+/// End of the columns of the directions from which joints came.
+pub(crate) const DIRECTION: &str = "_direction";
+
 /// Factor from a unit to mm or deg.
 fn factor(unit: &str, quantity: Quantity) -> Option<f64> {
     match (quantity, unit) {
@@ -36,7 +39,7 @@ pub(crate) fn meaning(key: &str) -> Option<(String, f64)> {
     if let Some((_, seconds)) = TIMES.iter().find(|(name, _)| *name == key) {
         return Some(("time_s".to_owned(), *seconds));
     }
-    if is_common_column(key) {
+    if is_common_column(key) || key.ends_with(DIRECTION) {
         return Some((key.to_owned(), 1.0));
     }
     let (name, unit) = key.rsplit_once('_')?;
@@ -53,7 +56,7 @@ pub struct JointLog {
     pub file: String,
     /// Columns of its table, in their order: `row line pose cycle time_s label` where stated, and the joints.
     pub columns: Vec<String>,
-    /// The columns among them that are joints, in mm or deg.
+    /// The columns among them that are joints, in mm or deg, or directions of joints.
     pub joints: Vec<String>,
     /// In the order of the file.
     pub rows: Vec<LogRow>,

@@ -11,8 +11,8 @@ mod twincat;
 mod ur_rtde;
 mod write;
 
+pub(crate) use joint_log::{DIRECTION, is_common_column, meaning};
 pub use joint_log::{JointLog, LogRow, is_joint_column};
-pub(crate) use joint_log::{is_common_column, meaning};
 pub(crate) use write::write;
 
 use super::format::{Column, Decimal, Delimiter, Encoding, FromRow};
@@ -54,8 +54,8 @@ pub struct Log {
     /// The first row names the columns.
     #[serde(default = "yes")]
     pub header: bool,
-    /// The columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point touched), and the joints
-    /// with their units.
+    /// The columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point touched), the joints with their units,
+    /// and directions from which joints came (`q1_direction`: +1 from below, -1 from above).
     #[schemars(with = "BTreeMap<String, Column>")]
     pub columns: BTreeMap<Spanned<String>, Column>,
     /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for a second file of the same targets.
@@ -290,13 +290,14 @@ impl Wanted<'_> {
     /// The unit that the key states: `rad` of `q1_rad`, `ms` of `time_ms`; none of `pose`.
     fn unit(&self) -> Option<&str> {
         let key = self.key.get_ref();
-        let unitless = self.name == *key && matches!(key.as_str(), "pose" | "cycle" | "label" | "assembly");
+        let unitless = self.name == *key
+            && (matches!(key.as_str(), "pose" | "cycle" | "label" | "assembly") || key.ends_with(DIRECTION));
         key.rsplit_once('_').map(|(_, unit)| unit).filter(|_| !unitless)
     }
 
-    /// Whether it is a joint: all that is neither time, pose, cycle, label nor assembly mode.
+    /// Whether it is a joint: all that is neither time, pose, cycle, label, direction nor assembly mode.
     fn is_joint(&self) -> bool {
-        !is_common_column(self.key.get_ref())
+        !is_common_column(self.key.get_ref()) && !self.name.ends_with(DIRECTION)
     }
 }
 

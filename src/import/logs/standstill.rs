@@ -4,7 +4,7 @@
 //! stated for its kind. The rule is the same read backwards, and has no filter. What stands together is one interval:
 //! stretches that share a sample are.
 
-use super::joint_log::{JointLog, LogRow};
+use super::joint_log::{DIRECTION, JointLog, LogRow};
 use super::{Log, Standstill};
 use crate::base::message::{Message, Place, Result, Stated};
 use crate::base::table::{ASSEMBLY, LABEL};
@@ -160,6 +160,9 @@ fn limits(log: &Log, still: &Standstill, read: &JointLog) -> std::result::Result
         return Err(message.hint("sort the log by time, and remove rows with equal times"));
     }
     let within = |name: &String| {
+        if name.ends_with(DIRECTION) {
+            return Ok(f64::INFINITY);
+        }
         let (key, within) =
             if name.ends_with("_deg") { ("within_deg", still.within_deg) } else { ("within_mm", still.within_mm) };
         within.ok_or_else(|| {

@@ -2,7 +2,7 @@
 
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose_name::{PoseName, two_spellings};
-use crate::base::table::{COVARIANCES, QUATERNION, UNCERTAINTIES, XYZ, pose_column};
+use crate::base::table::{COVARIANCES, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, pose_column};
 use crate::import::format::{Decimal, Delimiter, Dialect, FromRow, two_commas};
 use crate::import::guess::guesses;
 use crate::import::lexer::{Row, WHOLE, number, pose_name, rows};
@@ -10,10 +10,6 @@ use crate::import::logs::meaning;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-
-/// Columns of text.
-const TEXTS: [&str; 10] =
-    ["kind", "target", "station", "socket", "other", "plane", "line_name", "sphere", "axis", "joint"];
 
 /// How a table of observations is laid out, where it is not as this program writes one.
 #[derive(Clone, Debug)]

@@ -440,24 +440,17 @@ impl Cloud<'_> {
         let machine = Arch::new();
         let block = |k: usize| {
             let range = k * BLOCK..self.len().min((k + 1) * BLOCK);
+            // one layout for all sources: the sums are compiled once for each kind of machine
+            let points: Cow<[Vector]> = match &self.source {
+                Source::Space(points) => Cow::Borrowed(&points[range.clone()]),
+                Source::Plane(points) => points[range.clone()].iter().map(|&[x, y]| [x, y, 0.0]).collect(),
+                Source::Packed(points) => Cow::Owned(points.range(range.clone())),
+            };
             let gathered = start.clone();
-            match &self.source {
-                Source::Space(points) => machine.dispatch(
-                    #[inline(always)]
-                    || self.pass(range.start, &points[range], gathered),
-                ),
-                Source::Plane(points) => machine.dispatch(
-                    #[inline(always)]
-                    || self.pass(range.start, &points[range], gathered),
-                ),
-                Source::Packed(points) => {
-                    let (first, points) = (range.start, points.range(range));
-                    machine.dispatch(
-                        #[inline(always)]
-                        || self.pass(first, &points, gathered),
-                    )
-                }
-            }
+            machine.dispatch(
+                #[inline(always)]
+                || self.pass(range.start, &points, gathered),
+            )
         };
         let blocks = self.len().div_ceil(BLOCK);
         if blocks <= 1 {
@@ -470,15 +463,15 @@ impl Cloud<'_> {
         joined.reduce(G::join).unwrap_or_else(|| start.clone().close())
     }
 
-    /// Normalises `points` (in the plane or in space), of which the first is number `first`, eight by eight.
+    /// Normalises `points`, of which the first is number `first`, eight by eight.
     #[inline(always)]
-    fn pass<G: Gather, const D: usize>(&self, first: usize, points: &[[f64; D]], mut gathered: G) -> G::Sum {
+    fn pass<G: Gather>(&self, first: usize, points: &[Vector], mut gathered: G) -> G::Sum {
         let (centre, factor) = (self.centre_mm, 1.0 / self.scale_mm);
         // without weights a multiplication by one is none
         let plain = if self.weights.is_some() { 0 } else { points.len() / LANES * LANES };
         for eight in points[..plain].as_chunks::<LANES>().0 {
             let mut group = Points::default();
-            for k in 0..D {
+            for k in 0..3 {
                 group[k] = (F64x8(eight.map(|p| p[k])) - centre[k]) * factor;
             }
             gathered.take(group, F64x8::all(1.0));
@@ -487,7 +480,7 @@ impl Cloud<'_> {
             let (mut group, mut weights) = (Points::default(), F64x8::default());
             for i in 0..LANES {
                 let p = points[(from + i).min(points.len() - 1)];
-                for k in 0..D {
+                for k in 0..3 {
                     group[k].0[i] = (p[k] - centre[k]) * factor;
                 }
                 if from + i < points.len() {

@@ -27,8 +27,7 @@ pub(super) fn place_fixtures(
     let known = places(&settings.known);
     let free_base = seen.is_empty() && !known.is_empty() && (0..6).all(|i| wanted.contains(&i));
     if free_base {
-        values[..3].fill(0.0);
-        values[3..6].copy_from_slice(&arm.base_angles(&Pose::identity()));
+        values[..6].fill(0.0);
     }
     for (&first, place_mm) in known.iter().filter(|_| !free_base) {
         values[first..first + 3].copy_from_slice(place_mm);
@@ -47,7 +46,7 @@ pub(super) fn place_fixtures(
     let unknown: BTreeSet<usize> = targets.iter().chain(to_find).filter(unseen).copied().collect();
     meet(arm, &contacts, &unknown.into_iter().collect::<Vec<_>>(), values);
     if free_base {
-        move_base(arm, &known, values);
+        move_base(&known, values);
     }
     stand(arm, settings, &seen, wanted, values);
     mount(arm, &settings.conditions, wanted, values);
@@ -98,11 +97,11 @@ fn meet(arm: &dyn FreeBase, contacts: &[&Condition], unknown: &[usize], values: 
 }
 
 /// The base, which is at the world's origin, where the sockets come to their known places.
-fn move_base(arm: &dyn FreeBase, known: &BTreeMap<usize, Vector>, values: &mut [f64]) {
+fn move_base(known: &BTreeMap<usize, Vector>, values: &mut [f64]) {
     let pairs: Vec<(Vector, Vector)> = known.iter().map(|(&first, &place)| (point(values, first), place)).collect();
     let Some(moved) = onto(&pairs) else { return };
     values[..3].copy_from_slice(&moved.translation_mm);
-    values[3..6].copy_from_slice(&arm.base_angles(&moved));
+    values[3..6].copy_from_slice(&moved.rotation_vector_rad());
     for (&first, place) in known {
         values[first..first + 3].copy_from_slice(place);
     }

@@ -39,7 +39,7 @@ pub use frame_error::FrameError;
 pub use identifiability::{Group, RANK_TOLERANCE};
 pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, SingularValue, WeakGroup};
-pub use observation::{Observation, joint_column, stated_modes};
+pub use observation::{Observation, directions, joint_column, joint_values, stated_modes};
 pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use reliability::{ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, reliability};
 pub use residuals::{OF_MEDIAN, ResidualKind};

@@ -29,21 +29,13 @@ impl Observation {
     /// Robots with assembly modes may bring several working modes to one pose and cycle: other joint values are then
     /// another observation. What was taken from the measurement is in `messages`.
     pub fn from_table(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Self>> {
-        let needed = ["pose", "cycle", "target", table::XYZ[0], table::XYZ[1]].map(str::to_owned);
-        let columns: Vec<(String, f64)> =
-            robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
-        table::require(table, &[&needed[..], &columns.iter().map(|c| c.0.clone()).collect::<Vec<_>>()].concat())?;
+        let joints = joint_values(robot, table, &["pose", "cycle", "target", table::XYZ[0], table::XYZ[1]])?;
         let poses = table::poses(table)?;
         let cycles = table::integers(table, "cycle")?;
         let names = table::texts(table, "target")?;
         let xyz = table::coordinates(table)?;
         if robot.dimension() == 3 && table::numbers(table, table::XYZ[2])?.iter().any(|z| z.is_nan()) {
             return Err(Message::error("observations of a robot in space lack `z_mm`").into());
-        }
-        let mut joints = Vec::new();
-        for (column, factor) in &columns {
-            let values = table::numbers(table, column)?;
-            joints.push(values.into_iter().map(|v| factor * v).collect::<Vec<f64>>());
         }
         let stated = stated_modes(robot, table)?;
         let covariances = covariances(table, robot.dimension())?;
@@ -59,7 +51,7 @@ impl Observation {
                 let message = Message::error(format!("{}: `{}` is not a target of this robot", what(), names[row]));
                 message.at(line(row)).hint_names(&names[row], robot.targets().iter().map(String::as_str))
             })?;
-            let here: Vec<f64> = joints.iter().map(|j| j[row]).collect();
+            let here = &joints[row];
             if here.iter().chain(&xyz[row]).any(|v| !v.is_finite()) {
                 let message = Message::error(format!("{}: a value is missing or not a number", what()));
                 return Err(message.at(line(row)).into());
@@ -76,7 +68,7 @@ impl Observation {
                 });
                 observations.len() - 1
             });
-            if observations[k].joints != here {
+            if observations[k].joints != *here {
                 let message = Message::error(format!("{}: its rows disagree on the joint values", what()));
                 return Err(message.at(line(row)).into());
             }
@@ -114,6 +106,57 @@ impl Observation {
         let measured = self.targets.iter().enumerate().filter_map(|(k, target)| Some((k, (*target)?)));
         measured.map(move |(k, target)| (k, minus(target, robot.position(values, &self.joints, k))))
     }
+}
+
+/// Joint values of each row of a table, in mm or rad, and behind them the directions of the joints that came from one side. Columns that are
+/// `needed` beside them are missed with theirs.
+pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Result<Vec<Vec<f64>>> {
+    let columns: Vec<(String, f64)> =
+        robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
+    let needed = needed.iter().map(|name| (*name).to_owned());
+    table::require(table, &needed.chain(columns.iter().map(|c| c.0.clone())).collect::<Vec<_>>())?;
+    let mut rows = vec![Vec::with_capacity(columns.len() + robot.approached().len()); table.height()];
+    for (column, factor) in &columns {
+        let values = table::numbers(table, column)?;
+        rows.iter_mut().zip(values).for_each(|(row, v)| row.push(factor * v));
+    }
+    for &k in robot.approached() {
+        let Joint { name, .. } = &robot.joints()[k];
+        let column = robot.joints()[k].direction_column();
+        let expected = format!("+1 where `{name}` came from below, -1 from above, in a column `{column}`");
+        if table.column(&column).is_err() {
+            let what = format!("`backlash` of joint `{name}` needs the direction from which it came");
+            let hint =
+                "a campaign takes it from a log with times; or remove the joint from `backlash` of the robot file";
+            return Err(Message::error(what).expected(expected).hint(hint).into());
+        }
+        for (i, (row, direction)) in rows.iter_mut().zip(table::numbers(table, &column)?).enumerate() {
+            // rows about fixed points alone have no joint values
+            if direction.abs() != 1.0 && row[k].is_finite() {
+                let line = table::integers(table, "line").ok().map(|lines| lines[i] as usize);
+                let what = if direction.is_nan() { "missing".to_owned() } else { direction.to_string() };
+                let message = Message::error(format!("`{column}` is {what}")).expected(expected);
+                return Err(message.at(Place { line, ..Place::default() }).into());
+            }
+            row.push(direction);
+        }
+    }
+    Ok(rows)
+}
+
+/// The directions from which a joint came to `values` that follow each other, those of its last motions by more than `still`: `None`
+/// before the first.
+pub fn directions(values: impl Iterator<Item = f64>, still: f64) -> Vec<Option<f64>> {
+    let (mut last, mut direction) = (None, None);
+    let next = |value: f64| {
+        let from = *last.get_or_insert(value);
+        if (value - from).abs() > still {
+            direction = Some((value - from).signum());
+            last = Some(value);
+        }
+        direction
+    };
+    values.map(next).collect()
 }
 
 /// The column of a joint, in one of its units, and what takes its values to mm or rad; without one the column that is missing.

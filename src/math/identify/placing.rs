@@ -110,7 +110,7 @@ fn place_all(
     places: &[usize],
 ) -> Result<Option<Placed>> {
     let turned = |r: &[f64; 3]| linear_start(arm, observations, nominal, places, *r);
-    let mut candidates: Vec<(f64, Vec<f64>)> = rotations(arm, nominal, places).iter().filter_map(turned).collect();
+    let mut candidates: Vec<(f64, Vec<f64>)> = rotations(nominal, places).iter().filter_map(turned).collect();
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
     let spread = spread_mm(observations);
     let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count().max(1) as f64;
@@ -145,9 +145,9 @@ pub(super) fn spread_mm(observations: &[Observation]) -> f64 {
     (all.iter().map(|p| norm(minus(*p, mean)).powi(2)).sum::<f64>() / all.len().max(1) as f64).sqrt()
 }
 
-/// Angles of the base to try: those of the 24 rotations that bring a cube to itself, and the nominal ones; held angles
+/// Rotation vectors of the base to try: those of the 24 rotations that bring a cube to itself, and the nominal one; held components
 /// keep their nominal values in all.
-fn rotations(arm: &dyn FreeBase, nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
+fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
     let held = |mut angles: [f64; 3]| {
         for (k, angle) in angles.iter_mut().enumerate().filter(|(k, _)| !places.contains(&(3 + k))) {
             *angle = nominal[3 + k];
@@ -160,7 +160,7 @@ fn rotations(arm: &dyn FreeBase, nominal: &[f64], places: &[usize]) -> Vec<[f64;
             0..4 => Pose::identity().turn_x(f64::from(up) * FRAC_PI_2),
             _ => Pose::identity().turn_y(if up == 4 { FRAC_PI_2 } else { -FRAC_PI_2 }),
         };
-        all.extend((0..4).map(|k| held(arm.base_angles(&tilted.turn_z(f64::from(k) * FRAC_PI_2)))));
+        all.extend((0..4).map(|k| held(tilted.turn_z(f64::from(k) * FRAC_PI_2).rotation_vector_rad())));
     }
     all.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
     all.dedup();

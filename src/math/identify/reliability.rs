@@ -114,6 +114,7 @@ pub fn reliability(
     let readings = observations.iter().map(|o| o.targets.iter().map(|t| reading(t.is_some())).collect()).collect();
     let mut of_pose: BTreeMap<PoseName, Vec<usize>> = BTreeMap::new();
     problem.poses().into_iter().enumerate().for_each(|(row, pose)| of_pose.entry(pose).or_default().push(row));
+    let u: Vec<f64> = (0..n).map(|k| sigma * root.row(k).norm()).collect();
     let influence = |(&pose, rows): (&PoseName, &Vec<usize>)| {
         let r = DVector::from_fn(rows.len(), |i, _| residuals[rows[i]]);
         let mut influence =
@@ -121,7 +122,7 @@ pub fn reliability(
         let Some(z) = without(&seen(rows), &r) else { return influence };
         influence.cooks_distance = z.norm_squared() / (n as f64 * variance);
         let change = &root * z;
-        let over_u = |k: usize| change[k] / (sigma * root.row(k).norm());
+        let over_u = |k: usize| change[k] / u[k];
         if let Some(k) = (0..n).max_by(|&a, &b| over_u(a).abs().total_cmp(&over_u(b).abs())) {
             (influence.parameter, influence.change_over_u) = (found.free[k], over_u(k).abs());
         }

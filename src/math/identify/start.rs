@@ -5,6 +5,7 @@ use super::placing::{MOST_TARGETS, Placed, UNEXPLAINED, place, place_targets, re
 use super::set_up::{explain, far_from_nominal};
 use super::{Observation, Settings};
 use crate::base::message::{Message, Result};
+use crate::base::pose::shortest;
 use crate::math::robots::{FreeBase, Robot, Role};
 use std::collections::BTreeSet;
 
@@ -63,16 +64,9 @@ fn by_points(
         explain(std::slice::from_mut(&mut message), robot, observations);
         return Err(message.into());
     }
-    let angles = [values[3], values[4], values[5]];
     if (3..6).all(|i| places.contains(&i)) {
-        values[3..6].copy_from_slice(&arm.shortest_base_angles(angles));
-    }
-    if arm.base_is_singular([values[3], values[4], values[5]]) {
-        return Err(Message::error(
-            "the x axis of the base is upright in the world: base_rx and base_rz turn about the same axis",
-        )
-        .hint("set `base_turn_y_deg = 90` in the robot file: base_rx, base_ry and base_rz are then counted from there")
-        .into());
+        let turn = shortest([values[3], values[4], values[5]]);
+        values[3..6].copy_from_slice(&turn);
     }
     Ok(values)
 }

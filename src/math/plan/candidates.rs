@@ -3,7 +3,7 @@
 use crate::base::message::{Message, Result, count};
 use crate::base::pose_name::PoseName;
 use crate::base::table;
-use crate::math::identify::{Observation, joint_column, stated_modes};
+use crate::math::identify::{Observation, joint_values, stated_modes};
 use crate::math::robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
@@ -56,15 +56,10 @@ fn out_of_reach(beyond: &[String]) -> Option<Message> {
 fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
     let modes = stated_modes(robot, table)?;
     let names = if table.column("target").is_ok() { Some(table::texts(table, "target")?) } else { None };
-    let mut columns = Vec::new();
-    for joint in robot.joints() {
-        let (column, factor) = joint_column(joint, table)?;
-        columns.push(table::numbers(table, &column)?.into_iter().map(|v| factor * v).collect::<Vec<f64>>());
-    }
+    let values = joint_values(robot, table, &[])?;
     let mut all: Vec<Observation> = Vec::new();
     let mut places = BTreeMap::new();
-    for (row, &pose) in poses.iter().enumerate() {
-        let mut joints: Vec<f64> = columns.iter().map(|c| c[row]).collect();
+    for (row, (&pose, mut joints)) in poses.iter().zip(values).enumerate() {
         if joints.iter().any(|q| !q.is_finite()) {
             return Err(Message::error(format!(
                 "pose {pose} of the candidates: a joint value is missing or not a number"

@@ -30,6 +30,9 @@ pub(super) enum Coefficient {
     Joint { joint: usize, factor: f64, offset: f64 },
     /// Sine or cosine of `order` times the angle of a joint.
     Harmonic { joint: usize, factor: f64, offset: f64, order: f64, sine: bool },
+    /// A number times the direction from which a joint came, +1 from below, -1 from above, by its place behind the joint values; 0 where
+    /// it is not stated.
+    Approach { at: usize, factor: f64 },
     /// A load on the chain, by its number.
     Load(usize),
 }
@@ -74,6 +77,9 @@ impl<J: Scalar> State<'_, J> {
                 let (sin, cos) = ((self.joints[joint] * factor + offset) * order).sin_cos();
                 if sine { sin } else { cos }
             }
+            Coefficient::Approach { at, factor } => {
+                self.joints.get(at).map_or(J::from(0.0), |direction| *direction * factor)
+            }
             Coefficient::Load(load) => self.loads.get(load).copied().unwrap_or(J::from(0.0)),
         }
     }
@@ -88,7 +94,7 @@ impl State<'_> {
                 let (sin, cos) = ((self.joints[joint] * factor + offset) * order).sin_cos();
                 Some((joint, order * factor * if sine { cos } else { -sin }))
             }
-            Coefficient::Constant(_) | Coefficient::Load(_) => None,
+            Coefficient::Constant(_) | Coefficient::Approach { .. } | Coefficient::Load(_) => None,
         }
     }
 }

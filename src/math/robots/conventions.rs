@@ -4,7 +4,7 @@
 //! near-parallel axes (Hayati & Mirmirani 1985), or screw axes (product of exponentials: Brockett 1984).
 
 use super::chain::Motion;
-use super::serial::{ArmBuilder, BaseAngles, Drive, Effects};
+use super::serial::{ArmBuilder, Drive, Effects};
 use super::{Description, Joint, Model, Quantity, Robot, Serial, Source, meaning, wrong_targets};
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, unit};
@@ -21,7 +21,7 @@ pub(super) const MODEL: Model = Model::new::<Keys>(
         &["bending"],
         &["coupling"],
         &["harmonics"],
-        &["base_turn_y_deg"],
+        &["backlash"],
         &["flange_xyz_mm"],
         &["flange_rpy_deg"],
     ],
@@ -78,10 +78,9 @@ struct Keys {
     /// Joints of an arm whose transmission deviates once and twice a turn: their numbers, from 1, or names.
     #[serde(default)]
     harmonics: Vec<JointRef>,
-    /// Rotation about the y axis of the world before base_rx, base_ry and base_rz of a serial arm in modified Denavit-Hartenberg
-    /// parameters.
+    /// Joints of an arm with backlash: their numbers, from 1, or names. The direction from which each came is needed: `NAME_direction`.
     #[serde(default)]
-    base_turn_y_deg: f64,
+    backlash: Vec<JointRef>,
     /// Place of the flange in the base at zero joints, where the joints are screw axes.
     flange_xyz_mm: Option<Vector>,
     /// Orientation of the flange there: rx, ry, rz of Rz Ry Rx.
@@ -106,7 +105,7 @@ impl Effects {
     /// Looks up joints among `joints`, by their numbers or names.
     pub(super) fn new(
         gravity: Vector,
-        [bending, harmonics]: [&[JointRef]; 2],
+        [bending, harmonics, backlash]: [&[JointRef]; 3],
         coupling: &[(JointRef, JointRef)],
         joints: &[Joint],
         place: &dyn Fn(&[&str]) -> Place,
@@ -126,7 +125,11 @@ impl Effects {
             JointRef::Name(name) => names.iter().position(|known| known == name).ok_or_else(|| format!("`{name}`")),
         };
         let mut effects = Self::default();
-        let lists = [("bending", bending, &mut effects.bending), ("harmonics", harmonics, &mut effects.harmonics)];
+        let lists = [
+            ("bending", bending, &mut effects.bending),
+            ("harmonics", harmonics, &mut effects.harmonics),
+            ("backlash", backlash, &mut effects.backlash),
+        ];
         for (key, stated, list) in lists {
             for (i, joint) in stated.iter().enumerate() {
                 match find(joint) {
@@ -282,9 +285,6 @@ impl Keys {
                 problems.0.push(Message::error(what).at(place(&["convention"])));
             }
         }
-        if self.base_turn_y_deg != 0.0 {
-            problems.0.push(no_base_turn(place));
-        }
         problems.check()?;
         Ok(Serial::of_screws(&screws, &home, targets, effects))
     }
@@ -308,19 +308,9 @@ impl Keys {
                 problems.0.push(message.at(place(&[key])).hint("it belongs to `convention = \"poe\"`"));
             }
         }
-        if convention == TableConvention::Standard && self.base_turn_y_deg != 0.0 {
-            problems.0.push(no_base_turn(place));
-        }
         problems.check()?;
-        let arm = Serial::of_table(convention, &joints, targets, effects);
-        Ok(arm.with_base_turn_y(self.base_turn_y_deg.to_radians()))
+        Ok(Serial::of_table(convention, &joints, targets, effects))
     }
-}
-
-fn no_base_turn(place: &dyn Fn(&[&str]) -> Place) -> Message {
-    Message::error("`base_turn_y_deg` is for `convention = \"mdh\"` only")
-        .at(place(&["base_turn_y_deg"]))
-        .hint("remove it: base_rx, base_ry and base_rz are a rotation vector here, and no orientation is singular")
 }
 
 impl Description for Keys {
@@ -338,8 +328,13 @@ impl Description for Keys {
         }
         let mut problems = wrong_targets(targets);
         let joints: Vec<Joint> = (1..).zip(&self.joints).map(|(i, keys)| Joint::numbered(i, keys.prismatic)).collect();
-        let effects =
-            problems.keep(Effects::new(self.gravity, [&self.bending, &self.harmonics], &self.coupling, &joints, place));
+        let effects = problems.keep(Effects::new(
+            self.gravity,
+            [&self.bending, &self.harmonics, &self.backlash],
+            &self.coupling,
+            &joints,
+            place,
+        ));
         // geometry is checked whatever is wrong with the rest
         let effects = effects.unwrap_or_default();
         let arm = problems.keep(match self.convention {
@@ -436,6 +431,7 @@ impl Serial {
             bending: bending.iter().map(|j| j - 1).collect(),
             coupling: coupling.iter().map(|&(j, by)| (j - 1, by - 1)).collect(),
             harmonics: Vec::new(),
+            backlash: Vec::new(),
         };
         Self::of_table(TableConvention::Modified, joints, targets, &effects)
     }
@@ -456,8 +452,7 @@ impl Serial {
         effects: &Effects,
     ) -> Self {
         let modified = convention == TableConvention::Modified;
-        let base = if modified { BaseAngles::Successive { turn_y_rad: 0.0 } } else { BaseAngles::Vector };
-        let mut arm = ArmBuilder::new(base, targets);
+        let mut arm = ArmBuilder::new(targets);
         for (i, j) in joints.iter().enumerate() {
             let n = i + 1;
             let [alpha_means, a_means] = if modified { BEFORE } else { BEHIND };
@@ -499,7 +494,7 @@ impl Serial {
     /// An arm of screw axes with `targets` on its flange, whose pose in the base at zero joints is `home`. Each axis has its own small
     /// errors in the base, two rotations and, where it turns, two translations.
     fn of_screws(screws: &[Screw], home: &Pose, targets: &[String], effects: &Effects) -> Self {
-        let mut arm = ArmBuilder::new(BaseAngles::Vector, targets);
+        let mut arm = ArmBuilder::new(targets);
         for (i, screw) in screws.iter().enumerate() {
             let at = Pose { translation_mm: screw.point_mm, ..Pose::identity() };
             arm.place(at);

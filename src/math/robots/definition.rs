@@ -62,6 +62,8 @@ pub enum Effect {
     Gains,
     /// Harmonics of the transmissions.
     Harmonics,
+    /// Backlash of the joints.
+    Backlash,
     /// Coupling of one joint to another.
     Coupling,
     /// Bending of joints and links under loads.
@@ -121,9 +123,9 @@ impl Parameter {
 /// Meaning where a model has no other: base, targets and fixtures are alike in all.
 fn usual_meaning(quantity: Quantity, role: Role) -> &'static str {
     match (role, quantity) {
-        (Role::Base, Quantity::Angle) => meaning(
-            "Orientation of the base in the world: angles about the axes that the names end with, counterclockwise positive.",
-        ),
+        (Role::Base, Quantity::Angle) => {
+            meaning("Orientation of the base in the world, as a rotation vector; counterclockwise positive.")
+        }
         (Role::Base, _) => meaning("Origin of the base in the world, along the axis that the name ends with."),
         (Role::Target, Quantity::Angle) => {
             meaning("Orientation on the flange of the body that carries the target, as a rotation vector.")
@@ -172,6 +174,11 @@ impl Joint {
     /// Name of the column in a table of observations: `rho1_mm`, `q1_deg`.
     pub fn column(&self) -> String {
         format!("{}_{}", self.name, self.quantity.unit())
+    }
+
+    /// Name of the column of the direction from which it came: +1 from below, -1 from above.
+    pub fn direction_column(&self) -> String {
+        format!("{}_direction", self.name)
     }
 
     /// What the values of a column of this joint are multiplied by to be in mm or rad: `q1_deg`, `q1_rad`, `rho1_mm`, `rho1_m`; `None`

@@ -26,12 +26,11 @@ pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 
 use crate::base::expression::Formula;
 use crate::base::message::{Message, Place, Problems, Result};
-use crate::base::pose::{Pose, Vector, norm};
+use crate::base::pose::{Pose, Vector};
 use crate::base::scalar::Scalar;
 use crate::base::sketch::Sketch;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
-use std::f64::consts::{PI, TAU};
 use std::fmt::Debug;
 use std::sync::Arc;
 use toml::Spanned;
@@ -152,6 +151,17 @@ pub trait Robot: Send + Sync {
         false
     }
 
+    /// Joints whose direction of approach counts, by their indices: behind the joint values follow +1 for each that came from below and
+    /// -1 from above; without them the middle of its backlash is meant.
+    fn approached(&self) -> &[usize] {
+        &[]
+    }
+
+    /// Joints that move the base of the chain itself: the frame of what is measured moves with them.
+    fn joints_of_base(&self) -> &[String] {
+        &[]
+    }
+
     /// Joint values (and the assembly mode behind them) of every way to bring the only target to a position in the world;
     /// `None` for models whose inverse does not hold everywhere.
     fn inverse_all(&self, _parameters: &[f64], _position: Vector) -> Option<Vec<Vec<f64>>> {
@@ -192,6 +202,17 @@ pub trait Robot: Send + Sync {
     /// The joints one behind the other, of robots that are one chain.
     fn joint_chain(&self, _parameters: &[f64]) -> Option<JointChain> {
         None
+    }
+
+    /// What a joint moves by at commanded joint values with its own errors (lead, gain, zero, harmonics, bending), mm or rad; `None` for
+    /// models whose joints have none.
+    fn joint_travel(&self, parameters: &[f64], joints: &[f64], joint: usize) -> Option<f64> {
+        let lead = |table: &dyn RailTable| {
+            let [x, y] = table.travel(parameters, joint + 1);
+            x.hypot(y) * joints[joint]
+        };
+        let own = || self.free_base()?.joint_value(parameters, joints, joint, &mut |_, _| {});
+        self.rail_table().map(lead).or_else(own)
     }
 
     /// The robot that the same numbers describe in another convention of the field, and its name.
@@ -308,13 +329,6 @@ fn nearest<R: Robot + ?Sized>(
     let why = all.first().and_then(violation);
     let within = all.into_iter().find(|q| violation(q).is_none());
     within.ok_or_else(|| why.unwrap_or_else(|| "out of reach".to_owned()))
-}
-
-/// The shortest rotation vector of the same rotation, rad.
-fn shortest(vector: Vector) -> Vector {
-    let length = norm(vector);
-    let turns = (length / TAU).round();
-    if length > PI { vector.map(|v| v * (1.0 - turns * TAU / length)) } else { vector }
 }
 
 /// Which joint value is beyond its limits (rad or mm), if one.
@@ -454,21 +468,6 @@ pub trait FreeBase: Robot {
         _write: &mut dyn FnMut(usize, f64),
     ) -> Option<f64> {
         None
-    }
-
-    /// base_rx, base_ry, base_rz of a rotation: a rotation vector, where the model has no other angles.
-    fn base_angles(&self, rotation: &Pose) -> Vector {
-        rotation.rotation_vector_rad()
-    }
-
-    /// The shortest base_rx, base_ry, base_rz of the same rotation.
-    fn shortest_base_angles(&self, angles: Vector) -> Vector {
-        shortest(angles)
-    }
-
-    /// Whether two of them turn about nearly the same axis there.
-    fn base_is_singular(&self, _angles: Vector) -> bool {
-        false
     }
 
     /// Writes by how much the flange turns with each parameter: rotation vectors in the world (rad), 3 rows of all parameters.

@@ -7,7 +7,7 @@ use super::{
     ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role, meaning,
     pose_outputs,
 };
-use super::{limit_violation, nearest, shortest};
+use super::{limit_violation, nearest};
 use crate::base::expression::{Formula, Recorded, derivatives};
 use crate::base::noise::Noise;
 use crate::base::pose::{Pose, Vector, cross, dot, minus, norm};
@@ -16,15 +16,6 @@ use crate::base::sketch::{Sketch, StrokeKind};
 use crate::math::solve;
 use nalgebra::Matrix6;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-/// What base_rx, base_ry and base_rz are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum BaseAngles {
-    /// Rz Ry Rx after a turn of the world about its y axis, rad.
-    Successive { turn_y_rad: f64 },
-    /// A rotation vector: no orientation is singular.
-    Vector,
-}
 
 /// Mass of what a joint carries up to the next one, and its centre in the frame that it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -48,13 +39,14 @@ pub(super) struct Drive {
     pub prismatic: bool,
 }
 
-/// The joints that `bending`, `coupling` and `harmonics` name, and the direction of `gravity`.
+/// The joints that `bending`, `coupling`, `harmonics` and `backlash` name, and the direction of `gravity`.
 #[derive(Debug, Default)]
 pub(super) struct Effects {
     pub gravity: Vector,
     pub bending: Vec<usize>,
     pub coupling: Vec<(usize, usize)>,
     pub harmonics: Vec<usize>,
+    pub backlash: Vec<usize>,
 }
 
 /// A moving joint of the chain.
@@ -93,6 +85,9 @@ const COUPLING: &str =
 const HARMONIC: &str = meaning(
     "Harmonic of the transmission: by how much the joint moves for each unit of the sine or cosine that the name ends with, of once or twice the angle of the joint.",
 );
+const BACKLASH: &str = meaning(
+    "Backlash of the joint: by how much it is further, coming from above, than coming from below to the same logged value; 0 without play.",
+);
 const TILT: &str =
     meaning("Small rotation of the joint's axis, about the axis that the name ends with; counterclockwise positive.");
 const ASIDE: &str = meaning("Small displacement of the joint's axis, along the axis that the name ends with.");
@@ -114,26 +109,27 @@ pub(super) struct ArmBuilder {
     elements: Vec<Element>,
     axes: Vec<Axis>,
     loads: Vec<Load>,
-    base: BaseAngles,
     /// Elements of the base.
     based: usize,
     targets: Vec<String>,
     /// Parameters of each axis: what moves it beside its gain.
     moved: Vec<Vec<Term>>,
+    /// Joints whose direction of approach counts.
+    approached: Vec<usize>,
 }
 
 impl ArmBuilder {
     /// A chain that begins with its base and carries these targets.
-    pub fn new(base: BaseAngles, targets: &[String]) -> Self {
+    pub fn new(targets: &[String]) -> Self {
         let mut arm = Self {
             parameters: Vec::new(),
             elements: Vec::new(),
             axes: Vec::new(),
             loads: Vec::new(),
-            base,
             based: 0,
             targets: targets.to_vec(),
             moved: Vec::new(),
+            approached: Vec::new(),
         };
         for (quantity, turn) in [(Quantity::Length, ""), (Quantity::Angle, "r")] {
             for axis in AXES {
@@ -148,15 +144,7 @@ impl ArmBuilder {
         for axis in 0..3 {
             arm.push(Motion::Shift(axis), 0.0, &[axis]);
         }
-        match base {
-            BaseAngles::Successive { turn_y_rad } => {
-                arm.push(Motion::Turn(1), turn_y_rad, &[]);
-                [2, 1, 0].into_iter().for_each(|axis| arm.push(Motion::Turn(axis), 0.0, &[3 + axis]));
-            }
-            BaseAngles::Vector => {
-                (0..3).for_each(|axis| arm.push(Motion::Attitude(axis), 0.0, &[3 + axis]));
-            }
-        }
+        (0..3).for_each(|axis| arm.push(Motion::Attitude(axis), 0.0, &[3 + axis]));
         arm.based = arm.elements.len();
         arm
     }
@@ -252,6 +240,20 @@ impl ArmBuilder {
         }
     }
 
+    /// Backlash of axes of a chain with so many joints: half of it on either side.
+    pub fn backlash(&mut self, axes: &[usize], joints: usize) {
+        for &k in axes {
+            let Drive { label, joint, factor, prismatic, .. } = self.axes[k].drive.clone();
+            let known = self.approached.iter().position(|j| *j == joint);
+            let at = joints + known.unwrap_or(self.approached.len());
+            self.approached.extend(known.is_none().then_some(joint));
+            let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
+            let parameter = self.parameter(format!("backlash_{label}"), quantity, 0.0, BACKLASH);
+            let coefficient = Coefficient::Approach { at, factor: -0.5 * factor.signum() };
+            self.moved[k].push(Term { parameter, coefficient });
+        }
+    }
+
     /// Bending of the axes `bending`, in their order, under the links behind them.
     pub fn bending(&mut self, bending: &[usize]) {
         for &axis in bending {
@@ -337,10 +339,11 @@ impl ArmBuilder {
         errors
     }
 
-    /// Gains, harmonics, bending and coupling, and the robot with joints that are called q1, q2 ...
+    /// Gains, harmonics, backlash, bending and coupling, and the robot with joints that are called q1, q2 ...
     pub fn finish(mut self, prismatic: impl Iterator<Item = bool>, effects: &Effects) -> Serial {
         self.gains();
         self.harmonics(&effects.harmonics);
+        self.backlash(&effects.backlash, self.axes.len());
         self.bending(&effects.bending);
         self.coupling(&effects.coupling);
         let joints = (1..).zip(prismatic).map(|(i, prismatic)| Joint::numbered(i, prismatic));
@@ -364,9 +367,10 @@ impl ArmBuilder {
             elements: self.elements,
             axes: self.axes,
             loads: self.loads,
-            base: self.base,
             based: self.based,
+            approached: self.approached,
             gravity,
+            of_base: Vec::new(),
             other: None,
         }
     }
@@ -446,12 +450,15 @@ pub struct Serial {
     elements: Vec<Element>,
     axes: Vec<Axis>,
     loads: Vec<Load>,
-    base: BaseAngles,
     /// Elements of the base.
     based: usize,
+    /// Joints whose direction of approach follows the joint values.
+    approached: Vec<usize>,
     gravity: Vector,
     /// Limits of each joint, rad or mm.
     limits: Vec<Option<[f64; 2]>>,
+    /// Joints that move the base.
+    of_base: Vec<String>,
     /// What the same numbers are in another convention.
     other: Option<(String, Box<Self>)>,
 }
@@ -462,20 +469,14 @@ impl Serial {
         Self { limits, ..self }
     }
 
+    /// The same on a base that these joints move.
+    pub(super) fn on_moving_base(self, of_base: Vec<String>) -> Self {
+        Self { of_base, ..self }
+    }
+
     /// The same, with what its numbers are in another convention.
     pub(super) fn with_other(self, what: String, other: Self) -> Self {
         Self { other: Some((what, Box::new(other))), ..self }
-    }
-
-    /// The same arm with base_rx, base_ry, base_rz counted after a turn of the world about its y axis, so that a base
-    /// whose x axis is upright in the world is not at the singularity of the three angles.
-    pub fn with_base_turn_y(mut self, angle_rad: f64) -> Self {
-        if let BaseAngles::Successive { turn_y_rad } = &mut self.base {
-            *turn_y_rad = angle_rad;
-            // base_x, base_y, base_z come before it
-            self.elements[3].constant = angle_rad;
-        }
-        self
     }
 
     /// The frames behind all axes, and the flange, in the base under these loads.
@@ -673,7 +674,8 @@ impl Robot for Serial {
     fn sketches(&self) -> Vec<Sketch> {
         let mut all = vec![self.drawn()];
         if self.index("alpha_1").is_some() {
-            let modified = matches!(self.base, BaseAngles::Successive { .. });
+            // a link begins with its twist in modified parameters
+            let modified = matches!(self.elements[self.based].motion, Motion::Turn(0));
             let parallel = self.parameters().iter().any(|p| p.name.starts_with("beta_"));
             all.push(drawn_link(modified, parallel));
         }
@@ -698,7 +700,7 @@ impl Robot for Serial {
         flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]])
     }
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        let n = joints.len();
+        let n = self.joints().len();
         out.fill(0.0);
         let loads = self.loads(joints);
         let state = State { joints, loads: &loads };
@@ -716,6 +718,12 @@ impl Robot for Serial {
             }
         }
     }
+    fn joints_of_base(&self) -> &[String] {
+        &self.of_base
+    }
+    fn approached(&self) -> &[usize] {
+        &self.approached
+    }
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
         limit_violation(self.joints(), &self.limits, joints)
     }
@@ -725,6 +733,7 @@ impl Robot for Serial {
         match (terms.find(|t| t.parameter == parameter).map(|t| t.coefficient), p.quantity) {
             (Some(Coefficient::Load(_)), _) => Effect::Bending,
             (Some(Coefficient::Harmonic { .. }), _) => Effect::Harmonics,
+            (Some(Coefficient::Approach { .. }), _) => Effect::Backlash,
             // a gain is 1 without error, a coupling 0
             (_, Quantity::Ratio) if p.nominal == 0.0 => Effect::Coupling,
             (_, Quantity::Ratio) => Effect::Gains,
@@ -898,20 +907,5 @@ impl FreeBase for Serial {
                 (0..3).for_each(|i| out[i * n + parameter] += turn[i] * coefficient);
             }
         }
-    }
-    fn base_angles(&self, rotation: &Pose) -> Vector {
-        match self.base {
-            BaseAngles::Successive { turn_y_rad } => Pose::identity().turn_y(-turn_y_rad).then(rotation).rpy_rad(),
-            BaseAngles::Vector => rotation.rotation_vector_rad(),
-        }
-    }
-    fn shortest_base_angles(&self, angles: Vector) -> Vector {
-        match self.base {
-            BaseAngles::Successive { .. } => Pose::from_xyz_rpy([0.0; 3], angles).rpy_rad(),
-            BaseAngles::Vector => shortest(angles),
-        }
-    }
-    fn base_is_singular(&self, angles: Vector) -> bool {
-        self.base != BaseAngles::Vector && (angles[1].abs() - FRAC_PI_2).abs() < 0.1
     }
 }

@@ -4,7 +4,7 @@
 //! turns. They are complete and minimal whatever the axes are, so that parallel axes need no parameters of their own.
 
 use super::conventions::{JointRef, down};
-use super::serial::{ArmBuilder, BaseAngles, Body, Drive, Effects};
+use super::serial::{ArmBuilder, Body, Drive, Effects};
 use super::{Description, Joint, Model, Quantity, Robot, Source, wrong_targets};
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, cross, norm, unit};
@@ -14,7 +14,16 @@ use serde::Deserialize;
 /// Robot of a URDF file.
 pub(super) const MODEL: Model = Model::new::<Keys>(
     "urdf",
-    &[&["file"], &["base_link"], &["tool_link"], &["gravity"], &["bending"], &["coupling"], &["harmonics"]],
+    &[
+        &["file"],
+        &["base_link"],
+        &["tool_link"],
+        &["gravity"],
+        &["bending"],
+        &["coupling"],
+        &["harmonics"],
+        &["backlash"],
+    ],
     &["file", "base_link", "tool_link"],
 );
 
@@ -47,6 +56,9 @@ struct Keys {
     /// Joints of an arm whose transmission deviates once and twice a turn: their numbers, from 1, or names.
     #[serde(default)]
     harmonics: Vec<JointRef>,
+    /// Joints of an arm with backlash: their numbers, from 1, or names. The direction from which each came is needed: `NAME_direction`.
+    #[serde(default)]
+    backlash: Vec<JointRef>,
 }
 
 /// Links and joints of a URDF, in mm and rad.
@@ -288,6 +300,12 @@ impl Tree {
     }
 }
 
+/// Joints of a chain that move its base.
+fn of_base(chain: &[Step]) -> Vec<String> {
+    let moving = chain.iter().filter(|step| step.upward && step.joint.kind != "fixed");
+    moving.map(|step| step.joint.name.clone()).collect()
+}
+
 impl Description for Keys {
     fn states_geometry(&self) -> bool {
         true
@@ -309,15 +327,21 @@ impl Description for Keys {
             let what = format!("no joint moves between `{}` and `{}`", self.base_link, self.tool_link);
             problems.0.push(Message::error(what).at(place(&["tool_link"])));
         }
-        let effects =
-            problems.keep(Effects::new(self.gravity, [&self.bending, &self.harmonics], &self.coupling, &axes, place));
-        if !self.bending.is_empty() && chain.iter().any(|step| step.upward && step.joint.kind != "fixed") {
+        let effects = problems.keep(Effects::new(
+            self.gravity,
+            [&self.bending, &self.harmonics, &self.backlash],
+            &self.coupling,
+            &axes,
+            place,
+        ));
+        let of_base = of_base(&chain);
+        if !self.bending.is_empty() && !of_base.is_empty() {
             let what = format!("`bending` needs a fixed direction of gravity, and joints move `{}`", self.base_link);
             let message = Message::error(what).at(place(&["bending"]));
             problems.0.push(message.hint("remove it, or let `base_link` be a link that does not move"));
         }
         let Some(effects) = effects.filter(|_| problems.0.is_empty()) else { return Err(problems) };
-        let mut arm = ArmBuilder::new(BaseAngles::Vector, targets);
+        let mut arm = ArmBuilder::new(targets);
         let (mut joints, mut limits): (Vec<Joint>, Vec<Option<[f64; 2]>>) = Default::default();
         let mut errors = Vec::new();
         // the sliding axis before a joint, in its frame, and the joint that drives it
@@ -359,6 +383,7 @@ impl Description for Keys {
         }
         arm.gains();
         arm.harmonics(&effects.harmonics);
+        arm.backlash(&effects.backlash, joints.len());
         for &k in &effects.bending {
             if !arm.is_loaded(k) {
                 let what = format!("no mass is stated beyond joint `{}`: nothing bends it", axes[k].name);
@@ -372,6 +397,6 @@ impl Description for Keys {
             problems.0.push(message.hint("no target can bear the name of a joint: rename the target"));
         }
         problems.check()?;
-        Ok(Box::new(arm.build("urdf", joints, effects.gravity).with_limits(limits)))
+        Ok(Box::new(arm.build("urdf", joints, effects.gravity).with_limits(limits).on_moving_base(of_base)))
     }
 }

@@ -9,8 +9,8 @@ use crate::report::words::Words;
 /// Of few parameters; of more a picture takes the whole width.
 const NARROW: (usize, f64) = (14, 380.0);
 const WIDE: f64 = 760.0;
-/// More than this are not lettered.
-const LETTERED: usize = 44;
+/// Of more than this every second is lettered, of twice as many every third.
+const LETTERED: usize = 48;
 const LETTERS: usize = 14;
 /// Pairs from here on are named.
 const STRONG: f64 = 0.9;
@@ -37,7 +37,7 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
     let longest = names.iter().map(|name| short(name).chars().count()).max().unwrap_or(0);
     let wide = n > NARROW.0;
     let width = if wide { WIDE } else { NARROW.1 };
-    let margin = if n <= LETTERED { 12.0 + 7.2 * longest as f64 } else { 12.0 };
+    let margin = 12.0 + 7.2 * longest as f64;
     let cell = (width - margin - 4.0) / n as f64;
     let mut svg = Svg::new("correlation", width, 4.0 + cell * n as f64 + margin, &title, &description);
     for (i, name) in names.iter().enumerate() {
@@ -47,7 +47,7 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
             let tip = words.fill("{0} and {1}: {2}", &[name, other, &number::fixed(value, 3)]);
             svg.cell(at, cell - 1.0, &colour(value), &tip);
         }
-        if n <= LETTERED {
+        if i.is_multiple_of(n.div_ceil(LETTERED)) {
             let middle = 4.0 + cell * (i as f64 + 0.5);
             svg.text("end", (margin - 6.0, middle + 4.0), &short(name));
             svg.text_below((margin + cell * (i as f64 + 0.5) + 4.0, 4.0 + cell * n as f64 + 6.0), &short(name));
@@ -105,6 +105,20 @@ mod tests {
         assert!(picture.caption.ends_with("Correlated by 0.9 or more: gamma – s -0.970."), "{}", picture.caption);
         assert_eq!(picture.rows[2], ["s", "0.000", "-0.970", "1.000"]);
         assert_eq!(colour(1.0), "#005aa0");
+    }
+
+    #[test]
+    fn a_matrix_of_many_parameters_has_letters_too() {
+        let mut document = Documents::demo().parameters;
+        let first = document.parameters[0].clone();
+        let of = |i: usize| crate::document::ParameterEntry { name: format!("p{i}"), ..first.clone() };
+        for (n, lettered) in [(45, 45), (60, 30)] {
+            document.parameters = (0..n).map(of).collect();
+            document.covariance = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+            let picture = picture(&document, &Words::default()).unwrap();
+            // at the side, and below
+            assert_eq!(picture.svg.matches("class=\"end\"").count(), 2 * lettered);
+        }
     }
 
     #[test]

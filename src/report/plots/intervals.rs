@@ -12,8 +12,11 @@ const WIDTH: f64 = 380.0;
 const RIGHT: f64 = 84.0;
 const TOP: f64 = 12.0;
 const ROW: f64 = 20.0;
-/// Letters of a name that are drawn.
+/// Letters of a name that are drawn: a long one loses its middle, as its end often distinguishes it.
 const LETTERS: usize = 14;
+const LAST: usize = 5;
+/// of a figure below the axis
+const FIGURE: f64 = 7.6;
 
 /// One picture for each unit that occurs.
 pub(in crate::report) fn pictures(parameters: &[&ParameterEntry], group: (usize, &str), words: &Words) -> Vec<Figure> {
@@ -50,15 +53,12 @@ fn picture(
     };
     let description = words.say("One mark for each identified parameter: identified minus nominal; the line is ± 2u.");
     let mut svg = Svg::new(&format!("intervals-{key}-{index}"), WIDTH, bottom + 40.0, &title, &description);
-    let name = |p: &ParameterEntry| match p.name.chars().count() > LETTERS {
-        true => p.name.chars().take(LETTERS - 1).chain(['…']).collect(),
-        false => p.name.clone(),
-    };
+    let name = |p: &ParameterEntry| shortened(&p.name);
     let longest = all.iter().map(|p| name(p).chars().count()).max().unwrap_or(0);
     let left = 20.0 + 8.4 * longest as f64;
     let reach = Axis::from_zero(largest * shown.factor, 0.0, 1.0).high();
     let across = Axis::linear(-reach, reach, left, WIDTH - RIGHT);
-    for (value, label) in across.ticks(5) {
+    for (value, label) in apart(&across) {
         let x = across.at(value);
         svg.line("grid", (x, TOP), (x, bottom));
         svg.text("mid", (x, bottom + 15.0), &label);
@@ -85,6 +85,25 @@ fn picture(
     })
 }
 
+fn shortened(name: &str) -> String {
+    let count = name.chars().count();
+    if count <= LETTERS {
+        return name.to_owned();
+    }
+    name.chars().take(LETTERS - 1 - LAST).chain(['…']).chain(name.chars().skip(count - LAST)).collect()
+}
+
+/// As many ticks as have room for their labels, counted from zero.
+fn apart(axis: &Axis) -> Vec<(f64, String)> {
+    let all = axis.ticks(5);
+    let [first, second, ..] = &all[..] else { return all };
+    let step = second.0 - first.0;
+    let letters = all.iter().map(|(_, label)| label.chars().count()).max().unwrap_or(0);
+    let room = axis.at(second.0) - axis.at(first.0);
+    let every = (FIGURE * (letters + 1) as f64 / room).ceil().clamp(1.0, 1e3) as i64;
+    all.into_iter().filter(|(value, _)| (value / step).round() as i64 % every == 0).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -99,5 +118,14 @@ mod tests {
         assert_eq!(pictures.iter().map(|p| p.svg.matches("<circle").count()).sum::<usize>(), identified);
         assert!(pictures.iter().any(|p| p.title.contains("in deg")) && pictures.len() == 3);
         assert!(pictures[1].svg.contains("beta: 0.12346 ± 0.00074 deg"), "{}", pictures[1].svg);
+    }
+
+    #[test]
+    fn names_keep_their_ends_and_labels_their_distance() {
+        assert_eq!(shortened("shoulder_pan_z"), "shoulder_pan_z");
+        assert_eq!(shortened("shoulder_lift_rx"), "shoulder…ft_rx");
+        let narrow = Axis::linear(-0.0002, 0.0002, 138.0, 296.0);
+        let labels: Vec<String> = apart(&narrow).into_iter().map(|(_, label)| label).collect();
+        assert_eq!(labels, ["-0.0002", "0.0000", "0.0002"]);
     }
 }

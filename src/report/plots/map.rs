@@ -11,6 +11,7 @@ use crate::document::PointError;
 use crate::report::model::Figure;
 use crate::report::number::{self, Shown};
 use crate::report::words::Words;
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 /// Marks nearer than this, in units of the picture, lie on one another.
@@ -36,27 +37,27 @@ pub(in crate::report) fn maps(errors: &[&PointError], planar: bool, words: &Word
 }
 
 /// A scale of errors from zero, and the unit that it is in.
-struct Scale {
+pub(super) struct Scale {
     axis: Axis,
     shown: Shown,
 }
 
 impl Scale {
-    fn to(largest_mm: f64) -> Self {
+    pub fn to(largest_mm: f64) -> Self {
         let shown = number::shown("mm", largest_mm);
         Self { axis: Axis::from_zero(largest_mm * shown.factor, 0.0, 1.0), shown }
     }
 
-    fn share(&self, mm: f64) -> f64 {
+    pub fn share(&self, mm: f64) -> f64 {
         self.axis.at(mm * self.shown.factor)
     }
 
-    fn top(&self) -> String {
+    pub fn top(&self) -> String {
         format!("{} {}", number::significant(self.axis.high(), 2), self.shown.unit)
     }
 }
 
-fn level(share: f64) -> usize {
+pub(super) fn level(share: f64) -> usize {
     (share.clamp(0.0, 1.0) * (LEVELS - 1) as f64).round() as usize
 }
 
@@ -109,7 +110,12 @@ fn map(errors: &[&PointError], seen_from: Seen, after: bool, common_mm: f64, wor
             (svg, drawn.len(), seen, WIDTH)
         }
     };
-    legend(&mut svg, errors, [&common, &own], bottom, words);
+    scales(&mut svg, [&common, &own], bottom);
+    for (i, (shape, _, name)) in points::sets(errors).into_iter().enumerate() {
+        let x = 30.0 + 120.0 * i as f64;
+        svg.mark(shape, "map", (x, bottom + 36.0), 4.5, "#ffffff", "");
+        svg.text("start", (x + 10.0, bottom + 40.0), &words.say(name));
+    }
     let hidden = match seen < errors.len() && drawn == seen {
         true => {
             let counts: [&dyn std::fmt::Display; 2] = [&errors.len(), &seen];
@@ -136,8 +142,13 @@ fn chosen<'a>(
 ) -> (usize, Vec<&'a PointError>) {
     let seen = seen(errors, size, at);
     let mut drawn = points::readable(&seen);
-    drawn.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    largest_first(&mut drawn, size);
     (seen.len(), drawn)
+}
+
+fn largest_first(errors: &mut [&PointError], size: fn(&PointError) -> f64) {
+    // bits of numbers that are not negative are in the order of the numbers
+    errors.sort_by_cached_key(|p| Reverse(size(p).to_bits()));
 }
 
 /// The workspace from a direction, within a sphere, so that it can be turned.
@@ -198,13 +209,13 @@ fn seen<'a>(
     at: impl Fn(&PointError) -> Place,
 ) -> Vec<&'a PointError> {
     let mut sorted = errors.to_vec();
-    sorted.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    largest_first(&mut sorted, size);
     let mut taken: BTreeMap<(bool, i64, i64), Vec<Place>> = BTreeMap::new();
     sorted.retain(|p| {
         let (set, (x, y)) = (points::is_validation(p), at(p));
         let (column, row) = ((x / NEAR) as i64, (y / NEAR) as i64);
         let mut around = (column - 1..=column + 1).flat_map(|c| (row - 1..=row + 1).map(move |r| (set, c, r)));
-        let hidden = |other: &Place| (other.0 - x).hypot(other.1 - y) < NEAR;
+        let hidden = |other: &Place| (other.0 - x).powi(2) + (other.1 - y).powi(2) < NEAR * NEAR;
         let free = !around.any(|cell| taken.get(&cell).is_some_and(|places| places.iter().any(hidden)));
         if free {
             taken.entry((set, column, row)).or_default().push((x, y));
@@ -215,7 +226,7 @@ fn seen<'a>(
 }
 
 /// Both scales, of which a page shows the chosen one, and paper the common one.
-fn legend(svg: &mut Svg, errors: &[&PointError], [common, own]: [&Scale; 2], top: f64, words: &Words) {
+pub(super) fn scales(svg: &mut Svg, [common, own]: [&Scale; 2], top: f64) {
     for (scale, class, letter) in [(common, "common", 'o'), (own, "own", 'w')] {
         svg.begin(class);
         let ticks = scale.axis.ticks(5);
@@ -228,11 +239,6 @@ fn legend(svg: &mut Svg, errors: &[&PointError], [common, own]: [&Scale; 2], top
         }
         svg.text("end", (WIDTH - 4.0, top + 18.0), scale.shown.unit);
         svg.end();
-    }
-    for (i, (shape, _, name)) in points::sets(errors).into_iter().enumerate() {
-        let x = 30.0 + 120.0 * i as f64;
-        svg.mark(shape, "map", (x, top + 36.0), 4.5, "#ffffff", "");
-        svg.text("start", (x + 10.0, top + 40.0), &words.say(name));
     }
 }
 

@@ -15,6 +15,7 @@ pub(super) mod map;
 pub(super) mod parameter_errors;
 pub(super) mod plane;
 pub(super) mod points;
+pub(super) mod prediction;
 pub(super) mod residuals;
 pub(super) mod shares;
 pub(super) mod singular;

@@ -111,7 +111,8 @@ fn quantiles(errors: &[&PointError], axes: usize, shown: Shown, reach: f64, word
         let at = (across.at(quantile(i)), up.at(value(r)));
         svg.mark(Shape::Circle, "cal", at, 2.4, "", &points::tooltip(r.0, words));
     }
-    let [mean, deviation] = [mean, deviation].map(|v| format!("{} {}", number::significant(v, 2), shown.unit));
+    let decimals = number::decimals(deviation, 2).unwrap_or(0);
+    let [mean, deviation] = [mean, deviation].map(|v| format!("{} {}", number::fixed(v, decimals), shown.unit));
     Some(Figure {
         title,
         svg: svg.finish(),

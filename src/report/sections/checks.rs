@@ -2,7 +2,7 @@
 
 use crate::document::{InfluenceEntry, ReliabilitySummary, ResidualTrend};
 use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term};
+use crate::report::model::{Block, Cell, Columns, Section, Table, shown, significant, strong_term, term};
 use crate::report::number;
 use crate::report::words::Words;
 
@@ -78,7 +78,7 @@ fn trends(all: &[ResidualTrend], words: &Words) -> Table {
         .both("against", "", name)
         .micrometres("explained", |t| t.explained_mm)
         .both("F", "", |t| significant(t.f, 3))
-        .both("p value", "", |t| Cell::from(number::probability(t.p_value)))
+        .both("p value", "", |t| shown(t.p_value, number::probability))
         .both("trend", "", verdict);
     Table::of(words, all, columns).on("Trends of residuals")
 }

@@ -2,11 +2,13 @@
 
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
-use crate::document::{AccuracyDocument, AccuracySet, ErrorStatistics, ParametersDocument, PointError, Statistics};
+use crate::document::{
+    AccuracyDocument, AccuracySet, ErrorStatistics, MapNode, ParametersDocument, PointError, Statistics,
+};
 use crate::report::model::{Block, Columns, ROWS, Section, Table, Text, shown};
 use crate::report::number::{self, Shown};
 use crate::report::plots::points::{self, after_mm, before_mm};
-use crate::report::plots::{against, arrows, by_pose, histogram, map};
+use crate::report::plots::{against, arrows, by_pose, histogram, map, prediction};
 use crate::report::words::Words;
 use crate::report::{Identified, Report};
 use std::collections::BTreeMap;
@@ -33,7 +35,7 @@ pub(in crate::report) fn of(accuracy: &AccuracyDocument, errors: &[PointError], 
             }
         };
         section.push(Block::heading(title));
-        section.push(Block::Table(statistics(accuracy, set, words)));
+        section.push(Block::Table(statistics(accuracy, set, ["before", "after"], words).on("Errors")));
     }
     if let Some(p) = accuracy.given.as_ref().and_then(|given| given.p_value) {
         let p = number::p_value(p);
@@ -56,7 +58,9 @@ pub(in crate::report) fn of(accuracy: &AccuracyDocument, errors: &[PointError], 
         };
         let set =
             AccuracySet { name: "tool point".to_owned(), poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
-        section.push(Block::Table(statistics(accuracy, &set, words)));
+        // the base plays no part in these: they are not the errors before and after of the sets
+        let names = ["nominal minus identified", "expected"];
+        section.push(Block::Table(statistics(accuracy, &set, names, words).on("Tool point")));
         let um = |mm: f64| number::significant(1e3 * mm, 3);
         let shares = [
             &um(tool.parameters_mm),
@@ -77,6 +81,7 @@ pub(in crate::report) fn of(accuracy: &AccuracyDocument, errors: &[PointError], 
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
     }
     section.push(Block::Table(residuals(errors, words)));
+    section.push(Block::Table(nodes(accuracy, words)));
     section.on_terminal()
 }
 
@@ -98,6 +103,9 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::note(note));
     }
     let mut figures = map::maps(&drawable, planar, words);
+    if let Some(predicted) = &identified.accuracy.map {
+        figures.extend(prediction::pictures(predicted, planar, words));
+    }
     figures.extend(arrows::arrows(&drawable, planar, words));
     let (limits, joints) = (&identified.accuracy.limits, &identified.accuracy.joints);
     figures.extend(histogram::histograms(&drawable, limits, words));
@@ -113,8 +121,8 @@ fn base_mm(parameters: &ParametersDocument) -> Option<Vector> {
     Some([value("base_x")?, value("base_y")?, value("base_z")?])
 }
 
-/// Mean, RMS, 95 % and max of every quantity of a set.
-fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Table {
+/// Mean, RMS, 95 % and max of every quantity of a set, of both errors by their names.
+fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, names: [&str; 2], words: &Words) -> Table {
     // one unit for all lengths, so that rows and sets can be compared
     let lengths = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == "mm");
     let largest_mm = lengths.map(|e| e.before.max.max(e.after.max)).fold(0.0, f64::max);
@@ -142,14 +150,14 @@ fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> 
         .both("RMS", "", move |e| cell(e, e.before.rms))
         .both("95 %", "", move |e| cell(e, e.before.p95))
         .both("max", "", move |e| cell(e, e.before.max))
-        .below(4, "before")
+        .below(4, names[0])
         .both("mean", "", move |e| cell(e, e.after.mean))
         .both("RMS", "", move |e| cell(e, e.after.rms))
         .both("95 %", "", move |e| cell(e, e.after.p95))
         .both("max", "", move |e| cell(e, e.after.max))
-        .below(4, "after")
+        .below(4, names[1])
         .both("RMS ratio", "", ratio);
-    Table::of(words, &set.errors, columns).on("Errors")
+    Table::of(words, &set.errors, columns)
 }
 
 /// Decimals of all numbers in `unit`: two digits of the smallest uncertainty, or, where none is known, three of the smallest error
@@ -232,6 +240,17 @@ fn residuals(errors: &[PointError], words: &Words) -> Table {
     Table::of(words, errors, columns).on("Residuals")
 }
 
+/// The map of the error to expect, for the workbook.
+fn nodes(accuracy: &AccuracyDocument, words: &Words) -> Table {
+    let columns = Columns::<MapNode>::new()
+        .sheet_xyz(["x", "y", "z"], "mm", |n| &n.at_mm)
+        .sheet("nominal minus identified", "mm", |n| n.before_mm)
+        .sheet("expected, parameters (k = 1)", "mm", |n| n.parameters_mm)
+        .sheet("expected (k = 1)", "mm", |n| n.standard_uncertainty_mm)
+        .sheet("95 %", "mm", |n| n.p95_mm);
+    Table::of(words, accuracy.map.iter().flat_map(|map| &map.nodes), columns).on("Predicted errors")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -264,7 +283,7 @@ mod tests {
             tool: None,
             map: None,
         };
-        page_of(&statistics(&document, &set, &Words::default()))
+        page_of(&statistics(&document, &set, ["before", "after"], &Words::default()))
     }
 
     fn page_of(table: &Table) -> Vec<Vec<String>> {

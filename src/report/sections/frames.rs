@@ -3,8 +3,8 @@
 use crate::base::pose::Vector;
 use crate::document::{Feature, FramePose, WorldFrame};
 use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, significant as digits, term};
-use crate::report::number::{fixed as number, significant};
+use crate::report::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, shown, term};
+use crate::report::number::fixed as number;
 use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -23,7 +23,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 
 fn frame(world: &WorldFrame, words: &Words) -> Vec<(String, Cell)> {
     let seen = if world.planar { words.say("projected into the xy plane") } else { words.say("in space") };
-    let mm = |v: f64| format!("{} mm", significant(v, 3));
+    let um = |v: f64| words.number(&format!("{} µm", number(1e3 * v, 2)));
     let (what, said) = match &world.poses[..] {
         [only] => (
             words.say("origin in the exports"),
@@ -34,13 +34,14 @@ fn frame(world: &WorldFrame, words: &Words) -> Vec<(String, Cell)> {
     vec![
         (words.say("definition"), Text::document(&world.definition, words).into()),
         (words.say("observations"), seen.into()),
-        (words.say("targets from their places"), world.rms_mm.map(|v| format!("RMS {}", mm(v))).into()),
-        (words.say("largest distance"), world.max_mm.map(mm).into()),
+        (words.say("targets from their places"), world.rms_mm.map(|v| format!("RMS {}", um(v))).into()),
+        (words.say("largest distance"), world.max_mm.map(um).into()),
         (what, said.into()),
     ]
 }
 
 fn elements(features: &[Feature], words: &Words) -> Table {
+    let um = |mm: f64| number(1e3 * mm, 2);
     let columns = Columns::<Feature>::new()
         .both("name", "", |f| f.name.as_str())
         .both("element", "", |f| term(words, &f.element))
@@ -50,9 +51,12 @@ fn elements(features: &[Feature], words: &Words) -> Table {
         .sheet_xyz(["point x", "point y", "point z"], "mm", |f| &f.point_mm)
         .sheet_xyz(["direction x", "direction y", "direction z"], "", |f| &f.direction)
         .both("radius", "mm", |f| fixed(f.radius_mm, 4))
-        .both("distances, RMS", "mm", |f| digits(f.rms_mm, 3))
-        .both("distances, max", "mm", |f| digits(f.max_mm, 3))
-        .both("u (k = 1)", "mm", |f| digits(f.standard_uncertainty_mm, 2))
+        .both("distances, RMS", "mm", |f| shown(f.rms_mm, um))
+        .shown_in("µm")
+        .both("distances, max", "mm", |f| shown(f.max_mm, um))
+        .shown_in("µm")
+        .both("u (k = 1)", "mm", |f| shown(f.standard_uncertainty_mm, um))
+        .shown_in("µm")
         .sheet("labels", "", |f| f.labels.join(", "));
     Table::of(words, features, columns).on("Features")
 }

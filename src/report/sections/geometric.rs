@@ -61,7 +61,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.table(words.say("Single balls, measured repeatedly"), "", balls);
     section.table(words.say("Fits"), "", fits(document, words));
     let columns = Columns::<crate::document::Region>::new()
-        .both("region of C, in the base frame", "", |r| r.name.as_str())
+        .both("region of C, in the base frame", "", |r| Text::document(&r.name, words))
         .both("area", "mm²", |r| fixed(r.area_mm2, 0))
         .both("corners", "", |r| r.corners_mm.len());
     let regions = Table::of(words, &document.workspace, columns).on("Geometry, workspace");
@@ -181,7 +181,7 @@ fn linearity(document: &GeometricDocument, words: &Words) -> Table {
 /// How well each fit did.
 fn fits(document: &GeometricDocument, words: &Words) -> Table {
     let columns = Columns::<crate::document::GeometricStep>::new()
-        .both("fit", "", |s| s.name.as_str())
+        .both("fit", "", |s| Text::document(&s.name, words))
         .both("residuals", "", |s| s.count)
         .both("standard deviation", "mm", |s| fixed(s.standard_deviation_mm, 4))
         .both("expected", "mm", |s| fixed(s.expected_mm, 4))
@@ -201,7 +201,9 @@ fn drawing(document: &GeometricDocument, words: &Words) -> Option<Figure> {
     }
     let plane = Plane::around((0, 1), &corners);
     let title = words.fill("Workspace of the platform's centre C, {0} plane", &[&"xy"]);
-    let names = regions.iter().map(|r| format!("{}: {} mm²", r.name, number::fixed(r.area_mm2, 0)));
+    let names = regions
+        .iter()
+        .map(|r| format!("{}: {} mm²", Text::document(&r.name, words).plain(), number::fixed(r.area_mm2, 0)));
     let mut svg = Svg::new("workspace", WIDTH, plane.height(), &title, &names.collect::<Vec<_>>().join("; "));
     plane.draw(&mut svg, words);
     for region in &regions {

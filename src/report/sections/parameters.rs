@@ -75,8 +75,22 @@ fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
         .page("change/u", "", |p| fixed(change_over_u(p), 1))
         .page("tolerance", "", |p| significant(p.tolerance, 3))
         .page("status", "", |p| status(p.status, words))
-        .page("confounded with", "", |p| Text::name(&p.confounded_with.join(", ")));
+        .page("confounded with", "", |p| confounded(p, words));
     Table::of(words, parameters, columns).without_empty_columns()
+}
+
+/// Names that a page shows in one cell; the workbook has all.
+const NAMES: usize = 4;
+
+fn confounded(p: &ParameterEntry, words: &Words) -> Text {
+    let names = &p.confounded_with;
+    match names.len() > NAMES + 1 {
+        true => {
+            let more = words.fill("and {0} more", &[&(names.len() - NAMES)]);
+            Text::name(&names[..NAMES].join(", ")).and(format!(" {more}"))
+        }
+        false => Text::name(&names.join(", ")),
+    }
 }
 
 /// All parameters, for the workbook.

@@ -190,7 +190,7 @@ fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
 fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
     let Shown { unit, factor } = number::shown("mm", tool.before.max);
     let text = |v: f64| number::significant(v * factor, 3);
-    let what = words.say("tool point RMS, expected");
+    let what = words.say("tool point RMS: nominal minus identified → expected");
     Headline { what, before: text(tool.before.rms), after: text(tool.after.rms), unit }
 }
 

@@ -258,7 +258,7 @@ fn parameters() -> ParametersDocument {
     };
     let budget = vec![contribution(UncertaintySource::Instrument, 0.8), contribution(UncertaintySource::Frame, 0.6)];
     ParametersDocument {
-        schema: "etalon/parameters/1".to_owned(),
+        schema: ParametersDocument::SCHEMA.to_owned(),
         robot: "prexyt".to_owned(),
         parameters,
         sketches: vec![],

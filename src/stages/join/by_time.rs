@@ -4,7 +4,7 @@ use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
 use crate::base::message::{Message, Problems, Result, count};
 use crate::document::Unmatched;
-use crate::import::JointLog;
+use crate::import::{DIRECTION, JointLog};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How times meet.
@@ -199,6 +199,10 @@ fn joined(targets: &[Target], log: &JointLog, times: &[i64], met: &[Option<Met>]
         let Some((other, share)) = met.other else { return row };
         for ((value, other), name) in row.joints.iter_mut().zip(&log.rows[other].joints).zip(&log.joints) {
             let step = other - *value;
+            // a direction is that of the nearer row
+            if name.ends_with(DIRECTION) {
+                continue;
+            }
             // from 179.9 to -179.9 degrees it is a fifth of a degree; no joint turns so far from one row to the next
             let turned = name.ends_with("_deg") && step.abs() > 270.0;
             *value += share * if turned { step - 360.0 * step.signum() } else { step };

@@ -13,13 +13,15 @@ use crate::base::table;
 use crate::campaign::{Campaign, ClockOffset, Join, JoinBy};
 use crate::document::{FramesDocument, Unmatched};
 use crate::import::{JointLog, LogRow, Point};
-use crate::math::identify::{Covariance, turned};
+use crate::math::identify::{Covariance, directions, turned};
 use crate::math::robots::Robot;
 use crate::stages::gather::Gathered;
 use by_key::by_key;
 use by_label::by_label;
 use by_time::{Clocks, by_time};
 use polars::prelude::{Column, DataFrame};
+use std::borrow::Cow;
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use unmatched::At;
 
@@ -103,10 +105,12 @@ pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, r
     let targets = targets_in_world(campaign, imported, frames, robot, &mut remarks);
     let mut observations = Vec::new();
     for log in &imported.logs {
+        let log = &*with_directions(log, robot)?;
         let joined = match definition.by {
             JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot, &mut remarks),
             _ => with_log(campaign, definition, imported, &targets, log, &mut remarks),
         };
+        let joined = joined.map(|rows| leave_out_unknown(rows, log, &mut remarks));
         let moved_out = joined.as_ref().ok().and_then(|rows| out_of_plane(rows, robot));
         match joined.and_then(|rows| tidy(rows, log, robot)) {
             Ok(table) => {
@@ -314,6 +318,51 @@ fn equal_counts<'a>(
     problems.check().map(|_| ())
 }
 
+/// Motions of a joint by less are those of its encoder at rest, mm or deg.
+const STILL: f64 = 0.01;
+
+/// A log with the directions from which the joints with backlash came: as it states them, or by the order of its times.
+fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, JointLog>> {
+    let mut log = Cow::Borrowed(log);
+    for joint in robot.approached().iter().map(|&k| &robot.joints()[k]) {
+        let name = joint.direction_column();
+        let column = log.joints.iter().position(|column| *column == joint.column());
+        let Some(column) = column.filter(|_| !log.joints.contains(&name)) else { continue };
+        let mut order: Vec<usize> = (0..log.rows.len()).collect();
+        order.sort_by(|&a, &b| log.rows[a].time_s.partial_cmp(&log.rows[b].time_s).unwrap_or(Ordering::Equal));
+        if log.rows.iter().any(|row| row.time_s.is_none()) {
+            let what = format!("log `{}` does not show from which direction joint `{}` came", log.name, joint.name);
+            let hint = format!(
+                "`backlash` needs it: state the times of the rows (`time_s` in `columns`, or `period_s`), or `{name}` in `columns`: +1 from \
+                 below, -1 from above"
+            );
+            return Err(Message::error(what).hint(hint).into());
+        }
+        let found = directions(order.iter().map(|&i| log.rows[i].joints[column]), STILL);
+        let log = log.to_mut();
+        order.into_iter().zip(found).for_each(|(i, d)| log.rows[i].joints.push(d.unwrap_or(f64::NAN)));
+        log.joints.push(name);
+    }
+    Ok(log)
+}
+
+/// The rows without those before the first motion of a joint with backlash.
+fn leave_out_unknown(rows: Vec<Row>, log: &JointLog, remarks: &mut Remarks) -> Vec<Row> {
+    let (rows, lost): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(|row| row.joints.iter().all(|q| !q.is_nan()));
+    if !lost.is_empty() {
+        let poses: BTreeSet<PoseName> = lost.iter().filter_map(|row| row.pose).collect();
+        let name = &log.name;
+        let what = format!(
+            "poses left out, before which a joint with backlash has no motion in log `{name}`: {}",
+            listed(&poses)
+        );
+        remarks
+            .messages
+            .push(Message::warning(what).hint("begin the log before the first pose, or state the direction"));
+    }
+    rows
+}
+
 /// The table of observations, sorted by pose, cycle and the robot's order of targets.
 fn tidy(mut rows: Vec<Row>, log: &JointLog, robot: &dyn Robot) -> Result<DataFrame> {
     rows.sort_by_key(|row| (row.pose, row.cycle, row.target));
@@ -341,6 +390,10 @@ fn tidy(mut rows: Vec<Row>, log: &JointLog, robot: &dyn Robot) -> Result<DataFra
                 .hint_names(&joint, log.joints.iter().map(String::as_str))
         })?;
         columns.push(real(&joint, &|row| row.joints.get(k).copied()));
+    }
+    for name in robot.approached().iter().map(|&k| robot.joints()[k].direction_column()) {
+        let k = log.joints.iter().position(|other| *other == name);
+        columns.push(real(&name, &|row| row.joints.get(k?).copied()));
     }
     if rows.iter().all(|row| row.time_s.is_some()) {
         columns.push(real(table::TIME, &|row| row.time_s));

@@ -1,0 +1,428 @@
+//! `etalon axis-table`
+
+use super::export::Exported;
+use super::kinematics::{identified, joint_names, whole_pose};
+use super::{Verdict, print, say};
+use crate::base::files;
+use crate::base::message::{Message, Place, Problems, Result, Severity};
+use crate::base::pose::Pose;
+use crate::base::table::{self, QUATERNION, XYZ};
+use crate::document::{CampaignSummary, GeometricDocument, LeadResult};
+use crate::export::axis_tables::{self, Deviation, MachineAxes, Plane, Sign};
+use crate::math::robots::{Calibrated, Quantity};
+use crate::run::documents::Documents;
+use crate::stages::table_file::TableFile;
+use std::path::{Path, PathBuf};
+
+/// Compensation table of an axis, or of a plane, from identified parameters, from leads, or from measured errors
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Sources:
+  parameters.json  of a joint its own error (lead, gain, zero, harmonics), of two sliding joints that of the tool; of x, y, z that of a robot
+                   whose controller computes with nominal geometry
+  geometric.json   the lead and linearity of an actuator, of rho1_mm, rho2_mm or rho3_mm
+  table (CSV)      measured errors: a column for each base axis, and `deviation` (attained minus programmed)
+
+Example:
+  etalon axis-table out/parameters.json --robot robot.toml --axis x=0:300:25 --axis y=0:200:25 --corrected y --to beckhoff-plane --sign add")]
+pub struct AxisTable {
+    /// parameters.json, geometric.json or a table of measured errors
+    source: PathBuf,
+    /// robot.toml, for parameters.json
+    #[arg(long, value_name = "FILE")]
+    robot: Option<PathBuf>,
+    /// Base axis and its positions in mm or deg: x_mm, y_mm, z_mm (or x, y, z) or the column of a joint; twice for a plane. The positions of a
+    /// table are its own
+    #[arg(long = "axis", value_name = "NAME[=FROM:TO:STEP]", required = true, value_parser = base_axis)]
+    axes: Vec<BaseAxis>,
+    /// Axis that is corrected; the first base axis if none is named
+    #[arg(long, value_name = "NAME")]
+    corrected: Option<String>,
+    /// Where other axes are meanwhile; x, y, z, qw, qx, qy, qz or joints, zero where not stated
+    #[arg(long, value_name = "NAME=VALUE,...", value_delimiter = ',', value_parser = assignment)]
+    at: Vec<(String, f64)>,
+    /// Positions of the base axes where the table is zero, as at the reference point
+    #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
+    zero_at: Vec<f64>,
+    /// What to write
+    #[arg(long, value_enum, default_value = "csv")]
+    to: Controller,
+    /// What the control does with the values, for tables whose sign its maker does not publish
+    #[arg(long, value_enum)]
+    sign: Option<Sign>,
+    /// Numbers of the axes in the control: base axes, and the corrected one if it is another
+    #[arg(long, value_name = "N,N", value_delimiter = ',', default_values_t = [1, 2, 3])]
+    numbers: Vec<usize>,
+    /// Number of the table in the control, for `sinumerik-cec`
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    table: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Controller {
+    /// Base axes and `deviation`
+    Csv,
+    /// COMP_FILE of LinuxCNC, with COMP_FILE_TYPE = 0
+    Linuxcnc,
+    /// kw.ssfk of a Beckhoff CNC
+    Beckhoff,
+    /// kw.crosscomp2 of a Beckhoff CNC, over two axes; needs --sign
+    BeckhoffPlane,
+    /// $AA_ENC_COMP of a SINUMERIK
+    Sinumerik,
+    /// $AN_CEC of a SINUMERIK: one axis by another, or by itself; needs --sign
+    SinumerikCec,
+}
+
+/// A base axis and its positions, where they are stated.
+#[derive(Clone, Debug)]
+struct BaseAxis {
+    name: String,
+    positions: Vec<f64>,
+}
+
+/// Most positions of a table.
+const MOST_POSITIONS: usize = 100_000;
+
+/// NAME or NAME=FROM:TO:STEP.
+fn base_axis(text: &str) -> std::result::Result<BaseAxis, String> {
+    let (name, range) = text.split_once('=').map_or((text, None), |(name, range)| (name, Some(range)));
+    let name = if XYZ.iter().any(|known| known.strip_suffix("_mm") == Some(name)) {
+        format!("{name}_mm")
+    } else {
+        name.to_owned()
+    };
+    let Some(range) = range else { return Ok(BaseAxis { name, positions: Vec::new() }) };
+    let numbers: Vec<f64> = range.split(':').filter_map(|v| v.trim().parse().ok()).collect();
+    let [from, to, step] = numbers[..] else { return Err("expected NAME=FROM:TO:STEP".to_owned()) };
+    let intervals = ((to - from) / step).round();
+    if !(intervals >= 1.0
+        && intervals < MOST_POSITIONS as f64
+        && (from + intervals * step - to).abs() < 1e-9 * step.abs())
+    {
+        return Err(format!("from {from} to {to} are not whole steps of {step}"));
+    }
+    Ok(BaseAxis { name, positions: (0..=intervals as usize).map(|i| from + i as f64 * step).collect() })
+}
+
+fn assignment(text: &str) -> std::result::Result<(String, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
+    let value = value.trim().parse::<f64>().ok().filter(|v| v.is_finite());
+    Ok((base_axis(name)?.name, value.ok_or_else(|| format!("`{name}` has no number"))?))
+}
+
+/// What deviations come from.
+enum Source<'a> {
+    Joint { robot: &'a Calibrated<'a>, joints: Vec<f64>, bases: Vec<usize>, corrected: usize },
+    Pose { robot: &'a Calibrated<'a>, at: Pose, bases: Vec<usize>, corrected: usize },
+    Lead(&'a LeadResult),
+    Measured(Vec<(Vec<f64>, f64)>),
+}
+
+impl Source<'_> {
+    /// Attained minus programmed position of the corrected axis at positions of the base axes, mm or deg; `near` is where the robot comes from.
+    fn deviation(&self, positions: &[f64], near: &mut Vec<f64>) -> std::result::Result<f64, String> {
+        match self {
+            Self::Joint { robot, joints, bases, corrected } => {
+                let (all, mut q) = (robot.arm.joints(), joints.clone());
+                bases.iter().zip(positions).for_each(|(&joint, v)| q[joint] = all[joint].quantity.inward(*v));
+                let deviation = if bases == &[*corrected] {
+                    robot.joint_deviation(&q, *corrected)
+                } else {
+                    let moved = moved(bases, *corrected);
+                    let index = moved.iter().position(|joint| joint == corrected).unwrap_or_default();
+                    robot.joint_deviations(&q, &moved).map(|all| all[index])
+                };
+                let none = || format!("`{}` has no errors of its own in this model", all[*corrected].name);
+                Ok(all[*corrected].quantity.outward(deviation.ok_or_else(none)?))
+            }
+            Self::Pose { robot, at, bases, corrected } => {
+                let mut wanted = *at;
+                bases.iter().zip(positions).for_each(|(&axis, v)| wanted.translation_mm[axis] = *v);
+                let moved = moved(bases, *corrected);
+                Ok(robot.position_deviation(&wanted, &moved, near)?[*corrected])
+            }
+            Self::Lead(lead) => {
+                let rows = &lead.linearity;
+                let within =
+                    rows.windows(2).find(|pair| (pair[0].commanded_mm..=pair[1].commanded_mm).contains(&positions[0]));
+                let [a, b] = within.ok_or("the lead was not measured there")? else {
+                    return Err("no interval".to_owned());
+                };
+                let part = (positions[0] - a.commanded_mm) / (b.commanded_mm - a.commanded_mm);
+                Ok(lead.error * positions[0] + a.deviation_mm + part * (b.deviation_mm - a.deviation_mm))
+            }
+            Self::Measured(rows) => {
+                let row = rows.iter().find(|(at, _)| at == positions);
+                row.map(|(_, deviation)| *deviation).ok_or_else(|| "the table has no row".to_owned())
+            }
+        }
+    }
+}
+
+/// Axes that a table can move: the base axes, and the corrected one.
+fn moved(bases: &[usize], corrected: usize) -> Vec<usize> {
+    bases.iter().copied().chain((!bases.contains(&corrected)).then_some(corrected)).collect()
+}
+
+/// A source as it was read.
+enum Read {
+    Parameters(Box<Exported>),
+    Leads(GeometricDocument),
+    Measured(TableFile),
+}
+
+impl AxisTable {
+    pub(super) fn run(mut self) -> anyhow::Result<Verdict> {
+        self.consistent()?;
+        let (read, header) = self.read()?;
+        let calibrated;
+        let source = match &read {
+            Read::Parameters(exported) => {
+                let given = exported.given(false);
+                let arm = given
+                    .robot
+                    .map_or_else(|| Err(Message::error("parameters.json needs --robot FILE").into()), whole_pose)?;
+                let identified = identified(arm, given.parameters, &self.source)?;
+                calibrated = Calibrated { arm, nominal: arm.nominal(), identified };
+                self.of_robot(&calibrated)?
+            }
+            Read::Leads(geometric) => self.of_lead(geometric)?,
+            Read::Measured(file) => self.of_table(file)?,
+        };
+        let rows = self.rows(&source)?;
+        let largest = rows.iter().flatten().fold(0.0, |most: f64, v| most.max(v.abs()));
+        let count = rows.iter().map(Vec::len).sum::<usize>();
+        say(format_args!("{count} positions, largest deviation {largest:.6} {}", unit(self.corrected())));
+        print(self.text(rows, &header)?)?;
+        Ok(Verdict::Met)
+    }
+
+    fn corrected(&self) -> &str {
+        self.corrected.as_deref().unwrap_or(&self.axes[0].name)
+    }
+
+    /// Refuses options that do not go together.
+    fn consistent(&mut self) -> Result<()> {
+        self.corrected = self.corrected.take().map(|name| base_axis(&name).map_or(name, |axis| axis.name));
+        let planes = self.to == Controller::BeckhoffPlane;
+        let signed = planes || self.to == Controller::SinumerikCec;
+        let own = self.axes.len() == 1 && self.corrected() == self.axes[0].name;
+        let positions: usize = self.axes.iter().map(|axis| axis.positions.len().max(1)).product();
+        let problem = match self.to {
+            _ if self.axes.len() > 2 || (self.axes.len() == 2 && self.axes[0].name == self.axes[1].name) => {
+                "a table has one base axis or two"
+            }
+            _ if positions > MOST_POSITIONS => "the table has more than 100000 positions",
+            _ if !self.zero_at.is_empty() && self.zero_at.len() != self.axes.len() => {
+                "--zero-at has one position for each base axis"
+            }
+            _ if self.numbers.len() < 3 && self.numbers.len() <= self.axes.len() - usize::from(self.is_base()) => {
+                "--numbers has one number for each axis"
+            }
+            _ if signed && self.sign.is_none() => {
+                "the maker does not publish which sign the values of this table have: state it by --sign add or --sign subtract, after a trial at one position of the machine"
+            }
+            _ if !signed && self.sign.is_some() => "--sign is for tables whose sign is not published",
+            Controller::BeckhoffPlane if self.axes.len() != 2 => "a plane has two base axes",
+            Controller::SinumerikCec if self.axes.len() != 1 => "a table of a SINUMERIK has one base axis",
+            Controller::Linuxcnc | Controller::Beckhoff | Controller::Sinumerik if !own => {
+                "this table has one base axis, which is the one that it corrects"
+            }
+            _ => return Ok(()),
+        };
+        Err(Message::error(problem).into())
+    }
+
+    fn is_base(&self) -> bool {
+        self.axes.iter().any(|axis| axis.name == self.corrected())
+    }
+
+    /// The source, and what its table begins with.
+    fn read(&self) -> Result<(Read, Vec<String>)> {
+        let units = unit_words(self.to);
+        if self.source.extension().is_some_and(|ending| ending == "csv") {
+            let file = TableFile::read(&self.source)?;
+            let header = axis_tables::header([], units, "the measured errors", file.text().as_bytes());
+            return Ok((Read::Measured(file), header));
+        }
+        let bytes = files::read(&self.source)?;
+        if let Ok(geometric) = serde_json::from_slice::<GeometricDocument>(&bytes) {
+            let failed = geometric.messages.iter().filter(|m| m.severity == Severity::Error).cloned().collect();
+            Problems(failed).check()?;
+            let header = axis_tables::header(self.about(), units, "geometric.json", &bytes);
+            return Ok((Read::Leads(geometric), header));
+        }
+        let exported = Exported::read(&self.source, self.robot.as_deref())?;
+        let given = exported.given(false);
+        given.check()?;
+        let header = given.header(units)?;
+        Ok((Read::Parameters(Box::new(exported)), header))
+    }
+
+    /// The campaign and the robot beside a source, where it is in the output folder of a campaign.
+    fn about(&self) -> impl Iterator<Item = String> {
+        let folder = Documents::open(self.source.parent().unwrap_or(Path::new(""))).ok();
+        let summary = folder.and_then(|folder| folder.json::<CampaignSummary>("campaign.json").ok());
+        let names = summary.map(|summary| {
+            let robot = summary.robot.map(|robot| format!("robot: {robot}"));
+            [Some(format!("campaign: {}", summary.name)), robot]
+        });
+        names.into_iter().flatten().flatten()
+    }
+
+    fn of_robot<'a>(&self, robot: &'a Calibrated<'a>) -> Result<Source<'a>> {
+        let cartesian = |name: &str| XYZ.iter().position(|known| *known == name);
+        let joints = robot.arm.joints();
+        let joint = |name: &str| joints.iter().position(|joint| joint.column() == name);
+        let names = || self.axes.iter().map(|axis| axis.name.as_str()).chain([self.corrected()]);
+        let mut near: Vec<f64> = vec![0.0; joint_names(robot.arm).len()];
+        let mut at = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+        for (name, value) in &self.at {
+            let coordinate = XYZ.iter().chain(&QUATERNION).position(|known| known == name);
+            match (coordinate, joint(name)) {
+                (Some(i), _) => at[i] = *value,
+                (None, Some(i)) => near[i] = joints[i].quantity.inward(*value),
+                _ => return Err(Message::error(format!("the robot has no axis `{name}`")).into()),
+            }
+        }
+        let [x, y, z, q @ ..] = at;
+        let at = Pose { translation_mm: [x, y, z], ..Pose::from_quaternion(q) };
+        if let Some(all) = names().map(cartesian).collect::<Option<Vec<_>>>() {
+            let (bases, corrected) = (all[..self.axes.len()].to_vec(), all[self.axes.len()]);
+            return Ok(Source::Pose { robot, at, bases, corrected });
+        }
+        let Some(all) = names().map(joint).collect::<Option<Vec<_>>>() else {
+            let columns = joints.iter().map(|joint| joint.column()).collect::<Vec<_>>().join(", ");
+            let message = Message::error("the axes of a table are all of x_mm, y_mm, z_mm, or all joints");
+            return Err(message.expected(format!("joints {columns}")).into());
+        };
+        let (bases, corrected) = (all[..self.axes.len()].to_vec(), all[self.axes.len()]);
+        let chain = robot.arm.joint_chain(&robot.nominal);
+        let slides =
+            |&joint: &usize| chain.as_ref().is_some_and(|chain| chain.joints.get(joint).is_some_and(|j| j.prismatic));
+        if bases != [corrected] && !all.iter().all(slides) {
+            let message =
+                Message::error("a table of more than one joint needs joints that slide, one behind the other");
+            return Err(message.hint("use x_mm and y_mm: poses of the nominal robot").into());
+        }
+        Ok(Source::Joint { robot, joints: near, bases, corrected })
+    }
+
+    fn of_lead<'a>(&self, geometric: &'a GeometricDocument) -> Result<Source<'a>> {
+        let name = &self.axes[0].name;
+        let lead = geometric.leads.iter().find(|lead| *name == format!("rho{}_mm", lead.actuator));
+        let missing = || {
+            let measured = geometric.leads.iter().map(|lead| format!("rho{}_mm", lead.actuator)).collect::<Vec<_>>();
+            Message::error(format!("no lead of `{name}` was measured")).expected(measured.join(", "))
+        };
+        if self.axes.len() != 1 || self.corrected() != name {
+            return Err(Message::error("a lead is of one axis, which it corrects").into());
+        }
+        Ok(Source::Lead(lead.ok_or_else(missing)?))
+    }
+
+    /// Measured errors of a table; its positions become those of the base axes.
+    fn of_table<'a>(&mut self, file: &TableFile) -> Result<Source<'a>> {
+        let names: Vec<String> =
+            self.axes.iter().map(|axis| axis.name.clone()).chain(["deviation".to_owned()]).collect();
+        let columns = || -> Result<Vec<Vec<f64>>> {
+            table::require(&file.table, &names)?;
+            names.iter().map(|name| table::numbers(&file.table, name)).collect()
+        };
+        let mut columns = columns().map_err(|problems| file.place(problems))?;
+        if columns.iter().flatten().any(|v| !v.is_finite()) {
+            let place = Place::file(file.name.clone());
+            return Err(Message::error("a value is missing or not a number").at(place).into());
+        }
+        let deviations = columns.pop().unwrap_or_default();
+        for (axis, positions) in self.axes.iter_mut().zip(&columns) {
+            axis.positions.clone_from(positions);
+            axis.positions.sort_by(f64::total_cmp);
+            axis.positions.dedup();
+        }
+        let at = |row: usize| columns.iter().map(|column| column[row]).collect::<Vec<_>>();
+        let rows: Vec<(Vec<f64>, f64)> = deviations.iter().enumerate().map(|(row, d)| (at(row), *d)).collect();
+        if rows.len() != self.axes.iter().map(|axis| axis.positions.len()).product::<usize>() {
+            let message = Message::error("the positions are not those of a grid").at(Place::file(file.name.clone()));
+            return Err(message.expected("one row for each position of each base axis").into());
+        }
+        Ok(Source::Measured(rows))
+    }
+
+    /// Deviations along the first axis, one row for each position of the second.
+    fn rows(&self, source: &Source) -> Result<Vec<Vec<f64>>> {
+        let mut near = match source {
+            Source::Pose { robot, .. } => vec![0.0; joint_names(robot.arm).len()],
+            _ => Vec::new(),
+        };
+        let mut deviation = |at: &[f64]| {
+            let place = self.axes.iter().zip(at).map(|(axis, v)| format!("{} = {v}", axis.name)).collect::<Vec<_>>();
+            source.deviation(at, &mut near).map_err(|why| Message::error(format!("{}: {why}", place.join(", "))))
+        };
+        if let Some(axis) = self.axes.iter().find(|axis| axis.positions.is_empty()) {
+            let message = Message::error(format!("`{}` has no positions", axis.name));
+            return Err(message.expected(format!("--axis {}=FROM:TO:STEP", axis.name)).into());
+        }
+        let zero = if self.zero_at.is_empty() { 0.0 } else { deviation(&self.zero_at)? };
+        let seconds: Vec<Vec<f64>> = match self.axes.get(1) {
+            Some(axis) => axis.positions.iter().map(|v| vec![*v]).collect(),
+            None => vec![Vec::new()],
+        };
+        let mut row = |second: &Vec<f64>| -> Result<Vec<f64>> {
+            let at = |first: &f64| [std::slice::from_ref(first), second].concat();
+            self.axes[0].positions.iter().map(|first| Ok(deviation(&at(first))? - zero)).collect()
+        };
+        seconds.iter().map(&mut row).collect()
+    }
+
+    fn text(&self, rows: Vec<Vec<f64>>, header: &[String]) -> Result<String> {
+        let first = &self.axes[0].positions;
+        let along = |&position: &f64, &d: &f64| Deviation { position, forward: d, backward: d };
+        let line = |row: &Vec<f64>| first.iter().zip(row).map(|(position, d)| along(position, d)).collect::<Vec<_>>();
+        rows.iter().try_for_each(|row| axis_tables::plausible(&line(row)))?;
+        let line = line(&rows[0]);
+        let of_base = self.axes.iter().position(|axis| axis.name == self.corrected()).unwrap_or(self.axes.len());
+        let number = |i: usize| self.numbers.get(i).copied().unwrap_or(i + 1);
+        let axes = MachineAxes { base: [number(0), number(1)], corrected: number(of_base) };
+        let name = self.corrected().rsplit_once('_').map_or(self.corrected(), |(name, _)| name).to_uppercase();
+        let name: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
+        let sign = self.sign.unwrap_or(Sign::Add);
+        match self.to {
+            Controller::Csv => Ok(self.csv(&rows)),
+            Controller::Linuxcnc => axis_tables::linuxcnc(&line),
+            Controller::Beckhoff => Ok(axis_tables::beckhoff(&line, &name, header)),
+            Controller::Sinumerik => axis_tables::sinumerik(&line, &format!("AX{}", axes.corrected), header),
+            Controller::SinumerikCec => axis_tables::sinumerik_cec(&line, axes, self.table, sign, header),
+            Controller::BeckhoffPlane => {
+                let ends =
+                    [0, 1].map(|i| (self.axes[i].positions[0], self.axes[i].positions[1] - self.axes[i].positions[0]));
+                let plane = Plane { start: ends.map(|end| end.0), step: ends.map(|end| end.1), rows };
+                axis_tables::beckhoff_plane(&plane, axes, &name, sign, header)
+            }
+        }
+    }
+
+    fn csv(&self, rows: &[Vec<f64>]) -> String {
+        let names: Vec<&str> = self.axes.iter().map(|axis| axis.name.as_str()).collect();
+        let mut out = format!("{},deviation\n", names.join(","));
+        for (j, row) in rows.iter().enumerate() {
+            let second = self.axes.get(1).map(|axis| format!("{:?},", axis.positions[j])).unwrap_or_default();
+            for (position, deviation) in self.axes[0].positions.iter().zip(row) {
+                out += &format!("{position:?},{second}{deviation:?}\n");
+            }
+        }
+        out
+    }
+}
+
+/// Of the column of a joint, or a coordinate.
+fn unit(name: &str) -> &'static str {
+    if name.ends_with("_deg") { Quantity::Angle.unit() } else { Quantity::Length.unit() }
+}
+
+fn unit_words(to: Controller) -> &'static str {
+    match to {
+        Controller::Beckhoff | Controller::BeckhoffPlane => "0.1 um or 0.0001 deg",
+        _ => "mm or deg",
+    }
+}
