@@ -11,7 +11,7 @@ use crate::math::fit;
 use crate::stages::gather::used_labels;
 use crate::stages::labelled_points::LabelledPoints;
 use crate::stages::repeats;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
 /// Pose and cycle of targets measured together.
@@ -35,13 +35,7 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     for (name, definition) in &campaign.file.features {
         let Some((element, labels)) = definition.element() else { continue };
         let chosen: Vec<Vector> = labels.iter().flat_map(|l| labelled.named([l])).collect();
-        let found = match element {
-            "plane" => fit::plane(&chosen, &settings),
-            "line" => fit::line(&chosen, &settings),
-            "circle" => fit::circle3d(&chosen, &settings),
-            _ => fit::cylinder(&chosen, &settings),
-        };
-        let fitted = match found {
+        let fitted = match fitted(element, &chosen, &settings) {
             Ok(fitted) => fitted,
             Err(more) => {
                 let place = labels.first().map(|l| Box::new(campaign.place(l)));
@@ -79,6 +73,15 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     }
     problems.check()?;
     Ok(FeaturesDocument { schema: "etalon/features/1".to_owned(), features, messages })
+}
+
+fn fitted(element: &str, points: &[Vector], settings: &fit::Settings) -> Result<fit::Fit> {
+    match element {
+        "plane" => fit::plane(points, settings),
+        "line" => fit::line(points, settings),
+        "circle" => fit::circle3d(points, settings),
+        _ => fit::cylinder(points, settings),
+    }
 }
 
 /// A direction worse known than this spoils a frame: 0.1 deg is 0.5 mm over 300 mm.
@@ -129,7 +132,7 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
         Some(WorldDefinition { targets: Some(targets), each, .. }) => {
             from_targets(campaign, points, targets, each.is_some())?
         }
-        Some(world) => from_plane(campaign, points, features, world)?,
+        Some(world) => from_plane(campaign, &Geometry::of(campaign, points, features, world), world)?,
         None => WorldFrame {
             definition: "the coordinates of the exports are those of the world".to_owned(),
             planar: false,
@@ -142,26 +145,39 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
     })
 }
 
+/// What a world frame is made from, by name.
+#[derive(Default)]
+struct Geometry {
+    /// Point and direction of the features.
+    features: BTreeMap<String, (Vector, Vector)>,
+    /// Places of the labels that are no features.
+    places: BTreeMap<String, Vector>,
+}
+
+impl Geometry {
+    fn of(campaign: &Campaign, points: &[Point], features: &FeaturesDocument, world: &WorldDefinition) -> Self {
+        let labelled = LabelledPoints::new(campaign, points);
+        let features: BTreeMap<_, _> =
+            features.features.iter().map(|f| (f.name.clone(), (f.point_mm, f.direction))).collect();
+        let labels = world.names().filter(|name| !features.contains_key(name.get_ref()));
+        let place = |name: &Spanned<String>| Some((name.get_ref().clone(), centroid(&labelled.named([name]))?));
+        Self { places: labels.filter_map(place).collect(), features }
+    }
+}
+
 /// xy plane, origin and one axis, each projected into the plane (thesis 3.4.1).
-fn from_plane(
-    campaign: &Campaign,
-    points: &[Point],
-    features: &FeaturesDocument,
-    world: &WorldDefinition,
-) -> Result<WorldFrame> {
-    let labelled = LabelledPoints::new(campaign, points);
-    let feature = |name: &str| features.features.iter().find(|f| f.name == name);
+fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition) -> Result<WorldFrame> {
     let wrong = |what: &str| Message::error(what.to_owned()).at(campaign.world_place());
     let plane_name = world.plane.as_ref().ok_or_else(|| wrong("the world frame has no plane"))?;
-    let plane = feature(plane_name.get_ref()).ok_or_else(|| wrong("the plane of the world frame is not a feature"))?;
-    let normal = plane.direction;
+    let (on_plane, normal) = *(geometry.features.get(plane_name.get_ref()))
+        .ok_or_else(|| wrong("the plane of the world frame is not a feature"))?;
     let project = |p: Vector| {
-        let height = dot(minus(p, plane.point_mm), normal);
+        let height = dot(minus(p, on_plane), normal);
         [p[0] - height * normal[0], p[1] - height * normal[1], p[2] - height * normal[2]]
     };
     let place = |name: &Spanned<String>| {
         let text = name.get_ref();
-        let found = feature(text).map(|f| f.point_mm).or_else(|| centroid(&labelled.named([name])));
+        let found = geometry.features.get(text).map(|(point, _)| *point).or_else(|| geometry.places.get(text).copied());
         found.map(project).ok_or_else(|| Message::error(format!("nothing is called `{text}`")).at(campaign.place(name)))
     };
     let origin = place(world.origin.as_ref().ok_or_else(|| wrong("the world frame has no origin"))?)?;
@@ -173,7 +189,7 @@ fn from_plane(
     };
     let along = match &ends[..] {
         [from, to] => minus(place(to)?, place(from)?),
-        [one] => feature(one.get_ref()).map(|f| f.direction).unwrap_or_default(),
+        [one] => geometry.features.get(one.get_ref()).map(|(_, direction)| *direction).unwrap_or_default(),
         _ => [0.0; 3],
     };
     let along = minus(along, normal.map(|n| n * dot(along, normal)));
@@ -208,48 +224,109 @@ fn from_plane(
 /// Covariance of a world frame by the uncertainty of each point that makes it: Z = (f(x + u) − f(x − u)) / 2 for each coordinate
 /// (GUM 5.1.3, note 2), and the sum of Z Zᵀ.
 fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, nominal: &Pose) -> Result<[[f64; 6]; 6]> {
-    // features and points that the frame is made from, and no others
-    let mut campaign = campaign.clone();
-    let named: Vec<&str> = world.plane.iter().chain(world.names()).map(|n| n.get_ref().as_str()).collect();
-    campaign.file.features.retain(|name, _| named.contains(&name.as_str()));
-    let labels = used_labels(&campaign);
-    let used = |p: &&Point| labels.iter().any(|name| matches_pattern(name, &p.label));
-    let mut points: Vec<Point> = points.iter().filter(used).cloned().collect();
-    let instrument = campaign.file.instrument.clone();
+    let mut basis = Basis::of(campaign, points, world);
     let mut sum = [[0.0; 6]; 6];
-    // of many points of a feature every k-th is moved, with the weight of k
-    let stride = points.len().div_ceil(FEW);
-    for i in 0..points.len() {
-        let alone = world.names().any(|name| matches_pattern(name.get_ref(), &points[i].label));
-        let stands_for = if alone { 1 } else { stride };
-        if i % stands_for != 0 {
-            continue;
-        }
+    for i in 0..basis.points.len() {
         for axis in 0..3 {
-            let (at, u_mm) = (
-                points[i].xyz_mm[axis],
-                points[i]
-                    .standard_uncertainty_mm
-                    .as_deref()
-                    .map_or_else(|| instrument.standard_uncertainties_mm(points[i].xyz_mm)[axis], |u| u[axis]),
-            );
+            let (at, u_mm) = (basis.points[i][axis], basis.u_mm[i][axis]);
             let mut moved = |by: f64| {
-                points[i].xyz_mm[axis] = at + by;
-                let features = elements(&campaign, &points)?;
-                let frame = from_plane(&campaign, &points, &features, world)?;
+                basis.points[i][axis] = at + by;
+                let frame = from_plane(campaign, &basis.geometry()?, world)?;
                 Ok::<_, Problems>(twist(&nominal.inverse().then(&frame.poses[0].export_T_world)))
             };
             let (up, down) = (moved(u_mm)?, moved(-u_mm)?);
-            points[i].xyz_mm[axis] = at;
-            let weight = 0.5 * (stands_for as f64).sqrt();
-            add_outer(&mut sum, &std::array::from_fn(|k| weight * (up[k] - down[k])));
+            basis.points[i][axis] = at;
+            add_outer(&mut sum, &std::array::from_fn(|k| 0.5 * (up[k] - down[k])));
         }
     }
     Ok(sum)
 }
 
-/// Points of features whose uncertainty is carried one by one.
+/// Points whose uncertainty is carried one by one.
 const FEW: usize = 300;
+/// Steps of the golden section meet no pattern in which points were measured.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+/// The points that make a world frame. Of more than a few, some of each label are there for all of it: each has the weight of those it
+/// is there for, and the uncertainty of their mean.
+struct Basis {
+    points: Vec<Vector>,
+    weights: Vec<f64>,
+    u_mm: Vec<Vector>,
+    /// Elements by name, and the points of each.
+    features: Vec<(String, &'static str, Vec<usize>)>,
+    /// Labels that are no features, and their points.
+    places: Vec<(String, Vec<usize>)>,
+}
+
+impl Basis {
+    fn of(campaign: &Campaign, points: &[Point], world: &WorldDefinition) -> Self {
+        let named: Vec<&str> = world.plane.iter().chain(world.names()).map(|n| n.get_ref().as_str()).collect();
+        let elements = campaign.file.features.iter().filter(|(name, _)| named.contains(&name.as_str()));
+        let elements: Vec<_> = elements.filter_map(|(name, f)| f.element().map(|found| (name, found))).collect();
+        let is_label = |name: &&str| !elements.iter().any(|(feature, _)| feature.as_str() == *name);
+        let mut labels: Vec<&str> =
+            elements.iter().flat_map(|(_, (_, labels))| labels.iter().map(|l| l.get_ref().as_str())).collect();
+        labels.extend(named.iter().copied().filter(is_label));
+        let mut seen = BTreeSet::new();
+        labels.retain(|label| seen.insert(*label));
+        let mut of_label = vec![Vec::new(); labels.len()];
+        for point in points {
+            if let Some(k) = labels.iter().position(|label| matches_pattern(label, &point.label)) {
+                of_label[k].push(point);
+            }
+        }
+        let all: usize = of_label.iter().map(Vec::len).sum();
+        let mut basis = Self {
+            points: Vec::new(),
+            weights: Vec::new(),
+            u_mm: Vec::new(),
+            features: Vec::new(),
+            places: Vec::new(),
+        };
+        let mut kept = Vec::new();
+        for group in of_label {
+            let few = if all <= FEW { group.len() } else { group.len().min((FEW / labels.len()).max(1)) };
+            let share = few as f64 / group.len().max(1) as f64;
+            let is_kept = |i: usize| few == group.len() || (i as f64 * GOLDEN).fract() < share;
+            let chosen: Vec<&Point> = (0..group.len()).filter(|i| is_kept(*i)).map(|i| group[i]).collect();
+            let weight = group.len() as f64 / chosen.len().max(1) as f64;
+            for point in chosen {
+                let instrument = || campaign.file.instrument.standard_uncertainties_mm(point.xyz_mm);
+                let u_mm = point.standard_uncertainty_mm.as_deref().copied().unwrap_or_else(instrument);
+                basis.points.push(point.xyz_mm);
+                basis.weights.push(weight);
+                basis.u_mm.push(u_mm.map(|u| u / weight.sqrt()));
+                kept.push(point.label.as_str());
+            }
+        }
+        let of = |label: &str| (0..kept.len()).filter(|i| matches_pattern(label, kept[*i])).collect::<Vec<_>>();
+        let all_of = |labels: &[Spanned<String>]| labels.iter().flat_map(|l| of(l.get_ref())).collect();
+        basis.features = elements.iter().map(|(name, (element, l))| ((*name).clone(), *element, all_of(l))).collect();
+        basis.places = named.iter().filter(|name| is_label(name)).map(|name| ((*name).to_owned(), of(name))).collect();
+        basis
+    }
+
+    fn geometry(&self) -> Result<Geometry> {
+        let mut geometry = Geometry::default();
+        for (name, element, of) in &self.features {
+            let points: Vec<Vector> = of.iter().map(|i| self.points[*i]).collect();
+            let weights: Vec<f64> = of.iter().map(|i| self.weights[*i]).collect();
+            let weights = weights.iter().any(|w| *w != 1.0).then_some(weights);
+            let fit = fitted(element, &points, &fit::Settings { weights: weights.as_deref(), ..Default::default() })?;
+            geometry.features.insert(name.clone(), (fit.point_mm, fit.direction.unwrap_or_default()));
+        }
+        for (name, of) in &self.places {
+            let total: f64 = of.iter().map(|i| self.weights[*i]).sum();
+            let sum =
+                of.iter().fold([0.0; 3], |sum, i| [0, 1, 2].map(|k| sum[k] + self.weights[*i] * self.points[*i][k]));
+            if !of.is_empty() {
+                geometry.places.insert(name.clone(), sum.map(|s| s / total));
+            }
+        }
+        Ok(geometry)
+    }
+}
 
 /// Shift and small rotation of a pose near identity.
 fn twist(pose: &Pose) -> [f64; 6] {

@@ -10,11 +10,13 @@ use etalon::base::pose::Pose;
 use etalon::campaign::Campaign;
 use etalon::compare::{Compared, compare};
 use etalon::document::{CompareDocument, CompareFamily, FramesDocument};
+use etalon::import::Point;
 use etalon::run::check;
 use etalon::simulate::{Truth, simulate, true_values};
 use etalon::stages::{frames, identification, join};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// How many campaigns of each are simulated: `usual`, or what the environment states.
 fn campaigns(usual: usize) -> usize {
@@ -191,5 +193,49 @@ fn campaigns_in_which_the_model_misfits_are_not_called_changed() {
         }
         assert!(document.together.is_empty());
         assert!(document.messages.iter().any(|m| m.what.contains("no evidence of a change")));
+    }
+}
+
+/// A scan instead of three points: of many points some are there for all of them.
+#[test]
+fn the_frame_of_a_scan_is_as_uncertain_as_the_sums_over_all_its_points_say() {
+    let campaign = Campaign::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/prexyt-cmm")).expect("campaign");
+    // to and fro in rows of 50, which a fixed step through them would meet at their ends alone
+    let patch = |label: &str, from: [f64; 2], size: [f64; 2], rows: usize| {
+        let point = |i: usize| {
+            let (row, k) = (i / 50, i % 50);
+            let along = if row.is_multiple_of(2) { k } else { 49 - k } as f64 / 49.0;
+            let across = row as f64 / (rows - 1) as f64;
+            Point {
+                label: label.to_owned(),
+                xyz_mm: [from[0] + size[0] * along, from[1] + size[1] * across, 0.0],
+                ..Point::default()
+            }
+        };
+        (0..50 * rows).map(point).collect::<Vec<_>>()
+    };
+    let scanned =
+        [patch("rail2_a", [-20.0, -300.0], [40.0, 200.0], 120), patch("rail2_b", [-20.0, 100.0], [40.0, 200.0], 120)]
+            .concat();
+    let scanned = [scanned, patch("rail3_a", [380.0, -150.0], [60.0, 300.0], 40)].concat();
+    let ball = |label: &str, y: f64, repeats: usize| {
+        vec![Point { label: label.to_owned(), xyz_mm: [0.0, y, 0.0], ..Point::default() }; repeats]
+    };
+    let ([home, end], [repeats_home, repeats_end]) = ([0.0, 350.0], [1000, 400]);
+    let points = [scanned.clone(), ball("R_home", home, repeats_home), ball("R_end", end, repeats_end)].concat();
+    let features = frames::fit_features(&campaign, &points).expect("features");
+    let placed = frames::make_frames(&campaign, &points, &features, false).expect("frames");
+    let covariance = placed.world.poses[0].covariance.expect("covariance");
+
+    let u_mm = campaign.file.instrument.standard_uncertainties_mm([0.0; 3])[0];
+    // z = a + b x + c y by least squares; the ends of the y axis lie in the plane
+    let rows = |p: &Point| nalgebra::Vector3::new(1.0, p.xyz_mm[0], p.xyz_mm[1]);
+    let normal: nalgebra::Matrix3<f64> = scanned.iter().map(|p| rows(p) * rows(p).transpose()).sum();
+    let plane = normal.try_inverse().expect("a plane") * u_mm.powi(2);
+    let [of_home, of_end] = [repeats_home, repeats_end].map(|n| u_mm.powi(2) / n as f64);
+    let expected = [of_home, of_home, plane[(0, 0)], plane[(2, 2)], plane[(1, 1)], (of_home + of_end) / end.powi(2)];
+    for (k, expected) in expected.into_iter().enumerate() {
+        let ratio = (covariance[k][k] / expected).sqrt();
+        assert!((ratio - 1.0).abs() < 0.1, "{k}: {ratio} of what all points give");
     }
 }
