@@ -362,6 +362,55 @@ fn a_killed_run_leaves_the_earlier_folder_or_the_new_one_and_the_next_clears_the
     println!("stopped {rounds} times: {} kept the earlier folder, {} had the new one", found[0], found[1]);
 }
 
+/// A day in 1971 and one in 2100: what a clock that was set shows.
+const DAYS: [u64; 2] = [365 * 86_400, 47_482 * 86_400];
+
+#[test]
+fn neither_clock_nor_locale_nor_time_zone_change_a_byte() {
+    let scratch = copy_sample("prexyt-cmm");
+    let set_clock = |folder: &Path, seconds: u64| {
+        for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_file())
+        {
+            let file = std::fs::OpenOptions::new().append(true).open(entry).unwrap();
+            file.set_modified(std::time::UNIX_EPOCH + Duration::from_secs(seconds)).unwrap();
+        }
+    };
+    let mut runs = Vec::new();
+    for (i, locale) in ["C", "de_DE.UTF-8", "tr_TR.UTF-8"].into_iter().enumerate() {
+        if let Some(seconds) = DAYS.get(i) {
+            set_clock(&scratch.path(), *seconds);
+            set_clock(&scratch.path().join("exports"), *seconds);
+        }
+        let mut command = Command::new(env!("CARGO_BIN_EXE_etalon"));
+        command
+            .args(["run", "campaign"])
+            .current_dir(scratch.root())
+            .env("TZ", ["UTC", "Pacific/Kiritimati", "Asia/Kathmandu"][i]);
+        let output =
+            ["LANG", "LC_ALL", "LC_NUMERIC", "LC_TIME"].iter().fold(&mut command, |c, key| c.env(key, locale)).output();
+        let output = output.unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        runs.push((output.stdout, output.stderr, files(&scratch.path().join("out"))));
+    }
+    assert!(
+        runs.windows(2).all(|pair| pair[0] == pair[1]),
+        "{:?}",
+        runs.iter().map(|run| run.2.keys()).collect::<Vec<_>>()
+    );
+    // a batch goes by what files hold, and the run is one that it need not do again
+    let batch = || {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_etalon"));
+        let output = command.args(["batch", "campaign", "--json"]).current_dir(scratch.root()).output().unwrap();
+        let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        document["campaigns"][0]["computed"].as_bool().unwrap()
+    };
+    for seconds in DAYS {
+        set_clock(&scratch.path(), seconds);
+        set_clock(&scratch.path().join("out"), DAYS[1] - seconds);
+        assert!(!batch());
+    }
+}
+
 #[test]
 fn two_runs_at_once_end_with_the_files_of_one() {
     let scratch = copy_sample("prexyt-cmm");
