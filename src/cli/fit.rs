@@ -47,7 +47,8 @@ pub struct Fit {
     /// Fit a circle in space by the full orthogonal distance instead of plane, projection, circle
     #[arg(long)]
     orthogonal: bool,
-    /// Fit a line2d, plane or circle2d by minimum zone (Chebyshev) instead of least squares: the form of ISO 1101
+    /// Fit a line2d, plane, circle2d, circle3d, sphere, cylinder or cone by minimum zone (Chebyshev) instead of least
+    /// squares: the form of ISO 1101
     #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal", "probe_radius_mm", "probe_side"])]
     minimum_zone: bool,
     /// Print JSON: an object; a list of them with --by-label and for QIF
@@ -237,7 +238,7 @@ impl Fit {
         match self.element.as_str() {
             "enclosing-circle" | "enclosing-sphere" if self.minimum_zone => {
                 let message = Message::error(format!("there is no minimum zone of an {}", self.element));
-                Err(message.hint("leave --minimum-zone out, or fit a circle2d").into())
+                Err(message.hint("leave --minimum-zone out, or fit a circle2d or sphere").into())
             }
             "enclosing-circle" => {
                 let plane: Vec<[f64; 2]> = all().iter().map(|p| [p[0], p[1]]).collect();

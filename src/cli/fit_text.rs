@@ -1,7 +1,7 @@
 //! A fit as text.
 
 use crate::base::pose::Vector;
-use crate::document::{FitDocument, FitStated};
+use crate::document::{FitDocument, FitStated, ZoneProof};
 use std::fmt::Write;
 
 /// A fit as some lines.
@@ -28,10 +28,17 @@ pub(super) fn as_text(document: &FitDocument) -> String {
     line("apex angle", document.apex_angle_deg.map(|a| format!("{a:.6}")), "deg", u.and_then(|u| u.apex_angle_deg));
     let spread = format!("rms {:.6}, max {:.6}, form {:.6}", document.rms_mm, document.max_mm, document.form_mm);
     line("residuals", Some(spread), "mm", None);
+    line("flatness", document.flatness.as_ref().map(|f| format!("{:.6}", f.flatness_mm)), "mm", None);
     if let Some(contacts) = &document.contacts {
         let numbers = |points: &[usize]| points.iter().map(usize::to_string).collect::<Vec<_>>().join(" ");
         let held = format!("points {} and {}", numbers(&contacts.upper), numbers(&contacts.lower));
         line("held by", Some(held), "", None);
+        let proof = match contacts.proof {
+            ZoneProof::Global => "no other zone is narrower",
+            ZoneProof::Local => "no neighbouring zone is narrower",
+            ZoneProof::None => "none",
+        };
+        line("proof", Some(proof.to_owned()), "", None);
     }
     if let Some(probe) = &document.probe {
         let towards = probe.towards.as_ref().map(|d| format!(" {}", vector(d))).unwrap_or_default();

@@ -56,6 +56,9 @@ pub struct FitDocument {
     /// The points that hold a minimum zone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contacts: Option<FitContacts>,
+    /// Of a circle in space by minimum zone: the plane that its roundness is measured in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flatness: Option<FitFlatness>,
     /// From the residuals; absent without redundancy.
     pub standard_uncertainty: Option<FitUncertainty>,
     /// Where the points are probe centres: the probe, and the fit before compensation.
@@ -90,12 +93,72 @@ pub struct FitUncertainty {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitContacts {
-    /// On the side of the normal, to the left of a line, or on the outer circle.
+    /// On the side of the normal, to the left of a line, or on the outer circle, sphere, cylinder or cone.
     pub upper: Vec<usize>,
-    /// On the other side, or on the inner circle.
+    /// On the other side, or on the inner one.
     pub lower: Vec<usize>,
     /// Whether it was proved that no other place has a narrower zone.
     pub verified: bool,
+    /// What was proved: `global` (no other element of the kind has a narrower zone), `local` (no neighbouring one has) or
+    /// `none`.
+    pub proof: ZoneProof,
+    /// Of a sphere, cylinder or cone: Lagrange multipliers of `upper` and `lower`, in their order. They are positive (zero for a
+    /// contact that is not needed), one in sum on each side, and the mean gradients of the distance by the parameters
+    /// of the element agree (Karush-Kuhn-Tucker).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub multipliers: Option<FitMultipliers>,
+}
+
+/// What was proved of a minimum zone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ZoneProof {
+    /// No other element of the kind has a narrower zone.
+    Global,
+    /// No neighbouring element has a narrower zone.
+    Local,
+    /// Nothing.
+    None,
+}
+
+/// Lagrange multipliers of contact points.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FitMultipliers {
+    /// Of the upper or outer points.
+    pub upper: Vec<f64>,
+    /// Of the lower or inner points.
+    pub lower: Vec<f64>,
+}
+
+/// The minimum zone of the plane that a circle in space lies in.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FitFlatness {
+    /// Its width.
+    pub flatness_mm: f64,
+    /// The points that hold it.
+    pub contacts: FitContacts,
+}
+
+impl FitContacts {
+    fn new(found: &MinimumZone) -> Self {
+        let numbered = |points: &[usize]| points.iter().map(|i| i + 1).collect();
+        let proof = match (found.verified, &found.multipliers) {
+            (true, _) => ZoneProof::Global,
+            (false, Some(_)) => ZoneProof::Local,
+            (false, None) => ZoneProof::None,
+        };
+        let multipliers =
+            found.multipliers.as_ref().map(|m| FitMultipliers { upper: m.upper.clone(), lower: m.lower.clone() });
+        Self {
+            upper: numbered(&found.upper),
+            lower: numbered(&found.lower),
+            verified: found.verified,
+            proof,
+            multipliers,
+        }
+    }
 }
 
 /// How a fit was found.
@@ -144,6 +207,7 @@ impl FitDocument {
             form_mm: fit.form_mm(),
             coverage_deg: fit.coverage_deg(),
             contacts: None,
+            flatness: None,
             standard_uncertainty: uncertainty,
             probe: fit.compensation.as_ref().map(FitProbe::new),
             stated: None,
@@ -175,25 +239,38 @@ impl FitDocument {
 
     /// A minimum zone: its residuals are distances from the middle of the zone.
     pub fn minimum_zone(label: Option<String>, found: &MinimumZone) -> Self {
-        let round = found.element == Element::Circle2d;
-        let numbered = |points: &[usize]| points.iter().map(|i| i + 1).collect();
+        use Element::{Circle2d, Circle3d, Plane, Sphere};
+        let centred = matches!(found.element, Circle2d | Circle3d | Sphere);
+        let has_normal = matches!(found.element, Plane | Circle3d);
+        let contacts = FitContacts::new(found);
         let unproved = || {
-            let what = format!("it was not proved that no other {} has a narrower zone", found.element);
-            Message::warning(what).hint("no other one near it has; points this scattered hardly show the element")
+            let (what, hint) = match contacts.proof {
+                ZoneProof::Local => (
+                    format!("the minimum zone is proved the narrowest among neighbouring {}s only", found.element),
+                    "compare its form with that of the fit by least squares, from which it was found",
+                ),
+                _ => (
+                    format!("it was not proved that no other {} has a narrower zone", found.element),
+                    "points this scattered hardly show the element: measure more of its surface",
+                ),
+            };
+            Message::warning(what).hint(hint)
         };
         Self {
-            center_mm: round.then_some(found.point_mm),
-            point_mm: (!round).then_some(found.point_mm),
-            normal: found.direction.filter(|_| found.element == Element::Plane),
-            axis: found.direction.filter(|_| found.element == Element::Line2d),
+            center_mm: centred.then_some(found.point_mm),
+            point_mm: (!centred).then_some(found.point_mm),
+            apex_mm: found.apex_mm(),
+            normal: found.direction.filter(|_| has_normal),
+            axis: found.direction.filter(|_| !has_normal),
             radius_mm: found.radius_mm,
+            apex_angle_deg: found.apex_angle_rad.map(f64::to_degrees),
             form_mm: found.form_mm,
-            contacts: Some(FitContacts {
-                upper: numbered(&found.upper),
-                lower: numbered(&found.lower),
-                verified: found.verified,
-            }),
+            flatness: found
+                .plane
+                .as_deref()
+                .map(|plane| FitFlatness { flatness_mm: plane.form_mm, contacts: FitContacts::new(plane) }),
             messages: (!found.verified).then(unproved).into_iter().collect(),
+            contacts: Some(contacts),
             ..Self::of_extremes(
                 found.element.name(),
                 label,
@@ -226,6 +303,7 @@ impl FitDocument {
             form_mm: high - low,
             coverage_deg: None,
             contacts: None,
+            flatness: None,
             standard_uncertainty: None,
             probe: None,
             stated: None,

@@ -369,7 +369,18 @@ fn a_minimum_zone_names_the_points_that_hold_it() {
     assert!(contacts.verified && contacts.upper == [5] && contacts.lower == [1, 2, 4], "{contacts:?}");
     let shown = etalon(folder.path(), &["fit", "plane", "tent.txt", "--unit", "mm", "--minimum-zone"]);
     assert!(text(&shown.stdout).contains("points 5 and 1 2 4"), "{}", text(&shown.stdout));
-    for element in ["sphere", "enclosing-circle"] {
+    // two poles outside, three points of the equator inside: radii 10.1 and 9.9
+    let equator = "9.9 0 0\n-4.95 8.573651497465942 0\n-4.95 -8.573651497465942 0\n";
+    std::fs::write(folder.path().join("ball.txt"), format!("0 0 10.1\n0 0 -10.1\n{equator}")).unwrap();
+    let answered = etalon(folder.path(), &["fit", "sphere", "ball.txt", "--unit", "mm", "--minimum-zone", "--json"]);
+    let document: etalon::document::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    assert!((document.form_mm - 0.2).abs() < 1e-12 && (document.radius_mm.unwrap() - 10.0).abs() < 1e-12);
+    let contacts = document.contacts.unwrap();
+    assert!(contacts.verified && contacts.upper == [1, 2] && contacts.lower == [3, 4, 5], "{contacts:?}");
+    let multipliers = contacts.multipliers.unwrap();
+    assert!(multipliers.upper.iter().all(|l| (l - 0.5).abs() < 1e-12), "{multipliers:?}");
+    assert!(multipliers.lower.iter().all(|l| (l - 1.0 / 3.0).abs() < 1e-12), "{multipliers:?}");
+    for element in ["torus", "enclosing-circle"] {
         let refused = etalon(folder.path(), &["fit", element, "tent.txt", "--unit", "mm", "--minimum-zone"]);
         assert_eq!(refused.status.code(), Some(2));
         assert!(text_of(&refused).contains("hint:"), "{}", text_of(&refused));

@@ -143,7 +143,7 @@ fn rigid_and_enclosing_of_every_hostile_set() {
             let finite = ball.radius_mm.is_finite() && ball.center_mm.iter().all(|x| x.is_finite());
             assert!(finite && !ball.support.is_empty() && ball.support.len() <= 4, "{what}: {ball:?}");
         }
-        for element in [Element::Line2d, Element::Plane, Element::Circle2d] {
+        for element in Element::ALL {
             let Ok(zone) = fit::minimum_zone(element, points) else { continue };
             let numbers = zone.point_mm.iter().chain(&zone.residuals_mm).chain(&zone.radius_mm);
             assert!(numbers.chain([&zone.form_mm]).all(|x| x.is_finite()), "{element} of {what}: {zone:?}");

@@ -55,5 +55,6 @@ mod thresholds;
 mod tool;
 mod verification;
 mod zones;
+mod zones_in_space;
 
 pub(crate) use support::reference_data;

@@ -1,4 +1,5 @@
-//! Minimum zone: the line, plane or circle between whose two parallels all points lie closest together (ISO 1101 form).
+//! Minimum zone: the line, plane or circle between whose two parallels all points lie closest together (ISO 1101 form); those of
+//! sphere, cylinder and cone are found in [`super::round_zone`].
 //!
 //! Not least squares: four points at most hold the zone, and a single wrong point moves it. Each answer is held by its
 //! contact points, and states whether it was proved that no other place is narrower.
@@ -9,94 +10,76 @@ use super::cloud::{Cloud, Source};
 use super::element::{Element, Settings, refuse};
 use super::line_and_plane::from_first_to_last;
 use super::result::largest_component_positive;
+use super::round_zone::{cone_zone, cylinder_zone, sphere, too_flat};
+use super::zone::{FARTHEST, MinimumZone, SLACK, sides};
 use crate::base::message::Result;
 use crate::base::pose::{Vector, dot, minus, norm, unit};
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-/// A minimum zone and what holds it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MinimumZone {
-    /// Line in the plane, plane, or circle in the plane.
-    pub element: Element,
-    /// Centre of the circle; for a line or plane the foot of the centroid. It lies in the middle of the zone.
-    pub point_mm: Vector,
-    /// Unit direction of the line, unit normal of the plane (largest component positive).
-    pub direction: Option<Vector>,
-    /// Mean of the radii of both circles.
-    pub radius_mm: Option<f64>,
-    /// Width of the zone.
-    pub form_mm: f64,
-    /// Distance of each point from the middle of the zone: positive on the side of the normal, to the left of the
-    /// line, outside the circle.
-    pub residuals_mm: Vec<f64>,
-    /// Indices of the points that hold the upper or outer side, ascending.
-    pub upper: Vec<usize>,
-    /// Indices of the points that hold the lower or inner side, ascending.
-    pub lower: Vec<usize>,
-    /// Whether it was proved, to rounding, that no other line, plane or circle has a narrower zone. Otherwise the zone
-    /// is the narrowest of its neighbourhood at least, where the contact points fulfil their condition.
-    pub verified: bool,
-    /// Zones that were looked at on the way.
-    pub iterations: usize,
-}
-
 /// The minimum zone of an element; of a line or circle in the plane, z of the points is not looked at.
 ///
-/// An error for other elements than line2d, plane and circle2d, and for points that do not determine them.
+/// An error for a line in space and a torus, and for points that do not determine the element, or another as well.
 pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> {
     let flat = || points.iter().map(|p| [p[0], p[1]]).collect::<Vec<_>>();
     match element {
         Element::Line2d => line2d(&flat()),
         Element::Plane => plane(points),
         Element::Circle2d => circle2d(&flat()),
-        _ => Err(refuse(
+        Element::Circle3d => circle3d(points),
+        Element::Sphere => narrower_than_a_plane(sphere(points)?, points),
+        Element::Cylinder => narrower_than_a_plane(cylinder_zone(points)?, points),
+        Element::Cone => narrower_than_a_plane(cone_zone(points)?, points),
+        Element::Line | Element::Torus => Err(refuse(
             format!("there is no minimum zone of a {element}"),
-            "line2d, plane or circle2d",
+            "line2d, plane, circle2d, circle3d, sphere, cylinder or cone",
             "leave --minimum-zone out: the fit is by least squares then",
         )),
     }
 }
 
-/// Distance from a side of the zone, as part of the size of the points or the radius, within which a point holds it:
-/// rounding.
-const CONTACT: f64 = 1e-14;
-/// What a proof may miss, as part of the size of the points: rounding of the bounds.
-const SLACK: f64 = 1e-13;
+/// Refuses a zone that is no narrower than that of the plane: the points do not show the element.
+fn narrower_than_a_plane(zone: MinimumZone, points: &[Vector]) -> Result<MinimumZone> {
+    let cloud = Cloud::new(zone.element, Source::Space(points.into()), &Settings::default())?;
+    let normalised: Vec<Vector> = cloud.points().collect();
+    let flat = narrow_slab(&normalised, cloud.axes[2]).width;
+    if zone.form_mm >= (flat - SLACK) * cloud.scale_mm && flat > SLACK { Err(too_flat(zone.element)) } else { Ok(zone) }
+}
+
+/// Minimum zone of a circle in space, of at least three points that are not on one line: that of the plane, and in it that
+/// of the circle, of the points projected onto it square to it.
+///
+/// Roundness is a form in a plane section (ISO 1101:2017, 17.4; ISO 12181-1), so the width is that in the plane, and the
+/// plane has its own: its flatness.
+fn circle3d(points: &[Vector]) -> Result<MinimumZone> {
+    let cloud = Cloud::new(Element::Circle3d, Source::Space(points.into()), &Settings::default())?;
+    let flat = plane(points)?;
+    let normal = flat.direction.unwrap_or(cloud.axes[2]);
+    let chart = Chart::new(normal);
+    let projected: Vec<[f64; 2]> = points
+        .iter()
+        .map(|&p| {
+            let [x, y, _] = chart.coordinates(minus(p, flat.point_mm));
+            [x, y]
+        })
+        .collect();
+    let round = circle2d(&projected)?;
+    let [a, b, _] = round.point_mm;
+    let from_plane = chart.point(a, b, 0.0);
+    Ok(MinimumZone {
+        element: Element::Circle3d,
+        point_mm: [0, 1, 2].map(|k| flat.point_mm[k] + from_plane[k]),
+        direction: Some(normal),
+        verified: round.verified && flat.verified,
+        iterations: round.iterations + flat.iterations,
+        plane: Some(Box::new(flat)),
+        ..round
+    })
+}
+
 /// Parts of all places, and points seen from one, that are looked at before a proof is given up.
 const PARTS: usize = 20_000;
 const LOOKS: usize = 10_000_000;
-
-impl MinimumZone {
-    /// The zone of points at these distances, in units of `scale_mm`, and the distance of its middle; without its place yet,
-    /// and not verified.
-    fn between(element: Element, distances: &[f64], scale_mm: f64) -> (Self, f64) {
-        let (low, high, lower, upper) = sides(distances);
-        let middle = 0.5 * (low + high);
-        let zone = Self {
-            element,
-            point_mm: [0.0; 3],
-            direction: None,
-            radius_mm: None,
-            form_mm: (high - low) * scale_mm,
-            residuals_mm: distances.iter().map(|d| (d - middle) * scale_mm).collect(),
-            upper,
-            lower,
-            verified: false,
-            iterations: 0,
-        };
-        (zone, middle)
-    }
-}
-
-/// Smallest and largest value, and the indices of those within rounding of either.
-fn sides(values: &[f64]) -> (f64, f64, Vec<usize>, Vec<usize>) {
-    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
-    let near = |side: f64| {
-        (0..values.len()).filter(|&i| (values[i] - side).abs() <= CONTACT * side.abs().max(1.0)).collect::<Vec<_>>()
-    };
-    (low, high, near(low), near(high))
-}
 
 /// Minimum zone of a line in the plane, of at least two different points; it runs from the first point to the last.
 ///
@@ -278,10 +261,6 @@ fn extreme_within(points: &[Vector], rows: &[[f64; 3]], tangent: f64) -> Vec<Vec
 fn sum(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
-
-/// Centres farther away, in sizes of the points, are not looked for: such an arc is straight to a ten-thousandth, and the
-/// rounding of its radius shows in its form.
-const FARTHEST: f64 = 1e4;
 
 /// Minimum zone of a circle in the plane, of at least three points that are not on one line.
 ///

@@ -17,13 +17,16 @@ mod element;
 mod enclosing;
 mod f64x8;
 mod line_and_plane;
+mod minimax;
 mod minimum_zone;
 mod packed;
 mod result;
 mod rigid;
+mod round_zone;
 mod search;
 mod solver;
 mod torus;
+mod zone;
 
 pub use circle_and_sphere::{circle2d, circle3d, sphere};
 pub use cloud::Source;
@@ -32,11 +35,12 @@ pub use cylinder::cylinder;
 pub use element::{CircleMethod, Element, Probe, Settings, Side};
 pub use enclosing::{Enclosing, enclosing_circle, enclosing_sphere};
 pub use line_and_plane::{line, line2d, plane};
-pub use minimum_zone::{MinimumZone, minimum_zone};
+pub use minimum_zone::minimum_zone;
 pub use packed::PackedPoints;
 pub use result::{Compensation, Covariance, Fit, QUANTITIES, Residuals, StandardUncertainty};
 pub use rigid::{RigidFit, rigid, rotation_onto};
 pub use torus::torus;
+pub use zone::{MinimumZone, Multipliers};
 
 use crate::base::message::Result;
 
