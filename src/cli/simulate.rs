@@ -5,7 +5,7 @@ use crate::campaign::Campaign;
 use crate::simulate::Truth;
 use std::path::PathBuf;
 
-/// Write the exports and logs of a campaign for a robot with known parameters and stated noise
+/// Write the exports, logs and observations of a campaign for a robot with known parameters and stated noise
 #[derive(Debug, clap::Args)]
 pub struct Simulate {
     /// Folder of the campaign, or its campaign.toml

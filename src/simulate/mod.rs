@@ -1,15 +1,18 @@
-//! Exports and logs of a robot with known parameters and stated noise, in the formats that a campaign reads.
+//! Exports, logs and tables of observations of a robot with known parameters and stated noise, in the formats that a campaign reads.
 
 mod export;
 mod geometric;
 mod log;
+mod observed;
 mod repeatability;
 pub mod study;
+mod table;
 mod truth;
 mod unmodelled;
 
+pub use observed::{Observe, Stated, To};
 pub use repeatability::{Repeating, Scatter};
-pub use truth::{Circle, LabelledPoint, Placement, Poses, Truth, true_values};
+pub use truth::{Circle, Drawn, LabelledPoint, Placement, Poses, Truth, true_values};
 pub use unmodelled::{Interpolation, Unmodelled};
 
 use crate::base::files;
@@ -36,6 +39,8 @@ struct Scene<'a> {
     /// The point that the tool stands on at each pose, where that is stated.
     stands: Vec<Option<Vector>>,
     export_T_world: Pose,
+    /// What the truth states of fixed things, with the first parameters of what that refers to.
+    known: Vec<(&'a Stated, observed::What, usize)>,
 }
 
 /// One of the measurements: repeats follow each other as whole rounds of all poses.
@@ -121,7 +126,24 @@ impl Scene<'_> {
     }
 }
 
-/// Writes every export and log that `campaign` names, when all of them read back as they are meant; gives their names.
+/// Refuses a truth that observes what the campaign does not read, and a table of nothing.
+fn check_table(campaign: &Campaign, truth: &Truth) -> Result<()> {
+    let has_rows = !truth.observe.is_empty() || !truth.known.is_empty();
+    match &campaign.file.observations {
+        None if has_rows => Err(Message::error("the truth has [[observe]], and the campaign no [observations]")
+            .hint("state the table in campaign.toml: `[observations]` with `file`")
+            .into()),
+        Some(stated) if truth.observe.is_empty() => {
+            let message = Message::error("the truth has no [[observe]] for the table of [observations]");
+            let hint =
+                "state what is observed: kind = \"point\", target = \"ball\" ...; docs/observations.md has the kinds";
+            Err(message.at(campaign.place(&stated.file)).hint(hint).into())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes every export, log and table of observations that `campaign` names, when all of them read back as they are meant; gives their names.
 pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     if campaign.file.synthetic.is_none() {
         return Err(Message::error("the campaign does not state that it is synthetic: its files may be measured ones")
@@ -139,16 +161,29 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         let message = Message::error("a file with joints and points together is not simulated");
         return Err(message.at(campaign.place(&export.file)).hint("state an export and a [log] of their own").into());
     }
-    let robot = campaign.build_robot()?;
+    let table = campaign.file.observations.as_ref();
+    check_table(campaign, truth)?;
+    let mut robot = campaign.build_robot_with(&observed::targets(truth))?;
+    let own = robot.parameters().len();
+    let items = observed::items(truth, robot.as_mut())?;
+    let known = observed::known(truth, robot.as_mut())?;
+    let unstated = robot.parameters()[own..].iter().filter(|p| !truth.parameters.contains_key(&p.name));
+    let unstated: Vec<String> = unstated.map(|p| format!("`{}`", p.name)).collect();
+    if !unstated.is_empty() {
+        let what = format!("[parameters] does not state {}", unstated.join(", "));
+        return Err(Message::error(what).hint("state where the fixed things are that are observed").into());
+    }
+    let values = true_values(robot.as_ref(), &truth.parameters)?;
     let placed = &truth.export_T_world;
     let scene = Scene {
         campaign,
         truth,
         robot: robot.as_ref(),
-        values: true_values(robot.as_ref(), &truth.parameters)?,
-        joints: truth.joint_values(robot.as_ref())?,
+        joints: truth.joint_values(robot.as_ref(), &values)?,
+        values,
         stands: truth.stands()?,
         export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),
+        known,
     };
     scene.check_reach()?;
     truth.unmodelled.as_ref().map_or(Ok(()), |u| u.check(&scene))?;
@@ -161,6 +196,9 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     }
     for stated in &campaign.file.logs {
         texts.push((&stated.file, log::write(&scene, stated)?));
+    }
+    if let Some(stated) = table {
+        texts.push((&stated.file, table::write(&scene, stated, &items)?));
     }
     for (file, text) in &texts {
         files::write(&campaign.resolve(file)?, text.as_bytes())?;

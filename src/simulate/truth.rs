@@ -2,6 +2,7 @@
 
 use crate::base::files;
 use crate::base::message::{Message, Result};
+use crate::base::noise::Noise;
 use crate::base::pose::Vector;
 use crate::campaign::parse;
 use crate::math::geometric::Setup;
@@ -9,6 +10,11 @@ use crate::math::robots::{PlanarPose, Robot};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
+
+/// Stream of the noise of drawn poses: no file has it.
+const DRAWN: u64 = 1 << 40;
+/// How often joint values are drawn that the robot cannot reach.
+const ATTEMPTS: u64 = 1000;
 
 /// `truth.toml`: what is true, and what is measured.
 #[derive(Clone, Debug, Deserialize)]
@@ -18,7 +24,8 @@ pub struct Truth {
     pub seed: u64,
     /// Repeats of every pose.
     pub cycles: i64,
-    /// Gaussian noise of one coordinate (one standard deviation); by default the instrument's standard uncertainty.
+    /// Gaussian noise of one coordinate (one standard deviation); by default the instrument's standard uncertainty. Over that it scales the
+    /// noise of a whole table of observations: 0 is a table without noise.
     pub noise_um: Option<f64>,
     /// Gaussian noise with which a coordinate of a labelled point is found again; by default that of the contact.
     pub contact_um: Option<f64>,
@@ -31,7 +38,8 @@ pub struct Truth {
     /// Height of the targets of a planar robot above the plane.
     #[serde(default)]
     pub target_height_mm: f64,
-    /// Where the world is in the coordinates of the exports.
+    /// Where the world is in the coordinates of the exports: there if absent, as tables of observations are in the world.
+    #[serde(default)]
     pub export_T_world: Placement,
     /// True parameters by name, in mm, deg and 1; those not given are nominal.
     pub parameters: BTreeMap<String, f64>,
@@ -46,6 +54,12 @@ pub struct Truth {
     pub repeatability: Option<super::Repeating>,
     /// Errors that no parameter describes; without them errors after calibration come out too good.
     pub unmodelled: Option<super::Unmodelled>,
+    /// Rows of a table of observations at poses.
+    #[serde(default)]
+    pub observe: Vec<super::Observe>,
+    /// Rows of a table of observations about fixed things.
+    #[serde(default)]
+    pub known: Vec<super::Stated>,
     /// Poses, numbered from 1 in the order given.
     pub poses: Vec<Poses>,
 }
@@ -62,7 +76,7 @@ fn six() -> usize {
 }
 
 /// Position and orientation (Rz Ry Rx).
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Placement {
     /// Position.
@@ -106,6 +120,21 @@ pub struct Poses {
     /// Orientations at each of those positions.
     #[serde(default)]
     pub theta_deg: Vec<f64>,
+    /// Joint values that are drawn.
+    pub drawn: Option<Drawn>,
+}
+
+/// Poses whose joint values are drawn, evenly and each by itself, with the seed; where a pose touches something, they are drawn until they
+/// come there.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Drawn {
+    /// Number of poses.
+    pub count: usize,
+    /// Least joint values in mm or deg.
+    pub from: Vec<f64>,
+    /// Greatest ones.
+    pub to: Vec<f64>,
 }
 
 /// Positions spread evenly on a circle, from its +x side counterclockwise.
@@ -144,7 +173,10 @@ pub(super) fn stated_joints(robot: &dyn Robot, q: &[f64]) -> Result<Vec<f64>> {
 impl Poses {
     /// Number of poses.
     fn count(&self) -> usize {
-        self.joints.len() + self.circles.iter().map(|c| c.count.saturating_mul(self.theta_deg.len())).sum::<usize>()
+        let drawn = self.drawn.as_ref().map_or(0, |drawn| drawn.count);
+        drawn
+            + self.joints.len()
+            + self.circles.iter().map(|c| c.count.saturating_mul(self.theta_deg.len())).sum::<usize>()
     }
 }
 
@@ -177,8 +209,45 @@ impl Truth {
         Ok(all)
     }
 
-    /// Joint values of all poses, in mm and rad.
-    pub(super) fn joint_values(&self, robot: &dyn Robot) -> Result<Vec<Vec<f64>>> {
+    /// Number of poses.
+    pub(super) fn pose_count(&self) -> usize {
+        self.poses.iter().map(Poses::count).sum()
+    }
+
+    /// The range that a pose, numbered from 0, is drawn from.
+    fn range(&self, mut pose: usize) -> Option<&Drawn> {
+        for poses in &self.poses {
+            let before = poses.count() - poses.drawn.as_ref().map_or(0, |drawn| drawn.count);
+            if pose < poses.count() {
+                return poses.drawn.as_ref().filter(|_| pose >= before);
+            }
+            pose -= poses.count();
+        }
+        None
+    }
+
+    /// Whether a pose, numbered from 0, is drawn.
+    pub(super) fn is_drawn(&self, pose: usize) -> bool {
+        self.range(pose).is_some()
+    }
+
+    /// Joint values of a pose, numbered from 0, in mm and rad; those of another attempt are others.
+    pub(super) fn drawn(&self, robot: &dyn Robot, pose: usize, attempt: u64) -> Result<Vec<f64>> {
+        let Some(range) = self.range(pose) else { return Ok(Vec::new()) };
+        let (from, to) = (stated_joints(robot, &range.from)?, stated_joints(robot, &range.to)?);
+        let mut noise = Noise::new(self.seed, DRAWN + ((pose as u64) << 20) + attempt);
+        Ok(from.iter().zip(&to).map(|(a, b)| 0.5 * (a + b) + noise.uniform(0.5 * (b - a))).collect())
+    }
+
+    /// Whether joint values, in mm and rad, are in the range that the pose is drawn from.
+    pub(super) fn is_within(&self, robot: &dyn Robot, pose: usize, q: &[f64]) -> bool {
+        let Some(range) = self.range(pose) else { return true };
+        let ends = stated_joints(robot, &range.from).ok().zip(stated_joints(robot, &range.to).ok());
+        ends.is_some_and(|(from, to)| (0..q.len()).all(|j| from[j] <= q[j] && q[j] <= to[j]))
+    }
+
+    /// Joint values of all poses, in mm and rad; `values` are the true parameters.
+    pub(super) fn joint_values(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<Vec<f64>>> {
         let mut all = Vec::new();
         for poses in &self.poses {
             for q in &poses.joints {
@@ -196,6 +265,14 @@ impl Truth {
                         all.push(q.iter().map(|q| (q * 1e4).round() / 1e4).collect());
                     }
                 }
+            }
+            for _ in 0..poses.drawn.as_ref().map_or(0, |drawn| drawn.count) {
+                let draw = |attempt: u64| self.drawn(robot, all.len(), attempt);
+                let first = draw(0)?;
+                let reachable = |q: &Vec<f64>| robot.limit_violation(values, q).is_none();
+                let others = (1..ATTEMPTS).filter_map(|attempt| draw(attempt).ok());
+                let q = Some(first.clone()).into_iter().chain(others).find(reachable);
+                all.push(q.unwrap_or(first));
             }
         }
         Ok(all)

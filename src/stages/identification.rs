@@ -146,8 +146,8 @@ fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
     world.poses.iter().filter_map(of_pose).chain(common).collect()
 }
 
-/// What was observed, and what is identified from it.
-fn observed(
+/// What was observed, and what is identified from it: what the rows of `table` refer to is added to the parameters of `robot`.
+pub(crate) fn observed(
     campaign: &Campaign,
     stated: &Identify,
     robot: &mut dyn Robot,

@@ -9,11 +9,15 @@ use polars::prelude::DataFrame;
 use std::fmt;
 use std::str::FromStr;
 
+/// Columns of a rotation vector, and of three angles.
+pub const ROTATION_VECTOR: [&str; 3] = ["rx_deg", "ry_deg", "rz_deg"];
+/// See [`ROTATION_VECTOR`].
+pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 /// The same as a rotation vector, and as angles.
 const TRIPLES: [([&str; 3], f64, bool); 4] = [
-    (["rx_deg", "ry_deg", "rz_deg"], DEG, false),
+    (ROTATION_VECTOR, DEG, false),
     (["rx_rad", "ry_rad", "rz_rad"], 1.0, false),
-    (["a_deg", "b_deg", "c_deg"], DEG, true),
+    (ANGLES, DEG, true),
     (["a_rad", "b_rad", "c_rad"], 1.0, true),
 ];
 const DEG: f64 = std::f64::consts::PI / 180.0;
@@ -50,6 +54,31 @@ impl AngleOrder {
         // turns about fixed axes are those about moving ones in the other order
         let order = if self.fixed { [2, 1, 0] } else { [0, 1, 2] };
         order.into_iter().fold(Pose::identity(), turn)
+    }
+}
+
+impl AngleOrder {
+    /// The angles (rad) that turn a body to this orientation: the second one in [−π/2, π/2], or in [0, π] where the first and third turn about the
+    /// same axis.
+    pub fn angles(self, body: &Pose) -> [f64; 3] {
+        let r = &body.rotation;
+        let [i, j, k] = if self.fixed { [self.axes[2], self.axes[1], self.axes[0]] } else { self.axes };
+        let third = 3 - i - j;
+        let sign = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
+        // elements of the product of the three turns
+        let moving = match i == k {
+            true => [
+                r[j][i].atan2(-sign * r[third][i]),
+                r[j][i].hypot(r[third][i]).atan2(r[i][i]),
+                r[i][j].atan2(sign * r[i][third]),
+            ],
+            false => [
+                (-sign * r[j][k]).atan2(r[k][k]),
+                (sign * r[i][k]).atan2(r[i][i].hypot(r[i][j])),
+                (-sign * r[i][j]).atan2(r[i][i]),
+            ],
+        };
+        if self.fixed { [moving[2], moving[1], moving[0]] } else { moving }
     }
 }
 
@@ -215,6 +244,10 @@ mod tests {
         assert_eq!(order("fixed xyz").pose([x, y, z]), turned);
         assert_eq!(order("zyz").pose([x, y, z]), Pose::identity().turn_z(x).turn_y(y).turn_z(z));
         assert_eq!(AngleOrder::all().len(), 24);
+        for order in AngleOrder::all() {
+            let back = order.pose(order.angles(&turned));
+            assert!(back.inverse().then(&turned).angle_rad() < 1e-7, "{order}");
+        }
         for wrong in ["xxz", "zy", "ZYX ", "rpy"] {
             assert!(wrong.parse::<AngleOrder>().is_err(), "{wrong}");
         }

@@ -17,6 +17,8 @@ use std::collections::BTreeSet;
 const NAMED: usize = 5;
 /// Validation errors beyond this many times their median are named: of normal errors in the plane one of 60,000 is (Rayleigh).
 const FAR: f64 = 4.0;
+/// The same of errors along one direction, as distances and planes have them: of normal ones one of 19,000 is.
+const FAR_ALONG: f64 = 6.0;
 /// A residual this many times the root mean square is looked at as an outlier where no uncertainty is stated.
 const SPIKE: f64 = 5.0;
 /// Parameters that must be off by one factor, at least.
@@ -61,7 +63,8 @@ pub fn plausibility(
     }
     messages.extend(common_factor(robot, found));
     messages.extend(negative_compliance(robot, found));
-    messages.extend(validation_outliers(errors));
+    let along = settings.conditions.iter().any(|c| c.kind.rows() == 1);
+    messages.extend(validation_outliers(errors, if along { FAR_ALONG } else { FAR }));
     if misfit {
         messages.extend(moved_between(robot, observations, &found.values));
     }
@@ -115,10 +118,10 @@ fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Mes
 }
 
 /// A warning about validation readings that lie far from the others: their errors are in the accuracy.
-fn validation_outliers(errors: &[PointError]) -> Option<Message> {
+fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message> {
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == "validation").collect();
     let median_mm = median(of.iter().map(|e| norm(e.after_mm)))?;
-    let far: Vec<&&PointError> = of.iter().filter(|e| norm(e.after_mm) > FAR * median_mm).collect();
+    let far: Vec<&&PointError> = of.iter().filter(|e| norm(e.after_mm) > far_times * median_mm).collect();
     if far.is_empty() || 10 * far.len() > of.len() {
         return None;
     }
@@ -127,7 +130,7 @@ fn validation_outliers(errors: &[PointError]) -> Option<Message> {
     let named: Vec<String> = far.iter().take(NAMED).map(text).collect();
     let more = if far.len() > NAMED { ", ..." } else { "" };
     let what = format!(
-        "{} of {} validation errors exceed {FAR:.0} times their median, {median_mm:.4} mm: {}{more}",
+        "{} of {} validation errors exceed {far_times:.0} times their median, {median_mm:.4} mm: {}{more}",
         far.len(),
         of.len(),
         named.join(", ")

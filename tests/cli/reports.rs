@@ -64,13 +64,20 @@ fn samples() -> Vec<&'static str> {
         "contacts",
         "delta",
         "dextar",
+        "draw-wire",
         "hexapod",
+        "linear-delta",
         "pose-test",
+        "probe-poses",
         "prexyt-cmm",
         "prexyt-faroarm",
         "prexyt-geometric",
         "prexyt-repeatability",
         "rail-arm",
+        "second-encoders",
+        "surfaces",
+        "turntable",
+        "two-arms",
     ];
     within.into_iter().chain(outside).collect()
 }

@@ -71,6 +71,7 @@ pub fn copy_sample(name: &str) -> Scratch {
         "path.csv",
         "commanded.csv",
         "arm.urdf",
+        "two_arms.urdf",
     ] {
         if from.join(file).exists() {
             std::fs::copy(from.join(file), scratch.path().join(file)).unwrap();

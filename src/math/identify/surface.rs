@@ -69,12 +69,12 @@ impl Surface {
     }
 
     /// How far a point is from it, mm.
-    pub(super) fn residuals(self, p: Vector, unknowns: [f64; 4]) -> [f64; 2] {
+    pub fn residuals(self, p: Vector, unknowns: [f64; 4]) -> [f64; 2] {
         self.distances(p, unknowns)
     }
 
     /// Derivatives of that, a row each: by the point, and by the unknowns.
-    pub(super) fn gradients(self, p: Vector, unknowns: [f64; 4]) -> [[f64; 7]; 2] {
+    pub fn gradients(self, p: Vector, unknowns: [f64; 4]) -> [[f64; 7]; 2] {
         let variable = |i: usize| Number::variable(if i < 3 { p[i] } else { unknowns[i - 3] }, i);
         self.distances([0, 1, 2].map(variable), [3, 4, 5, 6].map(variable)).map(|d| d.gradient)
     }
