@@ -6,8 +6,8 @@ use serde::Deserialize;
 use toml::Spanned;
 
 /// Steps of the geometric calibration, each of which can be alone: leads, scale bars, single balls and the workspace need nothing else;
-/// `arc`, `turn`, `shaft`, `offsets` and `mid_travel_mm` come together. The base frame's plane, ball R and the side of actuator 3 are those of
-/// the world frame.
+/// `arc` (origin O of the base) and `turn` (centre C of the platform) need the world frame, `shaft` (s) needs `arc` too, `offsets` (d1, d3)
+/// all of them and `mid_travel_mm`. The base frame's plane, ball R and the side of actuator 3 are those of the world frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricDefinition {
@@ -111,21 +111,6 @@ pub struct WorkspaceDefinition {
     pub theta_deg: f64,
 }
 
-/// Labels of the steps that find the robot together.
-#[derive(Clone, Copy, Debug)]
-pub struct WholeRobot<'a> {
-    /// Ball N on its arc.
-    pub arc: &'a Spanned<String>,
-    /// Balls while the platform turns.
-    pub turn: &'a Spanned<String>,
-    /// Points on the shaft.
-    pub shaft: &'a Spanned<String>,
-    /// Balls K and L for the offsets.
-    pub offsets: &'a Spanned<String>,
-    /// Commanded displacement of actuators 2 and 3 for them.
-    pub mid_travel_mm: f64,
-}
-
 impl GeometricDefinition {
     /// Every pattern of labels.
     pub fn patterns(&self) -> impl Iterator<Item = &Spanned<String>> {
@@ -136,27 +121,26 @@ impl GeometricDefinition {
         robot.chain(leads).chain(bars).chain(balls)
     }
 
-    /// The steps that find the robot, where all of them are stated.
-    pub fn whole(&self) -> Option<WholeRobot<'_>> {
-        Some(WholeRobot {
-            arc: self.arc.as_ref()?,
-            turn: self.turn.as_ref()?,
-            shaft: self.shaft.as_ref()?,
-            offsets: self.offsets.as_ref()?,
-            mid_travel_mm: self.mid_travel_mm?,
-        })
+    /// Whether all steps that find the robot are stated.
+    pub fn is_whole(&self) -> bool {
+        self.arc.is_some() && self.turn.is_some() && self.shaft.is_some() && self.offsets.is_some()
     }
 
-    /// Of these steps the keys that are missing, where some are stated.
-    pub fn missing(&self) -> Vec<&'static str> {
-        let stated = [
-            ("arc", self.arc.is_some()),
-            ("turn", self.turn.is_some()),
-            ("shaft", self.shaft.is_some()),
-            ("offsets", self.offsets.is_some()),
-            ("mid_travel_mm", self.mid_travel_mm.is_some()),
-        ];
-        let some = stated.iter().any(|s| s.1);
-        stated.iter().filter(|s| some && !s.1).map(|s| s.0).collect()
+    /// Keys that are missing, each with the one that needs it.
+    pub fn missing(&self) -> Vec<(&'static str, &'static str)> {
+        let [arc, turn, shaft, offsets] = [&self.arc, &self.turn, &self.shaft, &self.offsets].map(Option::is_some);
+        let mid_travel = self.mid_travel_mm.is_some();
+        [
+            ("arc", "shaft", shaft && !arc),
+            ("arc", "offsets", offsets && !arc),
+            ("turn", "offsets", offsets && !turn),
+            ("shaft", "offsets", offsets && !shaft),
+            ("mid_travel_mm", "offsets", offsets && !mid_travel),
+            ("offsets", "mid_travel_mm", mid_travel && !offsets),
+        ]
+        .into_iter()
+        .filter(|(.., missing)| *missing)
+        .map(|(key, by, _)| (key, by))
+        .collect()
     }
 }

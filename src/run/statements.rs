@@ -314,12 +314,12 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
         problems.0.push(message.at(campaign.place_of(&["temperature_c"])));
     }
     let Some(geometric) = &file.geometric else { return };
-    if let Some(missing) = geometric.missing().first() {
-        let message = Message::error(format!("[geometric] lacks `{missing}`")).at(campaign.place_of(&["geometric"]));
-        let hint = "the base frame, C, s, d1 and d3 need `arc`, `turn`, `shaft`, `offsets` and `mid_travel_mm` together; leads, bars and balls need none";
-        problems.0.push(message.hint(hint));
+    if let Some((missing, by)) = geometric.missing().first() {
+        let message = Message::error(format!("[geometric] lacks `{missing}`, which `{by}` needs"));
+        let hint = "s needs `shaft` and `arc`; d1 and d3 need `offsets`, `mid_travel_mm`, `arc`, `turn` and `shaft`; O needs `arc` and C `turn` alone";
+        problems.0.push(message.at(campaign.place_of(&["geometric"])).hint(hint));
     }
-    if let Some(table) = geometric.table.first().filter(|_| geometric.whole().is_none() || !campaign.identifies()) {
+    if let Some(table) = geometric.table.first().filter(|_| !geometric.is_whole() || !campaign.identifies()) {
         let message = Message::error("a table of errors needs the whole geometric calibration and [identify]");
         problems.0.push(message.at(campaign.place(&table.poses)));
     }

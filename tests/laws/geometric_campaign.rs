@@ -268,5 +268,55 @@ fn a_geometric_calibration_needs_no_log_and_no_identification() {
     // half of it is refused by name
     scratch.replace("campaign.toml", "turn = \"turn-{target}-{pose}\"", "");
     let said = documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
-    assert!(said.contains("[geometric] lacks `turn`"), "{said}");
+    assert!(said.contains("[geometric] lacks `turn`, which `offsets` needs"), "{said}");
+}
+
+#[test]
+fn arc_turn_and_shaft_are_campaigns_of_their_own() {
+    let whole = run(&copy_sample(SAMPLE));
+    let (arc, turn) = ("arc = \"N-{pose}\"\n", "turn = \"turn-{target}-{pose}\"\n");
+    let shaft = "shaft = \"shaft-{pose}-{cycle}\"\n";
+    for (keys, names, fits) in [
+        (arc.to_owned(), &["x_o", "y_o"][..], 2),
+        (turn.to_owned(), &["x_c", "y_c", "l_kl"], 2),
+        (
+            format!("{arc}{shaft}"),
+            &["x_o", "y_o", "s"],
+            2 + whole.steps.iter().filter(|s| s.name.contains("shaft")).count(),
+        ),
+        (format!("{arc}{turn}{shaft}"), &["x_o", "y_o", "x_c", "y_c", "s", "l_kl"], 3 + 10),
+    ] {
+        let scratch = on_rails(&format!("[geometric]\n{keys}"));
+        let found = run(&scratch);
+        assert_eq!(found.quantities.iter().map(|q| q.name.as_str()).collect::<Vec<_>>(), names);
+        for q in &found.quantities {
+            // the same points, the same answer as with all steps
+            let same = whole.quantities.iter().find(|w| w.name == q.name).unwrap();
+            assert_eq!((q.value, q.standard_uncertainty), (same.value, same.standard_uncertainty), "{}", q.name);
+        }
+        assert_eq!(found.steps.len(), fits, "{keys}: {:?}", found.steps);
+        assert_eq!(etalon(&scratch, "report").0, Some(0), "{keys}");
+        let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+        assert!(html.contains("Geometry alone") && !html.contains("beside the identification"), "{keys}");
+    }
+    for (keys, said) in [
+        (shaft.to_owned(), "lacks `arc`, which `shaft` needs"),
+        (format!("{arc}mid_travel_mm = 150.0\n"), "lacks `offsets`, which `mid_travel_mm` needs"),
+        (format!("{arc}{turn}{shaft}offsets = \"offset-{{target}}-{{pose}}-{{cycle}}\"\n"), "lacks `mid_travel_mm`"),
+    ] {
+        let scratch = on_rails(&format!("[geometric]\n{keys}"));
+        let message = documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
+        assert!(message.contains(said), "{message}");
+    }
+}
+
+/// The sample with the exports of the world and of the geometric calibration, its world frame and these keys: no log, no identification.
+fn on_rails(keys: &str) -> Scratch {
+    let scratch = copy_sample(SAMPLE);
+    let text = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
+    let (poses, rails) = (text.find("# balls K and L at eight").unwrap(), text.find("[feature.rails]").unwrap());
+    let geometric = text.find("[geometric]").unwrap();
+    let text = format!("{}{}{keys}", &text[..poses], &text[rails..geometric]);
+    std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
+    scratch
 }

@@ -117,8 +117,19 @@ pub struct Base {
     y_axis_rad: Uncertain,
 }
 
-impl Base {
-    /// The base frame from what was measured.
+/// The plane of the rails and the direction of actuator 2 in it: the base frame but for its origin.
+#[derive(Clone, Debug)]
+pub struct Axes {
+    /// Its xy plane.
+    pub plane: Plane,
+    /// Ball R at home, in the plane.
+    home: Flat,
+    /// Angle of the y axis in the axes of the plane.
+    y_axis_rad: Uncertain,
+}
+
+impl Axes {
+    /// From the rails and ball R; the arc is not looked at.
     pub fn determine(readings: &mut Readings, measured: &BaseMeasurements) -> Result<Self> {
         let rails = readings.add(&measured.rails);
         let home = mean(&readings.add(&measured.r_home));
@@ -127,9 +138,6 @@ impl Base {
         // x = y × z points towards actuator 3
         let up = |normal: Vector| dot(cross(minus(to, from), normal), minus(measured.towards, from)) > 0.0;
         let plane = Plane::through(readings, &rails, up)?;
-        let points = readings.add(&measured.arc);
-        let flat: Vec<Flat> = points.iter().map(|p| plane.project(p)).collect();
-        let arc = Circle::through(readings, &flat, &points)?;
         let (home, end) = (plane.project(&home), plane.project(&end));
         let travelled = (end[0].value - home[0].value).hypot(end[1].value - home[1].value);
         if !(travelled > 0.0 && travelled.is_finite()) {
@@ -139,6 +147,23 @@ impl Base {
         }
         let [y_axis_rad] =
             Uncertain::of([&home[0], &home[1], &end[0], &end[1]], |[x0, y0, x1, y1]| [(y1 - y0).atan2(x1 - x0)]);
+        Ok(Self { plane, home, y_axis_rad })
+    }
+}
+
+impl Base {
+    /// The base frame from what was measured.
+    pub fn determine(readings: &mut Readings, measured: &BaseMeasurements) -> Result<Self> {
+        let axes = Axes::determine(readings, measured)?;
+        Self::about(readings, axes, &measured.arc)
+    }
+
+    /// The base frame whose origin is the centre of an arc of ball N.
+    pub fn about(readings: &mut Readings, axes: Axes, arc: &[Vector]) -> Result<Self> {
+        let Axes { plane, home, y_axis_rad } = axes;
+        let points = readings.add(arc);
+        let flat: Vec<Flat> = points.iter().map(|p| plane.project(p)).collect();
+        let arc = Circle::through(readings, &flat, &points)?;
         let origin_in_world = express(&arc.centre, &home, &y_axis_rad);
         Ok(Self { plane, arc, origin_in_world, y_axis_rad })
     }

@@ -33,13 +33,13 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
             PointGroup::new()
         })
     };
-    let whole = definition.whole();
-    let robot = whole.map(|w| [step(w.arc), step(w.turn), step(w.shaft), step(w.offsets)]);
+    let robot = [&definition.arc, &definition.turn, &definition.shaft, &definition.offsets];
+    let robot = robot.map(|pattern| pattern.as_ref().map(|pattern| (pattern, step(pattern))));
     let leads: Vec<PointGroup> = definition.lead.iter().map(|l| step(&l.label)).collect();
     let bars: Vec<PointGroup> = definition.scale_bar.iter().map(|b| step(&b.label)).collect();
     let balls = definition.ball.iter().map(|b| step(&b.label).into_values().flatten().collect()).collect();
     let mut found = Measurements::default();
-    if whole.is_some() {
+    if robot.iter().any(Option::is_some) {
         match all.base() {
             Ok(base) => found.base = base,
             Err(more) => problems.0.extend(more.0),
@@ -57,22 +57,26 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
         }
         point.unwrap_or_default()
     };
-    if let (Some(whole), Some([arc, turn, shaft, offsets])) = (whole, robot) {
-        found.base.arc = arc.into_values().flatten().collect();
+    let [arc, turn, shaft, offsets] = robot;
+    found.base.arc = arc.into_iter().flat_map(|(_, arc)| arc.into_values().flatten()).collect();
+    if let Some((pattern, turn)) = turn {
         for (cycle, pose) in turn.keys().map(|k| (k.0, k.1)).collect::<BTreeSet<_>>() {
-            let mut ball = |name: &str| want(one(&turn, cycle, pose, name), whole.turn, (cycle, pose), name);
+            let mut ball = |name: &str| want(one(&turn, cycle, pose, name), pattern, (cycle, pose), name);
             found.turned.push(Turned { k: ball("K"), l: ball("L"), i: ball(&definition.turn_ball) });
         }
+    }
+    if let Some((_, shaft)) = shaft {
         for cycle in shaft.keys().map(|k| k.0).collect::<BTreeSet<_>>() {
             let position = |wanted: i64| shaft.iter().filter(move |(k, _)| k.0 == cycle && k.1 == wanted);
             let positions = [1, 2].map(|pose| position(pose).flat_map(|(_, p)| p).copied().collect());
             found.shafts.push(ShaftMeasurements { positions });
         }
+    }
+    if let (Some((pattern, offsets)), Some(rho)) = (offsets, definition.mid_travel_mm) {
         for cycle in offsets.keys().map(|k| k.0).collect::<BTreeSet<_>>() {
             let mut ball =
-                |name: &str, pose: PoseName| want(one(&offsets, cycle, pose, name), whole.offsets, (cycle, pose), name);
+                |name: &str, pose: PoseName| want(one(&offsets, cycle, pose, name), pattern, (cycle, pose), name);
             let (k, l, k_end) = (ball("K", 1.into()), ball("L", 1.into()), ball("K", 2.into()));
-            let rho = whole.mid_travel_mm;
             found.offsets.push(OffsetMeasurements { rho2_mm: rho, rho3_mm: rho, k, l, k_end });
         }
     }
@@ -144,23 +148,28 @@ pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(S
     for (ball, readings) in definition.ball.iter().zip(balls) {
         (1..).zip(readings).for_each(|(cycle, p)| row(&ball.label, "", 1, cycle, *p));
     }
-    let Some(whole) = definition.whole() else { return rows };
-    for (pose, p) in (1..).zip(&found.base.arc) {
-        row(whole.arc, "N", pose, 1, *p);
+    if let Some(pattern) = &definition.arc {
+        (1..).zip(&found.base.arc).for_each(|(pose, p)| row(pattern, "N", pose, 1, *p));
     }
-    for (pose, t) in (1..).zip(&found.turned) {
-        for (target, p) in [("K", t.k), ("L", t.l), (definition.turn_ball.as_str(), t.i)] {
-            row(whole.turn, target, pose, 1, p);
+    if let Some(pattern) = &definition.turn {
+        for (pose, t) in (1..).zip(&found.turned) {
+            for (target, p) in [("K", t.k), ("L", t.l), (definition.turn_ball.as_str(), t.i)] {
+                row(pattern, target, pose, 1, p);
+            }
         }
     }
-    for (cycle, run) in (1..).zip(&found.shafts) {
-        for (pose, points) in (1..).zip(&run.positions) {
-            points.iter().for_each(|p| row(whole.shaft, "shaft", pose, cycle, *p));
+    if let Some(pattern) = &definition.shaft {
+        for (cycle, run) in (1..).zip(&found.shafts) {
+            for (pose, points) in (1..).zip(&run.positions) {
+                points.iter().for_each(|p| row(pattern, "shaft", pose, cycle, *p));
+            }
         }
     }
-    for (cycle, run) in (1..).zip(&found.offsets) {
-        for (target, pose, p) in [("K", 1, run.k), ("L", 1, run.l), ("K", 2, run.k_end)] {
-            row(whole.offsets, target, pose, cycle, p);
+    if let Some(pattern) = &definition.offsets {
+        for (cycle, run) in (1..).zip(&found.offsets) {
+            for (target, pose, p) in [("K", 1, run.k), ("L", 1, run.l), ("K", 2, run.k_end)] {
+                row(pattern, target, pose, cycle, p);
+            }
         }
     }
     rows

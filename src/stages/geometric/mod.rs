@@ -10,9 +10,7 @@ use crate::base::pose_name::PoseName;
 use crate::campaign::{BallDefinition, Campaign, GeometricDefinition, ScaleBarDefinition, Selection};
 use crate::document::*;
 use crate::iso9283::pose::repeatability::pose_repeatability;
-use crate::math::geometric::{
-    self, Geometry, Lead, Measurements, Readings, Repeated, Scatter, Uncertain, Workspace, mean_and_sd, scale_bar,
-};
+use crate::math::geometric::{self, Readings, Repeated, Scatter, Steps, Uncertain, Workspace, mean_and_sd, scale_bar};
 use crate::math::identify::{Identification, Observation};
 use crate::math::robots::{Platform, RailTable, Robot};
 use crate::stages::evaluate::Sets;
@@ -35,11 +33,8 @@ pub fn calibrate(
     })?;
     let Gathered { robot: measured, bars, balls } = measured;
     let u_mm = campaign.file.instrument.standard_uncertainty_mm();
-    let found = match definition.whole() {
-        Some(_) => Found::Robot(geometric::determine(&measured, u_mm)?),
-        None => Found::leads(&measured, u_mm)?,
-    };
-    let quantities = found.quantities();
+    let found = geometric::steps(&measured, u_mm)?;
+    let quantities = quantities(&found);
     let value = |name: &str| quantities.iter().find(|q| q.0 == name).map(|q| q.1.value);
     let with = |set: &dyn Fn(&str) -> Option<f64>| -> Vec<f64> {
         table.parameters().iter().map(|p| set(&p.name).unwrap_or(p.nominal)).collect()
@@ -55,7 +50,7 @@ pub fn calibrate(
         None => Vec::new(),
     };
     let methods = methods(&tables);
-    let steps = found.steps();
+    let steps = fits(&found);
     let scale_bars = definition.scale_bar.iter().zip(&bars).filter_map(|(d, pairs)| bar_result(d, pairs, u_mm));
     let scale_bars: Vec<ScaleBarResult> = scale_bars.collect();
     let balls: Result<Vec<BallResult>> =
@@ -68,8 +63,8 @@ pub fn calibrate(
                      more than the instrument states, theirs. Errors are means of measured minus predicted pose, nominal \
                      and geometric in the base frame found geometrically"
             .to_owned(),
-        quantities: quantities.iter().map(|q| quantity(q, found.readings(), robot, identified.map(|i| &i.found))).collect(),
-        covariance: covariance(&quantities, found.readings()),
+        quantities: quantities.iter().map(|q| quantity(q, &found.readings, robot, identified.map(|i| &i.found))).collect(),
+        covariance: covariance(&quantities, &found.readings),
         messages: steps.iter().filter_map(scatter_message).chain(scale_bars.iter().filter_map(bar_message)).collect(),
         leads: leads(definition, &found),
         steps,
@@ -84,69 +79,43 @@ pub fn calibrate(
 /// Name of a parameter, its value, and its repeats where it was repeated.
 type Quantity<'a> = (&'static str, &'a Uncertain, Option<&'a Repeated>);
 
-/// What was found: the robot, or the leads of its screws alone.
-#[allow(clippy::large_enum_variant)] // made once
-enum Found {
-    Robot(Geometry),
-    Leads([Option<Lead>; 3], Readings),
+/// What the steps that were measured give.
+fn quantities(found: &Steps) -> Vec<Quantity<'_>> {
+    let mut all: Vec<Quantity> = Vec::new();
+    if let Some(base) = &found.base {
+        let [x_o, y_o] = &base.origin_in_world;
+        all.extend([("x_o", x_o, None), ("y_o", y_o, None)]);
+    }
+    if let Some(mobile) = &found.mobile {
+        let [x_c, y_c] = &mobile.circle.centre;
+        all.extend([("x_c", x_c, None), ("y_c", y_c, None)]);
+    }
+    let [d1, d3] = found.offsets.as_ref().map_or([None, None], |[d1, d3]| [Some(d1), Some(d3)]);
+    let repeated = [("s", found.s.as_ref()), ("d", d1), ("d3", d3)];
+    all.extend(repeated.into_iter().filter_map(|(name, r)| r.map(|r| (name, &r.mean, Some(r)))));
+    let leads = ["delta", "delta2", "delta3"].into_iter().zip(&found.leads);
+    all.extend(leads.filter_map(|(name, lead)| Some((name, &lead.as_ref()?.ratio, None))));
+    all.extend(found.mobile.iter().map(|mobile| ("l_kl", &mobile.l_kl, None)));
+    all
 }
 
-impl Found {
-    /// The leads that were measured.
-    fn leads(measured: &Measurements, u_mm: f64) -> Result<Self> {
-        let mut readings = Readings::new(u_mm);
-        let [one, two, three] = &measured.leads;
-        let mut lead = |run: &Option<_>| run.as_ref().map(|run| Lead::determine(&mut readings, run)).transpose();
-        let leads = [lead(one)?, lead(two)?, lead(three)?];
-        Ok(Self::Leads(leads, readings))
-    }
-
-    fn of_leads(&self) -> &[Option<Lead>; 3] {
-        match self {
-            Self::Robot(found) => &found.leads,
-            Self::Leads(leads, _) => leads,
+/// Residuals of every fit.
+fn fits(found: &Steps) -> Vec<GeometricStep> {
+    let mut steps: Vec<GeometricStep> =
+        found.plane.iter().map(|plane| step("plane of the rails", &plane.scatter, None)).collect();
+    let base = found.base.as_ref().map(|base| ("arc of ball N about O", &base.arc));
+    let mobile = found.mobile.as_ref().map(|mobile| ("arc of ball I about C", &mobile.circle));
+    let arcs = base.into_iter().chain(mobile);
+    steps.extend(arcs.map(|(name, arc)| step(name, &arc.scatter, Some(arc.coverage_deg))));
+    for (i, pair) in found.shafts.iter().enumerate() {
+        for (k, shaft) in pair.iter().enumerate() {
+            steps.push(step(&format!("shaft, repeat {}, position {}", i + 1, k + 1), &shaft.scatter, None));
         }
     }
-
-    fn readings(&self) -> &Readings {
-        match self {
-            Self::Robot(found) => &found.readings,
-            Self::Leads(_, readings) => readings,
-        }
+    for (i, lead) in found.leads.iter().enumerate() {
+        steps.extend(lead.iter().map(|lead| step(&format!("travel of actuator {}", i + 1), &lead.scatter, None)));
     }
-
-    fn quantities(&self) -> Vec<Quantity<'_>> {
-        let leads = ["delta", "delta2", "delta3"].into_iter().zip(self.of_leads());
-        let leads = leads.filter_map(|(name, lead)| Some((name, &lead.as_ref()?.ratio, None)));
-        let Self::Robot(found) = self else { return leads.collect() };
-        let ([x_o, y_o], [x_c, y_c]) = (&found.base.origin_in_world, &found.mobile.circle.centre);
-        let mut all: Vec<Quantity> =
-            vec![("x_o", x_o, None), ("y_o", y_o, None), ("x_c", x_c, None), ("y_c", y_c, None)];
-        all.extend([("s", &found.s), ("d", &found.d1), ("d3", &found.d3)].map(|(name, r)| (name, &r.mean, Some(r))));
-        all.extend(leads);
-        all.push(("l_kl", &found.mobile.l_kl, None));
-        all
-    }
-
-    /// Residuals of every fit.
-    fn steps(&self) -> Vec<GeometricStep> {
-        let mut steps = Vec::new();
-        if let Self::Robot(found) = self {
-            steps.push(step("plane of the rails", &found.base.plane.scatter, None));
-            steps.push(step("arc of ball N about O", &found.base.arc.scatter, Some(found.base.arc.coverage_deg)));
-            let circle = &found.mobile.circle;
-            steps.push(step("arc of ball I about C", &circle.scatter, Some(circle.coverage_deg)));
-            for (i, pair) in found.shafts.iter().enumerate() {
-                for (k, shaft) in pair.iter().enumerate() {
-                    steps.push(step(&format!("shaft, repeat {}, position {}", i + 1, k + 1), &shaft.scatter, None));
-                }
-            }
-        }
-        for (i, lead) in self.of_leads().iter().enumerate() {
-            steps.extend(lead.iter().map(|lead| step(&format!("travel of actuator {}", i + 1), &lead.scatter, None)));
-        }
-        steps
-    }
+    steps
 }
 
 /// What a scale bar says of the instrument; `None` without a distance.
@@ -278,10 +247,10 @@ fn scatter_message(step: &GeometricStep) -> Option<Message> {
     })
 }
 
-fn leads(definition: &GeometricDefinition, found: &Found) -> Vec<LeadResult> {
-    let u = found.readings().standard_uncertainties_mm();
+fn leads(definition: &GeometricDefinition, found: &Steps) -> Vec<LeadResult> {
+    let u = found.readings.standard_uncertainties_mm();
     let result = |actuator: usize| {
-        let lead = found.of_leads().get(actuator.wrapping_sub(1))?.as_ref()?;
+        let lead = found.leads.get(actuator.wrapping_sub(1))?.as_ref()?;
         let nominal = definition.lead.iter().find(|d| *d.actuator.get_ref() == actuator)?.lead_mm;
         let linearity = |&(commanded_mm, deviation_mm): &(f64, f64)| Linearity { commanded_mm, deviation_mm };
         Some(LeadResult {
