@@ -39,6 +39,10 @@ pub struct ParametersDocument {
     /// common, are poses instead of positions, or unknown points are many.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reliability: Option<ReliabilitySummary>,
+    /// A robust fit beside the plain one; absent where readings have errors in common, are poses instead of positions, unknown points are
+    /// many, or nothing is left over.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub robust: Option<RobustSummary>,
     /// Observability; absent where it is not a number.
     pub observability: Option<ObservabilitySummary>,
     /// How the solver ended.
@@ -215,6 +219,54 @@ pub struct InfluenceEntry {
     pub parameter: String,
     /// Its change, over that.
     pub change_over_u: f64,
+}
+
+/// A fit in which readings far from the others weigh little (M-estimator with the Cauchy loss, from the plain optimum), beside the plain one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RobustSummary {
+    /// Constant c of the loss c² ln(1 + (r / c σ)²): with 2.385 the variance of parameters is 5 % more where residuals are normal.
+    pub constant: f64,
+    /// Standard deviation σ of a coordinate by the median residual, or the stated one where that is more, mm.
+    pub sigma_mm: f64,
+    /// The identified parameters in both fits.
+    pub parameters: Vec<RobustParameter>,
+    /// A difference over its standard uncertainty that none of them exceeds with a probability of 99 %, where no reading is wrong.
+    pub critical: f64,
+    /// The poses of the least weight, the least first.
+    pub poses: Vec<RobustPose>,
+    /// A residual over σ that none of them all exceeds with a probability of 99 %, where no reading is wrong.
+    pub critical_residual: f64,
+    /// Poses with a residual beyond it.
+    pub disagreeing: usize,
+}
+
+/// A parameter by the plain fit and by the robust one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RobustParameter {
+    /// Its name.
+    pub name: String,
+    /// `mm`, `deg` or `1`.
+    pub unit: String,
+    /// Value by the robust fit.
+    pub value: f64,
+    /// Robust minus plain value.
+    pub difference: f64,
+    /// The difference over its standard uncertainty where no reading is wrong: of normal residuals √(1/0.95 − 1) = 0.23 of that of the parameter.
+    pub difference_over_u: f64,
+}
+
+/// What the robust fit makes of a pose.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RobustPose {
+    /// The pose.
+    pub pose: PoseName,
+    /// Least weight of its residuals, 1 / (1 + (r / c σ)²), from 0 to 1.
+    pub weight: f64,
+    /// The residual that has it, over σ.
+    pub residual_over_sigma: f64,
 }
 
 /// Observability of the parameters from the poses.

@@ -53,6 +53,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             uncertainties_enlarged_by: 1.0,
         },
         reliability: None,
+        robust: None,
         observability: Some(ObservabilitySummary {
             o1: 0.0,
             o2: 0.0,

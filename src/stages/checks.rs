@@ -1,11 +1,15 @@
 //! Checks of the model by what it leaves: trends of the residuals, how well readings control each other, which poses decide.
 
+use crate::base::message::Message;
 use crate::base::pose::{Vector, minus, norm};
 use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
-use crate::document::{InfluenceEntry, PointError, ReliabilitySummary, ResidualTrend};
+use crate::document::{
+    InfluenceEntry, PointError, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose, RobustSummary,
+};
 use crate::math::identify::{
-    ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, Variance, holm,
+    ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, ReadingReliability, Reliability, RobustChange,
+    RobustComparison, Variance, holm,
 };
 use crate::math::robots::Robot;
 use nalgebra::DVector;
@@ -40,6 +44,55 @@ pub fn reliability_summary(robot: &dyn Robot, found: &Reliability) -> Option<Rel
         influential: found.influential,
         poses: found.poses.iter().take(NAMED).map(entry).collect(),
     })
+}
+
+/// What a document states of a robust fit.
+pub fn robust_summary(robot: &dyn Robot, found: &RobustComparison) -> RobustSummary {
+    let parameter = |c: &RobustChange| {
+        let p = &robot.parameters()[c.parameter];
+        RobustParameter {
+            name: p.name.clone(),
+            unit: p.quantity.unit().to_owned(),
+            value: p.quantity.outward(found.values[c.parameter]),
+            difference: p.quantity.outward(c.difference),
+            difference_over_u: c.over_u(),
+        }
+    };
+    let pose =
+        |p: &PoseWeight| RobustPose { pose: p.pose, weight: p.weight, residual_over_sigma: p.residual_over_sigma };
+    RobustSummary {
+        constant: RobustComparison::CONSTANT,
+        sigma_mm: found.sigma_mm,
+        parameters: found.changes.iter().map(parameter).collect(),
+        critical: found.critical,
+        poses: found.poses.iter().take(NAMED).map(pose).collect(),
+        critical_residual: found.critical_residual,
+        disagreeing: found.disagreeing().len(),
+    }
+}
+
+/// A warning where a robust fit differs from the plain one by more than chance.
+pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Message> {
+    let change = found.significant()?;
+    let name = &robot.parameters()[change.parameter].name;
+    let differs = format!(
+        "a robust fit changes `{name}` by {:.1} standard uncertainties of the difference (limit {:.1})",
+        change.over_u(),
+        found.critical
+    );
+    let poses = found.disagreeing();
+    if poses.is_empty() {
+        let what = format!("{differs}; no pose disagrees with all others: the residuals are not normal");
+        return Some(
+            Message::warning(what)
+                .hint("the robot has errors that the model does not describe, or the stated uncertainty is too small"),
+        );
+    }
+    let names: Vec<String> = poses.iter().take(NAMED).map(|p| p.pose.to_string()).collect();
+    let more = if poses.len() > NAMED { ", ..." } else { "" };
+    let what = format!("{differs}; poses that disagree with the others: {}{more}", names.join(", "));
+    let hint = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
+    Some(Message::warning(what).to_decide().hint(hint))
 }
 
 /// Gives the errors of the calibration what is known of their readings; of the centre of a platform the worse of its two.

@@ -7,7 +7,7 @@ use crate::campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
 use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings};
 use crate::math::robots::Robot;
-use crate::stages::checks::{reliability_summary, trends, with_reliability};
+use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
@@ -94,7 +94,10 @@ pub fn identify(
         accuracy.tool = expected.accuracy(&sets, &accuracy).map_err(at_tool)?;
         accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
+    let robust = identify::robust_comparison(robot, &sets.calibration, &settings, &found)?;
+    found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)));
     let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
+    parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
     if let Some(reliability) = identify::reliability(robot, &sets.calibration, &settings, &found)? {
         with_reliability(robot, &reliability, &mut errors);
         parameters.reliability = reliability_summary(robot, &reliability);

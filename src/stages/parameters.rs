@@ -77,6 +77,7 @@ pub fn parameters_document(
             uncertainties_enlarged_by: found.inflation_factor,
         },
         reliability: None,
+        robust: None,
         observability: found.observability.as_ref().map(|o| observability_summary(robot, o)),
         solver: SolverSummary {
             method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),

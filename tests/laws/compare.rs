@@ -63,6 +63,7 @@ pub(super) fn identified(
         budget: vec![],
         residuals: residuals(100 - n),
         reliability: None,
+        robust: None,
         observability: None,
         solver: SolverSummary {
             method: String::new(),

@@ -45,6 +45,7 @@ mod qkm;
 mod recommendation;
 mod rigid;
 mod robots;
+mod robust;
 mod samples;
 mod serial;
 mod set_ups;

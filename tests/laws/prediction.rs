@@ -63,7 +63,7 @@ fn the_map_agrees_with_draws_of_the_parameters() {
 }
 
 /// Observations of a sample's poses as its identified robot makes them, with this noise.
-fn drawn(robot: &dyn Robot, found: &Identified, trial: u64) -> Vec<Observation> {
+pub(super) fn drawn(robot: &dyn Robot, found: &Identified, trial: u64) -> Vec<Observation> {
     let mut noise = Noise::new(12, trial);
     let mut see = |o: &Observation| {
         let at = |k: usize| robot.position(&found.found.values, &o.joints, k);
@@ -78,9 +78,9 @@ fn drawn(robot: &dyn Robot, found: &Identified, trial: u64) -> Vec<Observation> 
     found.sets.calibration.iter().map(&mut see).collect()
 }
 
-const U_MM: f64 = 0.01;
+pub(super) const U_MM: f64 = 0.01;
 
-fn sample(name: &str) -> (Box<dyn Robot>, Identified) {
+pub(super) fn sample(name: &str) -> (Box<dyn Robot>, Identified) {
     let scratch = copy_sample(name);
     let campaign = Campaign::read(&scratch.path()).unwrap();
     let found = pipeline::evaluate(&campaign).unwrap().identified.unwrap();

@@ -3,6 +3,7 @@
 use super::identifiability::{Analysis, Group};
 use super::observation::misplaced;
 use super::residuals::{OF_MEDIAN, Residuals};
+use super::robust::CAUCHY;
 use super::set_up::explain;
 use super::{Identification, Observation, ResidualKind, Settings, unseen_by};
 use crate::base::message::{Message, Problems};
@@ -155,8 +156,6 @@ const NAMED_OUTLIERS: usize = 40;
 /// A distance beyond this many robust standard deviations of a coordinate is an outlier: with three coordinates and normal errors
 /// fewer than one of ten million is.
 pub const OUTLIER: f64 = 6.0;
-/// Constant of the Cauchy loss that costs 5 % of the precision where there are no outliers (Holland & Welsch 1977).
-const CAUCHY: f64 = 2.385;
 /// Fits, each with the scale that the one before it shows.
 const FITS: usize = 12;
 /// Least scale of residuals in mm: below it nothing is measured.

@@ -1,11 +1,13 @@
 //! Checks of the model by what it leaves: readings that control each other, poses that decide, trends of the residuals.
 
-use crate::document::{InfluenceEntry, ReliabilitySummary, ResidualTrend};
+use crate::document::{InfluenceEntry, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose, RobustSummary};
 use crate::report::Report;
 use crate::report::model::{Block, Cell, Columns, Section, Table, shown, significant, strong_term, term};
 use crate::report::number;
 use crate::report::words::Words;
 
+/// Parameters that a table of a robust fit shows.
+const SHOWN: usize = 10;
 /// Below this p value residuals have a trend.
 const SIGNIFICANCE: f64 = 0.05;
 
@@ -17,6 +19,13 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::heading(words.say("Poses that decide")));
         section.push(Block::note(words.fill("Without a pose the parameters change by its Cook's distance, over their covariance; beyond {0} it is influential (median of F; Cook 1977).", &[&number::significant(found.influential, 2)])));
         section.push(Block::Table(poses(found, words)));
+    }
+    if let Some(found) = &parameters.robust {
+        section.push(Block::heading(words.say("Robust fit")));
+        section.push(Block::text(robust(found, words)));
+        section.push(Block::note(words.fill("Readings far from the others weigh little (Cauchy loss, c = {0} σ with σ = {1} µm; Holland & Welsch 1977); the difference is robust minus plain value, its standard uncertainty that of normal residuals or by the scatter of the poses where that is more. The table has the parameters that differ most.", &[&number::fixed(found.constant, 3), &number::significant(1e3 * found.sigma_mm, 3)])));
+        section.push(Block::Table(robust_parameters(found, words)));
+        section.push(Block::Table(robust_poses(found, words)));
     }
     if !accuracy.trends.is_empty() {
         section.push(Block::heading(words.say("Trends of the residuals")));
@@ -62,6 +71,57 @@ fn poses(found: &ReliabilitySummary, words: &Words) -> Table {
         .both("parameter", "", |p| p.parameter.as_str())
         .both("change over u", "", |p| significant(p.change_over_u, 2));
     Table::of(words, &found.poses, columns).on("Influence of poses")
+}
+
+/// Whether the robust fit differs, in sentences.
+fn robust(found: &RobustSummary, words: &Words) -> String {
+    let largest = found.parameters.iter().max_by(|a, b| a.difference_over_u.total_cmp(&b.difference_over_u));
+    let Some(largest) = largest else { return String::new() };
+    let numbers: [&dyn std::fmt::Display; 3] =
+        [&largest.name, &number::significant(largest.difference_over_u, 2), &number::significant(found.critical, 2)];
+    let differs = match largest.difference_over_u > found.critical {
+        true => words.fill("A robust fit differs from the plain one: {0} by {1} standard uncertainties of the difference, where chance explains {2}.", &numbers),
+        false => words.fill("A robust fit agrees with the plain one: {0} differs most, by {1} standard uncertainties of the difference, where chance explains {2}.", &numbers),
+    };
+    let poses = words.fill(
+        "Poses with a residual beyond {0} σ, which disagree with the others: {1}.",
+        &[&number::significant(found.critical_residual, 2), &found.disagreeing],
+    );
+    format!("{differs} {poses}")
+}
+
+/// The parameters that differ most.
+fn robust_parameters(found: &RobustSummary, words: &Words) -> Table {
+    let mut most: Vec<&RobustParameter> = found.parameters.iter().collect();
+    most.sort_by(|a, b| b.difference_over_u.total_cmp(&a.difference_over_u));
+    let most: Vec<RobustParameter> = most.into_iter().take(SHOWN).cloned().collect();
+    let beyond = |p: &RobustParameter| match p.difference_over_u > found.critical {
+        true => strong_term(words, "yes"),
+        false => term(words, "no"),
+    };
+    let u = |p: &RobustParameter| Some((p.difference / p.difference_over_u).abs()).filter(|u| u.is_finite());
+    let columns = Columns::<RobustParameter>::new()
+        .both("parameter", "", |p| p.name.as_str())
+        .both("robust", "", move |p| shown(p.value, |v| number::with_uncertainty(v, u(p))))
+        .both("difference", "", move |p| shown(p.difference, |v| number::with_uncertainty(v, u(p))))
+        .both("unit", "", |p| p.unit.as_str())
+        .both("difference over u", "", |p| significant(p.difference_over_u, 2))
+        .both("differs", "", beyond);
+    Table::of(words, &most, columns).on("Robust fit")
+}
+
+/// The poses of the least weight.
+fn robust_poses(found: &RobustSummary, words: &Words) -> Table {
+    let beyond = |p: &RobustPose| match p.residual_over_sigma > found.critical_residual {
+        true => strong_term(words, "yes"),
+        false => term(words, "no"),
+    };
+    let columns = Columns::<RobustPose>::new()
+        .both("pose", "", |p| p.pose)
+        .both("weight", "", |p| significant(p.weight, 2))
+        .both("residual over σ", "", |p| significant(p.residual_over_sigma, 2))
+        .both("disagrees", "", beyond);
+    Table::of(words, &found.poses, columns).on("Robust fit, poses")
 }
 
 fn trends(all: &[ResidualTrend], words: &Words) -> Table {

@@ -267,6 +267,7 @@ fn parameters() -> ParametersDocument {
         budget,
         residuals: residuals(),
         reliability: None,
+        robust: Some(robust()),
         observability: Some(observability()),
         solver: SolverSummary {
             method: "Levenberg-Marquardt".to_owned(),
@@ -326,4 +327,23 @@ fn singular_values() -> Vec<SingularValueEntry> {
     let value = |i: i32| 2.345 * 46.9f64.powf(-f64::from(i) / 10.0);
     let parameters = |i: i32| if i == 10 { vec!["beta".to_owned(), "x_o".to_owned()] } else { vec![] };
     (0..11).map(|i| SingularValueEntry { value: value(i), parameters: parameters(i) }).collect()
+}
+
+fn robust() -> RobustSummary {
+    let parameter = |name: &str, difference: f64| RobustParameter {
+        name: name.to_owned(),
+        unit: "mm".to_owned(),
+        value: 116.234_4 + difference,
+        difference,
+        difference_over_u: difference.abs() / 0.000_085,
+    };
+    RobustSummary {
+        constant: 2.385,
+        sigma_mm: 0.001_35,
+        parameters: vec![parameter("d", 0.000_41), parameter("s", -0.000_02)],
+        critical: 3.2,
+        poses: vec![RobustPose { pose: 7.into(), weight: 0.02, residual_over_sigma: 16.7 }],
+        critical_residual: 4.1,
+        disagreeing: 1,
+    }
 }
