@@ -63,6 +63,7 @@ pub fn plausibility(
     }
     messages.extend(common_factor(robot, found));
     messages.extend(negative_compliance(robot, found));
+    messages.extend(negative_backlash(robot, found));
     let along = settings.conditions.iter().any(|c| c.kind.rows() == 1);
     messages.extend(validation_outliers(errors, if along { FAR_ALONG } else { FAR }));
     if misfit {
@@ -184,10 +185,28 @@ fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Mess
         of_one_joint(&robot.parameters()[i]) && found.values[i] < -SIGNIFICANT * u
     };
     let &i = found.free.iter().find(negative)?;
-    let p = &robot.parameters()[i];
-    let (value, unit) = (p.quantity.outward(found.values[i]), p.quantity.unit());
-    let what = format!("`{}` is negative ({value:.5} {unit}): the joint bends against gravity", p.name);
+    let what = format!("{}: the joint bends against gravity", negative_value(&robot.parameters()[i], found.values[i]));
     Some(Message::warning(what).to_decide().hint("check `gravity` and the direction of the joint's axis in robot.toml"))
+}
+
+/// A warning where a joint is ahead of its motor on the side from which it came: the directions have the other sign.
+fn negative_backlash(robot: &dyn Robot, found: &Identification) -> Option<Message> {
+    let negative = |&&i: &&usize| {
+        let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
+        robot.parameters()[i].name.starts_with("backlash_") && found.values[i] < -SIGNIFICANT * u
+    };
+    let &i = found.free.iter().find(negative)?;
+    let what = format!(
+        "{}: the joint is ahead of its drive, which no backlash explains",
+        negative_value(&robot.parameters()[i], found.values[i])
+    );
+    let hint = "check the sign of the directions of approach (+1 where the joint value grew, -1 where it fell), and that the log's times are \
+                those of the same motion";
+    Some(Message::warning(what).to_decide().hint(hint))
+}
+
+fn negative_value(p: &Parameter, value: f64) -> String {
+    format!("`{}` is negative ({:.5} {})", p.name, p.quantity.outward(value), p.quantity.unit())
 }
 
 /// An error where the nominal robot, at `before`, is further from most measurements than its tolerances allow.

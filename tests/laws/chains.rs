@@ -1,7 +1,7 @@
 //! Chains of more than one arm's joints, and transmissions: rails, two arms, parts on positioners, harmonics, backlash.
 
 use crate::support::arms::SIX_AXES;
-use crate::support::scratch::Scratch;
+use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
@@ -475,4 +475,24 @@ fn a_table_with_stations_identifies_and_slips_are_named() {
         let message = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.code() == Some(2) && message.contains(what), "{to}: {message}");
     }
+}
+
+#[test]
+fn directions_of_approach_with_the_other_sign_are_warned_of() {
+    let scratch = copy_sample("rail-arm");
+    let (code, said) = etalon(&scratch, "run");
+    assert!(code == Some(0) && !said.contains("ahead of its drive"), "{said}");
+    // a log from its end to its beginning: each joint came from the other side
+    let log = scratch.path().join("encoders.csv");
+    let text = std::fs::read_to_string(&log).unwrap();
+    let reversed = text.lines().map(|line| {
+        let (head, time) = line.rsplit_once(',').unwrap();
+        time.parse::<f64>().map_or_else(|_| line.to_owned(), |time| format!("{head},{}", 1e4 - time))
+    });
+    std::fs::write(&log, reversed.collect::<Vec<_>>().join("\n") + "\n").unwrap();
+    let (_, said) = etalon(&scratch, "run");
+    assert!(
+        said.contains("is negative (-0.0") && said.contains("check the sign of the directions of approach"),
+        "{said}"
+    );
 }
