@@ -349,10 +349,13 @@ impl Problems {
         grouped
     }
 
-    /// The same messages, at this place where they have none.
+    /// The same messages, at this place where they have none, and in its file where they have a line alone.
     pub fn at(mut self, place: &Place) -> Self {
         for message in &mut self.0 {
-            message.place.get_or_insert_with(|| Box::new(place.clone()));
+            let own = message.place.get_or_insert_with(|| Box::new(place.clone()));
+            if own.file.is_empty() {
+                own.file.clone_from(&place.file);
+            }
         }
         self
     }

@@ -43,6 +43,8 @@ const NUMBERS: [&str; 22] = [
 const LINE: &str = "line_name";
 /// Column of the name of the station of the instrument that measured a point.
 const STATION: &str = "station";
+/// Poses at which the station of the world sees the robot, at least.
+const FEWEST_SEEN: usize = 3;
 /// Axes of the world.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -145,6 +147,7 @@ pub fn observed(
     }
     let rows = Rows::new(robot, observations, without)?;
     let mut problems = Problems::default();
+    problems.0.extend(rows.unnamed_station());
     let mut angles = Vec::new();
     for row in 0..observations.height() {
         let before = settings.conditions.len();
@@ -199,6 +202,8 @@ struct Rows {
     joints: Vec<Vec<f64>>,
     /// Stations other than the one whose frame is the world.
     stations: Vec<Option<String>>,
+    /// Rows that name their station.
+    has_station: Vec<bool>,
     sockets: Vec<String>,
     others: Vec<String>,
     /// Names of planes, lines and spheres.
@@ -253,6 +258,7 @@ impl Rows {
             xyz: (0..height).map(|i| [x[i], y[i], z[i]]).collect(),
             orientations: Orientations::new(observations)?,
             joints: joint_values(robot, observations, &[])?,
+            has_station: texts(STATION)?.iter().map(|name| !name.is_empty()).collect(),
             stations: other_stations(texts(STATION)?, &x),
             sockets: texts("socket")?,
             others: texts("other")?,
@@ -274,6 +280,22 @@ impl Rows {
             lines: if has("line") { table::integers(observations, "line")? } else { Vec::new() },
             without,
         })
+    }
+
+    /// An error about a few rows without a station, which would be the world, beside many that have one.
+    fn unnamed_station(&self) -> Option<Message> {
+        let points = (0..self.fixed.len()).filter(|&row| !self.fixed[row] && self.kind(row) == "point");
+        let (named, unnamed): (Vec<usize>, Vec<usize>) = points.partition(|&row| self.stations[row].is_some());
+        let poses = |rows: &[usize]| rows.iter().map(|&row| self.poses[row]).collect::<BTreeSet<_>>().len();
+        let all_stated = unnamed.iter().all(|&row| self.has_station[row]);
+        if all_stated || poses(&unnamed) >= FEWEST_SEEN || poses(&named) < FEWEST_SEEN {
+            return None;
+        }
+        let message =
+            Message::error("the column `station` is empty here, and other points have one").at(self.place(unnamed[0]));
+        Some(message.hint(
+            "rows without a station would be those of the world, which has to see the robot at three poses at least",
+        ))
     }
 
     fn place(&self, row: usize) -> Place {

@@ -1,5 +1,6 @@
 //! Tables of several kinds of observations: every slip is refused by name, with its line.
 
+use crate::support::scratch::{copy_sample, ends};
 use std::process::Command;
 
 const ROBOT: &str = r#"model = "serial"
@@ -265,4 +266,17 @@ fn orientations_in_any_form_are_the_same() {
     assert!(code == Some(2) && error.contains("`rpy` is not an order of three angles"), "{error}");
     let (code, _, error) = run("a_deg,b_deg,c_deg,qw", &|body| [rpy(body), vec![1.0]].concat(), &[]);
     assert!(code == Some(2) && error.contains("orientations twice"), "{error}");
+}
+
+/// A row that lost the name of its station would be the world by itself.
+#[test]
+fn a_row_without_its_station_is_named() {
+    let scratch = copy_sample("turntable");
+    let file = scratch.path().join("observations.csv");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    assert!(lines[200].contains(",north,"), "{}", lines[200]);
+    lines[200] = lines[200].replace(",north,", ",,");
+    std::fs::write(&file, lines.join("\n") + "\n").unwrap();
+    ends(&scratch, "check", 2, &["the column `station` is empty here", "observations.csv:201"]);
 }
