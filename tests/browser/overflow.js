@@ -13,12 +13,26 @@
     const box = node.getBoundingClientRect();
     if (box.width && (box.right > width + 1 || box.left < -1) && !scrolls(node)) say("beyond the window", node);
   }
+  // what scrolls sideways says so
+  for (const node of document.querySelectorAll(".scroll")) {
+    if (!node.clientWidth || node.scrollWidth <= node.clientWidth + 1 || node.querySelector("#campaigns")) continue;
+    let note = node.previousElementSibling;
+    if (note && note.className === "tools") note = note.previousElementSibling;
+    if (!note || !note.classList.contains("sideways") || !note.clientHeight || !note.textContent) say("scrolls without a cue", node);
+  }
   // letters of a picture stay inside it, and apart from each other
   for (const picture of document.querySelectorAll("svg")) {
     const frame = picture.viewBox.baseVal, drawn = picture.getBoundingClientRect(), boxes = [];
     const unit = frame.width / drawn.width;
     if (!drawn.width) continue;
+    // names of limits cover no mark
+    const marks = picture.querySelector(".limit") ? [...picture.querySelectorAll("circle, polygon, rect")] : [];
+    const seenMarks = marks.map(mark => mark.getBoundingClientRect());
     for (const letters of picture.querySelectorAll("text")) {
+      if (letters.textContent.includes("_m")) {
+        const box = letters.getBoundingClientRect();
+        if (seenMarks.some(m => m.left < box.right && box.left < m.right && m.top < box.bottom && box.top < m.bottom)) say("over a mark", letters);
+      }
       const box = letters.getBoundingClientRect();
       // those of the scale that is not chosen
       if (!box.width) continue;

@@ -137,6 +137,23 @@
     });
   });
 
+  // what is wider than the window says so, as long as it is
+  document.querySelectorAll(".scroll").forEach(function (wide) {
+    var note = wide.previousElementSibling, before = wide;
+    if (note && note.className === "tools") note = (before = note).previousElementSibling;
+    if (!note || !note.classList.contains("sideways")) {
+      note = element("p", null, words[8], { class: "sideways" });
+      wide.parentNode.insertBefore(note, before);
+    }
+    function check() {
+      var needed = wide.scrollWidth > wide.clientWidth + 1;
+      note.classList.toggle("needed", needed);
+      note.classList.toggle("spare", !needed);
+    }
+    if (window.ResizeObserver) new ResizeObserver(check).observe(wide);
+    check();
+  });
+
   // a picture as a file of its own, its texts and styles in it
   document.querySelectorAll("figure svg").forEach(function (picture) {
     var tools = element("div", null, "", { class: "tools" });

@@ -1,6 +1,7 @@
 //! The error after calibration against what may explain it: the value of each joint, and the distance from the base.
 
 use super::axis::{Axis, left_margin, range};
+use super::limit_lines::LimitLines;
 use super::points;
 use super::svg::Svg;
 use crate::base::pose::{Vector, minus, norm};
@@ -63,7 +64,10 @@ fn picture(errors: &[&PointError], along: &Along, limits: &[LimitVerdict], words
     let description = words.say(
         "One mark for each error: circles calibration, diamonds validation poses. A trend is what the model lacks.",
     );
-    let mut svg = Svg::new(&format!("against-{}", along.id), WIDTH, HEIGHT, &title, &description);
+    let on_axis = |v: f64| Some(v * shown.factor).filter(|v| *v <= up.high()).map(|v| up.at(v));
+    let limits = LimitLines::new(&points::limits_of(limits, "position"), on_axis);
+    let height = HEIGHT + limits.height(WIDTH);
+    let mut svg = Svg::new(&format!("against-{}", along.id), WIDTH, height, &title, &description);
     for (value, label) in &ticks {
         svg.line("grid", (left, up.at(*value)), (RIGHT, up.at(*value)));
         svg.text("end", (left - 5.0, up.at(*value) + 4.0), label);
@@ -80,13 +84,8 @@ fn picture(errors: &[&PointError], along: &Along, limits: &[LimitVerdict], words
         let at = (across.at((along.of)(p)?), up.at(points::after_mm(p) * shown.factor));
         svg.mark(points::shape(p), points::class(p), at, 2.4, "", &points::tooltip(p, words));
     }
-    let mut above = f64::INFINITY;
-    for limit in points::limits_of(limits, "position").iter().filter(|l| l.value * shown.factor <= up.high()) {
-        let y = up.at(limit.value * shown.factor);
-        svg.line("limit", (left, y), (RIGHT, y));
-        above = (y - 4.0).min(above - 14.0);
-        svg.text("end over", (RIGHT, above), limit.name);
-    }
+    limits.level(&mut svg, (left, RIGHT));
+    limits.legend(&mut svg, HEIGHT, WIDTH);
     let caption = description + &points::how_many(drawn.len(), known.len(), words);
     Some(Figure { title, svg: svg.finish(), caption, ..Figure::default() })
 }

@@ -1,6 +1,7 @@
 //! Error by pose, before and after in one picture.
 
 use super::axis::{Axis, left_margin, range};
+use super::limit_lines::LimitLines;
 use super::points;
 use super::svg::{Shape, Svg};
 use crate::base::pose_name::PoseName;
@@ -70,16 +71,17 @@ fn picture(
         true => words.fill("One mark for each pose, cycle and target; logarithmic axis in {0}.", &[&shown.unit]),
         false => words.fill("One mark for each pose, cycle and target; linear axis in {0}.", &[&shown.unit]),
     };
-    let mut svg = Svg::new(&format!("by-pose-{quantity}"), WIDTH, HEIGHT, &title, &description);
+    let on_axis =
+        |v: f64| Some(v * shown.factor).filter(|v| (axis.low()..=axis.high()).contains(v)).map(|v| axis.at(v));
+    let limits = LimitLines::new(&points::limits_of(limits, quantity), on_axis);
+    let height = HEIGHT + limits.height(WIDTH);
+    let mut svg = Svg::new(&format!("by-pose-{quantity}"), WIDTH, height, &title, &description);
     let poses: Vec<PoseName> = pairs.iter().map(|(p, _)| p.pose).collect::<BTreeSet<_>>().into_iter().collect();
     let left = left_margin(&axis.ticks(TICKS));
     let across = Axis::linear(-0.7, poses.len() as f64 - 0.3, left, WIDTH - RIGHT);
     draw_axes(&mut svg, left, (&across, &axis), &poses, [&name, &words.say("pose")]);
-    let limits = points::limits_of(limits, quantity);
-    for limit in limits.iter().filter(|l| (axis.low()..=axis.high()).contains(&(l.value * shown.factor))) {
-        let y = axis.at(limit.value * shown.factor);
-        svg.line("limit", (left, y), (WIDTH - RIGHT, y));
-    }
+    limits.level(&mut svg, (left, WIDTH - RIGHT));
+    limits.legend(&mut svg, HEIGHT, WIDTH);
     for after in [false, true] {
         for (p, s) in &pairs {
             let place = poses.binary_search(&p.pose).unwrap_or(0) as f64;
@@ -88,12 +90,6 @@ fn picture(
             let at = (across.at(place), axis.at(size * shown.factor));
             svg.mark(points::shape(p), class, at, 2.8, "", &points::tooltip(p, words));
         }
-    }
-    // names over the marks, each above the one before where lines are near each other
-    let mut above = f64::INFINITY;
-    for limit in limits.iter().filter(|l| (axis.low()..=axis.high()).contains(&(l.value * shown.factor))) {
-        above = (axis.at(limit.value * shown.factor) - 4.0).min(above - 14.0);
-        svg.text("end over", (WIDTH - RIGHT, above), limit.name);
     }
     legend(&mut svg, left, &drawn, words);
     let rule = match logarithmic {
@@ -246,6 +242,9 @@ mod tests {
         let all: Vec<_> = errors.iter().collect();
         let svg = &pictures(&all, std::slice::from_ref(&limit), &Words::default())[0].svg;
         assert!(svg.contains("class=\"limit\"") && svg.contains(">position_max_mm</text>"));
+        // under the axis and its name, where there are no marks
+        let name = svg.lines().find(|l| l.contains(">position_max_mm<")).unwrap();
+        assert!(name.split('"').nth(5).unwrap().parse::<f64>().unwrap() > HEIGHT, "{name}");
         let far = LimitVerdict { limit: 20.0, ..limit };
         assert!(!pictures(&all, &[far], &Words::default())[0].svg.contains("class=\"limit\""));
     }
@@ -258,6 +257,6 @@ mod tests {
         (errors[1].before_deg, errors[1].after_deg) = (Some(f64::NAN), Some(0.01));
         let both = pictures(&errors.iter().collect::<Vec<_>>(), &[], &Words::default());
         assert_eq!((both.len(), both[1].svg.matches("pose 1, ").count()), (2, 2));
-        assert!(both[1].svg.contains("; 0.100 → 0.0100 deg"));
+        assert!(both[1].svg.contains("; 0.100 → 0.010 deg"));
     }
 }

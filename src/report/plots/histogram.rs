@@ -1,6 +1,7 @@
 //! How large the errors before and after calibration are: calibration poses against validation poses.
 
 use super::axis::{Axis, range, step};
+use super::limit_lines::LimitLines;
 use super::points;
 use super::svg::{Shape, Svg};
 use crate::document::{LimitVerdict, PointError};
@@ -47,8 +48,11 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
     let side = if after { "after" } else { "before" };
     let step_text = format!("{} {}", number::significant(width, 1), shown.unit);
     let description = words.fill("Share of the points of each set in steps of {0}.", &[&step_text]);
-    let mut svg = Svg::new(&format!("histogram-{side}"), WIDTH, HEIGHT, &title, &description);
     let across = Axis::linear(0.0, bins as f64 * width, LEFT, WIDTH - RIGHT);
+    let on_axis = |v: f64| Some(v * shown.factor).filter(|v| *v <= across.high()).map(|v| across.at(v));
+    let limits = LimitLines::new(&points::limits_of(limits, "position"), on_axis);
+    let height = HEIGHT + limits.height(WIDTH);
+    let mut svg = Svg::new(&format!("histogram-{side}"), WIDTH, height, &title, &description);
     let up = Axis::from_zero(highest, BOTTOM, TOP);
     draw_axes(&mut svg, &across, &up, shown.unit, words);
     let decimals = number::decimals(width, 1).unwrap_or(0);
@@ -71,20 +75,8 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
         svg.rect(class, (x - 5.0, 11.0), (10.0, 10.0), "");
         svg.text("start", (x + 10.0, 20.0), &words.say(name));
     }
-    // names one below the other, on the side that has room
-    for (i, limit) in points::limits_of(limits, "position").into_iter().enumerate() {
-        let value = limit.value * shown.factor;
-        if value <= across.high() {
-            let (x, y) = (across.at(value), TOP + 12.0 + 14.0 * i as f64);
-            svg.line("limit", (x, TOP), (x, BOTTOM));
-            let right = x < 0.5 * (LEFT + WIDTH);
-            svg.text(
-                if right { "start over" } else { "end over" },
-                (if right { x + 4.0 } else { x - 4.0 }, y),
-                limit.name,
-            );
-        }
-    }
+    limits.upright(&mut svg, (TOP, BOTTOM));
+    limits.legend(&mut svg, HEIGHT, WIDTH);
     let mut header = vec![words.fill("from, in {0}", &[&shown.unit]), words.say("to")];
     header.extend(sets.iter().map(|s| words.fill("{0} points", &[&words.say(s.2)])));
     let row =

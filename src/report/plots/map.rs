@@ -273,7 +273,8 @@ mod tests {
         errors.push(point(99, [100.0, 80.0, 0.0], [1.0; 3], [0.001, 0.0, 0.0]));
         let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
         assert_eq!(map.svg.matches("cycle 1").count(), 2);
-        assert!(map.svg.contains("7.00 µm after"));
+        // 1.73 mm before: millimetres, to two digits of the error after
+        assert!(map.svg.contains("1.7321 mm before, 0.0070 mm after"));
         assert!(map.caption.contains("Of 16 errors the largest is drawn at each of 2 places."), "{}", map.caption);
     }
 

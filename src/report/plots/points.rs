@@ -121,22 +121,33 @@ pub(in crate::report) fn sets(points: &[&PointError]) -> Vec<(Shape, &'static st
 /// Which point, and its errors before and after: the same text in every picture, so that a page has it once. The target's name is
 /// isolated from its surroundings (right-to-left).
 pub(in crate::report) fn tooltip(p: &PointError, words: &Words) -> String {
-    let length = |mm: f64| {
-        let shown = number::shown("mm", mm);
-        format!("{} {}", number::significant(mm * shown.factor, 3), shown.unit)
-    };
+    // one unit and one number of decimals, so that all lengths compare: two digits of the error after
+    let (before, after) = (before_mm(p), after_mm(p));
+    let shown = number::shown("mm", before.max(after));
+    let places = decimals(after * shown.factor, before * shown.factor);
+    let length = |mm: f64| number::fixed(mm * shown.factor, places);
+    let [x, y, z] = p.after_mm.map(length);
+    let [before, after] = [before, after].map(|mm| format!("{} {}", length(mm), shown.unit));
     let target = isolated(&p.target);
     let set = words.say(if is_validation(p) { "validation" } else { "calibration" });
-    let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &set, &length(before_mm(p)), &length(after_mm(p))];
+    let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &set, &before, &after];
     let text = words.fill("pose {0}, cycle {1}, {2} ({3}): {4} before, {5} after", &values);
-    let shown = number::shown("mm", after_mm(p));
-    let [x, y, z] = p.after_mm.map(|v| number::significant(v * shown.factor, 2));
-    let angle = |deg: Option<f64>| deg.filter(|d| d.is_finite()).map(|d| number::significant(d.abs(), 3));
+    let angle = |deg: Option<f64>| deg.filter(|d| d.is_finite()).map(f64::abs);
     let turned = match (angle(p.before_deg), angle(p.after_deg)) {
-        (Some(before), Some(after)) => format!("; {before} → {after} deg"),
+        (Some(before), Some(after)) => {
+            let places = decimals(after, before);
+            format!("; {} → {} deg", number::fixed(before, places), number::fixed(after, places))
+        }
         _ => String::new(),
     };
     text + &words.number(&format!(" (x {x}, y {y}, z {z} {}){turned}", shown.unit))
+}
+
+/// Decimals that show two significant digits of the error after, of which no more than five matter to a reader; those of
+/// the error before where the one after is zero.
+fn decimals(after: f64, before: f64) -> usize {
+    let of = |v: f64| if v > 0.0 { number::decimals(v, 2) } else { None };
+    of(after).or_else(|| of(before)).unwrap_or(0).clamp(0, 5)
 }
 
 #[cfg(test)]
@@ -165,6 +176,19 @@ mod tests {
         let few = readable(&errors.iter().collect::<Vec<_>>());
         assert_eq!(few.iter().filter(|p| is_validation(p)).count(), 299);
         assert!(few.len() <= MARKS + 1 && few.iter().all(|p| p.after_mm[0] == 0.03), "{}", few.len());
+    }
+
+    #[test]
+    fn all_lengths_of_a_tooltip_have_one_unit_and_one_number_of_decimals() {
+        let mut p = point(1, [0.0; 3], [3.18, 0.0, 0.0], [0.057, -0.109, 0.19]);
+        (p.before_deg, p.after_deg) = (Some(0.383), Some(-0.0750));
+        let text = tooltip(&p, &Words::default());
+        assert!(
+            text.ends_with(": 3.18 mm before, 0.23 mm after (x 0.06, y -0.11, z 0.19 mm); 0.383 → 0.075 deg"),
+            "{text}"
+        );
+        let text = tooltip(&point(1, [0.0; 3], [0.16, 0.0, 0.0], [0.0, 0.0, -0.0034]), &Words::default());
+        assert!(text.ends_with(": 160.0 µm before, 3.4 µm after (x 0.0, y 0.0, z -3.4 µm)"), "{text}");
     }
 
     #[test]

@@ -34,7 +34,6 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
     let title = words.say("The model and its parameters");
     let description = words.say(&sketch.title);
     let mut svg = Svg::new(&format!("sketch-{index}"), WIDTH, paper.height, &title, &description);
-    let mut labels = Labels { height: paper.height, taken: Vec::new() };
     let drawn: Vec<Vec<Place>> =
         sketch.strokes.iter().map(|s| s.points_mm.iter().map(|p| paper.at(view.flat(*p))).collect()).collect();
     for (stroke, line) in sketch.strokes.iter().zip(&drawn) {
@@ -55,6 +54,9 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
             }
         }
     }
+    let parts = sketch.strokes.iter().zip(&drawn).filter(|(s, _)| s.kind == StrokeKind::Part);
+    let parts = parts.flat_map(|(_, line)| line.windows(2).map(|pair| [pair[0], pair[1]])).collect();
+    let mut labels = Labels { height: paper.height, taken: Vec::new(), parts };
     let lines = sketch.strokes.iter().zip(&drawn).filter(|(s, _)| !s.name.is_empty());
     // those with the least choice first
     let (short, long): (Vec<_>, Vec<_>) = lines.partition(|(s, _)| s.kind == StrokeKind::Direction);
@@ -64,6 +66,9 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
             StrokeKind::Length | StrokeKind::Direction => "mid over name",
             _ => "mid over",
         };
+        if let Some((from, to)) = leader(stroke.kind, line, at, name) {
+            svg.line("leader", from, to);
+        }
         svg.text(class, at, name);
     }
     Some(Figure { title, svg: svg.finish(), caption: description, ..Figure::default() })
@@ -89,16 +94,64 @@ fn aside(line: &[Place]) -> Vec<Place> {
     line.iter().map(|p| (p.0 + ASIDE * nx, p.1 + ASIDE * ny)).collect()
 }
 
-/// Letters that do not lie over each other.
+/// Left, right, top and bottom of a name around its place.
+fn frame((x, y): Place, name: &str) -> [f64; 4] {
+    let half = half_width(name);
+    [x - half, x + half, y - LETTER, y + 3.0]
+}
+
+fn half_width(name: &str) -> f64 {
+    0.5 * LETTER_WIDTH * name.chars().count() as f64 + 2.0
+}
+
+/// A line from the joint of an axis, the middle of what is drawn of it, to its name; none where the name is at the axis.
+fn leader(kind: StrokeKind, line: &[Place], at: Place, name: &str) -> Option<(Place, Place)> {
+    const AT_THE_AXIS: f64 = 14.0;
+    if kind != StrokeKind::Axis {
+        return None;
+    }
+    let [left, right, top, bottom] = frame(at, name);
+    let nearest = |p: Place| (p.0.clamp(left, right), p.1.clamp(top, bottom));
+    let far = |p: Place| (nearest(p).0 - p.0).hypot(nearest(p).1 - p.1);
+    let (first, last) = (line[0], line[line.len() - 1]);
+    let joint = on_axis(first, last);
+    let tip = far(last).min(far(first));
+    (tip > AT_THE_AXIS && far(joint) > 2.0).then(|| (joint, nearest(joint)))
+}
+
+/// The joint on an axis, which is drawn from 0.09 behind it to 0.13 before it.
+fn on_axis(first: Place, last: Place) -> Place {
+    const SHARE: f64 = 0.09 / 0.22;
+    (first.0 + SHARE * (last.0 - first.0), first.1 + SHARE * (last.1 - first.1))
+}
+
+/// Whether a line from one place to another meets a frame: it is cut to the part inside of each pair of edges.
+fn meets([a, b]: [Place; 2], [left, right, top, bottom]: [f64; 4]) -> bool {
+    let (mut from, mut to) = (0.0f64, 1.0f64);
+    for (start, along, low, high) in [(a.0, b.0 - a.0, left, right), (a.1, b.1 - a.1, top, bottom)] {
+        if along.abs() < 1e-9 {
+            if start < low || start > high {
+                return false;
+            }
+            continue;
+        }
+        let (enter, leave) = ((low - start) / along, (high - start) / along);
+        (from, to) = (from.max(enter.min(leave)), to.min(enter.max(leave)));
+    }
+    from <= to
+}
+
+/// Letters that do not lie over each other, nor over the parts where there is room beside them.
 struct Labels {
     height: f64,
     taken: Vec<[f64; 4]>,
+    parts: Vec<[Place; 2]>,
 }
 
 impl Labels {
     /// The first place along a line and beside it where a name has room.
     fn place(&mut self, kind: StrokeKind, line: &[Place], name: &str) -> Place {
-        let half = 0.5 * LETTER_WIDTH * name.chars().count() as f64 + 2.0;
+        let half = half_width(name);
         let (first, last) = (line[0], line[line.len() - 1]);
         let shares: &[f64] = match kind {
             StrokeKind::Axis | StrokeKind::Direction => &[1.0, 0.85, 0.7, 0.5, 0.3, 0.0],
@@ -127,22 +180,24 @@ impl Labels {
                 choices.push((on.0 + nx, on.1 + ny + 0.35 * LETTER));
             }
         }
-        // around its end, where a short line has no room beside it
-        for far in [22.0, 34.0, 46.0, 60.0] {
+        // around its end, or the joint of an axis, where a short line has no room beside it
+        let last = if kind == StrokeKind::Axis { on_axis(first, last) } else { last };
+        for far in [22.0, 34.0, 46.0, 60.0, 76.0, 94.0, 112.0, 130.0] {
             choices.extend((0..12).map(|i| {
                 let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 12.0).sin_cos();
                 (last.0 + (far + half) * cos, last.1 + far * sin + 0.35 * LETTER)
             }));
         }
-        let frame = |(x, y): Place| [x - half, x + half, y - LETTER, y + 3.0];
         let free = |at: &&Place| {
-            let [left, right, top, bottom] = frame(**at);
+            let [left, right, top, bottom] = frame(**at, name);
             let apart = |b: &[f64; 4]| right < b[0] || b[1] < left || bottom < b[2] || b[3] < top;
             left > 1.0 && right < WIDTH - 1.0 && top > 1.0 && bottom < self.height - 1.0 && self.taken.iter().all(apart)
         };
         let inside = |(x, y): Place| (x.clamp(half + 1.0, WIDTH - half - 1.0), y.clamp(14.0, self.height - 4.0));
-        let at = choices.iter().find(free).copied().unwrap_or_else(|| inside(choices[0]));
-        self.taken.push(frame(at));
+        let clear = |at: &&Place| !self.parts.iter().any(|part| meets(*part, frame(**at, name)));
+        let beside = choices.iter().find(|at| free(at) && clear(at)).or_else(|| choices.iter().find(free));
+        let at = beside.copied().unwrap_or_else(|| inside(choices[0]));
+        self.taken.push(frame(at, name));
         at
     }
 }
@@ -164,6 +219,33 @@ mod tests {
         for (i, a) in texts.iter().enumerate() {
             assert!(a.0 > 20.0 && a.0 < WIDTH - 20.0);
             assert!(texts[..i].iter().all(|b| (a.0 - b.0).abs() > 40.0 || (a.1 - b.1).abs() > 10.0), "{texts:?}");
+        }
+    }
+
+    #[test]
+    fn names_of_axes_that_coincide_lie_beside_the_arm_and_each_is_joined_to_its_joint() {
+        let mut sketch = Sketch::new("An arm along its own axes.", true);
+        sketch.add(StrokeKind::Part, "", &[[0.0; 3], [300.0, 200.0, 0.0]]);
+        for i in 0..6 {
+            let share = 0.03 * f64::from(i);
+            let at = |s: f64| [300.0 * s, 200.0 * s, 0.0];
+            sketch.add(StrokeKind::Axis, format!("wrist_{i}"), &[at(share), at(share + 0.22)]);
+        }
+        let svg = &pictures(&[sketch], &Words::default())[0].svg;
+        let number =
+            |l: &str, key: &str| l.split(key).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
+        let ends = |l: &str| [(number(l, " x1=\""), number(l, " y1=\"")), (number(l, " x2=\""), number(l, " y2=\""))];
+        let part = ends(svg.lines().find(|l| l.contains("class=\"part\"")).unwrap());
+        let texts: Vec<&str> = svg.lines().filter(|l| l.starts_with("<text")).collect();
+        assert_eq!(texts.len(), 6);
+        for text in &texts {
+            let at = (number(text, " x=\""), number(text, " y=\""));
+            assert!(!meets(part, frame(at, "wrist_0")), "{text}");
+        }
+        let leaders: Vec<_> = svg.lines().filter(|l| l.contains("leader")).map(ends).collect();
+        assert!(!leaders.is_empty() && svg.matches("<text").count() == 6, "{svg}");
+        for [joint, _] in leaders {
+            assert!(meets(part, [joint.0 - 0.2, joint.0 + 0.2, joint.1 - 0.2, joint.1 + 0.2]), "{joint:?}");
         }
     }
 

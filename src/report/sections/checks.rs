@@ -4,6 +4,7 @@ use crate::document::{InfluenceEntry, ReliabilitySummary, ResidualTrend, RobustP
 use crate::report::Report;
 use crate::report::model::{Block, Cell, Columns, Section, Table, shown, significant, strong_term, term};
 use crate::report::number;
+use crate::report::plots::influence;
 use crate::report::words::Words;
 
 /// Parameters that a table of a robust fit shows.
@@ -19,6 +20,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::heading(words.say("Poses that decide")));
         section.push(Block::note(words.fill("Without a pose the parameters change by its Cook's distance, over their covariance; beyond {0} it is influential (median of F; Cook 1977).", &[&number::significant(found.influential, 2)])));
         section.push(Block::Table(poses(found, words)));
+        section.figures(influence::picture(found, words));
     }
     if let Some(found) = &parameters.robust {
         section.push(Block::heading(words.say("Robust fit")));
