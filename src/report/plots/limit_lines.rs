@@ -107,7 +107,7 @@ mod tests {
         let numbers = lines.numbers();
         assert!(numbers.windows(2).all(|pair| pair[1].1 - pair[0].1 >= APART - 1e-9), "{numbers:?}");
         assert_eq!((lines.height(380.0), lines.height(1000.0)), (2.0 * ROW, ROW));
-        let one = LimitLines::new(&limits[..1], |value| Some(value));
+        let one = LimitLines::new(&limits[..1], Some);
         assert!(one.numbers().is_empty() && one.name(0) == "position_mean_mm");
         assert_eq!(LimitLines::new(&limits, |_| None).height(380.0), 0.0);
     }
