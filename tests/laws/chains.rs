@@ -482,14 +482,29 @@ fn directions_of_approach_with_the_other_sign_are_warned_of() {
     let scratch = copy_sample("rail-arm");
     let (code, said) = etalon(&scratch, "run");
     assert!(code == Some(0) && !said.contains("ahead of its drive"), "{said}");
-    // a log from its end to its beginning: each joint came from the other side
+    // the directions as the log's order gives them, and the other sign
     let log = scratch.path().join("encoders.csv");
     let text = std::fs::read_to_string(&log).unwrap();
-    let reversed = text.lines().map(|line| {
-        let (head, time) = line.rsplit_once(',').unwrap();
-        time.parse::<f64>().map_or_else(|_| line.to_owned(), |time| format!("{head},{}", 1e4 - time))
-    });
-    std::fs::write(&log, reversed.collect::<Vec<_>>().join("\n") + "\n").unwrap();
+    let joints = |line: &str| -> Vec<f64> { line.split(',').skip(3).take(3).map(|q| q.parse().unwrap()).collect() };
+    let mut before: Option<Vec<f64>> = None;
+    let mut exchanged = String::new();
+    for line in text.lines() {
+        if line.starts_with("cycle") {
+            let _ = writeln!(exchanged, "{line},D2,D3,D4");
+            continue;
+        }
+        let q = joints(line);
+        let came = |k: usize| before.as_ref().is_none_or(|before| q[k] < before[k]);
+        let signs = [0, 1, 2].map(|k| if came(k) { "1" } else { "-1" });
+        let _ = writeln!(exchanged, "{line},{}", signs.join(","));
+        before = Some(q);
+    }
+    std::fs::write(&log, exchanged).unwrap();
+    scratch.replace(
+        "campaign.toml",
+        "time_s = \"time_s\"\n",
+        "q2_direction = \"D2\"\nq3_direction = \"D3\"\nq4_direction = \"D4\"\n",
+    );
     let (_, said) = etalon(&scratch, "run");
     assert!(
         said.contains("is negative (-0.0") && said.contains("check the sign of the directions of approach"),

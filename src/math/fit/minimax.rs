@@ -143,7 +143,7 @@ pub(super) struct Certificate {
 
 /// Contacts that multipliers are sought for together at most.
 const TOGETHER: usize = 200;
-/// A multiplier below this is not told from zero.
+/// A multiplier below this is taken as zero.
 const POSITIVE: f64 = 1e-9;
 
 /// The shortest λ with Aᵀ λ = c, which prefers none of equal rows, and the smallest singular value of A; `None` where its rows do
