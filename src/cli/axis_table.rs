@@ -12,6 +12,7 @@ use crate::export::axis_tables::{self, Deviation, MachineAxes, Plane, Sign};
 use crate::math::robots::{Calibrated, Quantity};
 use crate::run::documents::Documents;
 use crate::stages::table_file::TableFile;
+use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
 
 /// Compensation table of an axis, or of a plane, from identified parameters, from leads, or from measured errors
@@ -112,9 +113,20 @@ fn assignment(text: &str) -> std::result::Result<(String, f64), String> {
 
 /// What deviations come from.
 enum Source<'a> {
-    Joint { robot: &'a Calibrated<'a>, joints: Vec<f64>, bases: Vec<usize>, corrected: usize },
-    Pose { robot: &'a Calibrated<'a>, at: Pose, bases: Vec<usize>, corrected: usize },
+    Joint {
+        robot: &'a Calibrated<'a>,
+        joints: Vec<f64>,
+        bases: Vec<usize>,
+        corrected: usize,
+    },
+    Pose {
+        robot: &'a Calibrated<'a>,
+        at: Pose,
+        bases: Vec<usize>,
+        corrected: usize,
+    },
     Lead(&'a LeadResult),
+    /// By position.
     Measured(Vec<(Vec<f64>, f64)>),
 }
 
@@ -152,8 +164,9 @@ impl Source<'_> {
                 Ok(lead.error * positions[0] + a.deviation_mm + part * (b.deviation_mm - a.deviation_mm))
             }
             Self::Measured(rows) => {
-                let row = rows.iter().find(|(at, _)| at == positions);
-                row.map(|(_, deviation)| *deviation).ok_or_else(|| "the table has no row".to_owned())
+                let order = |at: &[f64]| at.partial_cmp(positions).unwrap_or(Ordering::Less);
+                let row = rows.binary_search_by(|(at, _)| order(at));
+                row.map(|row| rows[row].1).map_err(|_| "the table has no row".to_owned())
             }
         }
     }
@@ -341,11 +354,13 @@ impl AxisTable {
             axis.positions.dedup();
         }
         let at = |row: usize| columns.iter().map(|column| column[row]).collect::<Vec<_>>();
-        let rows: Vec<(Vec<f64>, f64)> = deviations.iter().enumerate().map(|(row, d)| (at(row), *d)).collect();
+        let mut rows: Vec<(Vec<f64>, f64)> = deviations.iter().enumerate().map(|(row, d)| (at(row), *d)).collect();
         if rows.len() != self.axes.iter().map(|axis| axis.positions.len()).product::<usize>() {
             let message = Message::error("the positions are not those of a grid").at(Place::file(file.name.clone()));
             return Err(message.expected("one row for each position of each base axis").into());
         }
+        // finite numbers, and what is looked up is found fast
+        rows.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap_or(Ordering::Equal));
         Ok(Source::Measured(rows))
     }
 

@@ -403,17 +403,12 @@ fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Resu
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let instrument = campaign.file.instrument.standard_uncertainty_mm();
     let rounding = 10f64.powi(-(scene.truth.decimals as i32)) * 1e3;
-    let points = read.observations.iter().flat_map(|o| {
-        let robot = robot.as_ref();
-        let values = &values;
-        o.targets
-            .iter()
-            .enumerate()
-            .filter_map(move |(k, seen)| Some((o.pose, norm(minus((*seen)?, robot.position(values, &o.joints, k))))))
-    });
-    let points = points.map(|(pose, off)| {
-        (pose, off, scene.truth.observe.iter().filter_map(|o| o.u_um).map(|um| um / 1000.0).fold(instrument, f64::max))
-    });
+    let largest_u_mm =
+        scene.truth.observe.iter().filter_map(|o| o.u_um).map(|um| um / 1000.0).fold(instrument, f64::max);
+    let points = read
+        .observations
+        .iter()
+        .flat_map(|o| o.misses(robot.as_ref(), &values).map(|(_, miss)| (o.pose, norm(miss), largest_u_mm)));
     let others = read.settings.conditions.iter();
     let others = others.map(|c| (c.pose, norm(c.error(robot.as_ref(), &values)), c.standard_uncertainty));
     let far = points.chain(others).find(|(_, off, u)| *off > FAR * u * scene.noise_scale().max(1.0) + rounding);

@@ -270,8 +270,7 @@ impl Truth {
                 let draw = |attempt: u64| self.drawn(robot, all.len(), attempt);
                 let first = draw(0)?;
                 let reachable = |q: &Vec<f64>| robot.limit_violation(values, q).is_none();
-                let others = (1..ATTEMPTS).filter_map(|attempt| draw(attempt).ok());
-                let q = Some(first.clone()).into_iter().chain(others).find(reachable);
+                let q = (0..ATTEMPTS).filter_map(|attempt| draw(attempt).ok()).find(reachable);
                 all.push(q.unwrap_or(first));
             }
         }

@@ -9,7 +9,7 @@ use crate::document::{
 };
 use crate::math::identify::{
     ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, ReadingReliability, Reliability, RobustChange,
-    RobustComparison, Variance, holm,
+    RobustComparison, Variance, WRONG_READINGS, holm,
 };
 use crate::math::robots::Robot;
 use nalgebra::DVector;
@@ -91,8 +91,7 @@ pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Mes
     let names: Vec<String> = poses.iter().take(NAMED).map(|p| p.pose.to_string()).collect();
     let more = if poses.len() > NAMED { ", ..." } else { "" };
     let what = format!("{differs}; poses that disagree with the others: {}{more}", names.join(", "));
-    let hint = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
-    Some(Message::warning(what).to_decide().hint(hint))
+    Some(Message::warning(what).to_decide().hint(WRONG_READINGS))
 }
 
 /// Gives the errors of the calibration what is known of their readings; of the centre of a platform the worse of its two.

@@ -55,9 +55,7 @@ impl AngleOrder {
         let order = if self.fixed { [2, 1, 0] } else { [0, 1, 2] };
         order.into_iter().fold(Pose::identity(), turn)
     }
-}
 
-impl AngleOrder {
     /// The angles (rad) that turn a body to this orientation: the second one in [−π/2, π/2], or in [0, π] where the first and third turn about the
     /// same axis.
     pub fn angles(self, body: &Pose) -> [f64; 3] {

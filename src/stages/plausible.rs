@@ -6,7 +6,7 @@ use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
 use crate::document::PointError;
 use crate::math::identify::{
-    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, explain,
+    Identification, OUTLIER, Observation, RobustFit, Settings, WRONG_READINGS, allowed_mm, chi_square_exceeds, explain,
     far_from_nominal, moved_between,
 };
 use crate::math::robots::{Parameter, Quantity, Robot, Role};
@@ -136,8 +136,7 @@ fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message>
         of.len(),
         named.join(", ")
     );
-    let hint = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
-    Some(Message::warning(what).to_decide().hint(hint))
+    Some(Message::warning(what).to_decide().hint(WRONG_READINGS))
 }
 
 /// A warning where lengths, or gains of sliding joints, are all off by one factor: the scale of the measuring system, or a unit.

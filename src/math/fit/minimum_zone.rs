@@ -38,7 +38,7 @@ pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> 
     }
 }
 
-/// Refuses a zone that is no narrower than that of the plane: the points do not show the element.
+/// Refuses a zone as wide as the minimum zone of a plane: the points do not determine the element.
 fn narrower_than_a_plane(zone: MinimumZone, points: &[Vector]) -> Result<MinimumZone> {
     let cloud = Cloud::new(zone.element, Source::Space(points.into()), &Settings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();

@@ -26,7 +26,7 @@ trait Round<const N: usize>: Sized {
     /// Distance of a point and its gradient by the parameters, here.
     fn row(&self, q: Vector) -> Row<N>;
 
-    /// The element after a step; `None` where there is no such element.
+    /// The element after a step of its parameters; `None` where it is out of range.
     fn moved(&self, step: [f64; N]) -> Option<Self>;
 
     fn rows(&self, points: &[Vector]) -> Vec<Row<N>> {

@@ -161,6 +161,9 @@ const FITS: usize = 12;
 /// Least scale of residuals in mm: below it nothing is measured.
 const LEAST_MM: f64 = 1e-6;
 
+/// What to do about readings that others contradict.
+pub const WRONG_READINGS: &str = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
+
 /// What a robust fit leaves of every reading.
 #[derive(Clone, Debug)]
 pub struct RobustFit {
@@ -246,9 +249,7 @@ impl RobustFit {
             self.scale_mm,
             named(&outliers[..outliers.len().min(NAMED_OUTLIERS)]),
         );
-        Message::warning(what)
-            .to_decide()
-            .hint("look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]")
+        Message::warning(what).to_decide().hint(WRONG_READINGS)
     }
 }
 

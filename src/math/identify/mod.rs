@@ -33,7 +33,7 @@ pub use budget::{Budget, Contributions, Figure, Replicates, Systematic, Uncertai
 pub use chi_square::exceeds as chi_square_exceeds;
 use condition::tied_to_world;
 pub use condition::{Condition, Fixture, Kind, Known};
-pub use diagnosis::{OUTLIER, Reading, RobustFit};
+pub use diagnosis::{OUTLIER, Reading, RobustFit, WRONG_READINGS};
 pub use effects::effects;
 pub use fixtures::mounted_misfit_rad;
 pub use frame_error::FrameError;
