@@ -9,12 +9,11 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 
-class Return(Exception):
-    pass
-
-
 def copied(value):
     return [copied(v) for v in value] if isinstance(value, list) else value
+
+
+FUNCTIONS = {"SIN": math.sin, "COS": math.cos, "ATAN": math.atan, "SQRT": math.sqrt, "ABS": abs, "copied": copied}
 
 
 def expression(text):
@@ -24,9 +23,10 @@ def expression(text):
     return text.replace("TRUE", "True").replace("FALSE", "False")
 
 
-def python(body):
-    """The statements as Python: one statement ends with THEN, ELSE, DO or a semicolon."""
-    out, depth = [], 0
+def python(body, names):
+    """The statements as a Python function of the values of the variables: one statement ends with THEN, ELSE, DO or a semicolon."""
+    out = ["def body(values):"] + [f"  {name} = values.get('{name}')" for name in names] + ["  try:"]
+    depth = 2
     for statement in re.findall(r"(?:[^;]*?\b(?:THEN|ELSE|DO)\b)|(?:[^;]*;)", body):
         text = " ".join(statement.split())
         if match := re.fullmatch(r"(IF|ELSIF) (.*) THEN", text):
@@ -41,22 +41,29 @@ def python(body):
         elif text in ("END_IF;", "END_FOR;"):
             depth -= 1
         elif text == "RETURN;":
-            out.append("  " * depth + "raise Return")
+            out.append("  " * depth + "return")
         elif match := re.fullmatch(r"([\w\[\], +*]+?) := (.*);", text):
-            out.append("  " * depth + f"{expression(match[1])} = copied({expression(match[2])})")
+            # an array is copied where it is named; an operator gives a number
+            array = re.fullmatch(r"[\w\[\], .+*]+", match[2]) and not re.fullmatch(r"[\d.]+", match[2])
+            value = expression(match[2])
+            out.append("  " * depth + f"{expression(match[1])} = " + (f"copied({value})" if array else value))
         elif match := re.fullmatch(r"(\w+\(.*\));", text):
             out.append("  " * depth + expression(match[1]))
         else:
             raise SyntaxError(text)
-    assert depth == 0
-    return compile("\n".join(out), "body", "exec")
+    assert depth == 2
+    out += ["  finally:", f"    values.update({', '.join(f'{name}={name}' for name in names)})"]
+    scope = {}
+    exec("\n".join(out), FUNCTIONS, scope)
+    return scope["body"]
 
 
 class Unit:
     """A function or function block: lists of declarations and statements."""
 
     def __init__(self, name, lists, body):
-        self.name, self.lists, self.code = name, lists, python(body)
+        names = [variable for declared in lists.values() for variable, _ in declared]
+        self.name, self.lists, self.body = name, lists, python(body, names + [name])
 
     def instance(self, all_units):
         values = {}
@@ -77,10 +84,7 @@ class Block:
 
     def __call__(self, **inputs):
         self.values.update((name, copied(value)) for name, value in inputs.items())
-        try:
-            exec(self.unit.code, FUNCTIONS, self.values)
-        except Return:
-            pass
+        self.unit.body(self.values)
 
     def __getattr__(self, name):
         return self.values[name]
@@ -89,13 +93,10 @@ class Block:
 def function(unit):
     def call(**inputs):
         values = dict(inputs)
-        exec(unit.code, FUNCTIONS, values)
+        unit.body(values)
         return values[unit.name]
 
     return call
-
-
-FUNCTIONS = {"SIN": math.sin, "COS": math.cos, "ATAN": math.atan, "SQRT": math.sqrt, "ABS": abs, "Return": Return, "copied": copied}
 
 
 def of_text(text):

@@ -7,9 +7,9 @@ use super::identifiability::Analysis;
 use super::residuals::Residuals;
 use super::{Observation, ResidualKind, Settings};
 use crate::base::message::Result;
-use crate::base::pose::{Pose, Vector, centroid, minus, norm};
-use crate::math::robots::{FreeBase, Quantity, Robot};
-use crate::math::solve::{self, Factor, Options, Termination};
+use crate::base::pose::{Pose, Vector, centroid, cross, minus, norm, turning_axes};
+use crate::math::robots::{FreeBase, Quantity, Robot, base_pose};
+use crate::math::solve::{self, Factor, Options, Problem, Termination};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
 
@@ -109,7 +109,8 @@ fn place_all(
     nominal: &[f64],
     places: &[usize],
 ) -> Result<Option<Placed>> {
-    let turned = |r: &[f64; 3]| linear_start(arm, observations, nominal, places, *r);
+    let sightings = Sighting::of(arm, observations, nominal);
+    let turned = |r: &[f64; 3]| linear_start(&sightings, nominal, places, *r);
     let mut candidates: Vec<(f64, Vec<f64>)> = rotations(nominal, places).iter().filter_map(turned).collect();
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
     let spread = spread_mm(observations);
@@ -122,7 +123,10 @@ fn place_all(
         let lengths = held.iter().filter(|&&i| robot.parameters()[i].quantity == Quantity::Length);
         lengths.for_each(|&i| values[i] = nominal[i]);
         let free: Vec<usize> = places.iter().copied().filter(|i| !held.contains(i)).collect();
-        let problem = Residuals::new(robot, observations, &PLAIN, &free, &values)?;
+        if free.is_empty() {
+            continue;
+        }
+        let problem = Placing { sightings: &sightings, free: &free, values: &values };
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
         let solution = solve::solve(&problem, &x, Options { iterations: 50, step: 1e-6, ..Options::default() });
         let rms_mm = (solution.cost / points).sqrt();
@@ -167,45 +171,117 @@ fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
     all
 }
 
-/// With the rotation of the base given by its angles: p = b + R (R_i r_k + t_i) is linear in the place b of the base and
-/// the targets r_k; those of them not in `places` keep their nominal values. Gives the cost and all parameters.
+/// A target seen in a pose.
+struct Sighting {
+    /// The flange in the base.
+    base_t_flange: Pose,
+    /// Index of the first parameter of the target.
+    place: usize,
+    measured: Vector,
+}
+
+impl Sighting {
+    /// All targets that were seen, of an arm whose own parameters are nominal: the flange is where the joints put it, wherever the base is.
+    fn of(arm: &dyn FreeBase, observations: &[Observation], nominal: &[f64]) -> Vec<Self> {
+        let mut in_base = nominal.to_vec();
+        in_base[..6].fill(0.0);
+        let of_pose = |o: &Observation| {
+            let base_t_flange = arm.flange(&in_base, &o.joints);
+            let seen = o.targets.iter().enumerate();
+            let seen =
+                seen.filter_map(|(k, at)| Some(Self { base_t_flange, place: arm.target_place(k), measured: (*at)? }));
+            seen.collect::<Vec<_>>()
+        };
+        observations.iter().flat_map(of_pose).collect()
+    }
+}
+
+/// The problem of finding some of the parameters of base and targets: p = b + R(ω) (R_i r_k + t_i).
+struct Placing<'a> {
+    sightings: &'a [Sighting],
+    free: &'a [usize],
+    values: &'a [f64],
+}
+
+impl Placing<'_> {
+    /// All parameters with the free ones at `x`.
+    fn all(&self, x: &[f64]) -> Vec<f64> {
+        let mut values = self.values.to_vec();
+        for (&i, &x) in self.free.iter().zip(x) {
+            values[i] = x;
+        }
+        values
+    }
+}
+
+impl Problem for Placing<'_> {
+    fn residual_count(&self) -> usize {
+        3 * self.sightings.len()
+    }
+
+    fn residuals(&self, x: &[f64], r: &mut [f64]) {
+        let values = self.all(x);
+        let base = base_pose(&values);
+        for (sighting, r) in self.sightings.iter().zip(r.chunks_exact_mut(3)) {
+            let at = base.apply(sighting.base_t_flange.apply(three(&values, sighting.place)));
+            r.copy_from_slice(&minus(at, sighting.measured));
+        }
+    }
+
+    fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
+        let values = self.all(x);
+        let base = base_pose(&values);
+        let turning = turning_axes(three(&values, 3));
+        let n = self.free.len();
+        for (sighting, rows) in self.sightings.iter().zip(jacobian.chunks_exact_mut(3 * n)) {
+            let world_t_flange = base.then(&sighting.base_t_flange);
+            let at = world_t_flange.apply(three(&values, sighting.place));
+            for (column, &j) in self.free.iter().enumerate() {
+                let by = match j {
+                    0..3 => unit_vector(j),
+                    3..6 => cross(turning[j - 3], minus(at, base.translation_mm)),
+                    _ if (sighting.place..sighting.place + 3).contains(&j) => world_t_flange.axis(j - sighting.place),
+                    _ => [0.0; 3],
+                };
+                (0..3).for_each(|i| rows[i * n + column] = by[i]);
+            }
+        }
+    }
+}
+
+fn three(values: &[f64], first: usize) -> Vector {
+    [values[first], values[first + 1], values[first + 2]]
+}
+
+fn unit_vector(axis: usize) -> Vector {
+    [0, 1, 2].map(|i| f64::from(u8::from(i == axis)))
+}
+
+/// With the rotation of the base given by its angles, positions are linear in the place of the base and the targets; those of them not in
+/// `places` keep their nominal values. Gives the cost and all parameters.
 fn linear_start(
-    arm: &dyn FreeBase,
-    subset: &[Observation],
+    sightings: &[Sighting],
     nominal: &[f64],
     places: &[usize],
     angles: [f64; 3],
 ) -> Option<(f64, Vec<f64>)> {
     let mut values = nominal.to_vec();
-    values[..3].fill(0.0);
     values[3..6].copy_from_slice(&angles);
     let free: Vec<usize> = places.iter().copied().filter(|i| !(3..6).contains(i)).collect();
-    let (mut a, mut b) = (Vec::new(), Vec::new());
-    for o in subset {
-        let flange = arm.flange(&values, &o.joints);
-        for (k, measured) in o.targets.iter().enumerate() {
-            let Some(measured) = measured else { continue };
-            let place = arm.target_place(k);
-            for (i, p) in measured.iter().enumerate() {
-                let coefficient = |j: usize| match j {
-                    0..3 => f64::from(u8::from(i == j)),
-                    _ if (place..place + 3).contains(&j) => flange.rotation[i][j - place],
-                    _ => 0.0,
-                };
-                let known = (0..3).chain(place..place + 3).filter(|j| !free.contains(j));
-                let stated: f64 = known.map(|j| coefficient(j) * nominal[j]).sum();
-                a.extend(free.iter().map(|&j| coefficient(j)));
-                b.push(p - flange.translation_mm[i] - stated);
-            }
-        }
+    free.iter().for_each(|&i| values[i] = 0.0);
+    let problem = Placing { sightings, free: &free, values: &values };
+    let (m, origin) = (problem.residual_count(), vec![0.0; free.len()]);
+    let (mut a, mut b) = (vec![0.0; m * free.len()], vec![0.0; m]);
+    problem.residuals(&origin, &mut b);
+    if free.is_empty() {
+        return Some((b.iter().map(|r| r * r).sum(), values));
     }
-    values[..3].copy_from_slice(&nominal[..3]);
+    problem.jacobian(&origin, &mut a);
+    b.iter_mut().for_each(|r| *r = -*r);
     let factor = Factor::new(&a, &b, &vec![1.0; free.len()]);
-    if !free.is_empty() {
-        // where base and targets are not separable, the shortest solution
-        for (&j, x) in free.iter().zip(factor.damped(1e-6).solve()?) {
-            values[j] = x;
-        }
+    // where base and targets are not separable, the shortest solution
+    for (&j, x) in free.iter().zip(factor.damped(1e-6).solve()?) {
+        values[j] = x;
     }
     Some((factor.rest, values))
 }

@@ -429,6 +429,12 @@ pub trait RailTable: Platform {
     fn centre(&self, parameters: &[f64], joints: &[f64; 3]) -> [f64; 2];
 }
 
+/// Pose of the base in the world of a robot with a [`FreeBase`]: place (mm) and rotation vector (rad), its first six parameters.
+pub fn base_pose(parameters: &[f64]) -> Pose {
+    let [x, y, z, rx, ry, rz] = std::array::from_fn(|i| parameters[i]);
+    Pose { translation_mm: [x, y, z], ..Pose::from_rotation_vector([rx, ry, rz]) }
+}
+
 /// A robot in space whose base and targets are found from the observations: its first six parameters are `base_x`,
 /// `base_y`, `base_z`, `base_rx`, `base_ry`, `base_rz`, and each target has three, its place on the flange.
 pub trait FreeBase: Robot {

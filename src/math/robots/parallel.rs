@@ -5,7 +5,8 @@
 //! found. The platform is the flange of a robot with a free base: base and targets come first, then the legs one by one.
 
 use super::{
-    Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, limit_violation, meaning, pose_outputs,
+    Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, base_pose, limit_violation, meaning,
+    pose_outputs,
 };
 use crate::base::expression::{Formula, Recorded};
 use crate::base::pose::{Pose, Vector, cross, minus, norm, turning_axes};
@@ -289,11 +290,6 @@ struct Twists {
 /// A pose without derivatives.
 fn constant(pose: &Pose) -> Pose<Dual<MOST>> {
     Pose { rotation: pose.rotation.map(|row| row.map(Dual::from)), translation_mm: pose.translation_mm.map(Dual::from) }
-}
-
-/// Pose of the base in the world.
-fn base_pose(p: &[f64]) -> Pose {
-    Pose { translation_mm: [p[0], p[1], p[2]], ..Pose::from_rotation_vector([p[3], p[4], p[5]]) }
 }
 
 /// What is not where the joints put it.

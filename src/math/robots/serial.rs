@@ -4,8 +4,8 @@
 
 use super::chain::{self, Coefficient, Element, Motion, State, Term};
 use super::{
-    ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role, meaning,
-    pose_outputs,
+    ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role,
+    base_pose, meaning, pose_outputs,
 };
 use super::{limit_violation, nearest};
 use crate::base::expression::{Formula, Recorded, derivatives};
@@ -521,11 +521,6 @@ impl Serial {
         self.loads.iter().map(size).collect()
     }
 
-    /// Pose of the base in the world.
-    fn base_pose(&self, parameters: &[f64]) -> Pose {
-        chain::end(&self.elements[..self.based], parameters, State::<f64> { joints: &[], loads: &[] })
-    }
-
     /// The same way to a pose, with the turns that bring each angle nearest to `near` within its limits; `None` where a gain other than one
     /// leaves no such way.
     fn within_limits(&self, parameters: &[f64], place: &Pose, joints: Vec<f64>, near: &[f64]) -> Option<Vec<f64>> {
@@ -781,12 +776,12 @@ const UNLIMITED_MM: [f64; 2] = [-1000.0, 1000.0];
 
 impl Kinematics for Serial {
     fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
-        let pose = self.base_pose(parameters).inverse().then(&self.direct(parameters, joints));
+        let pose = base_pose(parameters).inverse().then(&self.direct(parameters, joints));
         pose.translation_mm.iter().all(|v| v.is_finite()).then_some(pose)
     }
 
     fn base_in_world(&self, parameters: &[f64]) -> Option<Pose> {
-        Some(self.base_pose(parameters))
+        Some(base_pose(parameters))
     }
 
     /// Direct kinematics, and the same with derivatives: of the position by the joint values, and of the rotation as vectors in the base.
@@ -822,7 +817,7 @@ impl Kinematics for Serial {
     /// Found by a search from many starts (Newton's method), whatever the arm: none with more joints than a pose has freedoms.
     fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
         let (mut all, mut noise, mut without_new) = (Vec::<Vec<f64>>::new(), Noise::new(SEARCH_SEED, 0), 0);
-        let place = self.base_pose(parameters).then(pose);
+        let place = base_pose(parameters).then(pose);
         for start in 0..if self.joints().len() > 6 { 0 } else { MOST_STARTS } {
             if without_new >= STARTS {
                 break;
@@ -849,7 +844,7 @@ impl Kinematics for Serial {
     }
 
     fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
-        let place = self.base_pose(parameters).then(pose);
+        let place = base_pose(parameters).then(pose);
         let turned = |q| self.within_limits(parameters, &place, q, near);
         // the branch that the start is on, or, where that leads nowhere, any
         let along = self.inverse(parameters, &place, near).and_then(turned);
