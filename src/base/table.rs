@@ -71,9 +71,13 @@ pub fn poses(table: &DataFrame) -> Result<Vec<PoseName>> {
 
 /// A column of names of poses: whole numbers, or texts where one of them is a text.
 pub fn pose_column(name: &str, poses: &[Option<PoseName>]) -> Column {
-    let numbers = poses.iter().map(|pose| pose.map(PoseName::number));
-    match numbers.clone().all(|number| number != Some(None)) {
-        true => Column::new(name.into(), numbers.map(Option::flatten).collect::<Vec<_>>()),
+    pose_column_as(name, poses, !poses.iter().flatten().any(|pose| pose.number().is_none()))
+}
+
+/// A column of names of poses that are whole numbers all, or of texts.
+pub fn pose_column_as(name: &str, poses: &[Option<PoseName>], numbers: bool) -> Column {
+    match numbers {
+        true => Column::new(name.into(), poses.iter().map(|pose| (*pose)?.number()).collect::<Vec<_>>()),
         false => {
             Column::new(name.into(), poses.iter().map(|pose| Some(pose.as_ref()?.to_string())).collect::<Vec<_>>())
         }

@@ -234,7 +234,7 @@ mod tests {
         });
         let strict = super::super::read_file(file.path(), None, format, unit).ok();
         let plain = strict.filter(|points| points.iter().all(|p| p.refused.is_none()));
-        (fast, plain.map(|points| points.into_iter().map(|p| (p.label, bits(p.xyz_mm))).collect()))
+        (fast, plain.map(|points| points.into_iter().map(|p| (p.label.to_string(), bits(p.xyz_mm))).collect()))
     }
 
     fn formats() -> Vec<Format> {

@@ -24,7 +24,7 @@ pub use formats::{Format, qif};
 pub(crate) use input::{bytes_of, read_text, text_of};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, Standstill, is_joint_column, standstill};
 pub(crate) use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
-pub use points::{Point, table};
+pub use points::{Line, Names, Point, table, to_parquet};
 pub use propose::{propose, propose_file};
 pub use tables::observations::{Layout, observations, observations_with};
 
@@ -43,7 +43,7 @@ pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit:
     let name = path.display().to_string();
     let here = |problems: Problems| problems.at(&Place::file(name.as_str()));
     let text = bytes_of(path).and_then(|bytes| text_of(path, &bytes, encoding, format)).map_err(here)?;
-    let (points, problems) = format.read(&name, &text, unit);
+    let (points, problems) = format.read(&name, &text.into(), unit);
     here(problems).check()?;
     Ok(points)
 }
@@ -64,7 +64,7 @@ pub fn points_and_refused(
     format: &Format,
     unit: Unit,
 ) -> Result<(Vec<Labelled>, Option<Message>)> {
-    let (rows, mut problems) = format.read(file, text, unit);
+    let (rows, mut problems) = format.read(file, &text.into(), unit);
     if format.about().points_only {
         let refused = rows.iter().filter_map(|row| Some((row, row.refused.as_ref()?)));
         problems.0.extend(refused.map(|(row, reason)| {
@@ -78,9 +78,9 @@ pub fn points_and_refused(
     let said = refused.first().map(|first| {
         let reason = first.refused.as_deref().unwrap_or_default();
         let what = format!("{} left out, the first: {reason}", count(refused.len(), "row"));
-        Message::warning(what).at(Place::line(file, first.line, first.text.as_str()))
+        Message::warning(what).at(Place::line(file, first.line, &first.text))
     });
-    let points = rows.iter().filter(|row| row.refused.is_none()).map(|row| (row.label.clone(), row.xyz_mm));
+    let points = rows.iter().filter(|row| row.refused.is_none()).map(|row| (row.label.to_string(), row.xyz_mm));
     Ok((points.collect(), said))
 }
 
@@ -94,7 +94,7 @@ pub fn text_in(path: &Path, format: &Format) -> Result<String> {
 
 /// Samples of a recording in the stated format, as a table `line time_s x_mm y_mm z_mm`; every row must be measured.
 pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
-    let (points, mut problems) = format.read(file, text, unit);
+    let (points, mut problems) = format.read(file, &text.into(), unit);
     for point in points.iter().filter(|point| point.refused.is_some()) {
         let message = Message::error("the sample has no coordinates");
         problems.0.push(message.at(Place::line(file, point.line, &point.text)).hint("remove the row"));

@@ -303,7 +303,7 @@ fn not_read(best: &Guess) -> Vec<String> {
 
 /// What reading the whole file this way runs into.
 fn tried(file: &str, text: &str, best: &Guess, unit: Option<Unit>) -> Vec<String> {
-    let (points, problems) = point_rows(file, text, &dialect(best), unit.unwrap_or(Unit::Millimetre));
+    let (points, problems) = point_rows(file, &text.into(), &dialect(best), unit.unwrap_or(Unit::Millimetre));
     let mut doubts: Vec<String> = problems
         .0
         .iter()

@@ -15,20 +15,26 @@ use toml::Spanned;
 pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, problems: &mut Problems) {
     let points = &imported.points;
     // a label that names a target at a pose is never meant
-    let plain: BTreeSet<&str> = points.iter().filter(|p| p.target.is_none()).map(|p| p.label.as_str()).collect();
-    let labels: BTreeSet<String> = points.iter().map(|p| p.label.clone()).collect();
-    let targets: BTreeSet<String> = points.iter().map(|p| p.target.clone().unwrap_or_default()).collect();
+    let (mut plain, mut labels, mut targets) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+    // one by one: a set collects all points before it drops those that are equal
+    for point in points {
+        labels.insert(&*point.label);
+        targets.insert(point.target.as_deref().unwrap_or_default());
+        if point.target.is_none() {
+            plain.insert(&*point.label);
+        }
+    }
     let file = &campaign.file;
     let mut open: Vec<String> = Vec::new();
-    let mut want = |name: &Spanned<String>, among: &[&BTreeSet<String>], what: &str| {
+    let mut want = |name: &Spanned<String>, among: &[&BTreeSet<&str>], what: &str| {
         let text = name.get_ref();
-        let borne = |set: &&BTreeSet<String>| set.iter().any(|l| matches_pattern(text, l));
+        let borne = |set: &&BTreeSet<&str>| set.iter().any(|l| matches_pattern(text, l));
         if !among.iter().any(borne) {
             if !complete && what != "feature is called" {
                 return open.push(text.clone());
             }
             let meant = |label: &&str| !label.is_empty() && (!labels.contains(*label) || plain.contains(label));
-            let known = among.iter().flat_map(|set| set.iter().map(String::as_str)).filter(meant);
+            let known = among.iter().flat_map(|set| set.iter().copied()).filter(meant);
             let message = Message::error(format!("no {what} `{text}`")).at(campaign.place(name));
             problems.0.push(message.hint_names(text, known.collect::<Vec<_>>()));
         }
@@ -38,7 +44,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
             want(label, &[&labels], "point has the label");
         }
     }
-    let features: BTreeSet<String> = file.features.keys().cloned().collect();
+    let features: BTreeSet<&str> = file.features.keys().map(String::as_str).collect();
     if let Some(world) = file.world() {
         if let (Some(name), false) = (&world.plane, campaign.unread.affects(&["feature"])) {
             want(name, &[&features], "feature is called");
@@ -47,7 +53,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
             want(name, &[&labels, &features], "point or feature is called");
         }
         for name in world.targets.iter().flatten() {
-            let among: &[&BTreeSet<String>] = if world.each.is_some() { &[&targets] } else { &[&targets, &labels] };
+            let among: &[&BTreeSet<&str>] = if world.each.is_some() { &[&targets] } else { &[&targets, &labels] };
             want(name, among, "export brings the target");
         }
     }
@@ -151,11 +157,11 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
     if campaign.file.join_by() == Some(JoinBy::Label) {
         return;
     }
-    let mut measured: BTreeSet<String> = imported.points.iter().filter_map(|p| p.target.clone()).collect();
+    let mut measured: BTreeSet<&str> = imported.points.iter().filter_map(|p| p.target.as_deref()).collect();
     measured.remove("");
     // those that [join] names are reported with the labels
     let reported = |target: &String| campaign.file.join_targets().any(|t| t.get_ref() == target);
-    let mut missing = robot.targets().iter().filter(|t| !measured.contains(*t) && !reported(t)).peekable();
+    let mut missing = robot.targets().iter().filter(|t| !measured.contains(t.as_str()) && !reported(t)).peekable();
     let odd: Vec<Message> = campaign.file.exports.iter().filter_map(|e| other_form(campaign, e, imported)).collect();
     if missing.peek().is_some() && !odd.is_empty() {
         return problems.0.extend(odd);
@@ -163,7 +169,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
     for target in missing {
         let what = format!("no export brings the target `{target}` of this robot");
         let message = Message::error(what).at(campaign.place_of(&["join"]));
-        problems.0.push(message.hint_names(target, measured.iter().map(String::as_str)));
+        problems.0.push(message.hint_names(target, measured.iter().copied()));
     }
 }
 

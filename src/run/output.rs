@@ -63,7 +63,7 @@ impl Output {
 
     /// Adds the tables of points and joint values.
     pub fn gathered(&mut self, campaign: &Campaign, gathered: &Gathered) -> Result<()> {
-        self.table("points", &mut import::table(&gathered.points)?)?;
+        self.bytes("points.parquet", import::to_parquet(&gathered.points)?);
         for log in &gathered.logs {
             self.table(&Self::numbered("joints", &log.name, campaign), &mut log.table()?)?;
         }
@@ -134,8 +134,8 @@ pub fn current(campaign: &Campaign, file: &str) -> Option<Documents> {
 /// An error if an input holds other bytes by now.
 fn unchanged(campaign: &Campaign, sources: &[Source]) -> Result<()> {
     for source in sources {
-        let now = campaign.source(source).ok().and_then(|path| std::fs::read(path).ok());
-        if now.map(|bytes| files::sha256(&bytes)).as_ref() != Some(&source.sha256) {
+        let now = campaign.source(source).ok().and_then(|path| files::sha256_of_file(&path).ok());
+        if now.as_ref() != Some(&source.sha256) {
             let message = Message::error(format!("`{}` has changed while the campaign was run", source.file));
             return Err(message.hint("run the campaign again when the file is complete").into());
         }

@@ -125,7 +125,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
 /// Whether `point` states of the row what a join or a feature needs.
 fn is_meant(row: &Row, point: &import::Point) -> bool {
     let target = point.target.as_deref() == Some(row.target.as_str());
-    let label = point.label == row.label;
+    let label = *point.label == *row.label;
     if !row.moves {
         return target || label && point.target.is_none();
     }

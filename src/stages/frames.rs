@@ -117,7 +117,7 @@ pub fn place(campaign: &Campaign, points: &[Point]) -> Result<WorldFrame> {
 pub fn defining(campaign: &Campaign, points: &[Point]) -> Vec<Point> {
     let Some(world) = campaign.file.world().filter(|world| !world.as_exported) else { return Vec::new() };
     let of_target = |p: &Point| {
-        let is = |t: &Spanned<String>| p.target.as_ref() == Some(t.get_ref()) || p.label == *t.get_ref();
+        let is = |t: &Spanned<String>| p.target.as_deref() == Some(t.get_ref()) || *p.label == **t.get_ref();
         world.targets.iter().flatten().any(is)
     };
     let labels = used_labels(campaign);
@@ -297,7 +297,7 @@ impl Basis {
                 basis.points.push(point.xyz_mm);
                 basis.weights.push(weight);
                 basis.u_mm.push(u_mm.map(|u| u / weight.sqrt()));
-                kept.push(point.label.as_str());
+                kept.push(&*point.label);
             }
         }
         let of = |label: &str| (0..kept.len()).filter(|i| matches_pattern(label, kept[*i])).collect::<Vec<_>>();
@@ -429,7 +429,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     } else {
         // measured once or often, with or without a pose: the mean of all points of that name
         let bearing = |name: &&str| -> Vec<Vector> {
-            let bears = |p: &&Point| p.target.as_deref() == Some(*name) || p.label == *name;
+            let bears = |p: &&Point| p.target.as_deref() == Some(*name) || *p.label == **name;
             points.iter().filter(bears).map(|p| p.xyz_mm).collect()
         };
         let all: Vec<Vec<Vector>> = names.iter().map(bearing).collect();

@@ -50,7 +50,7 @@ fn same(name: &str, bytes: &[u8], encoding: Option<Encoding>, format: &str) {
     let read =
         read_file(file.path(), encoding, &stated(format), Unit::Millimetre).unwrap_or_else(|e| panic!("{name}: {e}"));
     let bits = |xyz: [f64; 3]| xyz.map(f64::to_bits);
-    let read: Vec<(String, [u64; 3])> = read.into_iter().map(|p| (p.label, bits(p.xyz_mm))).collect();
+    let read: Vec<(String, [u64; 3])> = read.into_iter().map(|p| (p.label.to_string(), bits(p.xyz_mm))).collect();
     let expected: Vec<(String, [u64; 3])> = data().into_iter().map(|(label, xyz)| (label, bits(xyz))).collect();
     assert_eq!(read, expected, "{name}");
 }

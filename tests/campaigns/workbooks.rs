@@ -26,7 +26,7 @@ fn read(program: &str) -> Result<Read, String> {
     scratch.replace("campaign.toml", "[feature.rails]", &stated);
     let imported = gather(&Campaign::read(&scratch.path()).unwrap()).map_err(|e| e.to_string())?;
     let of_workbook = imported.points.into_iter().filter(|p| p.export.ends_with(".xlsx"));
-    let points = of_workbook.map(|p| (p.label, p.xyz_mm)).collect();
+    let points = of_workbook.map(|p| (p.label.to_string(), p.xyz_mm)).collect();
     let source = imported.document.sources.iter().find(|s| s.file.ends_with(".xlsx")).unwrap();
     Ok((points, source.refused.iter().map(|r| r.line).collect()))
 }

@@ -111,7 +111,7 @@ fn trap_9_names_that_occur_twice_are_no_key() {
     assert!(told.contains("target `K` is there twice at pose 1") && told.contains("the first is o.txt:1"), "{told}");
     // names of SpatialAnalyzer are keys with their group alone
     let points = read("G1, P1, 1, 2, 3\nG2, P1, 4, 5, 6\n", "\"spatialanalyzer\"").unwrap();
-    assert_eq!(points.iter().map(|p| p.label.as_str()).collect::<Vec<_>>(), ["G1::P1", "G2::P1"]);
+    assert_eq!(points.iter().map(|p| &*p.label).collect::<Vec<_>>(), ["G1::P1", "G2::P1"]);
 }
 
 #[test]
@@ -178,7 +178,7 @@ fn trap_18_coordinates_rounded_coarser_than_the_instrument_are_told() {
 fn trap_19_mixed_line_ends_and_a_last_line_without_one() {
     let points = read("A;1;2;3\r\nB;4;5;6\nC;7;8;9\rD;1;1;1", &format!("{{ delimiter = \";\", {LXYZ} }}")).unwrap();
     assert_eq!(
-        points.iter().map(|p| (p.line, p.label.as_str())).collect::<Vec<_>>(),
+        points.iter().map(|p| (p.line, &*p.label)).collect::<Vec<_>>(),
         [(1, "A"), (2, "B"), (3, "C"), (4, "D")]
     );
 }

@@ -207,7 +207,7 @@ fn the_frame_of_a_scan_is_as_uncertain_as_the_sums_over_all_its_points_say() {
             let along = if row.is_multiple_of(2) { k } else { 49 - k } as f64 / 49.0;
             let across = row as f64 / (rows - 1) as f64;
             Point {
-                label: label.to_owned(),
+                label: label.into(),
                 xyz_mm: [from[0] + size[0] * along, from[1] + size[1] * across, 0.0],
                 ..Point::default()
             }
@@ -219,7 +219,7 @@ fn the_frame_of_a_scan_is_as_uncertain_as_the_sums_over_all_its_points_say() {
             .concat();
     let scanned = [scanned, patch("rail3_a", [380.0, -150.0], [60.0, 300.0], 40)].concat();
     let ball = |label: &str, y: f64, repeats: usize| {
-        vec![Point { label: label.to_owned(), xyz_mm: [0.0, y, 0.0], ..Point::default() }; repeats]
+        vec![Point { label: label.into(), xyz_mm: [0.0, y, 0.0], ..Point::default() }; repeats]
     };
     let ([home, end], [repeats_home, repeats_end]) = ([0.0, 350.0], [1000, 400]);
     let points = [scanned.clone(), ball("R_home", home, repeats_home), ball("R_end", end, repeats_end)].concat();

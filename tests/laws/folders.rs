@@ -533,6 +533,55 @@ fn a_batch_of_many_campaigns_ends_on_the_stack_and_in_the_memory_of_a_few() {
     }
 }
 
+/// Peak of the resident memory of a run of a folder, bytes.
+fn peak_of_run(folder: &Path) -> f64 {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_etalon"));
+    command.args(["run", "campaign"]).current_dir(folder).stdout(Stdio::null()).stderr(Stdio::null());
+    let mut child = command.spawn().unwrap();
+    let mut peak = 0.0;
+    let ended = loop {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
+        let kib =
+            status.lines().find_map(|line| line.strip_prefix("VmHWM:")?.split_whitespace().next()?.parse::<f64>().ok());
+        peak = f64::max(peak, kib.unwrap_or(0.0) * 1024.0);
+        match child.try_wait().unwrap() {
+            Some(ended) => break ended,
+            None => std::thread::sleep(Duration::from_millis(2)),
+        }
+    };
+    assert_eq!(ended.code(), Some(0));
+    peak
+}
+
+/// The world plane of a campaign as a scan: what each further row takes is a small multiple of the row.
+#[test]
+fn a_large_export_takes_a_small_multiple_of_its_size() {
+    let scratch = copy_sample("prexyt-cmm");
+    let plain = std::fs::read_to_string(scratch.path().join("exports/world.txt")).unwrap();
+    let of_scan = |rows: usize| {
+        let mut noise = etalon::base::noise::Noise::new(17, rows as u64);
+        let corners: Vec<(&str, Vec<f64>)> = ["rail2_a", "rail2_b", "rail3_a"]
+            .into_iter()
+            .map(|name| {
+                let line = plain.lines().find(|line| line.starts_with(name)).unwrap();
+                (name, line.split(' ').skip(1).map(|v| v.parse().unwrap()).collect())
+            })
+            .collect();
+        let mut text = plain.clone();
+        for i in 0..rows {
+            let (name, at) = &corners[i % 3];
+            let [x, y, z] = std::array::from_fn(|k| at[k] + noise.gaussian(0.00135));
+            text.push_str(&format!("{name} {x:.5} {y:.5} {z:.5}\n"));
+        }
+        std::fs::write(scratch.path().join("exports/world.txt"), &text).unwrap();
+        (text.len() as f64, peak_of_run(scratch.root()))
+    };
+    let ((few, before), (many, after)) = (of_scan(50_000), of_scan(550_000));
+    let times = (after - before) / (many - few);
+    println!("{times:.1} bytes of memory a byte of the export");
+    assert!(times < 9.0, "{times:.1}");
+}
+
 #[test]
 fn the_makefile_needs_no_more_than_gnu_make_3_81() {
     let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/Makefile")).unwrap();

@@ -161,7 +161,7 @@ fn sm6_holds_the_same_92_targets_in_two_spellings() {
     let native = points(&folder, "SM6_nominal.txt", format);
     let all = points(&folder, "SM6_SM6_SCOD.txt", format);
     let parts = |p: &Point| p.label.split("::").map(str::to_owned).collect::<Vec<_>>();
-    let keys: BTreeSet<&str> = all.iter().map(|p| p.label.as_str()).collect();
+    let keys: BTreeSet<&str> = all.iter().map(|p| &*p.label).collect();
     let names: BTreeSet<String> = all.iter().map(|p| parts(p)[2].clone()).collect();
     let groups: BTreeSet<String> = all.iter().map(|p| parts(p)[1].clone()).collect();
     // README: 232 rows, 108 names, five groups; a target's name alone is no key
@@ -230,7 +230,7 @@ fn leica_rows_of_both_kinds_become_points() {
     let total = etalon::base::pose::norm(*u);
     // stdTotal of the file is 0.0204
     assert!((total - 0.02043).abs() < 0.0003, "{u:?}");
-    assert_eq!(all[1].label, "MDUp");
+    assert_eq!(&*all[1].label, "MDUp");
     assert_eq!(all[1].xyz_mm, [-3534.4447622318253, -1318.41549400247, -841.7887480723141]);
     // the same after Excel, which cut its digits
     let cut = points(&folder, "measurements_2025-09-15calc.csv", "\"leica-emscon\"");
@@ -261,7 +261,7 @@ fn trap_8_columns_called_xyz_that_hold_angles_are_refused_until_someone_says_so(
     let all = read(&path, &named("azimuth", "zenith", "distance", ", angle_unit = \"rad\""), "mm").unwrap();
     // README: at 18:35:41 SlaveDown holds the coordinates of D, at 4361.276 and 4361.279 mm
     let (slave, d) = (&all[21], &all[23]);
-    assert_eq!((slave.label.as_str(), d.label.as_str()), ("SlaveDown", "D"));
+    assert_eq!((&*slave.label, &*d.label), ("SlaveDown", "D"));
     let [a, b] = [slave, d].map(|p| etalon::base::pose::norm(p.xyz_mm));
     assert!((a - 4361.276).abs() < 0.001 && (b - 4361.279).abs() < 0.001, "{a} {b}");
     assert!(distances(std::slice::from_ref(slave), std::slice::from_ref(d))[0] < 0.1);

@@ -23,7 +23,7 @@ fn read(file: &str, format: &str, unit: &str) -> Result<(Vec<(String, Vector)>, 
     std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
     let campaign = Campaign::read(&scratch.path()).unwrap_or_else(|e| panic!("{e}"));
     let imported = gather(&campaign).map_err(|e| e.to_string())?;
-    let points = imported.points.into_iter().map(|p| (p.label, p.xyz_mm)).collect();
+    let points = imported.points.into_iter().map(|p| (p.label.to_string(), p.xyz_mm)).collect();
     Ok((points, imported.document.sources.into_iter().find(|s| s.kind == "export").unwrap()))
 }
 

@@ -3,14 +3,16 @@
 use super::{About, ExportFormat, Plain, Recognised, Row as Written, Text, Writing};
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::{Vector, norm};
-use crate::import::Point;
 use crate::import::format::{
     ColumnAt, Columns, CoordinateType, Delimiter, Dialect, Header, Role, Unit, coordinate_type,
 };
 use crate::import::lexer::pose_name;
-use crate::import::lexer::{self, Row, WHOLE, marked, split};
+use crate::import::lexer::{self, Row, WHOLE, each_row, marked};
+use crate::import::points::{Line, Names, Point};
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// Delimited text in a stated dialect.
 pub(super) struct Delimited;
@@ -107,74 +109,81 @@ pub(super) const TRACKER: Named =
 const DIRECTION: f64 = 0.01;
 
 /// Points of a text, in millimetres, and what does not read.
-pub(crate) fn point_rows(file: &str, text: &str, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+pub(crate) fn point_rows(file: &str, text: &Arc<str>, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
     let wrong = Problems(dialect.check());
     if !wrong.0.is_empty() {
         return (Vec::new(), wrong);
     }
-    let (mut rows, mut problems) = split(file, text, dialect);
-    if dialect.sheet.is_some() {
+    let problems = RefCell::new(Problems::default());
+    let said = |message: Message| problems.borrow_mut().0.push(message);
+    let rows = each_row(file, text, dialect).filter_map(|row| row.map_err(said).ok());
+    let points = if dialect.sheet.is_some() {
         // cells behind the last one of a row are empty, and not written
+        let mut rows: Vec<Row> = rows.collect();
         let width = rows.iter().map(|row| row.fields.len()).max().unwrap_or(0);
         rows.iter_mut().for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
-    }
-    let (rows, roles) = match data(file, rows, dialect, unit) {
-        Ok((rows, roles, more)) => {
-            problems.0.extend(more);
-            (rows, roles)
-        }
-        Err(more) => {
-            problems.0.extend(more);
-            return (Vec::new(), problems);
-        }
+        points(file, text, rows.into_iter(), dialect, unit)
+    } else {
+        points(file, text, rows, dialect, unit)
     };
-    let reader = Reader { file, dialect, unit, roles };
-    // each row goes as its point comes: exports have millions
-    let mut points = Vec::with_capacity(rows.len());
-    points.extend(rows.into_iter().filter_map(|row| reader.point(&row, &mut problems)));
-    problems.0.extend(reader.looks_spherical(&points));
+    let (points, more) = points.unwrap_or_else(|more| (Vec::new(), more));
+    let mut problems = problems.into_inner();
+    problems.0.extend(more);
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     (points, problems)
 }
 
-/// Data rows, what their columns hold, and remarks.
-type Data<'t> = (Vec<Row<'t>>, Vec<Role>, Vec<Message>);
-
-/// The data rows between header and end, and what their columns hold.
-fn data<'t>(file: &str, mut rows: Vec<Row<'t>>, dialect: &Dialect, unit: Unit) -> Result<Data<'t>, Vec<Message>> {
-    let before = match &dialect.header {
-        Header::Rows(count) => *count,
-        Header::Words(words) => {
-            let holds = |row: &Row| words.iter().all(|word| row.text.contains(word.as_str()));
-            let Some(at) = rows.iter().position(holds) else {
-                let what = format!("no line holds the words of the header: {}", words.join(", "));
-                return Err(vec![Message::error(what).at(Place::file(file))]);
-            };
-            at + 1
-        }
-    };
-    let mut rest = rows.split_off(before.min(rows.len()));
-    let roles = roles(file, rows.last(), dialect, rest.first())?;
-    let mut remarks = Vec::new();
-    if let Some(header) = rows.last() {
+/// The points of the data rows between header and end, and what is wrong with them; what is wrong with the header.
+fn points<'t>(
+    file: &str,
+    text: &Arc<str>,
+    mut rows: impl Iterator<Item = Row<'t>>,
+    dialect: &Dialect,
+    unit: Unit,
+) -> Result<(Vec<Point>, Vec<Message>), Vec<Message>> {
+    let header = header(file, &mut rows, dialect)?;
+    let mut rows = rows.peekable();
+    let roles = roles(file, header.as_ref(), dialect, rows.peek())?;
+    let mut problems = Problems::default();
+    if let Some(header) = &header {
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
         let other = |(_, name): &(&Role, &Cow<str>)| Unit::of_heading(name).is_some_and(|said| said != unit);
         if let Some((_, name)) = lengths.into_iter().find(other) {
             let what = format!("the header states `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
-            remarks.push(Message::error(what).at(header.place(file)).hint("state the unit of the file"));
+            problems.0.push(Message::error(what).at(header.place(file)).hint("state the unit of the file"));
         }
     }
-    if let Some(end) = &dialect.end {
-        let is_end = |row: &Row| row.field(0) == end && row.fields[1..].iter().all(|f| f.is_empty());
-        if let Some(at) = rest.iter().position(is_end) {
-            if let Some(row) = rest.get(at + 1) {
+    let reader = Reader { file, text, dialect, unit, roles };
+    let (mut points, mut names) = (Vec::new(), Names::default());
+    while let Some(row) = rows.next() {
+        let ends = |end: &String| row.field(0) == end && row.fields[1..].iter().all(|f| f.is_empty());
+        if let Some(end) = dialect.end.as_ref().filter(|end| ends(end)) {
+            if let Some(row) = rows.next() {
                 let message = Message::error(format!("there are rows behind `{end}`, which ends the data"));
-                remarks.push(message.at(row.place(file)));
+                problems.0.push(message.at(row.place(file)));
             }
-            rest.truncate(at);
+            break;
+        }
+        points.extend(reader.point(&row, &mut names, &mut problems));
+    }
+    problems.0.extend(reader.looks_spherical(&points));
+    Ok((points, problems.0))
+}
+
+/// The last row of the header, which is taken off the rows.
+fn header<'t>(
+    file: &str,
+    rows: &mut impl Iterator<Item = Row<'t>>,
+    dialect: &Dialect,
+) -> Result<Option<Row<'t>>, Vec<Message>> {
+    match &dialect.header {
+        Header::Rows(count) => Ok(rows.take(*count).last()),
+        Header::Words(words) => {
+            let found = rows.find(|row| words.iter().all(|word| row.text.contains(word.as_str())));
+            let what = || format!("no line holds the words of the header: {}", words.join(", "));
+            found.map(Some).ok_or_else(|| vec![Message::error(what()).at(Place::file(file))])
         }
     }
-    Ok((rest, roles, remarks))
 }
 
 /// What each column holds.
@@ -225,6 +234,7 @@ fn roles(file: &str, header: Option<&Row>, dialect: &Dialect, first: Option<&Row
 /// Reads rows of one file.
 struct Reader<'a> {
     file: &'a str,
+    text: &'a Arc<str>,
     dialect: &'a Dialect,
     unit: Unit,
     roles: Vec<Role>,
@@ -233,7 +243,7 @@ struct Reader<'a> {
 impl Reader<'_> {
     /// One point. Numbers that do not read are reported, and leave it without a place; a row that is not a row of the
     /// stated columns is reported, and gives none.
-    fn point(&self, row: &Row, problems: &mut Problems) -> Option<Point> {
+    fn point(&self, row: &Row, shared: &mut Names, problems: &mut Problems) -> Option<Point> {
         let line = || row.place(self.file);
         let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());
         if surplus || row.fields.len() < self.roles.iter().rposition(|r| *r != Role::Skip).map_or(0, |i| i + 1) {
@@ -249,7 +259,7 @@ impl Reader<'_> {
                 return None;
             }
         };
-        let mut point = Point { line: row.line, text: row.text.to_owned(), ..Point::default() };
+        let mut point = Point { line: row.line, text: Line::of(self.text, row.text), ..Point::default() };
         let before = problems.0.len();
         let mut wrong = |message: Message, cell: usize| problems.0.push(message.at(row.cell(self.file, cell)));
         let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_ref()));
@@ -267,9 +277,9 @@ impl Reader<'_> {
         let mut names = Vec::new();
         for (i, role, field) in cells() {
             match role {
-                Role::Label if point.label.is_empty() => point.label.push_str(field),
-                Role::Label => point.label.extend(["::", field]),
-                Role::Target => point.target = Some(field.to_owned()),
+                Role::Label if point.label.is_empty() => point.label = shared.shared(field),
+                Role::Label => point.label = shared.shared(&format!("{}::{field}", point.label)),
+                Role::Target => point.target = Some(shared.shared(field)),
                 Role::TimeS => point.time_s = Some(value(i, field)),
                 Role::Pose | Role::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}

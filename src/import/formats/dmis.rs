@@ -111,8 +111,8 @@ const KINDS: [Kind; 8] = [
 
 /// The measured features of a file, `unit` being that of a file that states none.
 pub fn features(file: &str, text: &str, directions: Directions, unit: Unit) -> Result<Vec<Feature>> {
-    let text = Text::new(file, text);
-    let (features, _, problems) = read(&text, directions, unit);
+    let text = text.into();
+    let (features, _, problems) = read(&Text::new(file, &text), directions, unit);
     problems.check().map(|_| features)
 }
 
@@ -345,7 +345,7 @@ mod tests {
     #[test]
     fn records_go_on_over_lines_and_know_where_their_fields_stand() {
         let lines = vec!["$$ FA(X)=1/2 $", "FA(A 1) = FEAT/CIRCLE, 'a,b', $", "  50.5,$", "-1", "", "ENDFIL"];
-        let text = Text { file: "f", whole: "", lines };
+        let text = Text { file: "f", whole: &"".into(), lines };
         let all = records(&text);
         assert_eq!(all.len(), 2);
         let (label, major, fields) = all[0].parts();

@@ -20,7 +20,7 @@ mod spatialanalyzer;
 mod vda_fs;
 
 use super::lexer::written;
-use super::points::Point;
+use super::points::{Line, Point};
 use crate::base::message::{Message, Place, Problems};
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
@@ -30,6 +30,7 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 use std::fmt;
+use std::sync::Arc;
 
 /// Every format that has a name. To add one: its file, and its line here.
 const FORMATS: [&dyn ExportFormat; 19] = [
@@ -180,7 +181,7 @@ impl Format {
     }
 
     /// Rows of a text, and what does not read.
-    pub(crate) fn read(&self, file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
+    pub(crate) fn read(&self, file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
         self.kind.read(&Text::new(file, text), &self.dialect, unit)
     }
 
@@ -315,12 +316,12 @@ impl Writing<'_> {
 /// The text of an export by lines.
 pub(crate) struct Text<'a> {
     file: &'a str,
-    whole: &'a str,
+    whole: &'a Arc<str>,
     lines: Vec<&'a str>,
 }
 
 impl<'a> Text<'a> {
-    fn new(file: &'a str, whole: &'a str) -> Self {
+    fn new(file: &'a str, whole: &'a Arc<str>) -> Self {
         Self { file, whole, lines: whole.lines().collect() }
     }
 
@@ -336,7 +337,7 @@ impl<'a> Text<'a> {
         self.place(line).at(before.chars().count() + 1, width)
     }
 
-    fn shown(&self, line: usize) -> &str {
+    fn shown(&self, line: usize) -> &'a str {
         line.checked_sub(1).and_then(|i| self.lines.get(i)).copied().unwrap_or("")
     }
 
@@ -344,8 +345,8 @@ impl<'a> Text<'a> {
     fn point(&self, line: usize, label: &str, xyz: Vector, unit: Unit) -> Point {
         Point {
             line,
-            text: self.shown(line).to_owned(),
-            label: label.to_owned(),
+            text: Line::of(self.whole, self.shown(line)),
+            label: label.into(),
             xyz_mm: xyz.map(|v| v * unit.in_mm()),
             ..Point::default()
         }

@@ -140,7 +140,7 @@ fn binary(text: &Text, header: &Header, body: &[u8], unit: Unit, points: &mut Ve
             let what = format!("vertex {} is {} {} {}: no point", i + 1, xyz[0], xyz[1], xyz[2]);
             return Err(Message::error(what).at(place()));
         }
-        points.push(Point { text: format!("vertex {}", i + 1), ..text.point(vertex.line, "", xyz, unit) });
+        points.push(Point { text: format!("vertex {}", i + 1).into(), ..text.point(vertex.line, "", xyz, unit) });
     }
     Ok(())
 }

@@ -4,8 +4,9 @@ use super::delimited::columns_in;
 use super::{About, ExportFormat, Plain, Row, Text, Writing};
 use crate::base::message::{Message, Problems};
 use crate::import::format::{Decimal, Delimiter, Dialect, Unit};
-use crate::import::lexer::{number, split};
-use crate::import::{Point, lexer};
+use crate::import::lexer::{self, each_row, number};
+use crate::import::points::{Line, Names, Point};
+use std::sync::Arc;
 
 /// Point text of PolyWorks.
 pub(super) struct Polyworks;
@@ -37,10 +38,18 @@ impl ExportFormat for Polyworks {
 }
 
 /// Points of a PolyWorks text, and what does not read; directions are not read.
-fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
-    let (rows, mut problems) = split(file, text, &columns_in(Delimiter::Blank, &[]));
-    let mut points = Vec::with_capacity(rows.len());
-    for row in rows {
+fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
+    let mut problems = Problems::default();
+    let mut points = Vec::new();
+    let mut names = Names::default();
+    for row in each_row(file, text, &columns_in(Delimiter::Blank, &[])) {
+        let row = match row {
+            Ok(row) => row,
+            Err(message) => {
+                problems.0.push(message);
+                continue;
+            }
+        };
         let named = match row.fields.len() {
             3 | 6 => 0,
             4 | 7 => 1,
@@ -63,8 +72,8 @@ fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
         }
         points.push(Point {
             line: row.line,
-            text: row.text.to_owned(),
-            label: if named == 1 { row.field(0).to_owned() } else { String::new() },
+            text: Line::of(text, row.text),
+            label: names.shared(if named == 1 { row.field(0) } else { "" }),
             xyz_mm: [numbers[0], numbers[1], numbers[2]].map(|v| v * unit.in_mm()),
             ..Point::default()
         });
@@ -79,18 +88,18 @@ mod tests {
     #[test]
     fn names_and_directions_are_optional() {
         let (points, problems) =
-            rows("f", "K_1_2 1.5 -2 3e1\n4 5 6 0 0 1\r\n\n\"ball N\" 7 8 9 1 0 0\n", Unit::Millimetre);
+            rows("f", &"K_1_2 1.5 -2 3e1\n4 5 6 0 0 1\r\n\n\"ball N\" 7 8 9 1 0 0\n".into(), Unit::Millimetre);
         assert!(problems.0.is_empty());
-        let found: Vec<(&str, [f64; 3], usize)> = points.iter().map(|p| (p.label.as_str(), p.xyz_mm, p.line)).collect();
+        let found: Vec<(&str, [f64; 3], usize)> = points.iter().map(|p| (&*p.label, p.xyz_mm, p.line)).collect();
         assert_eq!(found, [("K_1_2", [1.5, -2.0, 30.0], 1), ("", [4.0, 5.0, 6.0], 2), ("ball N", [7.0, 8.0, 9.0], 4)]);
     }
 
     #[test]
     fn every_wrong_row_is_reported() {
-        let (points, problems) = rows("f", "1 1 2\nL 1,5 2 3\nM 1 2 3,5\n1 2\n", Unit::Millimetre);
+        let (points, problems) = rows("f", &"1 1 2\nL 1,5 2 3\nM 1 2 3,5\n1 2\n".into(), Unit::Millimetre);
         let lines: Vec<_> = problems.0.iter().map(|m| m.place.as_ref().and_then(|p| p.line)).collect();
         assert_eq!(lines, [Some(2), Some(3), Some(4)]);
         assert_eq!(problems.0[1].place.as_ref().and_then(|p| p.column), Some(7));
-        assert_eq!(points.iter().map(|p| p.label.as_str()).collect::<Vec<_>>(), ["", "L", "M"]);
+        assert_eq!(points.iter().map(|p| &*p.label).collect::<Vec<_>>(), ["", "L", "M"]);
     }
 }

@@ -64,8 +64,8 @@ pub struct Control {
 
 /// The controls of a report; everything that does not read is reported.
 pub fn controls(file: &str, text: &str, decimal: Decimal) -> Result<Vec<Control>> {
-    let lines = Text::new(file, text);
-    let (controls, problems) = read(&lines, decimal);
+    let text = text.into();
+    let (controls, problems) = read(&Text::new(file, &text), decimal);
     problems.check().map(|_| controls)
 }
 

@@ -6,6 +6,7 @@ use super::{About, ExportFormat, Recognised, Row, Text, Writing};
 use crate::base::message::{Message, Place, Problems};
 use crate::import::Point;
 use crate::import::format::{Delimiter, Dialect, Role, Unit};
+use std::sync::Arc;
 
 /// ASCII points of SpatialAnalyzer.
 pub(super) struct SpatialAnalyzer;
@@ -46,7 +47,7 @@ impl ExportFormat for SpatialAnalyzer {
 const COMMENT: &str = "//";
 
 /// Points of the text, and what does not read. The campaign's unit must be that of the file, where the file states one.
-fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut columns = None;
     for (i, line) in text.lines().enumerate() {
@@ -145,9 +146,9 @@ mod tests {
     const HEAD: &str = "// SpatialAnalyzer SA 2022\n// Points Relative to Coordinate Frame 'A::WORLD'\n// AXES = CARTESIAN: X,  Y,  Z (mm)\n";
 
     fn read(text: &str) -> Vec<(String, [f64; 3])> {
-        let (points, problems) = rows("f", text, Unit::Millimetre);
+        let (points, problems) = rows("f", &text.into(), Unit::Millimetre);
         assert!(problems.0.is_empty(), "{problems}");
-        points.into_iter().map(|p| (p.label, p.xyz_mm)).collect()
+        points.into_iter().map(|p| (p.label.to_string(), p.xyz_mm)).collect()
     }
 
     #[test]
@@ -165,7 +166,7 @@ mod tests {
 
     #[test]
     fn another_unit_other_axes_or_columns_that_nothing_names_are_refused() {
-        let said = |text: &str, unit| rows("f", text, unit).1.to_string();
+        let said = |text: &str, unit| rows("f", &text.into(), unit).1.to_string();
         assert!(said(&format!("{HEAD}1,2,3\n"), Unit::Inch).contains("the file is in mm"));
         assert!(said("// AXES = SPHERICAL: R, T, P\n1,2,3\n", Unit::Millimetre).contains("SPHERICAL"));
         assert!(said("C, G, 0, 1, 2, 3, 02/12/25 16:42:11\n", Unit::Millimetre).contains("7 columns, and no comment"));

@@ -70,7 +70,7 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
             let what = format!("row {}: `{target}` is refused: {reason}", point.row);
             problems.0.push(Message::warning(what).at(Place::line(&*point.export, point.line, &point.text)));
             if let Some(source) = sources.iter_mut().find(|s| s.file == *point.export) {
-                source.refused.push(Refused { line: point.line, text: point.text.clone(), reason });
+                source.refused.push(Refused { line: point.line, text: (&point.text).into(), reason });
                 source.refused.sort_by_key(|r| r.line);
             }
         }

@@ -43,7 +43,7 @@ pub(super) fn leave_out(
             let left_out =
                 columns.points.iter().filter(|point| *point.export == **file && excluded.contains(&point.row));
             let refused =
-                |p: &crate::import::Point| Refused { line: p.line, text: p.text.clone(), reason: reason.clone() };
+                |p: &crate::import::Point| Refused { line: p.line, text: (&p.text).into(), reason: reason.clone() };
             source.refused.extend(left_out.map(refused));
             source.refused.sort_by_key(|refused| refused.line);
         }

@@ -189,8 +189,8 @@ mod tests {
         Point {
             row,
             line: row as usize,
-            label: name.to_owned(),
-            target,
+            label: name.into(),
+            target: target.map(Into::into),
             pose: pose.map(crate::base::pose_name::PoseName::from),
             cycle: pose,
             xyz_mm,

@@ -20,6 +20,7 @@ use crate::import::{self, Export, JointLog, Log, LogRow, Point};
 use crate::stages::table_file::{CampaignTables, TableFile};
 use points::PointColumns;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// What a campaign's files hold.
 #[derive(Clone, Debug)]
@@ -62,7 +63,8 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         }
         let read = campaign.resolve(&export.file).and_then(|path| {
             let bytes = opened.remove(file).map_or_else(|| import::bytes_of(&path), Ok)?;
-            import::text_of(&path, &bytes, export.encoding, &export.format).map(|text| (text, bytes))
+            let text = import::text_of(&path, &bytes, export.encoding, &export.format)?;
+            Ok((Arc::<str>::from(text), bytes))
         });
         match read.map_err(|problems| problems.at(&campaign.place(&export.file))) {
             // what it states of itself is reported already
@@ -70,15 +72,17 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Ok((text, bytes)) => {
                 let mut source = statement("export", file, &Stamp::of(&bytes));
                 source.dialect = format!("{}, unit {}", export.format, export.unit.name());
+                if exports[i + 1..].iter().any(|later| later.file.get_ref() == file) {
+                    opened.insert(file, bytes);
+                } else {
+                    drop(bytes);
+                }
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
                 if let Some(frame) = export.format.frame(&text) {
                     source.dialect.push_str(&format!(", relative to `{frame}`"));
                     frames.push((campaign.place(&export.file), frame.to_owned()));
                 }
                 sources.push(source);
-                if exports[i + 1..].iter().any(|later| later.file.get_ref() == file) {
-                    opened.insert(file, bytes);
-                }
             }
             Err(more) => problems.0.extend(more.0),
         }
@@ -149,7 +153,9 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
 /// The points that an export brings if this is its text, before rules about blunders.
 pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
     let mut columns = PointColumns::default();
-    columns.read(campaign, export, text, &mut statement("export", export.file.get_ref(), &Stamp::default())).check()?;
+    columns
+        .read(campaign, export, &text.into(), &mut statement("export", export.file.get_ref(), &Stamp::default()))
+        .check()?;
     Ok(columns.points)
 }
 

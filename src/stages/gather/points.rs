@@ -4,7 +4,7 @@ use crate::base::message::{Message, Place, Problems};
 use crate::base::pattern::matches_pattern;
 use crate::campaign::{Campaign, JoinBy};
 use crate::document::{Refused, Source};
-use crate::import::{Export, LabelNames, LabelPattern as Pattern, Point};
+use crate::import::{Export, LabelNames, LabelPattern as Pattern, Names, Point};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ pub(super) struct PointColumns {
 
 impl PointColumns {
     /// Adds what can be read of the text of an export; gives what is wrong with it.
-    pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &str, source: &mut Source) -> Problems {
+    pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &Arc<str>, source: &mut Source) -> Problems {
         let file = export.file.get_ref();
         let (rows, mut problems) = export.format.read(file, text, export.unit);
         if rows.is_empty() && problems.0.is_empty() {
@@ -47,31 +47,34 @@ impl PointColumns {
         let targets = known_targets(campaign);
         let known = |named: &LabelNames| named.target.as_ref().is_none_or(|target| targets.contains(target));
         let file: Arc<str> = export.file.get_ref().as_str().into();
+        let mut shared = Names::default();
         // in the memory of the rows: exports have millions
         let kept = rows.into_iter().enumerate().filter_map(|(i, row)| {
             let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
             let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
             if let Some(reason) = reason {
-                source.refused.push(Refused { line: row.line, text: row.text, reason });
+                source.refused.push(Refused { line: row.line, text: (&row.text).into(), reason });
                 return None;
             }
             let named = pattern.as_ref().and_then(|p| p.read(&row.label, known)).unwrap_or_default();
-            let target = row.target.clone().or(named.target).or_else(|| export.target.clone());
+            let named_target =
+                || named.target.as_deref().or(export.target.as_deref()).map(|target| shared.shared(target));
+            let target = row.target.clone().or_else(named_target);
             if target.as_ref().is_some_and(|t| t.starts_with(['=', '@', '+', '-'])) {
                 let target = target.unwrap_or_default();
                 let message = Message::error(format!("the target `{target}` would be a formula in a spreadsheet"));
                 let hint = "give it another name, or state a `label` that leaves the first character out";
-                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
+                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, &row.text)).hint(hint));
                 return None;
             }
             let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|from| from.number(i as i64 + 1).into()));
             let unreadable = row.xyz_mm.iter().any(|v| v.is_nan());
-            let in_frame = |t: &String| frame_targets.iter().any(|f| f.get_ref() == t);
+            let in_frame = |t: &Arc<str>| frame_targets.iter().any(|f| **f.get_ref() == **t);
             let placed = pose.is_some() || row.time_s.is_some() || unreadable;
             if target.is_some() && !placed && !target.as_ref().is_some_and(in_frame) {
                 let message = Message::error("the row names a target but no pose");
                 let hint = "name the pose in the label, or state `pose = \"row\"` for this export";
-                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, row.text)).hint(hint));
+                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, &row.text)).hint(hint));
                 return None;
             }
             Some(Point {

@@ -62,8 +62,8 @@ pub(super) fn by_label(
         let what = format!("points that no row of log `{name}` touches: {}, the first is `{first}`", idle.len());
         remarks.messages.push(Message::warning(what));
         let reason = format!("no row of log `{name}` touches it");
-        let alone = points.iter().filter(|p| idle.contains(p.label.as_str()));
-        remarks.unmatched.extend(alone.map(|p| At::point(p).unmatched(p.label.clone(), &reason)));
+        let alone = points.iter().filter(|p| idle.contains(&*p.label));
+        remarks.unmatched.extend(alone.map(|p| At::point(p).unmatched(p.label.to_string(), &reason)));
     }
     Ok(rows)
 }

@@ -215,7 +215,8 @@ pub fn counts(campaign: &Campaign, imported: &Gathered, robot: &dyn Robot) -> Re
     if campaign.file.join_by() != Some(JoinBy::Row) {
         return Ok(());
     }
-    let points = || imported.points.iter().filter(|p| p.target.as_ref().is_some_and(|t| robot.targets().contains(t)));
+    let points =
+        || imported.points.iter().filter(|p| robot.targets().iter().any(|t| Some(t.as_str()) == p.target.as_deref()));
     let found = imported.logs.iter().map(|log| equal_counts(campaign, imported, points(), log));
     Problems(found.filter_map(Result::err).flat_map(|p| p.0).collect()).check().map(|_| ())
 }
@@ -239,7 +240,9 @@ fn targets_in_world<'a>(
     let mut targets = Vec::new();
     let mut lost = BTreeSet::new();
     for point in &imported.points {
-        let Some(index) = robot.targets().iter().position(|t| Some(t) == point.target.as_ref()) else { continue };
+        let Some(index) = robot.targets().iter().position(|t| Some(t.as_str()) == point.target.as_deref()) else {
+            continue;
+        };
         let key = point.pose.zip(point.cycle);
         let Some(world_T_export) = for_all.or_else(|| by_pose.get(&key?).copied()) else {
             lost.extend(point.pose);

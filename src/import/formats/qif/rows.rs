@@ -19,8 +19,8 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
         let place = &feature.place;
         let row = |xyz_mm: Vector, refused: Option<&str>| Point {
             line: place.line.unwrap_or(0),
-            text: place.text.clone().unwrap_or_default(),
-            label: feature.label().to_owned(),
+            text: place.text.clone().unwrap_or_default().into(),
+            label: feature.label().into(),
             xyz_mm,
             refused: refused.map(str::to_owned),
             ..Point::default()
@@ -38,7 +38,7 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
     let said = read.messages.iter().map(|message| {
         let place = message.place.as_deref().cloned().unwrap_or_default();
         let (line, text) = (place.line.unwrap_or(0), place.text.unwrap_or_default());
-        Point { line, text, refused: Some(message.what.clone()), ..Point::default() }
+        Point { line, text: text.into(), refused: Some(message.what.clone()), ..Point::default() }
     });
     (rows.chain(said).collect(), Problems::default())
 }
