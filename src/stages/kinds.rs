@@ -10,7 +10,7 @@ use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Settin
 use crate::math::robots::{Joint, Quantity, Robot};
 use crate::stages::orientations::{AngleOrder, Orientations, unstated};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Kinds of rows.
 const KINDS: [&str; 8] = ["point", "pose", "distance", "contact", "plane", "line", "sphere", "joints"];
@@ -116,6 +116,57 @@ fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
     Ok(poses.is_null().iter().map(|null| null == Some(true)).collect())
 }
 
+/// Columns of names of what many rows share, and the most rows that do not determine more than a place of their own.
+const SHARED: [(&str, usize); 7] =
+    [("target", 1), ("socket", 1), ("other", 2), ("plane", 2), (LINE, 2), ("sphere", 2), (STATION, 2)];
+/// Rows of the name that is meant, at least.
+const MEANT_ROWS: usize = 6;
+
+/// Errors about names that a row or two bear, and that are spelt almost as one of many rows: what they name would be identified from these
+/// rows alone, which then say nothing of the robot. Names that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
+fn misspelt(observations: &DataFrame) -> Result<Problems> {
+    let mut problems = Problems::default();
+    let lines = observations.column("line").is_ok().then(|| table::integers(observations, "line")).transpose()?;
+    let place = |row: usize| Place { line: lines.as_ref().map(|lines| lines[row] as usize), ..Place::default() };
+    let fixed = fixed_rows(observations)?;
+    for (column, most) in SHARED.into_iter().filter(|(name, _)| observations.column(name).is_ok()) {
+        let names = table::texts(observations, column)?;
+        let mut rows: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        let named = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
+        named.for_each(|(row, name)| rows.entry(name).or_default().push(row));
+        // a place that is stated needs no more rows
+        let stated = |name: &&str| rows[name].iter().any(|&row| fixed[row]);
+        let few = rows.iter().filter(|(name, rows)| rows.len() <= most && !stated(name));
+        for (name, own) in few {
+            let many = rows.iter().filter(|(_, rows)| rows.len() >= MEANT_ROWS).map(|(name, _)| *name);
+            if let Some(meant) = many.into_iter().find(|meant| is_spelt_almost_as(name, meant)) {
+                let what = format!(
+                    "`{name}` is named in {} only, and `{meant}` in {}",
+                    count(own.len(), "row"),
+                    rows[meant].len()
+                );
+                let message = Message::error(what).at(place(own[0]));
+                problems.0.push(message.hint(format!(
+                    "did you mean `{meant}`? else leave the rows of `{name}` out: they do not determine where it is"
+                )));
+            }
+        }
+    }
+    Ok(problems)
+}
+
+/// Whether a name is another one with a letter or two wrong, which are no counter.
+fn is_spelt_almost_as(name: &str, meant: &str) -> bool {
+    let wrong = strsim::damerau_levenshtein(name, meant);
+    let words = |name: &str| -> Vec<String> {
+        let words = name.split(|c: char| !c.is_alphabetic());
+        words.filter(|word| word.chars().count() > 1).map(str::to_owned).collect()
+    };
+    // few letters are many names
+    let most = if meant.chars().count() < 6 { 1 } else { 2 };
+    (wrong <= most || name.to_lowercase() == meant.to_lowercase()) && words(name) != words(meant)
+}
+
 /// A warning where an instrument measured positions, and joints move the base of the chain.
 fn moving_base(robot: &dyn Robot) -> Option<Message> {
     let names = robot.joints_of_base().join(", ");
@@ -135,6 +186,7 @@ pub fn observed(
     mut settings: Settings,
     messages: &mut Vec<Message>,
 ) -> Result<Observed> {
+    misspelt(observations)?.check()?;
     let of_kinds = |name: &str| observations.column(name).is_ok();
     if !partial_rows(robot, observations)?.contains(&true)
         && !of_kinds("kind")

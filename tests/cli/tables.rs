@@ -208,3 +208,28 @@ fn rows_and_poses_are_left_out_with_their_reason() {
         refused(&text, &[option, value], &[part]);
     }
 }
+
+/// A name in one row is not that of another place: `anchr_C` is a misspelt `anchor_C`, and `anchor_E` would be a fifth anchor.
+#[test]
+fn a_misspelt_name_of_one_row_is_refused() {
+    let ran = |to: &str| {
+        let scratch = copy_sample("draw-wire");
+        let path = scratch.path().join("observations.csv");
+        let text = std::fs::read_to_string(&path).unwrap();
+        std::fs::write(&path, text.replacen("anchor_C", to, 1)).unwrap();
+        let output = etalon(&scratch.path(), &["run", ".", "--documents"]);
+        (output.status.code(), text_of(&output))
+    };
+    for name in ["anchr_C", "anchor_c", "achnor_C", "anchor_C"] {
+        let (code, said) = ran(name);
+        if name == "anchor_C" {
+            assert_eq!(code, Some(0), "{said}");
+            continue;
+        }
+        assert_eq!(code, Some(2), "{name}: {said}");
+        let meant = ["observations.csv:4", "did you mean `anchor_C`?", &format!("`{name}` is named in 1 row only")];
+        meant.iter().for_each(|part| assert!(said.contains(part), "{part:?} is not said of {name}:\n{said}"));
+    }
+    let (code, said) = ran("anchor_E");
+    assert!(code != Some(2) || !said.contains("did you mean"), "{said}");
+}
