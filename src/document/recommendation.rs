@@ -74,6 +74,13 @@ pub struct ParameterVerdict {
     pub p_value: f64,
     /// Standard deviation over the folds, over the standard uncertainty that a fold has.
     pub fold_sd_over_u: f64,
+    /// Value by part of the poses minus value by all, over the standard deviation that chance gives it (√(u_part² − u_all²)), without sign: the
+    /// largest of the parts; absent outside the recommended model, and where no part determines the parameter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part_change_over_sd: Option<f64>,
+    /// What chance explains of that, with a probability of 99 % for all parameters together: beyond it the parameter is not stable.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part_change_limit: Option<f64>,
     /// Load or hold.
     pub verdict: LoadVerdict,
 }
@@ -84,7 +91,7 @@ pub struct ParameterVerdict {
 pub enum LoadVerdict {
     /// It differs from its nominal value.
     Load,
-    /// It is not proven to differ: its nominal value stays.
+    /// It is not proven to differ, or depends on which poses it is identified from: its nominal value stays.
     Hold,
 }
 

@@ -15,7 +15,7 @@ use crate::base::pose::norm;
 use crate::base::pose_name::PoseName;
 use crate::campaign::{Campaign, Identify};
 use crate::document::*;
-use crate::math::identify::{self, Identification, Observation, Settings, Status, Variance, effects};
+use crate::math::identify::{self, Identification, Observation, Settings, Stability, Status, Variance, effects};
 use crate::math::robots::{Effect, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
@@ -153,15 +153,17 @@ impl<'a> Study<'a> {
         let (steps, chosen) = self.steps(&none)?;
         let all = self.tried(&self.of_effects(&ALL), None)?;
         let model = self.of_effects(&chosen);
+        let full = self.identify(self.observations, &model)?;
+        let stability = self.stability(&model, &full)?;
         let choose = |found: &Identification| {
-            let load = self.proven(found);
+            let load = self.load(found, &stability);
             self.settings(move |i| load.contains(&i))
         };
-        let full = self.identify(self.observations, &model)?;
         let recommended = self.tried(&model, Some(&choose))?;
         let held_out =
             HeldOutErrors { none: none.statistics(), all: all.statistics(), recommended: recommended.statistics() };
-        let parameters = self.verdicts(&all.found, &full)?;
+        let parameters = self.verdicts(&all.found, &full, &stability)?;
+        messages.extend(self.unstable(&stability));
         let settings = choose(&full);
         let document = parameters_document(self.robot, &settings, &self.before, &recommended.found, inputs);
         messages
@@ -228,6 +230,36 @@ impl<'a> Study<'a> {
         load
     }
 
+    /// How much the parameters of the robot itself depend on which poses they are identified from: without each part of the first cut, and
+    /// from each half of the measurement.
+    fn stability(&self, model: &Settings, found: &Identification) -> Result<Vec<Stability>> {
+        let of_robot: Vec<usize> = found.free.iter().copied().filter(|&i| self.effects[i].is_some()).collect();
+        let mut left_out = self.folds[..self.folds.len() / repeats(self.poses)].to_vec();
+        left_out.extend(identify::halves(self.observations));
+        identify::stability(self.robot, self.observations, model, found, (&of_robot, &left_out))
+    }
+
+    /// Parameters that are proven and stable.
+    fn load(&self, found: &Identification, stability: &[Stability]) -> Vec<usize> {
+        let unstable = |i: &usize| stability.iter().any(|s| s.parameter == *i && !s.is_stable());
+        self.proven(found).into_iter().filter(|i| !unstable(i)).collect()
+    }
+
+    /// A warning that names the parameters that are not stable.
+    fn unstable(&self, stability: &[Stability]) -> Option<Message> {
+        let of = |s: &Stability| {
+            let name = &self.robot.parameters()[s.parameter].name;
+            format!("`{name}` ({:.1}, limit {:.1})", s.over_sd, s.limit)
+        };
+        let all: Vec<String> = stability.iter().filter(|s| !s.is_stable()).map(of).collect();
+        let what = format!(
+            "not stable, and held: values by part of the poses differ from those by all, over the standard deviation of the difference: {}",
+            all.join(", ")
+        );
+        let hint = "look for what changed during the measurement (temperature, a target that moved, a joint homed again), and at the residuals";
+        (!all.is_empty()).then(|| Message::warning(what).hint(hint))
+    }
+
     /// Changes of several parameters together over their covariance, as a sum of squares, and its p value.
     fn together(&self, found: &Identification, indices: &[usize]) -> Option<[f64; 2]> {
         let places: Vec<usize> =
@@ -264,8 +296,13 @@ impl<'a> Study<'a> {
     }
 
     /// The verdict on each parameter that can be identified; those of the model that is recommended are judged in it.
-    fn verdicts(&self, all: &Identification, model: &Identification) -> Result<Vec<ParameterVerdict>> {
-        let (of_all, of_model, load) = (self.changes(all), self.changes(model), self.proven(model));
+    fn verdicts(
+        &self,
+        all: &Identification,
+        model: &Identification,
+        stability: &[Stability],
+    ) -> Result<Vec<ParameterVerdict>> {
+        let (of_all, of_model, load) = (self.changes(all), self.changes(model), self.load(model, stability));
         let settings = self.settings(|i| all.status[i] == Status::Identified);
         // of the first cut alone: every pose is left out once
         let mut folds = Vec::new();
@@ -275,6 +312,7 @@ impl<'a> Study<'a> {
         }
         let verdict = |c: &Change| {
             let (p, effect) = (&self.robot.parameters()[c.index], self.effects[c.index]?);
+            let stability = stability.iter().find(|s| s.parameter == c.index);
             let judged = of_model.iter().find(|m| m.index == c.index).unwrap_or(c);
             let values: Vec<f64> = folds.iter().map(|found| found.values[c.index]).collect();
             let mean = values.iter().sum::<f64>() / values.len() as f64;
@@ -289,6 +327,8 @@ impl<'a> Study<'a> {
                 change_over_u: (judged.change / judged.u).abs(),
                 p_value: judged.p_value,
                 fold_sd_over_u: variance.sqrt() / u_fold,
+                part_change_over_sd: stability.map(|s| s.over_sd),
+                part_change_limit: stability.map(|s| s.limit),
                 verdict: if load.contains(&c.index) { LoadVerdict::Load } else { LoadVerdict::Hold },
             })
         };

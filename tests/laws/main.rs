@@ -50,6 +50,7 @@ mod samples;
 mod serial;
 mod set_ups;
 mod solving;
+mod stability;
 mod standstills;
 #[path = "../support/mod.rs"]
 mod support;

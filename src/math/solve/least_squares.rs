@@ -173,12 +173,17 @@ pub(crate) fn column_norms(jacobian: &[f64], n: usize) -> Vec<f64> {
 
 /// The factor of the Jacobian of `problem` at `x`, with its columns divided by their norms, and these.
 pub(crate) fn factor_at(problem: &impl Problem, x: &[f64]) -> (Factor, Vec<f64>) {
+    linearised_at(problem, x, &vec![0.0; problem.residual_count()])
+}
+
+/// The same beside a right-hand side, one number a residual.
+pub(crate) fn linearised_at(problem: &impl Problem, x: &[f64], right: &[f64]) -> (Factor, Vec<f64>) {
     let width = problem.blocks().map_or(x.len(), Blocks::width);
     let mut jacobian = vec![0.0; problem.residual_count() * width];
     problem.jacobian(x, &mut jacobian);
     let rows = Rows { numbers: &jacobian, n: x.len(), blocks: problem.blocks() };
     let norms = rows.norms();
-    (rows.factor(&vec![0.0; problem.residual_count()], &norms), norms)
+    (rows.factor(right, &norms), norms)
 }
 
 /// The point at hand while the solver runs, with all that was computed there.

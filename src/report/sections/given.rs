@@ -105,6 +105,8 @@ pub(in crate::report) fn recommendation(document: &RecommendationDocument, words
         .both("change over u", "", |p| fixed(p.change_over_u, 1))
         .both("p", "", move |v| p(Some(v.p_value)))
         .both("folds over u", "", |p| significant(p.fold_sd_over_u, 2))
+        .both("stability", "", |p| fixed(p.part_change_over_sd, 1))
+        .both("limit", "", |p| fixed(p.part_change_limit, 1))
         .both("verdict", "", |p| match p.verdict {
             LoadVerdict::Load => term(words, "to load"),
             LoadVerdict::Hold => term(words, "to hold"),
