@@ -81,7 +81,7 @@ fn marks_by_number(page: &str) -> String {
     for line in page.split_inclusive('\n') {
         let mark = line
             .split_once("><title>")
-            .filter(|(head, _)| ["<circle", "<polygon", "<rect"].iter().any(|m| head.starts_with(m)));
+            .filter(|(head, _)| ["<circle", "<path", "<rect"].iter().any(|m| head.starts_with(m)));
         let Some((head, (text, tail))) = mark.and_then(|(head, rest)| Some((head, rest.split_once("</title>")?)))
         else {
             out.push_str(line);

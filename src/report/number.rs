@@ -44,6 +44,19 @@ pub(super) fn stated(value: f64) -> String {
     if value.is_finite() { value.to_string() } else { fixed(value, 0) }
 }
 
+/// A quotient of which only the size matters: one decimal, none from a hundred on.
+pub(crate) fn ratio(value: f64) -> String {
+    fixed(value, if value.abs() < 99.95 { 1 } else { 0 })
+}
+
+/// A number that was computed from what somebody stated: at most four significant digits, and no zeros behind them.
+pub(super) fn derived(value: f64) -> String {
+    let text = significant(value, 4);
+    let (digits, power) = text.split_once('e').map_or((text.as_str(), None), |(digits, power)| (digits, Some(power)));
+    let digits = if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits };
+    power.map_or_else(|| digits.to_owned(), |power| format!("{digits}e{power}"))
+}
+
 /// `value` to the second significant digit of its standard uncertainty; 4 decimals without one.
 pub(crate) fn with_uncertainty(value: f64, u: Option<f64>) -> String {
     fixed(value, u.and_then(|u| decimals(u, 2)).unwrap_or(4))
@@ -168,6 +181,14 @@ mod tests {
         for (value, text) in cases {
             assert_eq!(significant(value, 3), text);
         }
+    }
+
+    #[test]
+    fn quotients_have_no_more_digits_than_a_reader_wants() {
+        let cases = [(0.013 / 3.0, "0.004333"), (0.006_365, "0.006365"), (0.05, "0.05"), (12.0, "12"), (2e-6, "2e-6")];
+        cases.iter().for_each(|(value, text)| assert_eq!(derived(*value), *text));
+        let cases = [(12_434.4, "12434"), (-588.3, "-588"), (99.96, "100"), (-99.9, "-99.9"), (0.04, "0.0")];
+        cases.iter().for_each(|(value, text)| assert_eq!(ratio(*value), *text));
     }
 
     #[test]

@@ -57,8 +57,11 @@ fn the_page_over_all_campaigns_is_sorted_filtered_and_drawn(browser: &mut Browse
     let click = "document.querySelectorAll('#campaigns thead button')[1].click(); ";
     assert_eq!(list(&browser.evaluate(&format!("{click}{robots}"))), sorted(false));
     assert_eq!(list(&browser.evaluate(&format!("{click}{robots}"))), sorted(true));
-    let marks = "document.querySelectorAll('#trend circle').length";
+    let marks = "document.querySelectorAll('#trend .robot').length";
     assert_eq!(browser.evaluate(marks), 2, "two campaigns have errors after calibration");
+    let forms = "new Set([...document.querySelectorAll('#trend .key path')].map(mark => mark.getAttribute('d'))).size";
+    let keys = "document.querySelectorAll('#trend .key').length";
+    assert_eq!(browser.evaluate(forms), browser.evaluate(keys), "robots differ by more than their colour");
     let choose = "(quantity => { quantity.value = [...quantity.options].find(o => o.text.startsWith('AP')).value; \
         quantity.dispatchEvent(new Event('change')) })(document.getElementById('quantity')); ";
     assert_eq!(browser.evaluate(&format!("{choose}{marks}")), 1, "one campaign has AP and RP");

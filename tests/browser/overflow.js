@@ -15,7 +15,7 @@
   }
   // what scrolls sideways says so
   for (const node of document.querySelectorAll(".scroll")) {
-    if (!node.clientWidth || node.scrollWidth <= node.clientWidth + 1 || node.querySelector("#campaigns")) continue;
+    if (!node.clientWidth || node.scrollWidth <= node.clientWidth + 1) continue;
     let note = node.previousElementSibling;
     if (note && note.className === "tools") note = note.previousElementSibling;
     if (!note || !note.classList.contains("sideways") || !note.clientHeight || !note.textContent) say("scrolls without a cue", node);
@@ -26,7 +26,7 @@
     const unit = frame.width / drawn.width;
     if (!drawn.width) continue;
     // names of limits cover no mark
-    const marks = picture.querySelector(".limit") ? [...picture.querySelectorAll("circle, polygon, rect")] : [];
+    const marks = picture.querySelector(".limit") ? [...picture.querySelectorAll("circle, path:not([fill=none]), rect")] : [];
     const seenMarks = marks.map(mark => mark.getBoundingClientRect());
     for (const letters of picture.querySelectorAll("text")) {
       if (letters.textContent.includes("_m")) {

@@ -3,7 +3,10 @@
   "use strict";
   var data = JSON.parse(document.getElementById("data").textContent), rows = data.rows, quantities = data.quantities;
   var CAMPAIGN = 0, REPORT = 1, ROBOT = 2, DATE = 3, ENDED = 4, MESSAGE = 5, VALUES = 6, OUTLIERS = 7, BADNESS = 8;
-  var COLOURS = ["#1f5fa8", "#f0a020", "#1d6b3a", "#8a3fa0", "#a3201d", "#2a8f9e", "#7a5a2a", "#5b6672"], STEP = 200, DAY = 864e5;
+  var COLOURS = ["#1f5fa8", "#f0a020", "#1d6b3a", "#8a3fa0", "#a3201d", "#2a8f9e", "#7a5a2a", "#5b6672"];
+  // robots differ by more than their colour: outlines of about one area, in units of a mark's size
+  var SHAPES = ["M-1 0a1 1 0 1 0 2 0a1 1 0 1 0 -2 0z", "M0 -1.25L1.25 0 0 1.25 -1.25 0z", "M-.89 -.89H.89V.89H-.89z", "M0 -1.35L1.35 1H-1.35z",
+    "M0 1.35L1.35 -1H-1.35z", "M-.4 -1.2H.4V-.4H1.2V.4H.4V1.2H-.4V.4H-1.2V-.4H-.4z", "M-1.3 -.6H1.3V.6H-1.3z", "M-.6 -1.3H.6V1.3H-.6z"], STEP = 200, DAY = 864e5;
   var get = function (id) { return document.getElementById(id); };
   var table = get("campaigns"), body = table.tBodies[0], filter = get("filter"), choice = get("quantity"), trend = get("trend");
   var heads = Array.from(table.tHead.rows[0].cells), shown = STEP, chosen = [], sorted = { column: -1, down: true };
@@ -54,6 +57,15 @@
     for (var at = Math.ceil(low / step) * step; at <= high + step / 1e6; at += step) all.push(Number(at.toPrecision(12)));
     return all;
   }
+  function shape(robot) { return SHAPES[robot % SHAPES.length]; }
+  // what is wider than the window says so, as long as it is
+  function cues() {
+    document.querySelectorAll(".scroll").forEach(function (wide) {
+      var needed = wide.scrollWidth > wide.clientWidth + 1, note = wide.previousElementSibling;
+      note.classList.toggle("needed", needed);
+      note.classList.toggle("spare", !needed);
+    });
+  }
   function drawTrend() {
     var k = Number(choice.value), points = [], dated;
     trend.textContent = "";
@@ -69,13 +81,17 @@
     var y = function (row) { return Number(row[VALUES][k]); };
     var range = function (of) {
       var all = points.map(of), low = all.reduce(function (a, b) { return Math.min(a, b); }), high = all.reduce(function (a, b) { return Math.max(a, b); });
-      return low < high ? [low, high] : [low - 0.5, high + 0.5];
+      // marks keep away from the frame
+      var margin = low < high ? 0.06 * (high - low) : 0.5;
+      return [low - margin, high + margin];
     };
     var W = 900, H = 320, left = 80, bottom = 40, xs = range(x), ys = range(y);
     var px = function (v) { return left + (W - left - 20) * (v - xs[0]) / (xs[1] - xs[0]); };
     var py = function (v) { return H - bottom - (H - bottom - 20) * (v - ys[0]) / (ys[1] - ys[0]); };
     var label = quantities[k][0] + " [" + quantities[k][1] + "]";
-    var svg = element("svg:svg", trend, null, { viewBox: "0 0 " + W + " " + H, role: "img", "aria-label": label });
+    // letters of a phone's size: what is wider than the window scrolls and says so
+    element("p", trend, trend.dataset.sideways, { class: "sideways" });
+    var svg = element("svg:svg", element("div", trend, null, { class: "scroll", tabindex: "0" }), null, { viewBox: "0 0 " + W + " " + H, role: "img", "aria-label": label });
     ticks(ys[0], ys[1]).forEach(function (v) {
       element("svg:path", svg, null, { class: "grid", d: "M" + left + " " + py(v) + "H" + (W - 20) });
       element("svg:text", svg, said(v), { x: left - 6, y: py(v) + 4, class: "end" });
@@ -88,16 +104,18 @@
     element("svg:text", svg, dated ? trend.dataset.date : trend.dataset.order, { x: W - 20, y: H - 6, class: "end" });
     points.forEach(function (row) {
       var unlike = row[OUTLIERS].indexOf(k) >= 0, colour = COLOURS[robots.indexOf(row[ROBOT] || "") % COLOURS.length];
-      var mark = element("svg:circle", svg, null, { cx: px(x(row)).toFixed(1), cy: py(y(row)).toFixed(1), r: unlike ? 5 : 3, fill: colour });
-      if (unlike) mark.setAttribute("class", "unlike");
+      var place = "translate(" + px(x(row)).toFixed(1) + " " + py(y(row)).toFixed(1) + ") scale(" + (unlike ? 6 : 4) + ")";
+      var mark = element("svg:path", svg, null, { class: unlike ? "robot unlike" : "robot", d: shape(robots.indexOf(row[ROBOT] || "")), transform: place, fill: colour });
       element("svg:title", mark, [row[CAMPAIGN], row[ROBOT], row[DATE], said(row[VALUES][k])].filter(Boolean).join(", "));
     });
     var legend = element("figcaption", trend);
     robots.slice(0, COLOURS.length).forEach(function (robot, i) {
-      element("span", legend, "● ").style.color = COLOURS[i];
+      var key = element("svg:svg", legend, null, { class: "key", viewBox: "-1.5 -1.5 3 3", "aria-hidden": "true" });
+      element("svg:path", key, null, { d: shape(i), fill: COLOURS[i] });
       element("bdi", legend, robot + "  ");
     });
     if (robots.length > COLOURS.length) element("span", legend, "…");
+    cues();
   }
   function draw() {
     var asked = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -127,5 +145,6 @@
   get("more").addEventListener("click", function () { shown += STEP; drawTable(); });
   document.querySelector(".controls").hidden = false;
   if (get("left-out")) get("left-out").hidden = true;
+  addEventListener("resize", cues);
   draw();
 })();

@@ -20,7 +20,7 @@
     return mark.dataset.text || texts[mark.dataset.i];
   }
   function markOf(node) {
-    var mark = node instanceof Element ? node.closest("svg circle, svg polygon, svg rect") : null;
+    var mark = node instanceof Element ? node.closest("svg circle, svg path, svg rect") : null;
     return mark && (mark.dataset.i || mark.dataset.text || mark.querySelector("title")) ? mark : null;
   }
   function hide() {
@@ -45,7 +45,7 @@
     tip.style.top = (above > 8 ? above : at.bottom + 8) + "px";
   }
   function marks(picture) {
-    return Array.from(picture.querySelectorAll("circle, polygon, rect")).filter(markOf);
+    return Array.from(picture.querySelectorAll("circle, path, rect")).filter(markOf);
   }
 
   document.addEventListener("pointerover", function (event) { show(markOf(event.target), false); });
@@ -55,7 +55,7 @@
     if (chosen && byKey) place(); else hide();
   }, true);
   document.querySelectorAll("svg").forEach(function (picture) {
-    if (!picture.querySelector("[data-i], circle > title, polygon > title, rect > title")) return;
+    if (!picture.querySelector("[data-i], circle > title, path > title, rect > title")) return;
     var at = -1;
     picture.setAttribute("tabindex", "0");
     picture.addEventListener("blur", hide);

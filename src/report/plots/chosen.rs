@@ -51,7 +51,14 @@ pub(in crate::report) fn map(plan: &PlanDocument, words: &Words) -> Option<Figur
         let x = 30.0 + 84.0 * i as f64;
         let size = 1.6 + 0.7 * (*count).min(6) as f64;
         svg.mark(Shape::Circle, "before", (x, plane.height() + 12.0), size, "", "");
-        svg.text("start", (x + 10.0, plane.height() + 16.0), &words.fill("{0} modes", &[count]));
+        svg.text(
+            "start",
+            (x + 10.0, plane.height() + 16.0),
+            &match count {
+                1 => words.say("1 mode"),
+                count => words.fill("{0} modes", &[count]),
+            },
+        );
     }
     Some(Figure {
         title,

@@ -1,5 +1,6 @@
 //! Which parameters are hardly separable: the correlation of every pair.
 
+use super::intervals::{LETTERS, shortened};
 use super::svg::Svg;
 use crate::document::ParametersDocument;
 use crate::report::model::Figure;
@@ -11,7 +12,6 @@ const NARROW: (usize, f64) = (14, 380.0);
 const WIDE: f64 = 760.0;
 /// Of more than this every second is lettered, of twice as many every third.
 const LETTERED: usize = 48;
-const LETTERS: usize = 14;
 /// Pairs from here on are named.
 const STRONG: f64 = 0.9;
 
@@ -30,11 +30,7 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
     let title = words.say("Correlation of the identified parameters");
     let description =
         words.say("One cell for each pair: blue where they rise together, orange where one falls as the other rises.");
-    let short = |name: &str| match name.chars().count() > LETTERS {
-        true => name.chars().take(LETTERS - 1).chain(['…']).collect::<String>(),
-        false => name.to_owned(),
-    };
-    let longest = names.iter().map(|name| short(name).chars().count()).max().unwrap_or(0);
+    let longest = names.iter().map(|name| name.chars().count().min(LETTERS)).max().unwrap_or(0);
     let wide = n > NARROW.0;
     let width = if wide { WIDE } else { NARROW.1 };
     let margin = 12.0 + 7.2 * longest as f64;
@@ -49,10 +45,11 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
         }
         if i.is_multiple_of(n.div_ceil(LETTERED)) {
             let middle = 4.0 + cell * (i as f64 + 0.5);
-            svg.text("end", (margin - 6.0, middle + 4.0), &short(name));
-            svg.text_below((margin + cell * (i as f64 + 0.5) + 4.0, 4.0 + cell * n as f64 + 6.0), &short(name));
+            svg.text("end", (margin - 6.0, middle + 4.0), &shortened(name));
+            svg.text_below((margin + cell * (i as f64 + 0.5) + 4.0, 4.0 + cell * n as f64 + 6.0), &shortened(name));
         }
     }
+    scale(&mut svg, width, words);
     let mut strong: Vec<(usize, usize)> = pairs().filter(|&(i, j)| r(i, j).abs() >= STRONG).collect();
     strong.sort_by(|a, b| r(b.0, b.1).abs().total_cmp(&r(a.0, a.1).abs()));
     let said =
@@ -82,6 +79,16 @@ pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -
     })
 }
 
+/// What the colours mean, where the triangle leaves room.
+fn scale(svg: &mut Svg, width: f64, words: &Words) {
+    for (i, r) in [1.0, 0.5, 0.0, -0.5, -1.0].into_iter().enumerate() {
+        let y = 4.0 + 16.0 * i as f64;
+        svg.rect("axis", (width - 58.0, y), (14.0, 14.0), "");
+        svg.bar((width - 57.5, y + 0.5), (13.0, 13.0), &colour(r), "");
+        svg.text("end", (width - 6.0, y + 11.5), &words.number(&number::fixed(r, 1)));
+    }
+}
+
 /// White at nought, blue at one, orange at minus one: both dark enough where the other is not seen.
 fn colour(r: f64) -> String {
     let end = if r > 0.0 { [0.0, 90.0, 160.0] } else { [200.0, 90.0, 0.0] };
@@ -105,6 +112,7 @@ mod tests {
         assert!(picture.caption.ends_with("Correlated by 0.9 or more: gamma – s -0.970."), "{}", picture.caption);
         assert_eq!(picture.rows[2], ["s", "0.000", "-0.970", "1.000"]);
         assert_eq!(colour(1.0), "#005aa0");
+        assert!([">1.0<", ">0.0<", ">-1.0<"].iter().all(|label| picture.svg.contains(label)), "{}", picture.svg);
     }
 
     #[test]
@@ -116,8 +124,8 @@ mod tests {
             document.parameters = (0..n).map(of).collect();
             document.covariance = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
             let picture = picture(&document, &Words::default()).unwrap();
-            // at the side, and below
-            assert_eq!(picture.svg.matches("class=\"end\"").count(), 2 * lettered);
+            // at the side, below, and of the scale
+            assert_eq!(picture.svg.matches("class=\"end\"").count(), 2 * lettered + 5);
         }
     }
 

@@ -107,6 +107,7 @@ pub(in crate::report) fn picture(document: &Iso9283Document, words: &Words) -> O
             svg.mark_in_space(Shape::Circle, "cal", (x, y), 4.0, from, &tip(place));
             svg.text_in_space("start over", (x + 7.0, y - 5.0), from, &named(&place.0));
         }
+        space.name_ends(&mut svg);
     }
     Some(Figure { title, svg: svg.finish(), caption, ..Figure::default() })
 }

@@ -36,16 +36,21 @@ pub(in crate::report) fn picture(found: &ReliabilitySummary, words: &Words) -> O
         svg.line("grid", (x, TOP), (x, bottom));
         svg.text("mid", (x, bottom + 17.0), &label);
     }
+    let at = |i: usize| TOP + ROW * i as f64;
     for (i, (p, distance)) in all.iter().enumerate() {
-        let y = TOP + ROW * i as f64;
+        let y = at(i);
         let (value, end) = (number::significant(*distance, 2), across.at(*distance));
         svg.text("end", (left - 6.0, y + 14.0), &name(p));
         let tip = words.fill("pose {0}: Cook's distance {1}", &[&p.pose, &value]);
         svg.rect("cal", (left, y + 3.0), ((end - left).max(0.5), ROW - 6.0), &tip);
-        svg.text("start over", (end + 5.0, y + 14.0), &words.number(&value));
     }
     let x = across.at(found.influential);
     svg.line("limit", (x, TOP), (x, bottom));
+    // the rim of the numbers keeps the line away from them
+    for (i, (_, distance)) in all.iter().enumerate() {
+        let value = words.number(&number::significant(*distance, 2));
+        svg.text("start over", (across.at(*distance) + 5.0, at(i) + 14.0), &value);
+    }
     svg.line("axis", (left, TOP), (left, bottom));
     svg.line("axis", (left, bottom), (WIDTH - RIGHT, bottom));
     svg.text("mid", (0.5 * (left + WIDTH - RIGHT), bottom + 35.0), &words.say("Cook's distance"));

@@ -13,7 +13,7 @@ const RIGHT: f64 = 84.0;
 const TOP: f64 = 12.0;
 const ROW: f64 = 20.0;
 /// Letters of a name that are drawn: a long one loses its middle, as its end often distinguishes it.
-const LETTERS: usize = 14;
+pub(super) const LETTERS: usize = 14;
 const LAST: usize = 5;
 /// of a figure below the axis
 const FIGURE: f64 = 7.6;
@@ -65,14 +65,16 @@ fn picture(
     }
     svg.line("axis", (across.at(0.0), TOP), (across.at(0.0), bottom));
     svg.text("mid", ((left + WIDTH - RIGHT) / 2.0, bottom + 33.0), &along);
-    for (i, p) in all.iter().enumerate() {
+    let expanded_shown = |p: &ParameterEntry| number::significant(expanded(p) * shown.factor, 2);
+    let mut halves: Vec<String> = all.iter().map(|p| expanded_shown(p)).collect();
+    number::one_notation(halves.iter_mut().collect());
+    for ((i, p), half) in all.iter().enumerate().zip(&halves) {
         let y = TOP + ROW * (i as f64 + 0.5);
         let at = |v: f64| (across.at(v * shown.factor), y);
         svg.text("end", (left - 8.0, y + 4.0), &name(p));
         svg.line("interval", at(change(p) - expanded(p)), at(change(p) + expanded(p)));
         let u = p.standard_uncertainty.map(|u| u * shown.factor);
-        let (value, half) =
-            (number::with_uncertainty(change(p) * shown.factor, u), number::significant(2.0 * u.unwrap_or(0.0), 2));
+        let value = number::with_uncertainty(change(p) * shown.factor, u);
         let tip = words.fill("{0}: {1} ± {2} {3}", &[&p.name, &value, &half, &if unit == "1" { "" } else { unit }]);
         svg.mark(Shape::Circle, "cal", at(change(p)), 3.4, "", &tip);
         svg.text("end", (WIDTH - 4.0, y + 4.0), &format!("± {half}"));
@@ -85,7 +87,7 @@ fn picture(
     })
 }
 
-fn shortened(name: &str) -> String {
+pub(super) fn shortened(name: &str) -> String {
     let count = name.chars().count();
     if count <= LETTERS {
         return name.to_owned();
@@ -93,15 +95,21 @@ fn shortened(name: &str) -> String {
     name.chars().take(LETTERS - 1 - LAST).chain(['…']).chain(name.chars().skip(count - LAST)).collect()
 }
 
-/// As many ticks as have room for their labels, counted from zero.
+/// As many ticks as have room for their labels, counted from zero; at least one on either side of it, as the axis reaches as far
+/// below zero as above.
 fn apart(axis: &Axis) -> Vec<(f64, String)> {
-    let all = axis.ticks(5);
+    let mut all = axis.ticks(5);
     let [first, second, ..] = &all[..] else { return all };
-    let step = second.0 - first.0;
+    let (lowest, step) = (first.0, second.0 - first.0);
     let letters = all.iter().map(|(_, label)| label.chars().count()).max().unwrap_or(0);
-    let room = axis.at(second.0) - axis.at(first.0);
-    let every = (FIGURE * (letters + 1) as f64 / room).ceil().clamp(1.0, 1e3) as i64;
-    all.into_iter().filter(|(value, _)| (value / step).round() as i64 % every == 0).collect()
+    let room = axis.at(lowest + step) - axis.at(lowest);
+    let outermost = (-lowest / step).round() as i64;
+    let every = (FIGURE * (letters + 1) as f64 / room).ceil().clamp(1.0, outermost.max(1) as f64) as i64;
+    let count = |value: f64| (value / step).round() as i64;
+    all.retain(|(value, _)| count(*value) % every == 0);
+    // nothing but a zero, which needs less room than its neighbours
+    all.iter_mut().filter(|(value, _)| count(*value) == 0).for_each(|(_, label)| *label = "0".to_owned());
+    all
 }
 
 #[cfg(test)]
@@ -126,6 +134,10 @@ mod tests {
         assert_eq!(shortened("shoulder_lift_rx"), "shoulder…ft_rx");
         let narrow = Axis::linear(-0.0002, 0.0002, 138.0, 296.0);
         let labels: Vec<String> = apart(&narrow).into_iter().map(|(_, label)| label).collect();
-        assert_eq!(labels, ["-0.0002", "0.0000", "0.0002"]);
+        assert_eq!(labels, ["-0.0002", "0", "0.0002"]);
+        // of the IRB 120: no room for three labels of this length beside each other
+        let narrower = Axis::linear(-0.0003, 0.0003, 121.0, 296.0);
+        let labels: Vec<String> = apart(&narrower).into_iter().map(|(_, label)| label).collect();
+        assert_eq!(labels, ["-0.0002", "0", "0.0002"]);
     }
 }

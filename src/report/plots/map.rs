@@ -107,6 +107,7 @@ fn map(errors: &[&PointError], seen_from: Seen, after: bool, common_mm: f64, wor
                 let radius = radius(own.share(size(p)));
                 svg.mark_in_space(points::shape(p), &class(p), space.at(place), radius, place, &tip);
             }
+            space.name_ends(&mut svg);
             (svg, drawn.len(), seen, WIDTH)
         }
     };
@@ -174,7 +175,7 @@ impl Space {
         self.paper.at(Self::VIEW.flat(from_middle))
     }
 
-    /// The box around all places, its axes with their ends in mm.
+    /// The box around all places.
     pub fn draw(&self, svg: &mut Svg) {
         svg.turns(Self::VIEW.azimuth_rad, Self::VIEW.elevation_rad, self.paper.scale);
         let corner = |signs: [f64; 3]| [0, 1, 2].map(|i| signs[i] * self.half[i]);
@@ -189,15 +190,17 @@ impl Space {
                 let class = if sj < 0.0 && sk < 0.0 { "axis" } else { "grid" };
                 svg.line_in_space(class, self.at(ends[0]), self.at(ends[1]), ends);
             }
+        }
+    }
+
+    /// The names of its axes with their ends in mm, after the marks, which would cover them.
+    pub fn name_ends(&self, svg: &mut Svg) {
+        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             let mut at = self.half.map(|v| -v);
-            for share in [0.0, 1.0] {
-                at[axis] = (2.0 * share - 1.0) * self.half[axis];
-                let value = number::fixed(self.middle[axis] + at[axis], 0);
-                let name = ["x", "y", "z"][axis];
-                let text = if share > 0.5 { format!("{name} {value} mm") } else { String::new() };
-                let (x, y) = self.at(at);
-                svg.text_in_space("mid over", (x, y + 4.0), at, &text);
-            }
+            at[axis] = self.half[axis];
+            let value = number::fixed(self.middle[axis] + at[axis], 0);
+            let (x, y) = self.at(at);
+            svg.text_in_space("mid over", (x, y + 4.0), at, &format!("{name} {value} mm"));
         }
     }
 }
@@ -293,6 +296,8 @@ mod tests {
         // 2 µm are the least of the common colours, and the darkest of the picture's own
         assert!(maps[1].svg.contains("class=\"map o0 w15\""), "{}", maps[1].svg);
         assert!(maps[7].svg.contains("data-turn=") && maps[7].svg.contains("data-at="));
+        let (mark, name) = (maps[7].svg.rfind("</circle>"), maps[7].svg.find(">x 9 mm<"));
+        assert!(mark < name && mark.is_some(), "no mark covers the name of an axis: {}", maps[7].svg);
     }
 
     #[test]

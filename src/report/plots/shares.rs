@@ -1,5 +1,6 @@
 //! Shares of the sources in the variance of each parameter, as bars.
 
+use super::intervals::{LETTERS, shortened};
 use super::svg::{COLOURS, Svg};
 use crate::document::{ParameterEntry, ParametersDocument, UncertaintySource};
 use crate::report::model::Figure;
@@ -10,8 +11,6 @@ const TOP: f64 = 14.0;
 const ROW: f64 = 18.0;
 /// Parameters that are drawn: base and targets are first in the list, and many.
 const MOST: usize = 40;
-/// Letters of a name that are drawn.
-const LETTERS: usize = 14;
 /// A share in which its number is written.
 const WRITTEN: f64 = 0.08;
 
@@ -35,8 +34,7 @@ pub(in crate::report) fn picture(
     let along = |share: f64| left + (WIDTH - left - 8.0) * share;
     for (i, (k, p)) in all.iter().enumerate() {
         let y = TOP + ROW * i as f64;
-        let name: String = p.name.chars().take(LETTERS).collect();
-        svg.text("end", (left - 8.0, y + 12.0), &name);
+        svg.text("end", (left - 8.0, y + 12.0), &shortened(&p.name));
         let squares: Vec<f64> =
             sources.iter().map(|s| s.standard_uncertainties.get(*k).map_or(0.0, |u| u * u)).collect();
         let whole: f64 = squares.iter().sum();

@@ -16,10 +16,14 @@ pub(in crate::report) enum Shape {
     Diamond,
     Square,
     Triangle,
+    /// A triangle on its corner.
+    Inverted,
+    Plus,
 }
 
 /// Forms of groups, which differ by more than their colour.
-pub(in crate::report) const SHAPES: [Shape; 4] = [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle];
+pub(in crate::report) const SHAPES: [Shape; 6] =
+    [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle, Shape::Inverted, Shape::Plus];
 
 /// A picture being drawn.
 pub(in crate::report) struct Svg {
@@ -121,10 +125,24 @@ impl Svg {
                 let half = 1.35 * radius;
                 vec![(x, y - half), (x + half, y + 0.73 * half), (x - half, y + 0.73 * half)]
             }
+            Shape::Inverted => {
+                let half = 1.35 * radius;
+                vec![(x, y + half), (x + half, y - 0.73 * half), (x - half, y - 0.73 * half)]
+            }
+            Shape::Plus => {
+                let (arm, half) = (1.19 * radius, 0.4 * radius);
+                let quarter = [(half, -arm), (half, -half), (arm, -half)];
+                let turned = |k: u8, (u, v): Place| match k {
+                    0 => (x + u, y + v),
+                    1 => (x - v, y + u),
+                    2 => (x - u, y - v),
+                    _ => (x + v, y - u),
+                };
+                (0..4).flat_map(|k| quarter.map(|corner| turned(k, corner))).collect()
+            }
         };
-        let points: Vec<String> = corners.iter().map(|(x, y)| format!("{},{}", px(*x), px(*y))).collect();
-        let _ = write!(self.out, "<polygon class=\"{class}\" points=\"{}\"{fill}", points.join(" "));
-        self.close("polygon", tooltip);
+        let _ = write!(self.out, "<path class=\"{class}\" d=\"{}\"{fill}", outline(&corners));
+        self.close("path", tooltip);
     }
 
     /// Arrows of one class as one path, each head shorter than its arrow.
@@ -204,6 +222,23 @@ impl Svg {
 fn in_space(places: &[Vector]) -> String {
     let all: Vec<String> = places.iter().flatten().map(|v| px(*v)).collect();
     format!(" data-at=\"{}\"", all.join(" "))
+}
+
+/// A closed path, each corner from the one before it: a third shorter than with all places in full.
+fn outline(corners: &[Place]) -> String {
+    let mut out = String::new();
+    for (i, corner) in corners.iter().enumerate() {
+        let (mark, from) = match i.checked_sub(1).and_then(|before| corners.get(before)) {
+            Some(before) => (if i == 1 { "l" } else { " " }, *before),
+            None => ("M", (0.0, 0.0)),
+        };
+        let y = px(corner.1 - from.1);
+        let gap = if y.starts_with('-') { "" } else { " " };
+        let x = px(corner.0 - from.0);
+        let mark = if mark == " " && x.starts_with('-') { "" } else { mark };
+        out.extend([mark, &x, gap, &y]);
+    }
+    out + "z"
 }
 
 /// One decimal is a tenth of a dot of the screen.

@@ -9,7 +9,7 @@ use crate::report::words::Words;
 use crate::report::words::comparison::{self, quantity};
 
 const WIDTH: f64 = 380.0;
-const HEIGHT: f64 = 250.0;
+const HEIGHT: f64 = 258.0;
 const RIGHT: f64 = 368.0;
 const TOP: f64 = 20.0;
 const BOTTOM: f64 = 206.0;
@@ -60,7 +60,12 @@ pub(in crate::report) fn picture(
     }
     svg.line("axis", (left, BOTTOM), (RIGHT, BOTTOM));
     svg.line("axis", (left, TOP), (left, BOTTOM));
-    let up = if shown.unit.is_empty() { words.say("ratio") } else { shown.unit.to_owned() };
+    svg.text("mid", ((left + RIGHT) / 2.0, BOTTOM + 47.0), &words.say("campaign"));
+    let up = if shown.unit.is_empty() {
+        words.say("ratio")
+    } else {
+        words.fill("{0} in {1}", &[&words.say("value"), &shown.unit])
+    };
     svg.text_upwards((12.0, (TOP + BOTTOM) / 2.0), &up);
     let at = |i: usize, value: f64| (across.at(i as f64), axis.at(value * shown.factor));
     for pair in points.windows(2) {

@@ -12,9 +12,9 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.table(words.say("Drift of accuracy and repeatability"), note, drifts(&document.drifts, words));
     section.table("", "", sets(document, words));
     let (title, caption) = (words.say("AP by set"), words.say("Accuracy of each pose in the course of the test."));
-    section.figures(by_set("drift-ap", title, caption, &document.drifts, |d| &d.ap_mm, words));
+    section.figures(by_set("AP", title, caption, &document.drifts, |d| &d.ap_mm, words));
     let (title, caption) = (words.say("RP by set"), words.say("Repeatability of each pose in the course of the test."));
-    section.figures(by_set("drift-rp", title, caption, &document.drifts, |d| &d.rp_mm, words));
+    section.figures(by_set("RP", title, caption, &document.drifts, |d| &d.rp_mm, words));
     if !document.reference.is_empty() {
         let note = words.say("How far targets that stand still have moved since they were first measured, and what is left of it where positions are carried back by them (not of the standard).");
         section.table(words.say("Movement of the set-up"), note, reference(&document.reference, words));
@@ -54,7 +54,7 @@ fn sets<'a>(document: &'a Iso9283Document, words: &Words) -> Table {
 }
 
 fn by_set(
-    id: &str,
+    quantity: &str,
     title: String,
     caption: String,
     drifts: &[Iso9283Drift],
@@ -65,9 +65,10 @@ fn by_set(
         name: words.fill("pose {0}", &[&d.pose]),
         points: values(d).iter().enumerate().map(|(i, v)| (i as f64 + 1.0, 1e3 * v)).collect(),
     };
-    let (across, up) = (words.say("set of cycles"), "µm".to_owned());
+    let (across, up) = (words.say("set of cycles"), words.fill("{0} in {1}", &[&quantity, &"µm"]));
     let curves = drifts.iter().map(curve).collect();
-    Chart { id: id.to_owned(), title, caption, across, up, curves, marks: vec![] }.picture(words)
+    let id = format!("drift-{}", quantity.to_lowercase());
+    Chart { id, title, caption, across, up, curves, marks: vec![] }.picture(words)
 }
 
 fn reference(epochs: &[Iso9283Epoch], words: &Words) -> Table {
@@ -89,7 +90,7 @@ fn moved(epochs: &[Iso9283Epoch], words: &Words) -> Option<Figure> {
         caption: words
             .say("Largest movement of a target since the first time, and the root mean square of what is left."),
         across: words.say("cycle"),
-        up: "µm".to_owned(),
+        up: words.fill("{0} in {1}", &[&words.say("movement"), &"µm"]),
         curves: vec![curve(words.say("moved"), |e| e.moved_mm), curve(words.say("left"), |e| e.rms_mm)],
         marks: vec![],
     }

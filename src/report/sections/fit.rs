@@ -5,7 +5,7 @@ use crate::document::{
 };
 use crate::report::Report;
 use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
-use crate::report::number::{significant, stated};
+use crate::report::number::{derived, significant};
 use crate::report::plots::{points, residuals as plots, singular};
 use crate::report::words::Words;
 
@@ -92,7 +92,7 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         1.0 => String::new(),
         by => format!(", {}", words.fill("{0} times what the instrument alone makes them (median)", &[&three(by)])),
     };
-    let own = match (r.stated_standard_uncertainty_mm.map(stated), r.common_standard_uncertainty_mm.map(stated)) {
+    let own = match (r.stated_standard_uncertainty_mm.map(derived), r.common_standard_uncertainty_mm.map(derived)) {
         (Some(own), Some(common)) => Some(words.fill("{0} mm (k = 1) for one coordinate, of each observation its own, and {1} mm common to all observations of one measured point", &[&own, &common])),
         (own, _) => own.map(|own| words.fill("{0} mm (k = 1) for one coordinate", &[&own])),
     };

@@ -21,7 +21,7 @@ pub(in crate::report) fn still_valid(document: &VerificationDocument, words: &Wo
 /// By which probability, and what these poses would have detected.
 pub(in crate::report) fn verification(document: &VerificationDocument, words: &Words) -> Vec<Section> {
     let mut judged = Section::new("judged", words.say("How changes are judged")).on_terminal();
-    let p = number::p_value(document.p_value);
+    let p = words.number(&number::p_value(document.p_value));
     let limit = words.fill("called changed below {0}", &[&number::stated(document.significance)]);
     let (rms, expected) = (number::fixed(document.rms_mm, 4), number::fixed(document.expected_rms_mm, 4));
     let count = document.of_changes.degrees_of_freedom + document.of_rest.degrees_of_freedom;
@@ -42,7 +42,7 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
         |v: Option<f64>| numbers(v.map_or_else(|| words.say("not by these poses"), |v| number::significant(v, 3)));
     let joint = |l: &LeastDetectable| !l.name.starts_with("base ");
     let columns = Columns::<LeastDetectable>::new()
-        .both("motion", "", |l| l.name.as_str())
+        .both("motion", "", |l| Text::name(&words.say(&l.name)))
         .both("detected from", "", |l| least(l.value))
         .both("named from", "", |l| joint(l).then(|| least(l.named)))
         .both("unit", "", |l| l.unit.as_str());
@@ -76,7 +76,8 @@ pub(in crate::report) fn recommendation(document: &RecommendationDocument, words
     let p = |p: Option<f64>| numbers(p.map(number::probability));
     let values: [&dyn std::fmt::Display; 3] = [&document.poses, &document.folds, &document.repeats];
     let mut effects =
-        Section::new("effects", words.fill("Effects, at {0} poses in {1} parts, {2} times", &values)).on_terminal();
+        Section::new("effects", words.fill("Effects: {1}-fold cross-validation of {0} poses, repeats: {2}", &values))
+            .on_terminal();
     let name = |s: &EffectStep| match s.effect {
         Some(effect) => format!("+ {}", words.say(&format!("{effect:?}").to_lowercase())),
         None => words.say("base and targets"),

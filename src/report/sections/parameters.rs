@@ -3,7 +3,7 @@
 use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument, Role};
 use crate::report::Report;
 use crate::report::model::{
-    Block, Cell, Columns, Figure, Section, Table, Text, fixed, shown, significant, term, with_uncertainty,
+    Block, Cell, Columns, Figure, Section, Table, Text, shown, significant, term, with_uncertainty,
 };
 use crate::report::number;
 use crate::report::plots::{correlation, intervals, sketch};
@@ -72,7 +72,7 @@ fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
         .page("change", "", |p| change(p))
         .page("u (k = 1)", "", |p| significant(p.standard_uncertainty, 2))
         .page("U = 2u", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2))
-        .page("change/u", "", |p| fixed(change_over_u(p), 1))
+        .page("change/u", "", |p| shown(change_over_u(p), number::ratio))
         .page("tolerance", "", |p| significant(p.tolerance, 3))
         .page("status", "", |p| status(p.status, words))
         .page("confounded with", "", |p| confounded(p, words));
@@ -186,7 +186,7 @@ mod tests {
             let table = table(&[p], &Words::default());
             table.rows[0].iter().map(Cell::plain).collect::<Vec<_>>()
         };
-        assert_eq!(row(&p)[3..], ["299.1235", "-0.8765", "0.0015", "0.0030", "-588.3", "identified"]);
+        assert_eq!(row(&p)[3..], ["299.1235", "-0.8765", "0.0015", "0.0030", "-588", "identified"]);
         (p.standard_uncertainty, p.status) = (None, ParameterStatus::NotIdentifiable);
         assert_eq!(row(&p)[3..], ["299.1235", "-0.8765", "held: not separately identifiable"]);
     }

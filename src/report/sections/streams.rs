@@ -163,7 +163,7 @@ fn path_picture(index: usize, path: Option<&Iso9283Path>, words: &Words) -> Opti
         title: words.say("Deviation along the path"),
         caption: words.say("Diamonds: AT and RT, the largest of each, with their intervals. The largest of many values that scatter lies high: RT may be above the interval of what infinitely many passes would give."),
         across: words.say("along the path in mm"),
-        up: "µm".to_owned(),
+        up: words.fill("{0} in {1}", &[&words.say("deviation"), &"µm"]),
         curves: vec![deviation, scatter],
         marks,
     }
@@ -193,7 +193,7 @@ fn drift(index: usize, standstills: &[Iso9283Standstill], words: &Words) -> Opti
         title: words.say("Visits over time"),
         caption: words.say("How far the mean of each standstill lies from that of the first at its pose: drift where it grows, repeatability where it does not."),
         across: words.say("time in s"),
-        up: "µm".to_owned(),
+        up: words.fill("{0} in {1}", &[&words.say("distance"), &"µm"]),
         curves,
         marks: vec![],
     }
@@ -216,7 +216,7 @@ fn arrivals(index: usize, named: &Iso9283NamedStream, words: &Words) -> Option<F
         title: words.say("Arrivals"),
         caption: format!("{shown} {band}").trim_end().to_owned(),
         across: words.say("time since the entry in s"),
-        up: "µm".to_owned(),
+        up: words.fill("{0} in {1}", &[&words.say("distance"), &"µm"]),
         curves: named.stream.arrivals.iter().map(curve).collect(),
         marks: vec![],
     }
