@@ -113,12 +113,22 @@ impl Words {
             let values = values(pattern, sentence)?;
             let and = self.filled(&self.say("{0} and {1}"), &[&"`", &"`"]);
             let said = |v: &&str| {
-                v.split(", ").map(|name| self.say(name)).collect::<Vec<_>>().join(", ").replace("` and `", &and)
+                v.split(", ").map(|name| self.said(name)).collect::<Vec<_>>().join(", ").replace("` and `", &and)
             };
             let values: Vec<String> = values.iter().map(said).collect();
             let values: Vec<&dyn Display> = values.iter().map(|v| v as &dyn Display).collect();
             Some(self.filled(translation, &values))
         })
+    }
+
+    /// A name in a sentence of a document, or the last of several rows of a file and how many more there are.
+    fn said(&self, name: &str) -> String {
+        let rows = |one: &str| name.strip_suffix(one).and_then(|counted| counted.split_once(" and "));
+        match (rows(" more rows"), rows(" more row")) {
+            (Some((last, count)), _) => self.fill("{0} and {1} more rows", &[&last, &count]),
+            (_, Some((last, count))) => self.fill("{0} and {1} more row", &[&last, &count]),
+            _ => self.say(name),
+        }
     }
 
     /// The numbers of a text with the decimal mark of the language; what has letters or several points is not a number.
@@ -316,6 +326,9 @@ mod tests {
 
     #[test]
     fn sentences_of_documents_are_found_by_their_pattern() {
+        let rows = |text: &str, language| Words::of(language).unwrap().said(text);
+        assert_eq!(rows("136 and 2 more rows", Language::De), "136 und 2 weiteren Zeilen");
+        assert_eq!(rows("4 and 1 more row", Language::Fr), "4 et 1 autre ligne");
         assert_eq!(values("{0} of {1}: `{2}`", "1 of 3: `a`"), Some(vec!["1", "3", "a"]));
         assert_eq!(values("{0} of {1}", "1 in 3"), None);
         assert_eq!(values("plain", "plain"), Some(vec![]));

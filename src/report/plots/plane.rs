@@ -102,7 +102,9 @@ impl Plane {
         for (value, label) in self.across.ticks(5) {
             let x = self.across.at(value);
             svg.line("grid", (x, TOP), (x, self.bottom));
-            svg.text("mid", (x, self.bottom + 15.0), &label);
+            // a digit of the reports' font is 0.6 of its 12 px wide: the last label stays inside the picture
+            let half = 3.7 * label.chars().count() as f64;
+            svg.text("mid", (x.min(WIDTH - half), self.bottom + 15.0), &label);
         }
         for (value, label) in self.up.ticks(5) {
             let y = self.up.at(value);
@@ -134,6 +136,18 @@ mod tests {
                 let (x, y) = plane.at(place);
                 assert!((LEFT..=WIDTH - RIGHT).contains(&x) && (TOP..=plane.bottom).contains(&y), "{x} {y}");
             }
+        }
+    }
+
+    #[test]
+    fn the_last_label_stays_inside_the_picture() {
+        for end in (2600..3100).step_by(5).map(f64::from) {
+            let mut svg = Svg::new("p", WIDTH, 400.0, "", "");
+            Plane::around((0, 1), &[[1900.0, 0.0, 0.0], [end, 900.0, 0.0]]).draw(&mut svg, &Words::default());
+            let svg = svg.finish();
+            let Some((before, _)) = svg.split_once(">3000<") else { continue };
+            let x: f64 = before.rsplit("x=\"").next().and_then(|rest| rest.split('"').next()).unwrap().parse().unwrap();
+            assert!(x + 3.6 * 4.0 <= WIDTH, "{end}: {x}");
         }
     }
 
