@@ -139,7 +139,8 @@ fn misspelt(observations: &DataFrame) -> Result<Problems> {
         let few = rows.iter().filter(|(name, rows)| rows.len() <= most && !stated(name));
         for (name, own) in few {
             let many = rows.iter().filter(|(_, rows)| rows.len() >= MEANT_ROWS).map(|(name, _)| *name);
-            if let Some(meant) = many.into_iter().find(|meant| is_spelt_almost_as(name, meant)) {
+            let alike = many.filter_map(|meant| Some((letters_wrong(name, meant)?, meant)));
+            if let Some((_, meant)) = alike.min() {
                 let what = format!(
                     "`{name}` is named in {} only, and `{meant}` in {}",
                     count(own.len(), "row"),
@@ -155,16 +156,16 @@ fn misspelt(observations: &DataFrame) -> Result<Problems> {
     Ok(problems)
 }
 
-/// Whether a name is another one with a letter or two wrong, which are no counter.
-fn is_spelt_almost_as(name: &str, meant: &str) -> bool {
-    let wrong = strsim::damerau_levenshtein(name, meant);
+/// How many letters are wrong in a name that is another one but for these, a few that are no counter.
+fn letters_wrong(name: &str, meant: &str) -> Option<usize> {
+    let wrong = strsim::damerau_levenshtein(&name.to_lowercase(), &meant.to_lowercase());
     let words = |name: &str| -> Vec<String> {
         let words = name.split(|c: char| !c.is_alphabetic());
         words.filter(|word| word.chars().count() > 1).map(str::to_owned).collect()
     };
     // few letters are many names
     let most = if meant.chars().count() < 6 { 1 } else { 2 };
-    (wrong <= most || name.to_lowercase() == meant.to_lowercase()) && words(name) != words(meant)
+    (wrong == 0 || wrong <= most && words(name) != words(meant)).then_some(wrong)
 }
 
 /// A warning where an instrument measured positions, and joints move the base of the chain.

@@ -217,7 +217,7 @@ fn a_misspelt_name_of_one_row_is_refused() {
         let path = scratch.path().join("observations.csv");
         let text = std::fs::read_to_string(&path).unwrap();
         std::fs::write(&path, text.replacen("anchor_C", to, 1)).unwrap();
-        let output = etalon(&scratch.path(), &["run", ".", "--documents"]);
+        let output = etalon(&scratch.path(), &["run", "."]);
         (output.status.code(), text_of(&output))
     };
     for name in ["anchr_C", "anchor_c", "achnor_C", "anchor_C"] {
