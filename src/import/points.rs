@@ -4,8 +4,8 @@ use crate::base::message::Result;
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use crate::base::table::{RowGroups, pose_column_as};
+use indexmap::IndexSet;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
-use std::collections::HashSet;
 use std::fmt::{self, Debug, Formatter};
 use std::ops::Deref;
 use std::sync::Arc;
@@ -96,7 +96,7 @@ impl Debug for Line {
 
 /// Names that many rows bear, each in memory once.
 #[derive(Debug, Default)]
-pub struct Names(HashSet<Arc<str>>);
+pub struct Names(IndexSet<Arc<str>>);
 
 impl Names {
     /// More than these are names that each row has for itself: keeping them would cost more than it saves.
