@@ -24,6 +24,14 @@ impl Noise {
         (2.0 * self.unit() - 1.0) * half_width
     }
 
+    /// Brings the items into a random order (Durstenfeld 1964, CACM 7, 420).
+    pub fn shuffle<T>(&mut self, items: &mut [T]) {
+        for i in (1..items.len()).rev() {
+            let j = ((self.uniform(0.5) + 0.5) * (i + 1) as f64) as usize;
+            items.swap(i, j.min(i));
+        }
+    }
+
     /// Gaussian with mean zero (Box & Muller 1958).
     pub fn gaussian(&mut self, standard_deviation: f64) -> f64 {
         let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();

@@ -3,7 +3,7 @@
 //! The calibration poses are cut into folds, each predicted from the others (Stone 1974); of the effects that are left the one that
 //! predicts them best is added while its gain exceeds its standard uncertainty and the F test of nested models does not reject it. Parameters
 //! are chosen within every fold again, so that the error stated for the choice has not seen the poses that it is of (Hastie, Tibshirani &
-//! Friedman, 7.10.2).
+//! Friedman, 7.10.2). What is not stable is found once, by all poses, and held in every fold.
 
 use super::evaluate::{self, Sets, summarise};
 use super::identification::{Selected, select, wrong_set_up};
@@ -87,11 +87,7 @@ impl<'a> Study<'a> {
         }
         let mut folds = Vec::new();
         for repeat in 0..repeats(poses) {
-            let mut noise = Noise::new(SEED, repeat as u64);
-            for i in (1..poses).rev() {
-                let j = ((noise.uniform(0.5) + 0.5) * (i + 1) as f64) as usize;
-                names.swap(i, j.min(i));
-            }
+            Noise::new(SEED, repeat as u64).shuffle(&mut names);
             folds.extend((0..parts).map(|part| names.iter().copied().skip(part).step_by(parts).collect()));
         }
         let before = identify::fit_frames(robot, observations, &settings)?;

@@ -10,12 +10,8 @@ use std::collections::BTreeSet;
 
 /// Five parts of the poses, and the halves.
 fn parts(observations: &[Observation], trial: u64) -> Vec<BTreeSet<PoseName>> {
-    let mut noise = Noise::new(21, trial);
     let mut names: Vec<PoseName> = observations.iter().map(|o| o.pose).collect::<BTreeSet<_>>().into_iter().collect();
-    for i in (1..names.len()).rev() {
-        let j = ((noise.uniform(0.5) + 0.5) * (i + 1) as f64) as usize;
-        names.swap(i, j.min(i));
-    }
+    Noise::new(21, trial).shuffle(&mut names);
     let mut parts: Vec<BTreeSet<PoseName>> =
         (0..5).map(|k| names.iter().copied().skip(k).step_by(5).collect()).collect();
     parts.extend(halves(observations));

@@ -41,11 +41,7 @@ pub fn halves(observations: &[Observation]) -> Vec<BTreeSet<PoseName>> {
     let mut seen = BTreeSet::new();
     let order: Vec<PoseName> = observations.iter().map(|o| o.pose).filter(|pose| seen.insert(*pose)).collect();
     let (first, second) = order.split_at(order.len() / 2);
-    [first, second]
-        .map(|half| half.iter().copied().collect())
-        .into_iter()
-        .filter(|half| !BTreeSet::is_empty(half))
-        .collect()
+    [first, second].into_iter().filter(|half| !half.is_empty()).map(|half| half.iter().copied().collect()).collect()
 }
 
 /// Stability of the parameters `among` those that were identified, each time without one set of poses of `left_out`; parameters that no
