@@ -4,6 +4,7 @@
 # make compare CAMPAIGNS="FOLDER ..." compare campaigns of one robot, the oldest first
 # make clean-NAME remove the output of campaign NAME; make clean that of all
 # make test    run the tests
+# make unit T=NAME those in src whose path holds NAME, some twenty seconds after an edit
 # make bench   compare with SciPy, NumPy and Pinocchio, side by side in the same run, and write benches/README.md; COUNT= sets how many campaigns
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
@@ -20,16 +21,17 @@ MAKEFLAGS += --no-builtin-rules --warn-undefined-variables
 .DEFAULT_GOAL := all
 
 CARGO_TARGET_DIR ?= target
-# make PROFILE=dev takes the program that the tests have built already
+# make PROFILE=dev builds a program that is not optimised
 PROFILE ?= release
 ETALON := $(CARGO_TARGET_DIR)/$(PROFILE:dev=debug)/etalon
 SOURCES := Cargo.toml Cargo.lock $(shell find src -type f)
+T ?=
 CAMPAIGNS ?= $(patsubst %/campaign.toml,%,$(sort $(wildcard samples/*/campaign.toml campaigns/*/campaign.toml)))
 SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth.toml)))
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test test-slurm test-linuxcnc thesis bench bench-fit bench-import samples help clean FORCE
+.PHONY: all report compare test unit test-slurm test-linuxcnc thesis bench bench-fit bench-import samples help clean FORCE
 
 # how the run of a campaign ended: NAME.status, or NAME.failed where it is to be tried again
 ENDED := $(abspath $(CARGO_TARGET_DIR))/campaigns
@@ -69,12 +71,17 @@ report: $(ETALON)
 compare: $(ETALON)
 	$(ETALON) compare $(CAMPAIGNS)
 
-# what is slow in tests runs in the profile of the program itself, and the other tests start the program of that profile
+# the libraries are built once, as the program has them; etalon's own code is not optimised for the tests of single files
+UNOPTIMISED := $(foreach option,opt-level=0 debug-assertions=true codegen-units=256,--config profile.release.package.etalon.$(option))
+RUN := $(if $(shell command -v cargo-nextest),nextest run,test)
+
 test:
 	[ -n "$${ETALON_REFERENCE:-}" ] || echo "ETALON_REFERENCE is not set: tests on outside data (NIST, PreXYT, IRB 120) are skipped"
-	if command -v cargo-nextest >/dev/null; then run='nextest run'; else run=test; fi; \
-	cargo $$run --locked --release --test laws && \
-	ETALON_PROGRAM='$(abspath $(CARGO_TARGET_DIR))/release/etalon' cargo $$run --locked --lib --bins --test etalon
+	cargo $(RUN) --locked --release --test laws --test etalon
+	CARGO_INCREMENTAL=1 cargo $(RUN) --locked --release $(UNOPTIMISED) --lib
+
+unit:
+	CARGO_INCREMENTAL=1 cargo $(RUN) --locked --release $(UNOPTIMISED) --lib $(T)
 
 bench:
 	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv

@@ -1,6 +1,6 @@
 //! `etalon export`
 
-use super::{Verdict, print_written, remark};
+use super::{Verdict, print_written, progress, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems, Severity};
 use crate::campaign::{Campaign, RobotFile, read_robot};
@@ -94,7 +94,7 @@ impl Exported {
     /// What a campaign recommends to load.
     fn recommended(campaign: &Path) -> Result<Self, Problems> {
         let campaign = Campaign::read(campaign)?;
-        let found = recommend(&campaign)?;
+        let found = recommend(&campaign, &mut progress)?;
         remark(&found.messages);
         let summary = summary(&campaign, Presentation::default());
         Self::new(found.recommended, Some(campaign.robot), Some(summary))

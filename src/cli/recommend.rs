@@ -1,7 +1,7 @@
 //! `etalon recommend`
 
 use super::report::Reports;
-use super::{Verdict, answer, remark};
+use super::{Verdict, answer, progress, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
 use crate::campaign::Campaign;
@@ -37,7 +37,7 @@ impl Recommend {
         }
         self.reports.check(&self.write)?;
         let campaign = Campaign::read(&self.campaign)?;
-        let found = recommend(&campaign)?;
+        let found = recommend(&campaign, &mut progress)?;
         remark(&found.messages);
         if let Some(path) = &self.write {
             files::write(path, &to_json(&found.recommended)?)?;

@@ -24,7 +24,11 @@ impl Study {
         let folder = self.study.parent().unwrap_or(Path::new("."));
         let robot_path = folder.join(&file.robot);
         let robot = read_robot(&robot_path)?.build(&file.targets)?;
-        let designs = file.run(robot.as_ref(), folder, |name| say(format_args!("{name}: {} draws", file.draws)))?;
+        let (mut begun, of) = (0, file.sets.len() * file.noise_um.len());
+        let designs = file.run(robot.as_ref(), folder, |name| {
+            begun += 1;
+            say(format_args!("{begun} of {of}: {name}, {} draws", file.draws));
+        })?;
         let tables = file.tables().map(|table| folder.join(table));
         let inputs: Vec<PathBuf> = [self.study.clone(), robot_path].into_iter().chain(tables).collect();
         let document = StudiesDocument {

@@ -20,10 +20,11 @@ pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, give
     Ok(found)
 }
 
-/// Judges which parameters of a campaign deserve to be loaded. Nothing is written.
-pub fn recommend(campaign: &Campaign) -> Result<RecommendationDocument> {
+/// Judges which parameters of a campaign deserve to be loaded; `report` is called with the choices that were tried and the most that may be.
+/// Nothing is written.
+pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> Result<RecommendationDocument> {
     let Observed { stated, mut robot, joined, messages, inputs, .. } = observed(campaign)?;
-    let mut found = recommendation::recommend(campaign, stated, robot.as_mut(), &joined, &inputs)?;
+    let mut found = recommendation::recommend(campaign, stated, robot.as_mut(), &joined, &inputs, report)?;
     found.messages.splice(0..0, messages);
     Ok(found)
 }

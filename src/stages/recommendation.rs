@@ -34,13 +34,15 @@ const SEED: u64 = 4;
 /// Significance of a parameter's change, corrected for their number, and of an effect.
 const SIGNIFICANCE: f64 = 0.05;
 
-/// Judges what a campaign identifies; `inputs` are the files and their SHA-256.
+/// Judges what a campaign identifies; `inputs` are the files and their SHA-256, and `report` is called with the choices of parameters that
+/// were tried and the most that may be.
 pub fn recommend(
     campaign: &Campaign,
     stated: &Identify,
     robot: &mut dyn Robot,
     joined: &Joined,
     inputs: &BTreeMap<String, String>,
+    report: &mut dyn FnMut(usize, usize),
 ) -> Result<RecommendationDocument> {
     let Selected { sets, settings, messages, .. } = select(campaign, stated, robot, joined)?;
     if !settings.conditions.is_empty() {
@@ -50,7 +52,7 @@ pub fn recommend(
     if let Some(error) = wrong_set_up(robot, &sets.calibration, &settings) {
         return Err(error.into());
     }
-    Study::new(robot, &sets.calibration, settings)?.document(inputs, messages)
+    Study::new(robot, &sets.calibration, settings)?.document(inputs, messages, report)
 }
 
 /// What is tried on which poses.
@@ -144,10 +146,20 @@ impl<'a> Study<'a> {
         &self,
         inputs: &BTreeMap<String, String>,
         mut messages: Vec<Message>,
+        report: &mut dyn FnMut(usize, usize),
     ) -> Result<RecommendationDocument> {
+        let effects = ALL.into_iter().filter(|effect| self.effects.contains(&Some(*effect))).count();
+        // none, all, the recommended, and every sequence of effects
+        let (mut ended, most) = (0, 3 + effects * (effects + 1) / 2);
+        let mut one_more = || {
+            ended += 1;
+            report(ended.min(most - 1), most);
+        };
         let none = self.tried(&self.of_effects(&[]), None)?;
-        let (steps, chosen) = self.steps(&none)?;
+        one_more();
+        let (steps, chosen) = self.steps(&none, &mut one_more)?;
         let all = self.tried(&self.of_effects(&ALL), None)?;
+        one_more();
         let model = self.of_effects(&chosen);
         let full = self.identify(self.observations, &model)?;
         let stability = self.stability(&model, &full)?;
@@ -156,6 +168,7 @@ impl<'a> Study<'a> {
             self.settings(move |i| load.contains(&i))
         };
         let recommended = self.tried(&model, Some(&choose))?;
+        report(most, most);
         let held_out =
             HeldOutErrors { none: none.statistics(), all: all.statistics(), recommended: recommended.statistics() };
         let parameters = self.verdicts(&all.found, &full, &stability)?;
@@ -180,7 +193,7 @@ impl<'a> Study<'a> {
     }
 
     /// Adds effects one by one, the best of those that are left first, while the poses that were left out become better.
-    fn steps(&self, none: &Tried) -> Result<(Vec<EffectStep>, Vec<Effect>)> {
+    fn steps(&self, none: &Tried, one_more: &mut dyn FnMut()) -> Result<(Vec<EffectStep>, Vec<Effect>)> {
         let mut steps = vec![none.step(None, None, true)];
         let mut chosen: Vec<Effect> = Vec::new();
         let mut last: Option<Tried> = None;
@@ -194,6 +207,7 @@ impl<'a> Study<'a> {
                 if let Ok(found) = self.tried(&self.of_effects(&[&chosen[..], &[effect]].concat()), None) {
                     tried.push((effect, found));
                 }
+                one_more();
             }
             tried.sort_by(|a, b| a.1.mean_square().total_cmp(&b.1.mean_square()));
             let accepted = tried.first().is_some_and(|(_, best)| best.improves(before));

@@ -29,7 +29,7 @@ use std::process::{Command, Output};
 #[test]
 fn transcripts() {
     trycmd::TestCases::new()
-        .register_bin("etalon", Path::new(&crate::support::program()))
+        .register_bin("etalon", Path::new(crate::support::program()))
         .case("README.md")
         .case("docs/*.md");
 }

@@ -47,7 +47,7 @@ fn sets_and_instruments_side_by_side() {
     let d = &design("Set 1", 5.0).parameters[5];
     assert!((d.name.as_str(), d.actual) == ("d", 120.473) && (d.mean.median - d.actual).abs() < 0.03, "{d:?}");
     assert!(design("Set 1", 5.0).before[0].rms.median > 1.0);
-    assert!(said.contains("Set 2_2, 1 um: 6 draws"), "{said}");
+    assert!(said.contains(" of 8: Set 2_2, 1 um, 6 draws"), "{said}");
 }
 
 #[test]

@@ -12,9 +12,9 @@ use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
 use etalon::run::pipeline::{self, Outcome, Wanted};
 
-/// The program that the tests start: `make test` names the optimised one in `ETALON_PROGRAM`, without it it is the one built with them.
-pub fn program() -> std::ffi::OsString {
-    std::env::var_os("ETALON_PROGRAM").unwrap_or_else(|| env!("CARGO_BIN_EXE_etalon").into())
+/// The program that the tests start.
+pub fn program() -> &'static str {
+    env!("CARGO_BIN_EXE_etalon")
 }
 
 /// What a campaign gives without its reports, which take most of the time of a run.

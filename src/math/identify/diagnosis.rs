@@ -158,6 +158,10 @@ const NAMED_OUTLIERS: usize = 40;
 pub const OUTLIER: f64 = 6.0;
 /// Fits, each with the scale that the one before it shows.
 const FITS: usize = 12;
+/// A median residual below this share of another one belongs to a better fit.
+const BELOW: f64 = 0.9;
+/// Observations, at least, of the part that the fit from the nominal parameters begins with.
+const PART: usize = 60;
 /// Least scale of residuals in mm: below it nothing is measured.
 const LEAST_MM: f64 = 1e-6;
 
@@ -254,7 +258,8 @@ impl RobustFit {
 }
 
 /// Parameters at which the bulk of the measurements is met best: fits with the Cauchy loss, the scale of which follows
-/// the median residual down, from the identified and from the nominal parameters.
+/// the median residual down, from the identified and from the nominal parameters. Those from the nominal ones use part of
+/// many observations, and all of them only where that leads below.
 fn robust(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -263,8 +268,8 @@ fn robust(
     found: &[f64],
 ) -> Option<Vec<f64>> {
     let unweighted = |o: &Observation| Observation { covariances_mm2: Vec::new(), ..o.clone() };
-    let observations = &observations.iter().map(unweighted).collect::<Vec<_>>();
-    let start = |values: Vec<f64>| {
+    let all = &observations.iter().map(unweighted).collect::<Vec<_>>()[..];
+    let start = |observations: &[Observation], values: Vec<f64>| {
         let mut best = (median_mm(robot, observations, &values)?, values);
         for _ in 0..FITS {
             let scaled = Settings {
@@ -279,7 +284,7 @@ fn robust(
             let options = Options { iterations: 50, step: 1e-6, loss: Loss::Cauchy(CAUCHY), ..Options::default() };
             let values = problem.all(&solve::solve(&problem, &x, options).x);
             let median = median_mm(robot, observations, &values)?;
-            let settled = median > 0.9 * best.0;
+            let settled = median > BELOW * best.0;
             if median < best.0 {
                 best = (median, values);
             }
@@ -293,8 +298,18 @@ fn robust(
     for &i in free.iter().filter(|&&i| robot.parameters()[i].role == Role::Robot) {
         nominal[i] = robot.parameters()[i].nominal;
     }
-    let all = [found.to_vec(), nominal].into_iter().filter_map(start);
-    all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
+    let best = start(all, found.to_vec());
+    let below = |median_mm: f64| best.as_ref().is_none_or(|best| median_mm < BELOW * best.0);
+    let every = all.len() / PART;
+    let other = if every > 1 {
+        let part: Vec<Observation> = all.iter().step_by(every).cloned().collect();
+        start(&part, nominal)
+            .filter(|(_, values)| median_mm(robot, all, values).is_some_and(below))
+            .and_then(|(_, values)| start(all, values))
+    } else {
+        start(all, nominal)
+    };
+    [best, other].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
 }
 
 /// Median size of the differences of coordinates, mm; `None` where one is not a number.

@@ -16,7 +16,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let (title, caption) = (words.say("RP by set"), words.say("Repeatability of each pose in the course of the test."));
     section.figures(by_set("RP", title, caption, &document.drifts, |d| &d.rp_mm, words));
     if !document.reference.is_empty() {
-        let note = words.say("How far targets that stand still have moved since they were first measured, and what is left of it where positions are carried back by them (not of the standard).");
+        let note = words.say("Displacement of the fixed targets since their first measurement, and what remains of it in positions that are corrected by them (not part of the standard).");
         section.table(words.say("Movement of the set-up"), note, reference(&document.reference, words));
         section.figures(moved(&document.reference, words));
     }

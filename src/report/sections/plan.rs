@@ -81,7 +81,12 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
         ),
         (
             words.say("relaxation alone"),
-            relaxed.map(|r| words.fill("at most {0} % below the best", &[&significant(r, 3)])).into(),
+            relaxed
+                .map(|r| match significant(r, 3).as_str() {
+                    "0" => words.say("the best possible choice"),
+                    below => words.fill("at most {0} % below the best possible choice", &[&below]),
+                })
+                .into(),
         ),
         (words.say("nodes of branch and bound"), relaxed.map(|_| plan.nodes.to_string()).into()),
         (
@@ -174,5 +179,6 @@ fn error(place: &StudiedPlace, words: &Words) -> PointError {
         after_deg: None,
         joints: Vec::new(),
         reliability: None,
+        reading: None,
     }
 }

@@ -23,6 +23,7 @@ pub(in crate::report) fn point(pose: i64, at_mm: Vector, before_mm: Vector, afte
         after_deg: None,
         joints: vec![],
         reliability: None,
+        reading: None,
     }
 }
 
@@ -150,6 +151,7 @@ fn errors() -> Vec<PointError> {
                 after_deg: Some(draw()),
                 joints: vec![],
                 reliability: None,
+                reading: None,
             });
         }
     }
