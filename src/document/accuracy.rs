@@ -258,16 +258,4 @@ pub struct PointError {
     /// How well the other readings of the calibration control it; absent of validation poses.
     #[serde(default)]
     pub reliability: Option<ReadingReliability>,
-    /// What was read, where it is not a position with the uncertainty of the campaign; not in the documents.
-    #[serde(skip)]
-    pub reading: Option<ReadingUncertainty>,
-}
-
-/// What one error of a set was read from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ReadingUncertainty {
-    /// Residuals that it has: 1 along a line or towards a plane, 3 of a position.
-    pub rows: usize,
-    /// Standard uncertainty of each of them as it is stated, mm.
-    pub standard_uncertainty_mm: f64,
 }

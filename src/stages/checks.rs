@@ -216,7 +216,6 @@ mod tests {
                 after_deg: None,
                 joints: joints.clone(),
                 reliability: None,
-                reading: None,
             })
         };
         (0..40).flat_map(&mut pose).collect()

@@ -7,7 +7,7 @@ use crate::base::table::{self, TIME, XYZ};
 use crate::campaign::{Campaign, Limits, Selections};
 use crate::document::{
     AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
-    ReadingUncertainty, Statistics,
+    Statistics,
 };
 use crate::math::fit;
 use crate::math::identify::{
@@ -81,7 +81,6 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
                         after_deg: Some(a[2].to_degrees()),
                         joints: logged(robot, &o.joints),
                         reliability: None,
-                        reading: None,
                     });
                 }
                 None => all.extend(target_errors(robot, o, name, before, after)),
@@ -165,10 +164,6 @@ fn condition_error(
         after_deg: None,
         joints: logged(robot, &condition.joints),
         reliability: None,
-        reading: Some(ReadingUncertainty {
-            rows: condition.kind.rows(),
-            standard_uncertainty_mm: condition.standard_uncertainty,
-        }),
     });
 }
 
@@ -184,11 +179,6 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
         Some(fitted.to_T_from.angle_rad().to_degrees())
     };
     let (before_deg, after_deg) = (turned(&b), turned(&a));
-    let stated = |k: usize| {
-        let covariance = (*o.covariances_mm2.get(k)?)?;
-        let mean_square = (covariance[0][0] + covariance[1][1] + covariance[2][2]) / 3.0;
-        Some(ReadingUncertainty { rows: 3, standard_uncertainty_mm: mean_square.sqrt() })
-    };
     let error = |i: usize| PointError {
         set: set.to_owned(),
         pose: o.pose,
@@ -202,7 +192,6 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
         after_deg: after_deg.filter(|_| i == 0),
         joints: logged(robot, &o.joints),
         reliability: None,
-        reading: stated(seen[i].0),
     };
     (0..seen.len()).map(error).collect()
 }
@@ -462,7 +451,6 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
         after_deg: Some(after_deg[i]).filter(|d| d.is_finite()),
         joints: joints.iter().map(|values| values[i]).collect(),
         reliability: reliability(i),
-        reading: None,
     };
     Ok((0..frame.height()).map(error).collect())
 }
@@ -496,7 +484,6 @@ mod tests {
             after_deg: None,
             joints: vec![7.0],
             reliability: None,
-            reading: None,
         };
         let mut errors = [error(1, "b"), error(2, "C"), error(3, "a")];
         assert!(with_times(&mut errors, &frame.unwrap()).unwrap());

@@ -64,7 +64,8 @@ pub fn plausibility(
     messages.extend(common_factor(robot, found));
     messages.extend(negative_compliance(robot, found));
     messages.extend(negative_backlash(robot, found));
-    messages.extend([false, true].into_iter().filter_map(|along| validation_outliers(errors, settings, along)));
+    let along = settings.conditions.iter().any(|c| c.kind.rows() == 1);
+    messages.extend(validation_outliers(errors, if along { FAR_ALONG } else { FAR }));
     if misfit {
         messages.extend(moved_between(robot, observations, &found.values));
     }
@@ -117,18 +118,11 @@ fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Mes
          `orientation` those that fit are named"))
 }
 
-/// A warning about validation readings that lie far from the others, each in its own uncertainty: their errors are in the accuracy.
-fn validation_outliers(errors: &[PointError], settings: &Settings, along: bool) -> Option<Message> {
-    let far_times = if along { FAR_ALONG } else { FAR };
-    let own = |e: &&PointError| e.set == "validation" && along == e.reading.is_some_and(|r| r.rows == 1);
-    let of: Vec<&PointError> = errors.iter().filter(own).collect();
-    let of_campaign_mm = Some(settings.coordinate_uncertainty_mm()).filter(|u_mm| *u_mm > 0.0);
-    let stated_mm = |e: &PointError| e.reading.map(|r| r.standard_uncertainty_mm).or(of_campaign_mm);
-    let all_stated = of.iter().all(|e| stated_mm(e).is_some());
-    let u_mm = |e: &PointError| stated_mm(e).filter(|_| all_stated).unwrap_or(1.0);
-    let ratio = |e: &PointError| norm(e.after_mm) / u_mm(e);
-    let usual = median(of.iter().map(|e| ratio(e)))?;
-    let far: Vec<&&PointError> = of.iter().filter(|e| ratio(e) > far_times * usual).collect();
+/// A warning about validation readings that lie far from the others: their errors are in the accuracy.
+fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message> {
+    let of: Vec<&PointError> = errors.iter().filter(|e| e.set == "validation").collect();
+    let median_mm = median(of.iter().map(|e| norm(e.after_mm)))?;
+    let far: Vec<&&PointError> = of.iter().filter(|e| norm(e.after_mm) > far_times * median_mm).collect();
     if far.is_empty() || 10 * far.len() > of.len() {
         return None;
     }
@@ -136,13 +130,8 @@ fn validation_outliers(errors: &[PointError], settings: &Settings, along: bool) 
         |e: &&&PointError| format!("{:.4} mm ({}, pose {}, cycle {})", norm(e.after_mm), e.target, e.pose, e.cycle);
     let named: Vec<String> = far.iter().take(NAMED).map(text).collect();
     let more = if far.len() > NAMED { ", ..." } else { "" };
-    let one_uncertainty = of.iter().all(|e| u_mm(e) == u_mm(of[0]));
-    let usual = match one_uncertainty {
-        true => format!("their median, {:.4} mm", usual * u_mm(of[0])),
-        false => format!("their median in standard uncertainties, {usual:.2}"),
-    };
     let what = format!(
-        "{} of {} validation errors exceed {far_times:.0} times {usual}: {}{more}",
+        "{} of {} validation errors exceed {far_times:.0} times their median, {median_mm:.4} mm: {}{more}",
         far.len(),
         of.len(),
         named.join(", ")
@@ -325,36 +314,8 @@ fn exchanged<'r>(robot: &'r dyn Robot, values: &[f64]) -> Option<(&'r Parameter,
 mod tests {
     use super::*;
     use crate::base::noise::Noise;
-    use crate::document::ReadingUncertainty;
     use crate::math::identify::identify;
     use crate::math::robots::Prexyt;
-
-    #[test]
-    fn errors_are_compared_in_their_own_uncertainties() {
-        let error = |pose: i64, rows, u_mm: f64, off_mm: f64| PointError {
-            set: "validation".to_owned(),
-            pose: pose.into(),
-            cycle: 1,
-            target: "ball".to_owned(),
-            at_mm: [0.0; 3],
-            before_mm: [0.0; 3],
-            after_mm: [off_mm, 0.0, 0.0],
-            before_deg: None,
-            after_deg: None,
-            joints: Vec::new(),
-            reliability: None,
-            reading: Some(ReadingUncertainty { rows, standard_uncertainty_mm: u_mm }),
-        };
-        // many readings of a dial gauge, few of a coarse line: ten times the uncertainty, ten times the error
-        let mixed = |i: i64| error(i, 1, if i % 4 == 0 { 0.05 } else { 0.005 }, if i % 4 == 0 { 0.05 } else { 0.005 });
-        let mut errors: Vec<PointError> = (1..=40).map(mixed).collect();
-        let settings = Settings::default();
-        assert_eq!(validation_outliers(&errors, &settings, true), None);
-        errors[2].after_mm[0] = 0.04;
-        let said = validation_outliers(&errors, &settings, true).expect("eight times its uncertainty").what;
-        assert!(said.contains("1 of 40") && said.contains("0.0400 mm (ball, pose 3, cycle 1)"), "{said}");
-        assert_eq!(validation_outliers(&errors, &settings, false), None, "none of them is a position");
-    }
 
     /// What is said of a common factor where all measured points are `factor` times what they are, and the robot's parameters are off
     /// nominal by up to `off_mm`.

@@ -179,6 +179,5 @@ fn error(place: &StudiedPlace, words: &Words) -> PointError {
         after_deg: None,
         joints: Vec::new(),
         reliability: None,
-        reading: None,
     }
 }

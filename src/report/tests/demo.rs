@@ -23,7 +23,6 @@ pub(in crate::report) fn point(pose: i64, at_mm: Vector, before_mm: Vector, afte
         after_deg: None,
         joints: vec![],
         reliability: None,
-        reading: None,
     }
 }
 
@@ -151,7 +150,6 @@ fn errors() -> Vec<PointError> {
                 after_deg: Some(draw()),
                 joints: vec![],
                 reliability: None,
-                reading: None,
             });
         }
     }
