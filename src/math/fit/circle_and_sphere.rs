@@ -10,7 +10,7 @@ use super::result::{Covariance, Fit, QUANTITIES, Residuals, largest_component_po
 use super::solver::{Refined, Surface, refine};
 use crate::base::message::Result;
 use crate::base::pose::Vector;
-use crate::math::solve::symmetric_eigen;
+use crate::math::solve::{smallest_eigenvector, symmetric_eigen};
 
 /// Fits a circle in the plane to at least three points that are not on one line; z of its centre is zero.
 ///
@@ -223,8 +223,12 @@ pub(super) fn taubin<const M: usize>(points: &[Vector]) -> (Vector, f64) {
         return (centre, 0.0);
     }
     let moments = centred.gather(Moments::<M> { mean, sums: [[F64x8::default(); M]; M] });
-    let (_, vectors) = symmetric_eigen(moments);
-    let v = vectors[0];
+    let v: [f64; M] = if M == 3 {
+        let v = smallest_eigenvector([0, 1, 2].map(|i| [0, 1, 2].map(|j| moments[i][j])));
+        std::array::from_fn(|i| v[i])
+    } else {
+        symmetric_eigen(moments).1[0]
+    };
     let normal = v[1..].iter().map(|x| x * x).sum::<f64>().sqrt();
     // a straight row of points has curvature zero: begin with a radius of 1e6 sizes
     let least = 1e-6 * normal.max(1e-6);

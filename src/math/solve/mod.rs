@@ -15,7 +15,7 @@ mod svd;
 mod trust_region;
 
 pub use blocks::{Blocks, OWN, Rows};
-pub use eigen::symmetric_eigen;
+pub use eigen::{smallest_eigenvector, symmetric_eigen};
 pub use factor::Factor;
 pub use least_squares::{Solution, solve};
 pub(crate) use least_squares::{column_norms, covariance, factor_at, linearised_at};
