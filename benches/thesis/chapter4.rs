@@ -163,8 +163,8 @@ impl Simulated {
             seed: 1,
             nodes: 0,
         };
-        let conventional = plan(&robot, &plate, &settings(), &request(25, true)).expect("plan");
-        let ours = plan(&robot, &candidates, &settings(), &request(7, false)).expect("plan");
+        let conventional = plan(&robot, &plate, &settings(), &request(25, true), &|_, _| {}).expect("plan");
+        let ours = plan(&robot, &candidates, &settings(), &request(7, false), &|_, _| {}).expect("plan");
         Self { robot, truth, plate, candidates, conventional, ours, draws }
     }
 

@@ -2,7 +2,7 @@
 
 use super::report::Reports;
 use super::table_file::TableFile;
-use super::{Verdict, answer, remark};
+use super::{Verdict, answer, progress, remark};
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose_name::PoseName;
@@ -114,7 +114,7 @@ impl Plan {
             seed: self.seed,
             nodes: self.nodes,
         };
-        let planned = plan(robot.as_ref(), &observations, &settings, &request)
+        let planned = plan(robot.as_ref(), &observations, &settings, &request, &progress)
             .map_err(|more| Problems(beyond.iter().cloned().chain(more.0).collect()))?;
         let study = self.study(robot.as_ref(), &robot_file, &observations, &planned, &settings)?;
         let mut document = self.document(robot.as_ref(), &observations, &planned, study)?;

@@ -5,7 +5,7 @@ use super::plan::read as candidates_of;
 use super::report::Reports;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
-use super::{Verdict, answer, remark};
+use super::{Verdict, answer, progress, remark};
 use crate::base::files;
 use crate::base::message::{Message, Problems};
 use crate::campaign::{RobotFile, read_robot};
@@ -97,7 +97,7 @@ impl Verify {
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
-        let mut found = plan(robot.as_mut(), document, observations, self.positions, stated_mm, inputs)?;
+        let mut found = plan(robot.as_mut(), document, observations, self.positions, stated_mm, inputs, &mut progress)?;
         found.messages.extend(beyond);
         if !self.json {
             remark(&found.messages);

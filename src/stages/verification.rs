@@ -91,6 +91,7 @@ pub fn plan(
     count: usize,
     stated_mm: Option<f64>,
     inputs: BTreeMap<String, String>,
+    progress: &mut dyn FnMut(usize, usize),
 ) -> Result<VerificationPlanDocument> {
     let parameters = given(robot, document)?;
     let noise = Noise::of(document, stated_mm)?;
@@ -133,6 +134,7 @@ pub fn plan(
             true => chosen.push(pose),
             false => chosen[k - count] = pose,
         }
+        progress(k + 1, 2 * count);
     }
     let step = |k: usize| {
         let least = detectable(&chosen[..=k])?.iter().flat_map(|d| least(robot, d)).collect();

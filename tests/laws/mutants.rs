@@ -1,7 +1,7 @@
 //! Mutation by machine: statements and data of every sample are changed at random. No panic, no run without an end, and no result
 //! that is wrong by more than three of its own standard uncertainties with exit code 0 and no warning.
 //!
-//! `ETALON_MUTANTS` states how many of each kind are tried, `ETALON_MUTANTS_SEED` the seed, `ETALON_MUTANTS_ONLY` one mutant by its
+//! `ETALON_MUTANTS_SAMPLES` names other samples. `ETALON_MUTANTS` states how many of each kind are tried, `ETALON_MUTANTS_SEED` the seed, `ETALON_MUTANTS_ONLY` one mutant by its
 //! number: `s17` of the statements, `d17` of the data. A sample whose data are not there is left out. `ETALON_MUTANTS_SECONDS` is for
 //! seeds that nobody has tried: so long instead of so many, and what is wrong in silence is printed and fails nothing.
 
@@ -63,7 +63,7 @@ const UNSEEN: [(&str, &[&str], &str); 3] = [
 type Files = BTreeMap<String, String>;
 
 struct Sample {
-    name: &'static str,
+    name: String,
     files: Files,
     right: Outcome,
 }
@@ -118,14 +118,16 @@ fn files(name: &str) -> Option<Files> {
         return None;
     }
     let mut files = Files::from([("campaign.toml".to_owned(), campaign.replace(outside, ""))]);
-    for part in campaign.split('"').skip(1).step_by(2).filter(|part| part.contains('.')) {
+    let robot = std::fs::read_to_string(folder.join("robot.toml")).unwrap_or_default();
+    let quoted = |text: &str| text.split('"').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
+    for part in quoted(&campaign).iter().chain(&quoted(&robot)).filter(|part| part.contains('.')) {
         let inside = part.strip_prefix(outside);
         let path = match (inside, &reference) {
             (Some(inside), Some(reference)) => Path::new(reference).join(inside),
             _ => folder.join(part),
         };
         if let Ok(text) = std::fs::read_to_string(path) {
-            files.insert(inside.unwrap_or(part).to_owned(), text);
+            files.insert(inside.unwrap_or(part.as_str()).to_owned(), text);
         }
     }
     Some(files)
@@ -178,9 +180,15 @@ impl Sample {
             let files = files(name)?;
             let right = run(&files).unwrap_or_else(|problems| panic!("{name}: {problems}"));
             assert!(right.met, "{name}");
-            Some(Self { name, files, right })
+            Some(Self { name: name.to_owned(), files, right })
         };
-        SAMPLES.into_iter().filter_map(one).collect()
+        let stated = std::env::var("ETALON_MUTANTS_SAMPLES").ok();
+        stated
+            .as_deref()
+            .map_or(SAMPLES.to_vec(), |names| names.split(' ').collect())
+            .into_iter()
+            .filter_map(one)
+            .collect()
     }
 
     /// The worst of what is wrong in a result of the mutation `what` that passes in silence.
@@ -236,7 +244,8 @@ fn of_statements(samples: &[Sample], k: usize) -> Mutant {
 fn of_data(samples: &[Sample], k: usize) -> Mutant {
     let mut noise = Noise::new(number("ETALON_MUTANTS_SEED", SEED as usize) as u64, 2 * k as u64 + 1);
     let sample = &samples[k % samples.len()];
-    let names: Vec<String> = sample.files.keys().filter(|name| !name.ends_with(".toml")).cloned().collect();
+    let names: Vec<String> =
+        sample.files.keys().filter(|name| !name.ends_with(".toml") && !name.ends_with(".urdf")).cloned().collect();
     loop {
         let file = pick(&mut noise, &names).unwrap();
         let mut files = sample.files.clone();

@@ -48,8 +48,15 @@ impl Ord for Node {
     }
 }
 
-/// Looks at up to `nodes` nodes, those with the largest bound first; `None` where no bound is known.
-pub fn branch_and_bound(pool: &Pool, criterion: Criterion, first: Choice, nodes: usize) -> Option<Proven> {
+/// Looks at up to `nodes` nodes, those with the largest bound first, and calls `progress` with their number; `None` where
+/// no bound is known.
+pub fn branch_and_bound(
+    pool: &Pool,
+    criterion: Criterion,
+    first: Choice,
+    nodes: usize,
+    progress: impl Fn(usize),
+) -> Option<Proven> {
     let count = first.chosen.len();
     let root = vec![Fixed::Free; pool.candidates.len()];
     let weights = start_weights(&root, count, None);
@@ -60,6 +67,7 @@ pub fn branch_and_bound(pool: &Pool, criterion: Criterion, first: Choice, nodes:
     let mut open = BinaryHeap::new();
     open.extend(node(relaxed, root, count, best.value, 0));
     while let Some(Node { bound, fixed, weights, .. }) = open.pop() {
+        progress(looked);
         if bound <= best.value * BETTER {
             open.clear();
             break;

@@ -19,6 +19,7 @@ use crate::math::identify::{Observation, Prediction, Sensitivity, Settings, pred
 use crate::math::robots::Robot;
 use bound::{Proven, branch_and_bound};
 use search::{exchange_from_many, greedy};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What to choose, and how hard to try.
 #[derive(Clone, Debug)]
@@ -100,8 +101,15 @@ impl Plan {
     }
 }
 
-/// Chooses among the configurations `observations` (see [`candidates::configurations`]).
-pub fn plan(robot: &dyn Robot, observations: &[Observation], settings: &Settings, request: &Request) -> Result<Plan> {
+/// Chooses among the configurations `observations` (see [`candidates::configurations`]). `progress` is called with the
+/// steps that have ended and with how many there are at most.
+pub fn plan(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    request: &Request,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Plan> {
     let known = sensitivity(robot, observations, settings)?;
     let members = group(observations, request.single);
     if request.positions == 0 || request.positions > members.len() {
@@ -115,12 +123,19 @@ pub fn plan(robot: &dyn Robot, observations: &[Observation], settings: &Settings
     let steps = greedy(&pool, criterion, &begin, longest).chosen;
     let thesis = Choice::of(&pool, criterion, steps[..request.positions].to_vec());
     let free = greedy(&pool, criterion, &[], request.positions);
-    let found = exchange_from_many(&pool, criterion, &[thesis.clone(), free], request.starts, request.seed);
+    let first = [thesis.clone(), free];
+    let starts = first.len() + request.starts as usize;
+    let steps_in_all = starts + request.nodes;
+    let exchanged = AtomicUsize::new(0);
+    let ended = || progress(exchanged.fetch_add(1, Ordering::Relaxed) + 1, steps_in_all);
+    let found = exchange_from_many(&pool, criterion, &first, request.starts, request.seed, ended);
     let take = |chosen: &[usize]| -> Vec<Observation> {
         chosen.iter().flat_map(|&c| members[c].iter().map(|&k| observations[k].clone())).collect()
     };
     predict(robot, &take(&found.chosen), settings, &known.free)?;
-    let proven = branch_and_bound(&pool, criterion, found.clone(), request.nodes);
+    let looked = |nodes: usize| progress((starts + nodes).min(steps_in_all - 1), steps_in_all);
+    let proven = branch_and_bound(&pool, criterion, found.clone(), request.nodes, looked);
+    progress(steps_in_all, steps_in_all);
     let (best, bound) = match proven {
         Some(Proven { best, bound, relaxation, nodes }) => (best, Some((bound, relaxation, nodes))),
         None => (found, None),

@@ -173,8 +173,15 @@ pub fn exchange(pool: &Pool, criterion: Criterion, start: &Choice) -> Choice {
     best
 }
 
-/// The best exchange from `first` and from `starts` random sets of as many candidates.
-pub fn exchange_from_many(pool: &Pool, criterion: Criterion, first: &[Choice], starts: u64, seed: u64) -> Choice {
+/// The best exchange from `first` and from `starts` random sets of as many candidates; `ended` is called after each.
+pub fn exchange_from_many(
+    pool: &Pool,
+    criterion: Criterion,
+    first: &[Choice],
+    starts: u64,
+    seed: u64,
+    ended: impl Fn() + Sync,
+) -> Choice {
     let count = first.first().map_or(0, |c| c.chosen.len());
     let random = |trial: u64| {
         let mut noise = Noise::new(seed, trial);
@@ -186,7 +193,12 @@ pub fn exchange_from_many(pool: &Pool, criterion: Criterion, first: &[Choice], s
         Choice::of(pool, criterion, (0..count.min(pool.candidates.len())).map(|_| draw()).collect())
     };
     let all: Vec<Choice> = first.iter().cloned().chain((0..starts).map(random)).collect();
-    let found: Vec<Choice> = all.par_iter().map(|start| exchange(pool, criterion, start)).collect();
+    let exchanged = |start: &Choice| {
+        let found = exchange(pool, criterion, start);
+        ended();
+        found
+    };
+    let found: Vec<Choice> = all.par_iter().map(exchanged).collect();
     let better = |a: Choice, b: Choice| if b.value > a.value * IMPROVEMENT { b } else { a };
     found.into_iter().reduce(better).unwrap_or(Choice { chosen: Vec::new(), value: 0.0 })
 }

@@ -60,6 +60,11 @@ impl Factor {
         tasks.into_iter().reduce(Self::stack).unwrap_or_else(|| Self::zero(n))
     }
 
+    /// Whether every number of it is one.
+    pub(crate) fn is_finite(&self) -> bool {
+        self.qtb.iter().chain(&self.r).all(|x| x.is_finite())
+    }
+
     /// The factor of no rows.
     fn zero(n: usize) -> Self {
         Self { n, r: vec![0.0; n * n], qtb: vec![0.0; n], rest: 0.0, heads: Vec::new(), common: Vec::new() }
@@ -108,7 +113,8 @@ impl Factor {
             let v = &head[k * m..];
             let top = self.r[k * n + k];
             let below = inner(v, v);
-            if below == 0.0 {
+            // a square that is not a normal number has no inverse
+            if below < f64::MIN_POSITIVE {
                 continue;
             }
             let length = (top * top + below).sqrt();

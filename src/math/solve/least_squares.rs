@@ -268,8 +268,10 @@ impl<'a, P: Problem> Run<'a, P> {
             largest.iter_mut().zip(&self.scale).for_each(|(kept, now)| *kept = f64::max(*kept, *now));
             self.scale.clone_from(largest);
         }
-        self.factor = Some(self.rows().factor(self.target(), &self.scale));
-        Ok(())
+        let factor = self.rows().factor(self.target(), &self.scale);
+        let is_finite = factor.is_finite();
+        self.factor = Some(factor);
+        if is_finite { Ok(()) } else { Err(Termination::NotANumber) }
     }
 
     /// Length of an unscaled step relative to the parameters, both in the scale of the columns.

@@ -93,6 +93,9 @@ fn damped_step(factor: &Factor, radius: f64, last_damping: f64) -> Option<(Vec<f
     if upper == 0.0 {
         upper = f64::MIN_POSITIVE / radius.min(0.1);
     }
+    if !upper.is_finite() {
+        return None;
+    }
     let mut damping = last_damping.clamp(lower.min(upper), upper);
     if damping == 0.0 {
         damping = (0.001 * upper).max((lower * upper).sqrt());
