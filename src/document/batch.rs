@@ -85,18 +85,33 @@ pub struct BatchQuantity {
 pub struct BatchFigures {
     /// Every quantity that a campaign has.
     pub quantities: IndexSet<BatchQuantity>,
-    /// By campaign: quantities by their index, and values.
-    pub values: Vec<Vec<(usize, f64)>>,
+    /// By campaign.
+    pub values: Vec<Vec<BatchValue>>,
+}
+
+/// A result of a campaign.
+#[derive(Clone, Copy, Debug)]
+pub struct BatchValue {
+    /// Index of its quantity.
+    pub quantity: usize,
+    /// In the unit of the quantity.
+    pub value: f64,
+    /// Its standard uncertainty, where it has one.
+    pub standard_uncertainty: Option<f64>,
 }
 
 impl BatchFigures {
-    /// Adds the next campaign: names, units and values.
-    pub fn add<'a>(&mut self, figures: impl Iterator<Item = (&'a str, &'a str, f64)>) {
+    /// Adds the next campaign: names, units, values and their standard uncertainties.
+    pub fn add<'a>(&mut self, figures: impl Iterator<Item = (&'a str, &'a str, f64, Option<f64>)>) {
         let mut place = |name: &str, unit: &str| {
             self.quantities.insert_full(BatchQuantity { name: name.to_owned(), unit: unit.to_owned() }).0
         };
-        let values = figures.map(|(name, unit, value)| (place(name, unit), value)).collect();
-        self.values.push(values);
+        let value = |(name, unit, value, standard_uncertainty)| BatchValue {
+            quantity: place(name, unit),
+            value,
+            standard_uncertainty,
+        };
+        self.values.push(figures.map(value).collect());
     }
 }
 

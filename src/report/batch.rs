@@ -2,11 +2,11 @@
 //! script draws, as ten thousand of them are no page; without a script it shows the worst as a plain table.
 
 use super::html;
-use super::number::significant;
+use super::number::{significant, with_uncertainty};
 use super::words::Words;
 use crate::base::message::one_line;
 use crate::base::statistics::median;
-use crate::document::{BatchDocument, BatchEnd, BatchEntry, BatchFigures, Presentation};
+use crate::document::{BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, Presentation};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -62,7 +62,7 @@ struct Row<'a> {
     report: Option<String>,
     message: String,
     /// a value and its modified z-score by quantity
-    figures: Vec<Option<(f64, f64)>>,
+    figures: Vec<Option<(BatchValue, f64)>>,
 }
 
 /// Writes the page that is going to be in `folder`.
@@ -85,7 +85,7 @@ pub fn write(
     write!(into, "{{\"quantities\":{},\"rows\":[", script_safe(&quantities)?)?;
     for (i, row) in rows.iter().enumerate() {
         let entry = row.entry;
-        let values: Vec<_> = row.figures.iter().map(|f| f.map(|(v, _)| significant(v, 5))).collect();
+        let values: Vec<_> = row.figures.iter().map(|f| f.map(|(v, _)| digits(v))).collect();
         let outliers: Vec<_> = (0..values.len()).filter(|&k| row.is_outlier(k)).collect();
         let data = json!([
             entry.campaign,
@@ -118,6 +118,14 @@ fn ended(end: BatchEnd, words: &Words) -> String {
     }
 }
 
+/// A value to the second digit of its uncertainty; errors, of which none is stated, with four digits.
+fn digits(value: BatchValue) -> String {
+    match value.standard_uncertainty {
+        Some(u) if u > 0.0 => with_uncertainty(value.value, Some(u)),
+        _ => significant(value.value, 4),
+    }
+}
+
 /// A quantity word by word: "validation position max".
 fn named(quantity: &str, words: &Words) -> String {
     quantity.split(' ').map(|word| words.say(word)).collect::<Vec<_>>().join(" ")
@@ -142,9 +150,9 @@ impl Row<'_> {
 
 fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, folder: &Path) -> Vec<Row<'a>> {
     let quantities = figures.quantities.len();
-    let row = |(entry, values): (&'a BatchEntry, &Vec<(usize, f64)>)| {
+    let row = |(entry, values): (&'a BatchEntry, &Vec<BatchValue>)| {
         let mut figures = vec![None; quantities];
-        values.iter().for_each(|&(quantity, value)| figures[quantity] = Some((value, 0.0)));
+        values.iter().for_each(|&value| figures[value.quantity] = Some((value, 0.0)));
         let report = entry.output.as_ref().map(|output| Path::new(output).join("report.html"));
         let message = entry.message.as_deref().map(one_line).unwrap_or_default();
         Row {
@@ -168,12 +176,12 @@ fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, folder: &Path) 
 
 /// Fills in the modified z-scores of a quantity in a group of campaigns.
 fn score(rows: &mut [Row], group: &[usize], quantity: usize) {
-    let values = || group.iter().filter_map(|&i| Some(rows[i].figures[quantity]?.0));
+    let values = || group.iter().filter_map(|&i| Some(rows[i].figures[quantity]?.0.value));
     let Some(middle) = median(values()).filter(|_| values().count() >= FEWEST) else { return };
     let Some(mad) = median(values().map(|v| (v - middle).abs())).filter(|mad| *mad > 0.0) else { return };
     for &i in group {
         if let Some((value, score)) = &mut rows[i].figures[quantity] {
-            *score = MAD_NORMAL * (*value - middle).abs() / mad;
+            *score = MAD_NORMAL * (value.value - middle).abs() / mad;
         }
     }
 }
@@ -185,7 +193,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
     worst.truncate(WORST);
     let robots: BTreeSet<_> = campaigns.iter().filter_map(|c| c.robot.as_ref()).collect();
     let figure = |row: &Row, quantity: usize| Figure {
-        shown: row.figures[quantity].map_or_else(String::new, |(value, _)| words.number(&significant(value, 5))),
+        shown: row.figures[quantity].map_or_else(String::new, |(value, _)| words.number(&digits(value))),
         outlier: row.is_outlier(quantity),
     };
     let plain = |row: &&'a Row| Plain {
@@ -242,7 +250,7 @@ mod tests {
         let campaigns = (0..100).map(|i| {
             let ended = if i == 7 { BatchEnd::Failed } else { BatchEnd::Done };
             let value = if i == 42 { 9.0 } else { f64::from(i % 10) / 100.0 };
-            figures.add([("validation position max", "mm", value)].into_iter().filter(|_| i != 7));
+            figures.add([("validation position max", "mm", value, None)].into_iter().filter(|_| i != 7));
             BatchEntry {
                 campaign: format!("c{i}</script><b>"),
                 robot: Some(format!("R{}", i % 2)),
@@ -290,7 +298,7 @@ mod tests {
         let mut figures = BatchFigures::default();
         let names: Vec<String> = (0..30).map(|k| format!("quantity {k}")).collect();
         let campaigns = (0..10_000u32).map(|i| {
-            figures.add(names.iter().zip(0u32..).map(|(name, k)| (&**name, "mm", f64::from(i * 31 + k).sin())));
+            figures.add(names.iter().zip(0u32..).map(|(name, k)| (&**name, "mm", f64::from(i * 31 + k).sin(), None)));
             BatchEntry { campaign: format!("campaigns/{i}"), ended: BatchEnd::Done, ..BatchEntry::default() }
         });
         let document = BatchDocument::new(campaigns.collect());

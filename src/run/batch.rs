@@ -179,14 +179,14 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
 }
 
 /// What the page shows of the results of a campaign: errors after calibration, the largest AP and RP, and parameters.
-fn shown(rows: &[Row]) -> impl Iterator<Item = (&str, &str, f64)> {
+fn shown(rows: &[Row]) -> impl Iterator<Item = (&str, &str, f64, Option<f64>)> {
     let of = move |kind: &'static str| rows.iter().filter(move |row| row.kind == kind);
     let errors = of("error").filter(|row| !row.item.ends_with("before")).chain(of("parameter"));
     let largest = ["AP", "RP"].into_iter().filter_map(move |kind| {
         let value = of(kind).map(|row| row.value).max_by(f64::total_cmp)?;
-        Some((kind, "mm", value))
+        Some((kind, "mm", value, None))
     });
-    largest.chain(errors.map(|row| (row.item.as_str(), row.unit.as_str(), row.value)))
+    largest.chain(errors.map(|row| (row.item.as_str(), row.unit.as_str(), row.value, row.standard_uncertainty)))
 }
 
 /// One row a result: parameters, errors before and after, limits, AP and RP by pose.
