@@ -18,6 +18,10 @@ pub trait Scalar:
 {
     /// The value without its derivatives.
     fn value(self) -> f64;
+    /// Whether it is zero and has no derivatives: a motion by it is none.
+    fn is_zero(self) -> bool {
+        false
+    }
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
     /// Angle in radians of the vector (`x`, `self`).
@@ -38,6 +42,9 @@ pub trait Scalar:
 impl Scalar for f64 {
     fn value(self) -> f64 {
         self
+    }
+    fn is_zero(self) -> bool {
+        self == 0.0
     }
     fn sin_cos(self) -> (Self, Self) {
         f64::sin_cos(self)
@@ -68,11 +75,13 @@ impl<const N: usize> Dual<N> {
     }
 
     /// `value` with the derivative scaled by `slope`: the chain rule for one argument.
+    #[inline(always)]
     fn chain(self, value: f64, slope: f64) -> Self {
         Self { value, gradient: self.gradient.map(|g| slope * g) }
     }
 
     /// `value` with gradient `a * self' + b * other'`: the chain rule for two arguments.
+    #[inline(always)]
     fn combine(self, other: Self, value: f64, a: f64, b: f64) -> Self {
         let mut gradient = self.gradient;
         for (g, o) in gradient.iter_mut().zip(other.gradient) {

@@ -10,13 +10,13 @@ use crate::document::{
     DistributionEntry, FramePose, FramesDocument, Provenance, UncertaintyDocument, UncertaintySource,
 };
 use crate::import::Point;
-use crate::math::identify::{self, Figure, Identification, Observation, Settings};
+use crate::math::identify::{self, Figure, Identification, Observation, Repeated, Settings};
 use crate::math::robots::{Quantity, Robot};
 use crate::stages::evaluate::summarise;
 use crate::stages::frames;
 use crate::stages::identification::{Identified, identify, select};
 use crate::stages::join::Joined;
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -189,13 +189,19 @@ impl<'a> Trials<'a> {
 
     /// Parameters and figures of each draw, and whether two digits of all standard uncertainties are reached.
     fn monte_carlo(&self, most: usize, report: &mut dyn FnMut(usize, usize)) -> (Vec<Vec<f64>>, bool) {
+        let measured = |of: &[Reading]| of.iter().map(|r| r.observation.clone()).collect::<Vec<_>>();
+        let room = || [measured(&self.calibration), measured(&self.validation)];
+        let again = Repeated::new(self.robot, &measured(&self.calibration), self.settings, self.found);
         let mut all: Vec<Vec<f64>> = Vec::new();
         let mut sequences: Vec<Vec<[f64; 4]>> = Vec::new();
         while all.len() < most {
             let count = SEQUENCE.min(most - all.len());
             let first = all.len() as u64;
-            let drawn: Vec<Vec<f64>> =
-                (0..count as u64).into_par_iter().filter_map(|i| self.trial(first + i)).collect();
+            let drawn: Vec<Vec<f64>> = (0..count as u64)
+                .into_par_iter()
+                .map_init(room, |room, i| self.trial(&again, first + i, room))
+                .flatten()
+                .collect();
             if drawn.is_empty() {
                 break;
             }
@@ -214,23 +220,28 @@ impl<'a> Trials<'a> {
         (all, false)
     }
 
-    /// One campaign measured again: its parameters, then figures of the validation; `None` where the solver fails.
-    fn trial(&self, number: u64) -> Option<Vec<f64>> {
+    /// One campaign measured again, in the `room` for its observations: its parameters, then figures of the validation; `None` where the
+    /// solver fails.
+    fn trial(&self, again: &Repeated, number: u64, room: &mut [Vec<Observation>; 2]) -> Option<Vec<f64>> {
         let mut noise = Noise::new(self.seed, number);
         let moved = self.moved_frames(&mut noise)?;
         let scale = 1.0 + noise.gaussian(self.systematic.scale) + noise.gaussian(self.systematic.expansion);
         let homing: Vec<f64> = self.systematic.homing.iter().map(|u| noise.gaussian(*u)).collect();
         let mut common: BTreeMap<usize, Vector> = BTreeMap::new();
-        let mut again = |readings: &[Reading]| -> Vec<Observation> {
-            let one = |r: &Reading| {
-                let mut o = r.observation.clone();
+        let common_mm = self.settings.common_uncertainty_mm;
+        let coordinates = if self.planar { 2 } else { 3 };
+        let [calibration, validation] = room;
+        for (readings, room) in [(&self.calibration, &mut *calibration), (&self.validation, &mut *validation)] {
+            for (r, o) in readings.iter().zip(room) {
                 let to_frame = moved.get(&Some((o.pose, o.cycle))).or_else(|| moved.get(&None));
                 for (k, target) in o.targets.iter_mut().enumerate() {
-                    let (Some(at), Some(scatter)) = (*target, r.scatter[k]) else { continue };
-                    let off = scatter * nalgebra::Vector3::from([0; 3].map(|_| noise.gaussian(1.0)));
+                    let (Some(at), Some(scatter)) = (r.observation.targets[k], r.scatter[k]) else { continue };
+                    let mut drawn = [0.0; 3];
+                    drawn[..coordinates].fill_with(|| noise.gaussian(1.0));
+                    let off = scatter * Vector3::from(drawn);
                     let mut shared =
-                        || [0; 3].map(|_| noise.gaussian(self.settings.common_uncertainty_mm.unwrap_or(0.0)));
-                    let shared = *common.entry(r.numbers[k]).or_insert_with(&mut shared);
+                        |u_mm: f64| *common.entry(r.numbers[k]).or_insert_with(|| [0; 3].map(|_| noise.gaussian(u_mm)));
+                    let shared = common_mm.map_or([0.0; 3], &mut shared);
                     let mut p: Vector = std::array::from_fn(|i| (at[i] + off[i] + shared[i]) * scale);
                     if self.planar {
                         p[2] = self.height_mm;
@@ -240,13 +251,11 @@ impl<'a> Trials<'a> {
                     }
                     *target = Some(if self.planar { [p[0], p[1], 0.0] } else { p });
                 }
-                o.joints.iter_mut().zip(&homing).for_each(|(q, shift)| *q += shift);
-                o
-            };
-            readings.iter().map(one).collect()
-        };
-        let (calibration, validation) = (again(&self.calibration), again(&self.validation));
-        let values = identify::identify_again(self.robot, &calibration, self.settings, self.found)?;
+                let joints = r.observation.joints.iter().zip(&homing);
+                o.joints.iter_mut().zip(joints).for_each(|(q, (measured, shift))| *q = measured + shift);
+            }
+        }
+        let values = again.identify(calibration)?;
         let mut all: Vec<f64> = self.found.free.iter().map(|&i| values[i]).collect();
         all.extend(self.figures(&values, validation.iter()));
         Some(all)

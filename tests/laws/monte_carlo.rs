@@ -41,6 +41,17 @@ fn linear_propagation_draws_and_bootstrap_agree_where_they_should() {
     assert!((0.7..1.4).contains(&ratios[ratios.len() / 2]), "{ratios:?}");
 }
 
+/// A ball of the plate is measured once and touched many times: each draw moves it for all of its touches.
+#[test]
+fn draws_agree_where_one_reading_is_common_to_many_poses() {
+    let document = found("dextar", "", Draws { most: 4000, resamples: 0, seed: 3 });
+    for p in &document.parameters {
+        let (linear, drawn) = (p.linear.unwrap(), p.standard_deviation);
+        assert!((drawn / linear - 1.0).abs() < 0.05, "{}: {linear} {drawn}", p.name);
+        assert!((p.mean.unwrap() - p.value).abs() < 0.06 * drawn, "{}", p.name);
+    }
+}
+
 #[test]
 fn the_same_numbers_come_out_on_any_number_of_threads() {
     let run = |threads: usize| {

@@ -1,6 +1,7 @@
 //! Covariance from residuals of which those of one cluster have errors in common: a pose, a region of the joints, a reading.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use rayon::prelude::*;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::collections::BTreeMap;
 
@@ -10,6 +11,8 @@ const REST: f64 = 0.01;
 const TOO_FEW: f64 = 2.0;
 /// Clusters from which a test by their scatter keeps its probability (Cameron & Miller 2015, section VI).
 const ENOUGH: usize = 30;
+/// Clusters whose parts are in memory at once.
+const AT_ONCE: usize = 64;
 /// Probability with which independent residuals are taken for such that have errors in common.
 const REJECT: f64 = 0.01;
 
@@ -36,32 +39,28 @@ impl ByCluster {
         let root = Cholesky::new(DMatrix::from_row_slice(n, n, inverse))?.unpack(); // F, with F Fᵀ = A⁻¹
         let mut rows: BTreeMap<C, Vec<usize>> = BTreeMap::new();
         clusters.iter().enumerate().for_each(|(row, cluster)| rows.entry(*cluster).or_default().push(row));
+        let rows: Vec<Vec<usize>> = rows.into_values().collect();
         let mut steps = DMatrix::zeros(n, n); // Fᵀ (Σ hₚ hₚᵀ) F
         let mut grams = vec![DMatrix::zeros(n, n); n];
         let mut own = vec![0.0; n];
         let (mut squares, mut fourths) = (DMatrix::zeros(n, n), 0.0);
-        for rows in rows.values() {
-            let part = DMatrix::from_fn(rows.len(), n, |i, j| jacobian[rows[i] * n + j]) * &root;
-            let r = DVector::from_fn(rows.len(), |i, _| residuals[rows[i]]);
-            let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(part.tr_mul(&part)); // K = Fᵀ JₚᵀJₚ F
-            if eigenvalues.iter().any(|k| 1.0 - k < REST) {
-                return None;
-            }
-            let of = |f: fn(f64) -> f64| {
-                let scaled = DMatrix::from_fn(n, n, |i, j| eigenvectors[(i, j)] * f(eigenvalues[j]));
-                scaled * eigenvectors.transpose()
+        for some in rows.chunks(AT_ONCE) {
+            let part = |rows: &Vec<usize>| {
+                let part = DMatrix::from_fn(rows.len(), n, |i, j| jacobian[rows[i] * n + j]) * &root;
+                Part::new(part, DVector::from_fn(rows.len(), |i, _| residuals[rows[i]]), &root)
             };
-            let step = of(|k| 1.0 / (1.0 - k).sqrt()) * part.tr_mul(&r);
-            steps += &step * step.transpose();
-            let square = of(|k| k * k / (1.0 - k));
-            fourths += eigenvalues.map(|k| k * k).sum() - square.norm_squared();
-            squares += square;
-            let (weights, seen) = (of(|k| k / (1.0 - k).sqrt()) * root.transpose(), of(|k| k) * root.transpose());
-            for i in 0..n {
-                let weight = weights.column(i);
-                grams[i] += weight * weight.transpose();
-                own[i] += root.row(i).transpose().dot(&seen.column(i)).powi(2) - weight.norm_squared().powi(2);
+            let parts: Vec<Part> = some.par_iter().map(part).collect::<Option<_>>()?;
+            for part in &parts {
+                steps.ger(1.0, &part.step, &part.step, 1.0);
+                squares.gemm_tr(1.0, &part.square_root, &part.square_root, 1.0);
+                fourths += part.fourths;
+                own.iter_mut().zip(&part.own).for_each(|(own, more)| *own += more);
             }
+            grams.par_iter_mut().enumerate().for_each(|(i, gram)| {
+                let weights: Vec<_> = parts.iter().map(|part| part.weights.column(i)).collect();
+                let weights = DMatrix::from_columns(&weights);
+                gram.gemm(1.0, &weights, &weights.transpose(), 1.0);
+            });
         }
         let covariance = &root * &steps * root.transpose();
         let degrees = |i: usize| root.row(i).norm_squared().powi(2) / (own[i] + grams[i].norm_squared());
@@ -83,6 +82,55 @@ impl ByCluster {
     pub fn exceeds(&self) -> bool {
         let degrees = 2.0 / self.ratio_variance;
         self.clusters >= ENOUGH && ChiSquared::new(degrees).is_ok_and(|d| d.sf(self.ratio * degrees) < REJECT)
+    }
+}
+
+/// What one cluster adds, in the coordinates in which A is one. With Q = Jₚ F its matrices are functions of K = QᵀQ, and
+/// computed from those of QQᵀ, which has as many rows as the cluster.
+struct Part {
+    /// Fᵀ hₚ.
+    step: DVector<f64>,
+    /// S with SᵀS = K² (1 − K)⁻¹.
+    square_root: DMatrix<f64>,
+    /// What its squares of residuals add to the fourth moments.
+    fourths: f64,
+    /// K (1 − K)^-½ Fᵀ.
+    weights: DMatrix<f64>,
+    /// The same of the variance of each parameter.
+    own: Vec<f64>,
+}
+
+impl Part {
+    /// Of the rows `q` and their residuals `r`; `None` where they determine some direction alone.
+    fn new(mut q: DMatrix<f64>, mut r: DVector<f64>, root: &DMatrix<f64>) -> Option<Self> {
+        if q.nrows() > q.ncols() {
+            // of many rows the factor has the same products
+            let qr = q.qr();
+            qr.q_tr_mul(&mut r);
+            (q, r) = (qr.r(), r.rows(0, root.nrows()).into_owned());
+        }
+        let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(&q * q.transpose());
+        if eigenvalues.iter().any(|k| 1.0 - k < REST) {
+            return None;
+        }
+        let scaled = |by: fn(f64) -> f64, rows: &DMatrix<f64>| {
+            DMatrix::from_fn(rows.nrows(), rows.ncols(), |i, j| by(eigenvalues[i].max(0.0)) * rows[(i, j)])
+        };
+        let along = eigenvectors.tr_mul(&q);
+        let of_parameters = &along * root.transpose();
+        let less = |k: f64| 1.0 / (1.0 - k).sqrt();
+        let residuals = eigenvectors.tr_mul(&r);
+        let weights = along.tr_mul(&scaled(less, &of_parameters));
+        let squares: f64 = eigenvalues.iter().map(|k| k * k - (k * k / (1.0 - k)).powi(2)).sum();
+        let own = (0..root.nrows())
+            .map(|i| of_parameters.column(i).norm_squared().powi(2) - weights.column(i).norm_squared().powi(2));
+        Some(Self {
+            step: along.tr_mul(&DVector::from_fn(residuals.len(), |i, _| less(eigenvalues[i]) * residuals[i])),
+            square_root: scaled(|k| (k / (1.0 - k)).sqrt(), &along),
+            fourths: squares,
+            own: own.collect(),
+            weights,
+        })
     }
 }
 

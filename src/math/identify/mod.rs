@@ -62,8 +62,8 @@ pub use weights::{Covariance, turned, weigh};
 use crate::base::message::{Message, Result};
 use crate::base::pattern::matches_pattern;
 use crate::math::robots::{Robot, Role};
-use crate::math::solve::{Options, Termination, solve, svd};
-use residuals::Residuals;
+use crate::math::solve::{Factor, Options, Termination, factor_at, solve, solve_near, svd};
+use residuals::{Common, Residuals};
 use solution::solve_identifiable;
 
 /// What is identified from which residuals.
@@ -160,6 +160,11 @@ pub struct Identification {
 }
 
 impl Identification {
+    /// Values of the free parameters, in their order.
+    fn free_values(&self) -> Vec<f64> {
+        self.free.iter().map(|&i| self.values[i]).collect()
+    }
+
     /// Standard uncertainty of a parameter, by its index; `None` if it was not identified.
     pub fn standard_uncertainty(&self, index: usize) -> Option<f64> {
         let k = self.free.iter().position(|&i| i == index)?;
@@ -221,10 +226,56 @@ pub fn identify_again(
 ) -> Option<Vec<f64>> {
     let settings = settings.with_shape_weight(found.shape_weight);
     let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok()?;
-    let x: Vec<f64> = found.free.iter().map(|&i| found.values[i]).collect();
-    let solution = solve(&problem, &x, Options::default());
+    solved_from(&problem, &found.free_values())
+}
+
+/// All parameters of the solution of `problem`; `None` where the solver fails or it does not determine them.
+fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
+    let solution = solve(problem, x, Options::default());
     let regular = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == x.len());
     (solution.termination.is_success() && regular).then(|| problem.all(&solution.x))
+}
+
+/// [`identify_again`] from measurements that differ from one by their errors alone, many times.
+pub struct Repeated<'a> {
+    robot: &'a dyn Robot,
+    settings: Settings,
+    found: &'a Identification,
+    /// Readings that are common to several observations there.
+    common: Option<Common>,
+    /// Factor of the Jacobian at the solution, and the scales of its columns.
+    linearised: Option<(Factor, Vec<f64>)>,
+}
+
+/// Step, relative to the parameters, after which the next one would be rounding: each is some 10⁴ times shorter than the one before.
+const NEXT_IS_ROUNDING: f64 = 1e-10;
+
+impl<'a> Repeated<'a> {
+    /// Of what was found from these observations.
+    pub fn new(
+        robot: &'a dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        found: &'a Identification,
+    ) -> Self {
+        let mut settings = settings.with_shape_weight(found.shape_weight);
+        let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok();
+        let linearised = problem.as_ref().map(|problem| factor_at(problem, &found.free_values()));
+        let regular = |f: &Factor| svd(f).rank(RANK_TOLERANCE) == found.free.len();
+        let common = problem.and_then(|problem| problem.common);
+        settings.common_uncertainty_mm = None;
+        Self { robot, settings, found, common, linearised: linearised.filter(|(factor, _)| regular(factor)) }
+    }
+
+    /// All parameters from another measurement of the same targets at the same poses.
+    pub fn identify(&self, observations: &[Observation]) -> Option<Vec<f64>> {
+        let (found, x) = (self.found, self.found.free_values());
+        let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;
+        problem.common.clone_from(&self.common);
+        let (factor, scale) = self.linearised.as_ref()?;
+        let near = solve_near(&problem, &x, (factor, scale), NEXT_IS_ROUNDING);
+        near.map(|x| problem.all(&x)).or_else(|| solved_from(&problem, &x))
+    }
 }
 
 /// Parameters of the nominal robot with only base and targets fitted, wherever they are: what accuracy is before a

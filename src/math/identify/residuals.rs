@@ -37,7 +37,7 @@ pub(super) struct Residuals<'a> {
     observations: &'a [Observation],
     platform: Option<&'a dyn Platform>,
     /// what makes residuals independent that are not
-    common: Option<Common>,
+    pub common: Option<Common>,
     /// uncertainties that readings state of themselves
     weights: Option<Weights>,
     /// what else was observed: its rows come behind those of the observations
@@ -593,8 +593,8 @@ impl Problem for Residuals<'_> {
 ///
 /// k residuals of a coordinate have the covariance u² I + c² 11ᵀ, with u independent and c common. Divided by u, what
 /// whitens them is I + (λ − 1) 11ᵀ/k, λ = u / √(u² + k c²): their mean shrinks, differences from it stay.
-#[derive(Debug)]
-struct Common {
+#[derive(Clone, Debug)]
+pub(super) struct Common {
     /// First row of each residual of one reading, and λ − 1.
     readings: Vec<(Vec<usize>, f64)>,
     dimension: usize,

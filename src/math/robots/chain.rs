@@ -115,15 +115,19 @@ impl Element {
         p: &[T],
         state: State<J>,
     ) -> Pose<T> {
-        let amount = || {
-            self.coefficients(state)
-                .fold(T::from(self.constant), |sum, (parameter, factor)| sum + p[parameter] * factor)
-        };
         match self.motion {
-            Motion::Turn(0) => pose.turn_x(amount()),
-            Motion::Turn(1) => pose.turn_y(amount()),
-            Motion::Turn(_) => pose.turn_z(amount()),
-            Motion::Shift(axis) => pose.shift(axis, amount()),
+            Motion::Turn(axis) | Motion::Shift(axis) => {
+                let amount = self
+                    .coefficients(state)
+                    .fold(T::from(self.constant), |sum, (parameter, factor)| sum + p[parameter] * factor);
+                match (self.motion, axis) {
+                    _ if amount.is_zero() => pose,
+                    (Motion::Shift(_), _) => pose.shift(axis, amount),
+                    (_, 0) => pose.turn_x(amount),
+                    (_, 1) => pose.turn_y(amount),
+                    _ => pose.turn_z(amount),
+                }
+            }
             Motion::Attitude(2) => pose.then(&Pose::from_rotation_vector(self.attitude(p))),
             Motion::Attitude(_) => pose,
             Motion::Fixed(place) => pose.then(&place.constant()),

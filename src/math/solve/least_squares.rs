@@ -70,6 +70,37 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
     }
 }
 
+/// The solution of a problem that differs little from one whose Jacobian at `start` has this factor, with its columns divided by these
+/// scales: undamped steps by the gradient at hand and that factor, until one is shorter than `near`. `None` where they do not shrink
+/// tenfold.
+pub(crate) fn solve_near(
+    problem: &impl Problem,
+    start: &[f64],
+    (factor, scale): (&Factor, &[f64]),
+    near: f64,
+) -> Option<Vec<f64>> {
+    let mut run = Run::new(problem, start, Options::default());
+    run.scale = scale.to_vec();
+    let mut residuals = vec![0.0; run.residuals.len()];
+    let mut last = f64::INFINITY;
+    loop {
+        run.differentiate();
+        let step = factor.solve_normal(run.rows(), run.target(), scale)?;
+        let size = run.relative(&step);
+        if size.is_nan() || size > 0.1 * last {
+            return None;
+        }
+        let trial: Vec<f64> = run.x.iter().zip(&step).map(|(x, s)| x + s).collect();
+        if size <= near {
+            return Some(trial);
+        }
+        run.problem.residuals(&trial, &mut residuals);
+        let cost = run.cost_of(&residuals);
+        run.go_to(trial, &mut residuals, cost);
+        last = size;
+    }
+}
+
 /// Steps in a trust region until one is shorter than 1e-8, or shorter than `near`, undamped, and as good as predicted.
 fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
     let mut trial_residuals = vec![0.0; run.residuals.len()];

@@ -18,7 +18,7 @@ pub use blocks::{Blocks, OWN, Rows};
 pub use eigen::{smallest_eigenvector, symmetric_eigen};
 pub use factor::Factor;
 pub use least_squares::{Solution, solve};
-pub(crate) use least_squares::{column_norms, covariance, factor_at, linearised_at};
+pub(crate) use least_squares::{column_norms, covariance, factor_at, linearised_at, solve_near};
 pub use loss::Loss;
 pub use priors::{Prior, WithPriors};
 pub use svd::{Svd, svd};
