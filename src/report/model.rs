@@ -41,6 +41,7 @@ impl Contents {
     /// The same in one notation a column and with the decimal mark of a language: in cells, headlines and pictures; sentences have theirs.
     pub fn in_language(mut self, words: &Words) -> Self {
         self.sections.iter_mut().flat_map(|s| &mut s.blocks).for_each(Block::one_notation);
+        self.verdict.sentences.iter_mut().for_each(|text| *text = sentence(text));
         if words.number("0.1") == "0.1" {
             return self;
         }
@@ -54,6 +55,14 @@ impl Contents {
         }
         self
     }
+}
+
+/// A text with a capital at its beginning and a full stop at its end.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    let end = if text.ends_with(|c: char| c.is_alphanumeric() || c == ')') { "." } else { "" };
+    first.chain(letters).chain(end.chars()).collect()
 }
 
 /// The first box: is everything met, and how much better is the robot.

@@ -18,6 +18,7 @@ use crate::stages::identification::{Identified, identify, select};
 use crate::stages::join::Joined;
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
+use statrs::distribution::{ContinuousCDF, Normal};
 use std::collections::BTreeMap;
 
 /// How many draws, and from which seed.
@@ -35,6 +36,8 @@ pub struct Draws {
 const SEQUENCE: usize = 2_000;
 /// Resamples of which this share fails show nothing.
 const MOST_FAILED: f64 = 0.05;
+/// Probability with which draws that agree are said to differ.
+const APART_BY_CHANCE: f64 = 0.01;
 /// Standard deviations of a normal distribution to either side of its mean that hold 95 %.
 const NORMAL_95: f64 = 1.959_963_985;
 
@@ -82,15 +85,15 @@ pub fn distributions(
     let inputs = BTreeMap::new();
     let identified = identify(campaign, stated, robot, joined, frames, &inputs)?;
     let settings = select(campaign, stated, robot, joined)?.settings;
-    if !settings.conditions.is_empty() {
-        let message = Message::error("distributions are of campaigns that measure positions of targets alone");
-        return Err(message
-            .hint("`etalon run` states the uncertainties of this campaign by linear propagation")
-            .into());
-    }
     let robot: &dyn Robot = robot;
     let found = &identified.found;
     let trials = Trials { seed: draws.seed, ..Trials::new(campaign, robot, (points, frames), &settings, &identified) };
+    let positions_alone = settings.conditions.is_empty();
+    if !positions_alone && trials.systematic.is_stated() {
+        let what = "errors common to all readings (scale, temperature, homing) are drawn of positions of targets alone";
+        let hint = "`etalon run` states the uncertainties of this campaign by linear propagation";
+        return Err(Message::error(what).hint(hint).into());
+    }
     let (monte_carlo, digits) = trials.monte_carlo(draws.most, report);
     let bootstrap = trials.bootstrap(draws.resamples);
     let n = found.free.len();
@@ -100,6 +103,9 @@ pub fn distributions(
         let stated = parts.iter().filter(|(s, _)| ![Model, Repeatability, Residuals].contains(s)).map(|(_, v)| v);
         (!parts.is_empty()).then(|| stated.sum::<f64>().sqrt())
     };
+    // so far do ends of intervals go apart by the number of draws alone, of all parameters in one of a hundred campaigns
+    let normal = Normal::standard();
+    let by_chance = normal.inverse_cdf(1.0 - APART_BY_CHANCE / (4.0 * n as f64));
     let entry = |k: usize| {
         let p = &robot.parameters()[found.free[k]];
         let out = |v: f64| p.quantity.outward(v);
@@ -109,7 +115,7 @@ pub fn distributions(
         let of_end = OF_END * drawn.sd / (monte_carlo.len() as f64).sqrt();
         let agrees = |u: f64| {
             let ends = [value - NORMAL_95 * u, value + NORMAL_95 * u];
-            (0..2).all(|i| (ends[i] - drawn.interval[i]).abs() <= tolerance + 2.0 * of_end)
+            (0..2).all(|i| (ends[i] - drawn.interval[i]).abs() <= tolerance + by_chance * of_end)
         };
         DistributionEntry {
             name: p.name.clone(),
@@ -149,7 +155,7 @@ pub fn distributions(
         resamples: bootstrap.as_ref().map_or(0, Vec::len),
         uncertainties_from: found.uncertainty_from,
         parameters: (0..n).map(entry).collect(),
-        errors: if trials.validation.is_empty() { Vec::new() } else { figures.collect() },
+        errors: if trials.validation.is_empty() || !positions_alone { Vec::new() } else { figures.collect() },
         messages: found.warnings.clone(),
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: Some(draws.seed) },
     })
@@ -255,7 +261,8 @@ impl<'a> Trials<'a> {
                 o.joints.iter_mut().zip(joints).for_each(|(q, (measured, shift))| *q = measured + shift);
             }
         }
-        let values = again.identify(calibration)?;
+        let drawn = (0..again.stated()).map(|_| noise.gaussian(1.0)).collect();
+        let values = again.identify(calibration, drawn)?;
         let mut all: Vec<f64> = self.found.free.iter().map(|&i| values[i]).collect();
         all.extend(self.figures(&values, validation.iter()));
         Some(all)
@@ -307,9 +314,10 @@ impl<'a> Trials<'a> {
     }
 
     /// Parameters identified from poses, and of each pose from cycles, that are drawn from the measured ones with replacement (Efron &
-    /// Tibshirani 1993); `None` where readings are common to several, or too many draws do not determine the parameters.
+    /// Tibshirani 1993); `None` where readings are common to several or of other kinds, or too many draws do not determine the parameters.
     fn bootstrap(&self, resamples: usize) -> Option<Vec<Vec<f64>>> {
-        if self.settings.common_uncertainty_mm.is_some() || resamples == 0 {
+        let other_kinds = !self.settings.conditions.is_empty();
+        if self.settings.common_uncertainty_mm.is_some() || other_kinds || resamples == 0 {
             return None;
         }
         let mut poses: BTreeMap<PoseName, BTreeMap<i64, Vec<&Observation>>> = BTreeMap::new();

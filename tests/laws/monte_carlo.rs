@@ -61,10 +61,22 @@ fn the_same_numbers_come_out_on_any_number_of_threads() {
     assert_eq!(run(1), run(3));
 }
 
+/// Of contacts, distances, surfaces, poses and second encoders too: what is stated of them is drawn.
 #[test]
-fn contacts_are_not_drawn_from_nothing() {
-    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/contacts");
-    let campaign = Campaign::read(&sample).unwrap();
-    let refused = uncertainty(&campaign, Draws { most: 100, resamples: 0, seed: 1 }, &mut |_, _| ()).unwrap_err();
-    assert!(refused.to_string().contains("positions of targets alone"), "{refused}");
+fn draws_of_every_kind_agree() {
+    for sample in ["contacts", "draw-wire", "surfaces", "probe-poses", "second-encoders"] {
+        let document = found(sample, "", Draws { most: 2000, resamples: 10, seed: 4 });
+        assert_eq!(document.resamples, 0, "{sample}: conditions are not resampled");
+        let ratios = document.parameters.iter().filter_map(|p| Some((&p.name, p.standard_deviation / p.linear?)));
+        let worst = ratios.max_by(|a, b| (a.1 - 1.0).abs().total_cmp(&(b.1 - 1.0).abs())).unwrap();
+        println!("{sample}: {worst:?}");
+        assert!((worst.1 - 1.0).abs() < 0.08, "{sample}: {worst:?}");
+    }
+    let scratch = copy_sample("contacts");
+    let path = scratch.path().join("campaign.toml");
+    let homing = "\n[homing]\nexpanded_uncertainty_deg = 0.002\ncoverage_factor = 2\n";
+    std::fs::write(&path, std::fs::read_to_string(&path).unwrap() + homing).unwrap();
+    let draws = Draws { most: 100, resamples: 0, seed: 1 };
+    let refused = uncertainty(&Campaign::read(&path).unwrap(), draws, &mut |_, _| ()).unwrap_err();
+    assert!(refused.to_string().contains("homing"), "{refused}");
 }

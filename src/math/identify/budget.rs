@@ -62,6 +62,13 @@ pub struct Systematic {
     pub homing: Vec<f64>,
 }
 
+impl Systematic {
+    /// Whether an error that is common to all readings is stated, beside those of frames.
+    pub fn is_stated(&self) -> bool {
+        self.scale > 0.0 || self.expansion > 0.0 || self.homing.iter().any(|u| *u > 0.0)
+    }
+}
+
 /// What an identification's uncertainty is made of.
 #[derive(Clone, Debug, Default)]
 pub struct Budget {

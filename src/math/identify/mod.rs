@@ -243,6 +243,8 @@ pub struct Repeated<'a> {
     found: &'a Identification,
     /// Readings that are common to several observations there.
     common: Option<Common>,
+    /// Rows of what is not a coordinate of a target.
+    stated: usize,
     /// Factor of the Jacobian at the solution, and the scales of its columns.
     linearised: Option<(Factor, Vec<f64>)>,
 }
@@ -262,16 +264,24 @@ impl<'a> Repeated<'a> {
         let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok();
         let linearised = problem.as_ref().map(|problem| factor_at(problem, &found.free_values()));
         let regular = |f: &Factor| svd(f).rank(RANK_TOLERANCE) == found.free.len();
+        let stated = problem.as_ref().map_or(0, |problem| problem.stated_rows().count());
         let common = problem.and_then(|problem| problem.common);
         settings.common_uncertainty_mm = None;
-        Self { robot, settings, found, common, linearised: linearised.filter(|(factor, _)| regular(factor)) }
+        Self { robot, settings, found, common, stated, linearised: linearised.filter(|(factor, _)| regular(factor)) }
     }
 
-    /// All parameters from another measurement of the same targets at the same poses.
-    pub fn identify(&self, observations: &[Observation]) -> Option<Vec<f64>> {
+    /// How many errors of conditions and known points are drawn.
+    pub fn stated(&self) -> usize {
+        self.stated
+    }
+
+    /// All parameters from another measurement of the same targets at the same poses. `drawn` are the errors of what the conditions and
+    /// known points state, in their standard uncertainties.
+    pub fn identify(&self, observations: &[Observation], drawn: Vec<f64>) -> Option<Vec<f64>> {
         let (found, x) = (self.found, self.found.free_values());
         let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;
         problem.common.clone_from(&self.common);
+        problem.drawn = drawn;
         let (factor, scale) = self.linearised.as_ref()?;
         let near = solve_near(&problem, &x, (factor, scale), NEXT_IS_ROUNDING);
         near.map(|x| problem.all(&x)).or_else(|| solved_from(&problem, &x))

@@ -54,6 +54,8 @@ pub(super) struct Residuals<'a> {
     rows: Vec<usize>,
     /// unknowns that only few residuals show
     pub layout: Option<Layout>,
+    /// errors of what the conditions and known points state, in their standard uncertainties, row by row; empty where none are drawn
+    pub drawn: Vec<f64>,
 }
 
 impl<'a> Residuals<'a> {
@@ -98,7 +100,14 @@ impl<'a> Residuals<'a> {
             stated_noise: settings.standard_uncertainty_mm.map(|u| u / unit),
             values: values.to_vec(),
             rows: rows.collect(),
+            drawn: Vec::new(),
         })
+    }
+
+    /// Rows of conditions, and of known points.
+    pub fn stated_rows(&self) -> impl Iterator<Item = usize> {
+        (self.coordinate_count()..self.measured_count())
+            .chain(self.known().flat_map(|(row, known)| row..row + known.rows()))
     }
 
     /// Residuals of measured coordinates: those of conditions come behind them.
@@ -564,6 +573,9 @@ impl Problem for Residuals<'_> {
         }
         for (row, known) in self.known() {
             known.residuals(&all, &mut r[row..][..known.rows()]);
+        }
+        if !self.drawn.is_empty() {
+            self.stated_rows().zip(&self.drawn).for_each(|(row, error)| r[row] -= error);
         }
     }
 
