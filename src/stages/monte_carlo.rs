@@ -235,16 +235,14 @@ impl<'a> Trials<'a> {
         let homing: Vec<f64> = self.systematic.homing.iter().map(|u| noise.gaussian(*u)).collect();
         let mut common: BTreeMap<usize, Vector> = BTreeMap::new();
         let common_mm = self.settings.common_uncertainty_mm;
-        let coordinates = if self.planar { 2 } else { 3 };
         let [calibration, validation] = room;
         for (readings, room) in [(&self.calibration, &mut *calibration), (&self.validation, &mut *validation)] {
             for (r, o) in readings.iter().zip(room) {
                 let to_frame = moved.get(&Some((o.pose, o.cycle))).or_else(|| moved.get(&None));
                 for (k, target) in o.targets.iter_mut().enumerate() {
                     let (Some(at), Some(scatter)) = (r.observation.targets[k], r.scatter[k]) else { continue };
-                    let mut drawn = [0.0; 3];
-                    drawn[..coordinates].fill_with(|| noise.gaussian(1.0));
-                    let off = scatter * Vector3::from(drawn);
+                    let [x, y] = noise.gaussian_pair();
+                    let off = scatter * Vector3::new(x, y, if self.planar { 0.0 } else { noise.gaussian(1.0) });
                     let mut shared =
                         |u_mm: f64| *common.entry(r.numbers[k]).or_insert_with(|| [0; 3].map(|_| noise.gaussian(u_mm)));
                     let shared = common_mm.map_or([0.0; 3], &mut shared);

@@ -249,8 +249,9 @@ pub struct Repeated<'a> {
     linearised: Option<(Factor, Vec<f64>)>,
 }
 
-/// Step, relative to the parameters, after which the next one would be rounding: each is some 10⁴ times shorter than the one before.
-const NEXT_IS_ROUNDING: f64 = 1e-10;
+/// A step this much shorter than the first is the last one: the next, a tenth of it at most, would be less than a ten-thousandth of what
+/// was drawn.
+const LAST_STEP: f64 = 1e-3;
 
 impl<'a> Repeated<'a> {
     /// Of what was found from these observations.
@@ -283,7 +284,7 @@ impl<'a> Repeated<'a> {
         problem.common.clone_from(&self.common);
         problem.drawn = drawn;
         let (factor, scale) = self.linearised.as_ref()?;
-        let near = solve_near(&problem, &x, (factor, scale), NEXT_IS_ROUNDING);
+        let near = solve_near(&problem, &x, (factor, scale), LAST_STEP);
         near.map(|x| problem.all(&x)).or_else(|| solved_from(&problem, &x))
     }
 }

@@ -71,8 +71,8 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
 }
 
 /// The solution of a problem that differs little from one whose Jacobian at `start` has this factor, with its columns divided by these
-/// scales: undamped steps by the gradient at hand and that factor, until one is shorter than `near`. `None` where they do not shrink
-/// tenfold.
+/// scales: undamped steps by the gradient at hand and that factor, until one is less than `near` of the first. `None` where they do not
+/// shrink tenfold.
 pub(crate) fn solve_near(
     problem: &impl Problem,
     start: &[f64],
@@ -82,7 +82,7 @@ pub(crate) fn solve_near(
     let mut run = Run::new(problem, start, Options::default());
     run.scale = scale.to_vec();
     let mut residuals = vec![0.0; run.residuals.len()];
-    let mut last = f64::INFINITY;
+    let (mut first, mut last) = (None, f64::INFINITY);
     loop {
         run.differentiate();
         let step = factor.solve_normal(run.rows(), run.target(), scale)?;
@@ -91,7 +91,7 @@ pub(crate) fn solve_near(
             return None;
         }
         let trial: Vec<f64> = run.x.iter().zip(&step).map(|(x, s)| x + s).collect();
-        if size <= near {
+        if size <= near * *first.get_or_insert(size) {
             return Some(trial);
         }
         run.problem.residuals(&trial, &mut residuals);
