@@ -73,18 +73,20 @@ compare: $(ETALON)
 
 # the libraries are built once, as the program has them; etalon's own code is not optimised for the tests of single files
 UNOPTIMISED := $(foreach option,opt-level=0 debug-assertions=true codegen-units=256,--config profile.release.package.etalon.$(option))
-RUN := $(if $(shell command -v cargo-nextest),nextest run,test)
+RUN := cargo $(if $(shell command -v cargo-nextest),nextest run,test) --locked --release
+WHOLE := $(RUN) --test laws --test etalon
+SINGLE := env CARGO_INCREMENTAL=1 $(RUN) $(UNOPTIMISED) --lib
 
 test:
 	[ -n "$${ETALON_REFERENCE:-}" ] || echo "ETALON_REFERENCE is not set: tests on outside data (NIST, PreXYT, IRB 120) are skipped"
-	cargo $(RUN) --locked --release --test laws --test etalon --no-run
-	@# those of single files are compiled while the others wait for disks and processes
-	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(MAKE) --no-print-directory unit) >$$log 2>&1 & single=$$!; \
-	cargo $(RUN) --locked --release --test laws --test etalon || { kill $$single; exit 1; }; \
+	$(WHOLE) --no-run
+	@# those of single files are compiled while the others run, which hold the folder of the build no longer after a second
+	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(SINGLE)) >$$log 2>&1 & single=$$!; \
+	$(WHOLE) || { kill $$single; exit 1; }; \
 	wait $$single && code=0 || code=$$?; cat $$log; exit $$code
 
 unit:
-	CARGO_INCREMENTAL=1 cargo $(RUN) --locked --release $(UNOPTIMISED) --lib $(T)
+	$(SINGLE) $(T)
 
 bench:
 	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv

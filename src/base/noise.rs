@@ -32,17 +32,22 @@ impl Noise {
         }
     }
 
-    /// Two independent ones of unit standard deviation, in two thirds of the time.
-    pub fn gaussian_pair(&mut self) -> [f64; 2] {
-        let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
-        let (sin, cos) = (std::f64::consts::TAU * self.unit()).sin_cos();
-        [radius * cos, radius * sin]
+    /// Radius, and angle in radians, of a pair of independent Gaussians of unit standard deviation (Box & Muller 1958).
+    fn polar(&mut self) -> (f64, f64) {
+        ((-2.0 * (1.0 - self.unit()).ln()).sqrt(), std::f64::consts::TAU * self.unit())
     }
 
-    /// Gaussian with mean zero (Box & Muller 1958).
+    /// Gaussian with mean zero.
     pub fn gaussian(&mut self, standard_deviation: f64) -> f64 {
-        let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
-        standard_deviation * radius * (std::f64::consts::TAU * self.unit()).cos()
+        let (radius, angle_rad) = self.polar();
+        standard_deviation * radius * angle_rad.cos()
+    }
+
+    /// Two independent ones of unit standard deviation, in two thirds of the time of two calls.
+    pub fn gaussian_pair(&mut self) -> [f64; 2] {
+        let (radius, angle_rad) = self.polar();
+        let (sin, cos) = angle_rad.sin_cos();
+        [radius * cos, radius * sin]
     }
 }
 

@@ -259,7 +259,7 @@ impl<'a> Trials<'a> {
                 o.joints.iter_mut().zip(joints).for_each(|(q, (measured, shift))| *q = measured + shift);
             }
         }
-        let drawn = (0..again.stated()).map(|_| noise.gaussian(1.0)).collect();
+        let drawn = again.stated().iter().map(|u| noise.gaussian(*u)).collect();
         let values = again.identify(calibration, drawn)?;
         let mut all: Vec<f64> = self.found.free.iter().map(|&i| values[i]).collect();
         all.extend(self.figures(&values, validation.iter()));

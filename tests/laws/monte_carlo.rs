@@ -61,6 +61,17 @@ fn the_same_numbers_come_out_on_any_number_of_threads() {
     assert_eq!(run(1), run(3));
 }
 
+/// What a certificate states of a part is one more reading: it is drawn too.
+#[test]
+fn draws_of_a_stated_shape_agree() {
+    let shape = "\n[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = 1.0\nexpanded_uncertainty_um = 0.2\ncoverage_factor = 2\n\
+        places_mm = { K = [0.0, 0.0, 0.0], L = [146.0217, 0.0, 0.0] }\n";
+    let document = found("prexyt-cmm", shape, Draws { most: 4000, resamples: 0, seed: 6 });
+    let length = document.parameters.iter().find(|p| p.name == "l_kl").unwrap();
+    let (linear, drawn) = (length.linear.unwrap(), length.standard_deviation);
+    assert!((drawn / linear - 1.0).abs() < 0.05, "{linear} {drawn}");
+}
+
 /// Of contacts, distances, surfaces, poses and second encoders too: what is stated of them is drawn.
 #[test]
 fn draws_of_every_kind_agree() {

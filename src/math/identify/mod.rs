@@ -243,8 +243,8 @@ pub struct Repeated<'a> {
     found: &'a Identification,
     /// Readings that are common to several observations there.
     common: Option<Common>,
-    /// Rows of what is not a coordinate of a target.
-    stated: usize,
+    /// Standard deviations of the rows of what is not a coordinate of a target.
+    stated: Vec<f64>,
     /// Factor of the Jacobian at the solution, and the scales of its columns.
     linearised: Option<(Factor, Vec<f64>)>,
 }
@@ -265,19 +265,18 @@ impl<'a> Repeated<'a> {
         let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok();
         let linearised = problem.as_ref().map(|problem| factor_at(problem, &found.free_values()));
         let regular = |f: &Factor| svd(f).rank(RANK_TOLERANCE) == found.free.len();
-        let stated = problem.as_ref().map_or(0, |problem| problem.stated_rows().count());
+        let stated = problem.as_ref().map_or_else(Vec::new, Residuals::stated);
         let common = problem.and_then(|problem| problem.common);
         settings.common_uncertainty_mm = None;
         Self { robot, settings, found, common, stated, linearised: linearised.filter(|(factor, _)| regular(factor)) }
     }
 
-    /// How many errors of conditions and known points are drawn.
-    pub fn stated(&self) -> usize {
-        self.stated
+    /// Standard deviations of what is stated beside coordinates of targets: by conditions, shapes and known points.
+    pub fn stated(&self) -> &[f64] {
+        &self.stated
     }
 
-    /// All parameters from another measurement of the same targets at the same poses. `drawn` are the errors of what the conditions and
-    /// known points state, in their standard uncertainties.
+    /// All parameters from another measurement of the same targets at the same poses. `drawn` are the errors of what is stated beside.
     pub fn identify(&self, observations: &[Observation], drawn: Vec<f64>) -> Option<Vec<f64>> {
         let (found, x) = (self.found, self.found.free_values());
         let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;

@@ -54,7 +54,7 @@ pub(super) struct Residuals<'a> {
     rows: Vec<usize>,
     /// unknowns that only few residuals show
     pub layout: Option<Layout>,
-    /// errors of what the conditions and known points state, in their standard uncertainties, row by row; empty where none are drawn
+    /// errors of what the rows behind the coordinates state, as these are scaled; empty where none are drawn
     pub drawn: Vec<f64>,
 }
 
@@ -104,10 +104,12 @@ impl<'a> Residuals<'a> {
         })
     }
 
-    /// Rows of conditions, and of known points.
-    pub fn stated_rows(&self) -> impl Iterator<Item = usize> {
-        (self.coordinate_count()..self.measured_count())
-            .chain(self.known().flat_map(|(row, known)| row..row + known.rows()))
+    /// Standard deviations of the rows behind the coordinates: of conditions, stated shapes and known points.
+    pub fn stated(&self) -> Vec<f64> {
+        let first = self.coordinate_count();
+        let mut stated = vec![1.0; self.residual_count() - first];
+        self.shapes().for_each(|(row, shape)| stated[row - first..][..shape.rows()].fill(shape.variance().sqrt()));
+        stated
     }
 
     /// Residuals of measured coordinates: those of conditions come behind them.
@@ -574,9 +576,7 @@ impl Problem for Residuals<'_> {
         for (row, known) in self.known() {
             known.residuals(&all, &mut r[row..][..known.rows()]);
         }
-        if !self.drawn.is_empty() {
-            self.stated_rows().zip(&self.drawn).for_each(|(row, error)| r[row] -= error);
-        }
+        r[self.coordinate_count()..].iter_mut().zip(&self.drawn).for_each(|(row, error)| *row -= error);
     }
 
     fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {

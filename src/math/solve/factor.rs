@@ -62,7 +62,8 @@ impl Factor {
 
     /// Whether every number of it is one.
     pub(crate) fn is_finite(&self) -> bool {
-        self.qtb.iter().chain(&self.r).all(|x| x.is_finite())
+        let heads = self.heads.iter().flat_map(|head| head.rows.iter().flatten().chain(&head.qtb));
+        self.qtb.iter().chain(&self.r).chain(heads).all(|x| x.is_finite())
     }
 
     /// The factor of no rows.
