@@ -6,7 +6,7 @@
 use etalon::base::noise::Noise;
 use etalon::campaign::read_robot;
 use etalon::math::identify::{Observation, Settings, identify};
-use etalon::math::robots::{Parameter, Quantity, Robot, Role};
+use etalon::math::robots::{Parameter, Quantity, Robot, Role, State};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -87,13 +87,15 @@ fn kinematics() {
     let mut timed = |with_parameters: bool| {
         let begun = Instant::now();
         (positions, jacobians) = (0.0, 0.0);
+        let parametrised = robot.parametrised(&parameters);
         for q in &joints {
-            robot.positions(&parameters, q, &mut at);
+            let state = State { joints: q, loads: &[] };
             if with_parameters {
-                robot.jacobian(&parameters, q, &mut by_parameter);
+                parametrised.positions(state, &mut at);
+                parametrised.jacobian(state, &mut by_parameter);
                 std::hint::black_box(&by_parameter);
             } else {
-                robot.joint_jacobian(&parameters, q, &mut by_joint);
+                parametrised.joint_jacobian(state, &mut at, &mut by_joint);
             }
             positions += at.iter().sum::<f64>();
             jacobians += by_joint.iter().sum::<f64>();

@@ -56,45 +56,71 @@ impl<T: Scalar> Pose<T> {
 
     /// This pose, then a rotation about its own x axis.
     pub fn turn_x(self, angle_rad: T) -> Self {
-        self.turn(1, 2, angle_rad)
+        self.turn(0, angle_rad)
     }
 
     /// This pose, then a rotation about its own y axis.
     pub fn turn_y(self, angle_rad: T) -> Self {
-        self.turn(2, 0, angle_rad)
+        self.turn(1, angle_rad)
     }
 
     /// This pose, then a rotation about its own z axis.
     pub fn turn_z(self, angle_rad: T) -> Self {
-        self.turn(0, 1, angle_rad)
+        self.turn(2, angle_rad)
     }
 
-    fn turn(mut self, i: usize, j: usize, angle_rad: T) -> Self {
+    /// This pose, then a rotation about its own axis 0, 1 or 2.
+    pub fn turn(mut self, axis: usize, angle_rad: T) -> Self {
         let (sin, cos) = angle_rad.sin_cos();
-        for row in &mut self.rotation {
-            let (a, b) = (row[i], row[j]);
-            row[i] = a * cos + b * sin;
-            row[j] = b * cos - a * sin;
-        }
+        self.turn_by(axis, sin, cos);
         self
+    }
+
+    /// Turns it about its own axis 0, 1 or 2 by an angle with this sine and cosine.
+    #[inline]
+    pub fn turn_by(&mut self, axis: usize, sin: T, cos: T) {
+        // columns that the compiler knows
+        match axis {
+            0 => self.turn_columns::<1, 2>(sin, cos),
+            1 => self.turn_columns::<2, 0>(sin, cos),
+            _ => self.turn_columns::<0, 1>(sin, cos),
+        }
+    }
+
+    #[inline(always)]
+    fn turn_columns<const I: usize, const J: usize>(&mut self, sin: T, cos: T) {
+        for row in &mut self.rotation {
+            let (a, b) = (row[I], row[J]);
+            row[I] = a * cos + b * sin;
+            row[J] = b * cos - a * sin;
+        }
     }
 
     /// This pose, then a translation along its own axis 0, 1 or 2.
     pub fn shift(mut self, axis: usize, length_mm: T) -> Self {
+        self.shift_by(axis, length_mm);
+        self
+    }
+
+    /// Moves it along its own axis 0, 1 or 2.
+    #[inline]
+    pub fn shift_by(&mut self, axis: usize, length_mm: T) {
         for (t, row) in self.translation_mm.iter_mut().zip(&self.rotation) {
             *t = *t + row[axis] * length_mm;
         }
-        self
     }
 
     /// Direction of axis 0, 1 or 2 of this frame.
     pub fn axis(&self, axis: usize) -> Vector<T> {
-        self.rotation.map(|row| row[axis])
+        let [x, y, z] = &self.rotation;
+        [x[axis], y[axis], z[axis]]
     }
 
     /// A direction, expressed in the frame that this pose is named in.
     pub fn rotate(&self, d: Vector<T>) -> Vector<T> {
-        self.rotation.map(|row| row[0] * d[0] + row[1] * d[1] + row[2] * d[2])
+        let [x, y, z] = &self.rotation;
+        let along = |row: &[T; 3]| row[0] * d[0] + row[1] * d[1] + row[2] * d[2];
+        [along(x), along(y), along(z)]
     }
 
     /// A point of this frame, expressed in the frame that this pose is named in.

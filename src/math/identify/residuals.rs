@@ -9,11 +9,12 @@ use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
-use crate::math::robots::{FreeBase, Platform, Robot};
+use crate::math::robots::{FreeBase, Parametrised, Platform, Robot, State};
 use crate::math::solve::{Blocks, Problem, Rows, Solution};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 /// What is compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -35,6 +36,8 @@ pub(super) struct Residuals<'a> {
     pub robot: &'a dyn Robot,
     pub free: Vec<usize>,
     observations: &'a [Observation],
+    /// loads at each observation; empty where bending is not modelled
+    loads: Vec<Vec<f64>>,
     platform: Option<&'a dyn Platform>,
     /// what makes residuals independent that are not
     pub common: Option<Common>,
@@ -86,6 +89,9 @@ impl<'a> Residuals<'a> {
             layout: Layout::new(robot, free, observations, settings).filter(|_| platform.is_none()),
             free: free.to_vec(),
             observations,
+            loads: robot.loads().map_or_else(Vec::new, |loads| {
+                observations.par_iter().with_min_len(CHUNK).map(|o| loads(&o.joints)).collect()
+            }),
             platform,
             weights: Weights::new(observations, robot.dimension(), unit)
                 .filter(|_| platform.is_none() && settings.standard_uncertainty_mm.is_some()),
@@ -278,20 +284,19 @@ impl<'a> Residuals<'a> {
     /// Derivatives of the conditions by the free parameters.
     fn condition_jacobian(&self, all: &[f64], out: &mut [f64]) {
         let (n, width) = (all.len(), self.width());
+        let (robot, loads) = (self.robot.parametrised(all), self.robot.loads());
         self.of_conditions(all, out, width, |met, out| {
             let (condition, dimension) = (met.condition, self.robot.dimension());
             let mut moved = vec![0.0; dimension * n];
-            match met.arm {
-                // an orientation, and a joint, do not depend on where the target is
-                _ if condition.kind.is_orientation() || matches!(condition.kind, Kind::Joint { .. }) => {}
-                Some(arm) => arm.target_derivatives(all, &condition.joints, &[condition.target], &mut |_, j, by| {
-                    (0..3).for_each(|i| moved[i * n + j] += by[i]);
-                }),
-                None => {
-                    let mut of_all = vec![0.0; dimension * self.robot.targets().len() * n];
-                    self.robot.jacobian(all, &condition.joints, &mut of_all);
-                    moved.copy_from_slice(&of_all[dimension * condition.target * n..][..dimension * n]);
-                }
+            // an orientation, and a joint, do not depend on where the target is
+            if !condition.kind.is_orientation() && !matches!(condition.kind, Kind::Joint { .. }) {
+                let state = State {
+                    joints: &condition.joints,
+                    loads: &loads.as_ref().map_or_else(Vec::new, |at| at(&condition.joints)),
+                };
+                robot.target_derivatives(state, &[condition.target], &mut |_, j, by| {
+                    (0..dimension).for_each(|i| moved[i * n + j] += by[i]);
+                });
             }
             let mut full = vec![0.0; condition.kind.rows() * n];
             condition.jacobian(met.arm, all, met.position, &moved, &mut full);
@@ -336,13 +341,25 @@ impl<'a> Residuals<'a> {
         })
     }
 
+    /// Each observation of a range with its state.
+    fn observed(&self, range: Range<usize>) -> impl Iterator<Item = (&'a Observation, State<'_>)> + Send {
+        range.map(|k| {
+            let o = &self.observations[k];
+            (o, State { joints: &o.joints, loads: self.loads.get(k).map_or(&[][..], Vec::as_slice) })
+        })
+    }
+
     /// Cuts `out` (`width` numbers a row) into the parts of each chunk of observations.
-    fn chunks<'o>(&self, mut out: &'o mut [f64], width: usize) -> Vec<(&[Observation], &'o mut [f64])> {
+    fn chunks<'o>(
+        &self,
+        mut out: &'o mut [f64],
+        width: usize,
+    ) -> Vec<(impl Iterator<Item = (&'a Observation, State<'_>)> + Send, &'o mut [f64])> {
         let mut parts = Vec::new();
-        for (observations, rows) in self.observations.chunks(CHUNK).zip(self.rows.chunks(CHUNK)) {
+        for (k, rows) in self.rows.chunks(CHUNK).enumerate() {
             let (part, rest) = out.split_at_mut(rows.iter().sum::<usize>() * width);
             out = rest;
-            parts.push((observations, part));
+            parts.push((self.observed(k * CHUNK..k * CHUNK + rows.len()), part));
         }
         parts
     }
@@ -360,9 +377,11 @@ impl<'a> Residuals<'a> {
         let (all, dimension) = (self.all(x), self.robot.dimension());
         let n = self.robot.joints().len();
         let mut rows = Vec::with_capacity(self.residual_count() * n);
-        let mut full = vec![0.0; dimension * self.robot.targets().len() * n];
-        for o in self.observations {
-            self.robot.joint_jacobian(&all, &o.joints, &mut full);
+        let mut at = vec![0.0; dimension * self.robot.targets().len()];
+        let mut full = vec![0.0; at.len() * n];
+        let robot = self.robot.parametrised(&all);
+        for (o, state) in self.observed(0..self.observations.len()) {
+            robot.joint_jacobian(state, &mut at, &mut full);
             for (here, _) in full.chunks_exact(dimension * n).zip(&o.targets).filter(|(_, at)| at.is_some()) {
                 rows.extend(here.iter().map(|v| v / self.unit));
             }
@@ -447,10 +466,10 @@ impl<'a> Residuals<'a> {
         self.of_conditions(&all, &mut r[self.coordinate_count()..], 1, |met, out| {
             met.condition.residuals(met.arm, &all, met.position, out);
         });
-        let dimension = self.robot.dimension();
+        let (dimension, robot) = (self.robot.dimension(), self.robot.parametrised(&all));
         self.chunks(r, 1).into_par_iter().for_each(|(observations, mut r)| {
             let mut predicted = vec![0.0; dimension * self.robot.targets().len()];
-            for o in observations {
+            for (o, state) in observations {
                 if let Some(platform) = self.platform {
                     if let Some(pair) = both(o) {
                         let (here, rest) = r.split_at_mut(3);
@@ -459,7 +478,7 @@ impl<'a> Residuals<'a> {
                     }
                     continue;
                 }
-                self.robot.positions(&all, &o.joints, &mut predicted);
+                robot.positions(state, &mut predicted);
                 for (predicted, measured) in predicted.chunks_exact(dimension).zip(&o.targets) {
                     let Some(measured) = measured else { continue };
                     let (here, rest) = r.split_at_mut(dimension);
@@ -477,8 +496,9 @@ impl<'a> Residuals<'a> {
         let all = self.all(x);
         let (n, free, dimension) = (all.len(), &self.free, self.robot.dimension());
         self.condition_jacobian(&all, &mut jacobian[self.coordinate_count() * self.width()..]);
-        if let (Some(layout), Some(arm)) = (&self.layout, self.robot.free_base()) {
-            return self.coordinate_jacobian(layout, arm, &all, jacobian);
+        let robot = self.robot.parametrised(&all);
+        if self.robot.free_base().is_some() {
+            return self.coordinate_jacobian(robot.as_ref(), jacobian);
         }
         self.chunks(jacobian, free.len()).into_par_iter().for_each(|(observations, mut out)| {
             let mut full = vec![0.0; dimension * self.robot.targets().len() * n];
@@ -489,7 +509,7 @@ impl<'a> Residuals<'a> {
                     }
                 }
             };
-            for o in observations {
+            for (o, state) in observations {
                 if let Some(platform) = self.platform {
                     if let Some(pair) = both(o) {
                         let (here, rest) = out.split_at_mut(3 * free.len());
@@ -498,7 +518,7 @@ impl<'a> Residuals<'a> {
                     }
                     continue;
                 }
-                self.robot.jacobian(&all, &o.joints, &mut full);
+                robot.jacobian(state, &mut full);
                 for (rows, measured) in full.chunks_exact(dimension * n).zip(&o.targets) {
                     if measured.is_some() {
                         let (here, rest) = out.split_at_mut(dimension * free.len());
@@ -512,18 +532,21 @@ impl<'a> Residuals<'a> {
 }
 
 impl Residuals<'_> {
-    /// Derivatives of the coordinates of targets, of which each has few.
-    fn coordinate_jacobian(&self, layout: &Layout, arm: &dyn FreeBase, all: &[f64], jacobian: &mut [f64]) {
-        let width = self.width();
+    /// Derivatives of the coordinates of targets in space.
+    fn coordinate_jacobian(&self, robot: &dyn Parametrised, jacobian: &mut [f64]) {
+        let (width, mut places) = (self.width(), vec![None; self.robot.parameters().len()]);
+        for (column, &i) in self.free.iter().enumerate() {
+            places[i] = self.layout.as_ref().map_or(Some(column), |layout| Some(layout.places[i]?.1));
+        }
         self.chunks(jacobian, width).into_par_iter().for_each(|(observations, mut out)| {
             out.fill(0.0);
             let mut first = vec![0; self.robot.targets().len()];
-            for o in observations {
+            for (o, state) in observations {
                 let measured: Vec<usize> = (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).collect();
                 measured.iter().enumerate().for_each(|(k, &target)| first[target] = 3 * k);
                 let (here, rest) = out.split_at_mut(3 * measured.len() * width);
-                arm.target_derivatives(all, &o.joints, &measured, &mut |target, parameter, moved| {
-                    let Some((_, place)) = layout.places[parameter] else { return };
+                robot.target_derivatives(state, &measured, &mut |target, parameter, moved| {
+                    let Some(place) = places[parameter] else { return };
                     (0..3).for_each(|i| here[(first[target] + i) * width + place] += moved[i] / self.unit);
                 });
                 out = rest;

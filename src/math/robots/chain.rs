@@ -3,6 +3,7 @@
 //! Position and Jacobian come from the same sequence: the derivative by a rotation is axis × lever, by a translation the axis
 //! (Corke, "A simple and systematic approach to assigning Denavit–Hartenberg parameters", 2007).
 
+use super::State;
 use crate::base::pose::{Pose, Vector, cross, minus, turning_axes};
 use crate::base::scalar::Scalar;
 use std::ops::Mul;
@@ -59,15 +60,6 @@ pub(super) struct Element {
     pub terms: Vec<Term>,
 }
 
-/// What a chain depends on beside its parameters.
-#[derive(Clone, Copy)]
-pub(super) struct State<'a, J = f64> {
-    /// Joint values, rad or mm.
-    pub joints: &'a [J],
-    /// Loads.
-    pub loads: &'a [J],
-}
-
 impl<J: Scalar> State<'_, J> {
     fn coefficient(&self, term: &Term) -> J {
         match term.coefficient {
@@ -87,7 +79,7 @@ impl<J: Scalar> State<'_, J> {
 
 impl State<'_> {
     /// The joint that moves a coefficient, and its derivative by that joint's value, loads as they are.
-    pub fn rate(&self, coefficient: Coefficient) -> Option<(usize, f64)> {
+    fn rate(&self, coefficient: Coefficient) -> Option<(usize, f64)> {
         match coefficient {
             Coefficient::Joint { joint, factor, .. } => Some((joint, factor)),
             Coefficient::Harmonic { joint, factor, offset, order, sine } => {
@@ -95,6 +87,38 @@ impl State<'_> {
                 Some((joint, order * factor * if sine { cos } else { -sin }))
             }
             Coefficient::Constant(_) | Coefficient::Approach { .. } | Coefficient::Load(_) => None,
+        }
+    }
+}
+
+/// What an element does with its parameters.
+#[derive(Clone, Copy, Debug)]
+enum Step<T = f64> {
+    Nothing,
+    /// About an axis, by the angle with this sine and cosine.
+    Turn(usize, T, T),
+    Shift(usize, T),
+    Place(Pose<T>),
+}
+
+impl<T: Scalar> Step<T> {
+    fn turn(axis: usize, angle: T) -> Self {
+        if angle.is_zero() {
+            return Self::Nothing;
+        }
+        let (sin, cos) = angle.sin_cos();
+        Self::Turn(axis, sin, cos)
+    }
+
+    /// Moves a frame.
+    #[inline(always)]
+    fn take(&self, pose: &mut Pose<T>) {
+        match *self {
+            Self::Nothing => {}
+            Self::Shift(_, amount) if amount.is_zero() => {}
+            Self::Turn(axis, sin, cos) => pose.turn_by(axis, sin, cos),
+            Self::Shift(axis, amount) => pose.shift_by(axis, amount),
+            Self::Place(ref place) => *pose = pose.then(place),
         }
     }
 }
@@ -111,27 +135,33 @@ impl Element {
     /// The frame after this motion of `pose`.
     pub fn advance<T: Scalar + Mul<J, Output = T>, J: Scalar>(
         &self,
-        pose: Pose<T>,
+        mut pose: Pose<T>,
         p: &[T],
         state: State<J>,
     ) -> Pose<T> {
+        self.step(p, state).take(&mut pose);
+        pose
+    }
+
+    /// What it does with these parameters.
+    #[inline]
+    fn step<T: Scalar + Mul<J, Output = T>, J: Scalar>(&self, p: &[T], state: State<J>) -> Step<T> {
+        let amount = || {
+            self.coefficients(state)
+                .fold(T::from(self.constant), |sum, (parameter, factor)| sum + p[parameter] * factor)
+        };
         match self.motion {
-            Motion::Turn(axis) | Motion::Shift(axis) => {
-                let amount = self
-                    .coefficients(state)
-                    .fold(T::from(self.constant), |sum, (parameter, factor)| sum + p[parameter] * factor);
-                match (self.motion, axis) {
-                    _ if amount.is_zero() => pose,
-                    (Motion::Shift(_), _) => pose.shift(axis, amount),
-                    (_, 0) => pose.turn_x(amount),
-                    (_, 1) => pose.turn_y(amount),
-                    _ => pose.turn_z(amount),
-                }
-            }
-            Motion::Attitude(2) => pose.then(&Pose::from_rotation_vector(self.attitude(p))),
-            Motion::Attitude(_) => pose,
-            Motion::Fixed(place) => pose.then(&place.constant()),
+            Motion::Turn(axis) => Step::turn(axis, amount()),
+            Motion::Shift(axis) => Step::Shift(axis, amount()),
+            Motion::Attitude(2) => Step::Place(Pose::from_rotation_vector(self.attitude(p))),
+            Motion::Attitude(_) => Step::Nothing,
+            Motion::Fixed(place) => Step::Place(place.constant()),
         }
+    }
+
+    /// Whether joints or loads move it.
+    fn is_moved(&self) -> bool {
+        self.terms.iter().any(|term| !matches!(term.coefficient, Coefficient::Constant(_)))
     }
 
     /// The rotation vector that this element is a component of.
@@ -141,7 +171,8 @@ impl Element {
         [p[first], p[first + 1], p[first + 2]]
     }
 
-    /// Axis of the motion where it begins at `before` and ends at `after`.
+    /// Axis of the motion where it begins at `before`.
+    #[inline]
     fn axis(&self, p: &[f64], before: &Pose) -> Axis {
         let direction = match self.motion {
             Motion::Turn(axis) | Motion::Shift(axis) => before.axis(axis),
@@ -171,11 +202,77 @@ pub(super) fn end<T: Scalar>(elements: &[Element], p: &[T], state: State) -> Pos
     elements.iter().fold(Pose::identity(), |pose, element| element.advance(pose, p, state))
 }
 
-/// The frame that a chain reaches, and the axis of each element.
-pub(super) fn trace(elements: &[Element], p: &[f64], state: State, axes: &mut Vec<Axis>) -> Pose {
-    axes.clear();
-    elements.iter().fold(Pose::identity(), |pose, element| {
-        axes.push(element.axis(p, &pose));
-        element.advance(pose, p, state)
-    })
+/// A chain with its parameters: what neither joints nor loads move is computed once.
+#[derive(Clone, Debug)]
+pub(super) struct Prepared<'a> {
+    elements: &'a [Element],
+    p: Vec<f64>,
+    /// Axes of the elements that come before the first joint, and the frame that they reach.
+    before: (Vec<Axis>, Pose),
+    /// What the elements behind them do where neither joints nor loads move them.
+    still: Vec<Option<Step>>,
+}
+
+impl<'a> Prepared<'a> {
+    /// A chain at these parameters.
+    pub fn new(elements: &'a [Element], parameters: &[f64]) -> Self {
+        let p = parameters.to_vec();
+        let nowhere = State::<f64> { joints: &[], loads: &[] };
+        let first = elements.iter().position(Element::is_moved).unwrap_or(elements.len());
+        let (mut axes, mut pose) = (Vec::with_capacity(first), Pose::identity());
+        for element in &elements[..first] {
+            axes.push(element.axis(&p, &pose));
+            pose = element.advance(pose, &p, nowhere);
+        }
+        let still = elements[first..].iter().map(|e| (!e.is_moved()).then(|| e.step(&p, nowhere))).collect();
+        Self { elements, p, before: (axes, pose), still }
+    }
+
+    /// The frame that the chain reaches. Gives `visit` the number of each element from the first joint on, and the frame before it.
+    #[inline(always)]
+    pub fn run(&self, state: State, mut visit: impl FnMut(usize, &Pose)) -> Pose {
+        let (first, mut pose) = (self.before.0.len(), self.before.1);
+        for (i, (element, still)) in (first..).zip(self.elements[first..].iter().zip(&self.still)) {
+            visit(i, &pose);
+            match still {
+                Some(step) => step.take(&mut pose),
+                None => element.step(&self.p, state).take(&mut pose),
+            }
+        }
+        pose
+    }
+
+    /// The frame that the chain reaches.
+    pub fn end(&self, state: State) -> Pose {
+        self.run(state, |_, _| {})
+    }
+
+    /// The frame that the chain reaches, and the axis of each element.
+    pub fn trace(&self, state: State) -> (Pose, Vec<Axis>) {
+        let mut axes = Vec::with_capacity(self.elements.len());
+        axes.extend_from_slice(&self.before.0);
+        let end = self.run(state, |i, before| axes.push(self.elements[i].axis(&self.p, before)));
+        (end, axes)
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &[f64] {
+        &self.p
+    }
+
+    /// What joints move: an element, its axis, a joint, and by how much the element moves with it, loads as they are.
+    pub fn rates<'s>(
+        &'s self,
+        state: State<'s>,
+        axes: &'s [Axis],
+    ) -> impl Iterator<Item = (&'s Element, Axis, usize, f64)> + 's {
+        let behind = self.elements.iter().zip(axes).skip(self.before.0.len());
+        behind.flat_map(move |(element, &axis)| {
+            let moved = element.terms.iter().filter_map(move |term| {
+                let (joint, rate) = state.rate(term.coefficient)?;
+                Some((joint, rate * self.p[term.parameter]))
+            });
+            moved.map(move |(joint, rate)| (element, axis, joint, rate))
+        })
+    }
 }

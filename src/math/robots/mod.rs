@@ -145,6 +145,17 @@ pub trait Robot: Send + Sync {
     /// Writes d positions / d joint values, row by row: (targets × dimension) × joints. Bending is that of the joint values themselves.
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
 
+    /// What gives the loads that bend its joints at joint values, whatever the parameters, each as a fraction of its largest; `None`
+    /// where bending is not modelled.
+    fn loads(&self) -> Option<Loads<'_>> {
+        None
+    }
+
+    /// The same with parameters that stay as they are at many joint values: what depends on them alone is computed once.
+    fn parametrised<'a>(&'a self, parameters: &'a [f64]) -> Box<dyn Parametrised + 'a> {
+        Box::new(Anew { robot: self, parameters })
+    }
+
     /// Whether joint values leave two positions: the assembly mode, +1 or -1, then follows the joints in every slice
     /// of joint values.
     fn has_assembly_modes(&self) -> bool {
@@ -253,6 +264,63 @@ pub trait Robot: Send + Sync {
         let mut p = [0.0; 3];
         p[..d].copy_from_slice(&all[target * d..][..d]);
         p
+    }
+}
+
+/// Gives loads at joint values.
+pub type Loads<'a> = Box<dyn Fn(&[f64]) -> Vec<f64> + Send + Sync + 'a>;
+
+/// Joint values with what follows from them alone, whatever the parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct State<'a, J = f64> {
+    /// Joint values, rad or mm.
+    pub joints: &'a [J],
+    /// Loads, as [`Robot::loads`] has them.
+    pub loads: &'a [J],
+}
+
+/// A robot with its parameters.
+pub trait Parametrised: Send + Sync {
+    /// As [`Robot::positions`].
+    fn positions(&self, state: State, out: &mut [f64]);
+
+    /// As [`Robot::jacobian`].
+    fn jacobian(&self, state: State, out: &mut [f64]);
+
+    /// As [`Robot::positions`] and [`Robot::joint_jacobian`], at once.
+    fn joint_jacobian(&self, state: State, positions: &mut [f64], out: &mut [f64]);
+
+    /// Gives `write` the derivatives of the positions of some targets: target, parameter, and what that moves it by, in space. Of
+    /// parameters that act twice they are to be added; others are zero.
+    fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector));
+}
+
+/// A robot that computes everything anew at all joint values.
+struct Anew<'a, R: ?Sized> {
+    robot: &'a R,
+    parameters: &'a [f64],
+}
+
+impl<R: Robot + ?Sized> Parametrised for Anew<'_, R> {
+    fn positions(&self, state: State, out: &mut [f64]) {
+        self.robot.positions(self.parameters, state.joints, out);
+    }
+    fn jacobian(&self, state: State, out: &mut [f64]) {
+        self.robot.jacobian(self.parameters, state.joints, out);
+    }
+    fn joint_jacobian(&self, state: State, positions: &mut [f64], out: &mut [f64]) {
+        self.robot.positions(self.parameters, state.joints, positions);
+        self.robot.joint_jacobian(self.parameters, state.joints, out);
+    }
+    fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector)) {
+        let (n, d) = (self.parameters.len(), self.robot.dimension());
+        let mut all = vec![0.0; d * self.robot.targets().len() * n];
+        self.jacobian(state, &mut all);
+        for &k in targets {
+            let own = &all[d * k * n..];
+            let component = |i: usize, j: usize| if i < d { own[i * n + j] } else { 0.0 };
+            (0..n).for_each(|j| write(k, j, [0, 1, 2].map(|i| component(i, j))));
+        }
     }
 }
 
@@ -444,24 +512,6 @@ pub trait FreeBase: Robot {
     /// Index of the first parameter of a target.
     fn target_place(&self, target: usize) -> usize {
         6 + 3 * target
-    }
-
-    /// Gives `write` the derivatives of the positions of some targets: target, parameter, and what that moves it by. Of parameters that
-    /// act twice they are to be added; others are zero.
-    fn target_derivatives(
-        &self,
-        parameters: &[f64],
-        joints: &[f64],
-        targets: &[usize],
-        write: &mut dyn FnMut(usize, usize, Vector),
-    ) {
-        let n = parameters.len();
-        let mut all = vec![0.0; 3 * self.targets().len() * n];
-        self.jacobian(parameters, joints, &mut all);
-        for &k in targets {
-            let own = &all[3 * k * n..];
-            (0..n).for_each(|j| write(k, j, [own[j], own[n + j], own[2 * n + j]]));
-        }
     }
 
     /// What a joint moves by at logged joint values with its errors, mm or rad: its own value where parameters are nominal. Gives `write` the

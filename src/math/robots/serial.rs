@@ -2,10 +2,10 @@
 //!
 //! A convention pushes its motions and parameters into an [`ArmBuilder`]; gains, coupling and bending are the same for all.
 
-use super::chain::{self, Coefficient, Element, Motion, State, Term};
+use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
 use super::{
-    ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Parameter, Quantity, Robot, Role,
-    base_pose, meaning, pose_outputs,
+    ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Loads, Parameter, Parametrised, Quantity,
+    Robot, Role, State, base_pose, meaning, pose_outputs,
 };
 use super::{limit_violation, nearest};
 use crate::base::expression::{Formula, Recorded, derivatives};
@@ -492,12 +492,16 @@ impl Serial {
     }
 
     /// For each load its size at joint values, on nominal geometry.
-    fn loads<T: Scalar>(&self, joints: &[T]) -> Vec<T> {
+    fn loads_at<T: Scalar>(&self, joints: &[T]) -> Vec<T> {
         if self.loads.is_empty() {
             return Vec::new();
         }
         let nominal: Vec<T> = self.parameters().iter().map(|p| T::from(p.nominal)).collect();
-        let frames = self.frames(&nominal, State { joints, loads: &[] }).0;
+        self.loads_on(&self.frames(&nominal, State { joints, loads: &[] }).0)
+    }
+
+    /// For each load its size where these are the frames behind all axes.
+    fn loads_on<T: Scalar>(&self, frames: &[Pose<T>]) -> Vec<T> {
         let gravity = self.gravity.map(T::from);
         let size = |load: &Load| match *load {
             Load::Link { axis, link } => {
@@ -569,12 +573,12 @@ impl Serial {
 
     /// Direct kinematics: pose of the flange in the world.
     pub fn direct(&self, parameters: &[f64], q: &[f64]) -> Pose {
-        chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads(q) })
+        chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads_at(q) })
     }
 
     /// The generic form of [`Robot::positions`]: positions of all targets in the world.
     pub fn target_positions<T: Scalar>(&self, parameters: &[T], q: &[f64]) -> Vec<Vector<T>> {
-        let flange = chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads(q) });
+        let flange = chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads_at(q) });
         (0..self.targets().len())
             .map(|k| {
                 let place = self.target_place(k);
@@ -583,52 +587,9 @@ impl Serial {
             .collect()
     }
 
-    /// Pose of the flange in the world, and its derivatives by the joint values, loads as they are: three rows of the position, three of
-    /// the orientation, rad times [`TURNED_MM`].
-    fn joint_jacobian(&self, parameters: &[f64], q: &[f64]) -> (Pose, Vec<f64>) {
-        let loads = self.loads(q);
-        let mut axes = Vec::with_capacity(self.elements.len());
-        let state = State { joints: q, loads: &loads };
-        let reached = chain::trace(&self.elements, parameters, state, &mut axes);
-        let mut a = vec![0.0; 6 * q.len()];
-        for (element, &axis) in self.elements.iter().zip(&axes) {
-            for term in &element.terms {
-                let Some((joint, rate)) = state.rate(term.coefficient) else { continue };
-                let rate = rate * parameters[term.parameter];
-                let linear = element.velocity(axis, reached.translation_mm);
-                let angular = element.angular_velocity(axis);
-                for i in 0..3 {
-                    a[i * q.len() + joint] += linear[i] * rate;
-                    a[(3 + i) * q.len() + joint] += angular[i] * rate * TURNED_MM;
-                }
-            }
-        }
-        (reached, a)
-    }
-
-    /// Gives `write` the derivatives of the positions of targets by parameters, one behind the other.
-    fn derivatives(
-        &self,
-        parameters: &[f64],
-        joints: &[f64],
-        targets: impl Iterator<Item = usize>,
-        mut write: impl FnMut(usize, usize, Vector),
-    ) {
-        let loads = self.loads(joints);
-        let state = State { joints, loads: &loads };
-        let mut axes = Vec::with_capacity(self.elements.len());
-        let flange = chain::trace(&self.elements, parameters, state, &mut axes);
-        for k in targets {
-            let place = self.target_place(k);
-            let point = flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]]);
-            for (element, &axis) in self.elements.iter().zip(&axes).filter(|(e, _)| !e.terms.is_empty()) {
-                let v = element.velocity(axis, point);
-                for (parameter, coefficient) in element.coefficients(state) {
-                    write(k, parameter, v.map(|v| v * coefficient));
-                }
-            }
-            (0..3).for_each(|axis| write(k, place + axis, flange.axis(axis)));
-        }
+    /// The arm with these parameters.
+    fn with(&self, parameters: &[f64]) -> WithParameters<'_> {
+        WithParameters { arm: self, chain: Prepared::new(&self.elements, parameters) }
     }
 
     /// Inverse kinematics near `start`: joint values at which the flange has the pose `world_T_flange`.
@@ -636,8 +597,9 @@ impl Serial {
     /// `None` where the pose cannot be reached to 1e-9 mm and 1e-12 rad from there. The branch is that of `start`.
     pub fn inverse(&self, parameters: &[f64], world_T_flange: &Pose, start: &[f64]) -> Option<Vec<f64>> {
         let mut q = start.to_vec();
+        let arm = self.with(parameters);
         for _ in 0..50 {
-            let (reached, a) = self.joint_jacobian(parameters, &q);
+            let (reached, a) = arm.flange_jacobian(&q);
             let gap = minus(world_T_flange.translation_mm, reached.translation_mm);
             // small rotation from reached to wanted, in the world
             let turn = world_T_flange.then(&reached.inverse()).rotation;
@@ -683,35 +645,35 @@ impl Robot for Serial {
         out.copy_from_slice(self.target_positions(parameters, joints).as_flattened());
     }
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        let n = parameters.len();
-        out.fill(0.0);
-        self.derivatives(parameters, joints, 0..self.targets().len(), |target, parameter, moved| {
-            (0..3).for_each(|i| out[(3 * target + i) * n + parameter] += moved[i]);
-        });
+        self.with(parameters).jacobian(State { joints, loads: &self.loads_at(joints) }, out);
     }
     fn position(&self, parameters: &[f64], joints: &[f64], target: usize) -> Vector {
         let place = self.target_place(target);
-        let flange = chain::end(&self.elements, parameters, State { joints, loads: &self.loads(joints) });
+        let flange = chain::end(&self.elements, parameters, State { joints, loads: &self.loads_at(joints) });
         flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]])
     }
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        let n = self.joints().len();
-        out.fill(0.0);
-        let loads = self.loads(joints);
-        let state = State { joints, loads: &loads };
-        let mut axes = Vec::with_capacity(self.elements.len());
-        let flange = chain::trace(&self.elements, parameters, state, &mut axes);
-        for (k, rows) in out.chunks_exact_mut(3 * n).enumerate() {
-            let place = self.target_place(k);
-            let point = flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]]);
-            for (element, &axis) in self.elements.iter().zip(&axes) {
-                for term in &element.terms {
-                    let Some((joint, rate)) = state.rate(term.coefficient) else { continue };
-                    let v = element.velocity(axis, point);
-                    (0..3).for_each(|i| rows[i * n + joint] += v[i] * rate * parameters[term.parameter]);
-                }
-            }
+        let state = State { joints, loads: &self.loads_at(joints) };
+        self.with(parameters).joint_jacobian(state, &mut vec![0.0; 3 * self.targets().len()], out);
+    }
+    fn loads(&self) -> Option<Loads<'_>> {
+        if self.loads.is_empty() {
+            return None;
         }
+        let nominal = Prepared::new(&self.elements[self.based..], &self.nominal());
+        Some(Box::new(move |joints| {
+            let mut frames = Vec::with_capacity(self.axes.len());
+            let end = nominal.run(State { joints, loads: &[] }, |i, before| {
+                if self.axes.get(frames.len()).is_some_and(|axis| axis.frame == self.based + i) {
+                    frames.push(*before);
+                }
+            });
+            frames.resize(self.axes.len(), end);
+            self.loads_on(&frames)
+        }))
+    }
+    fn parametrised<'a>(&'a self, parameters: &'a [f64]) -> Box<dyn Parametrised + 'a> {
+        Box::new(self.with(parameters))
     }
     fn joints_of_base(&self) -> &[String] {
         &self.of_base
@@ -790,7 +752,7 @@ impl Kinematics for Serial {
         let record = |name, with_derivatives| {
             Formula::record(name, &joints, |q| {
                 let p: Vec<Recorded> = parameters.iter().map(|&v| Recorded::from(v)).collect();
-                let flange = self.frames(&p, State { joints: q, loads: &self.loads(q) }).1;
+                let flange = self.frames(&p, State { joints: q, loads: &self.loads_at(q) }).1;
                 let mut outputs = pose_outputs(&flange);
                 let numbers: Vec<Recorded> = outputs.iter().map(|(_, v)| *v).collect();
                 for (q, joint) in q.iter().zip(&joints).filter(|_| with_derivatives) {
@@ -810,7 +772,7 @@ impl Kinematics for Serial {
     /// That of the Jacobian's determinant, for six joints.
     fn branch(&self, parameters: &[f64], joints: &[f64]) -> Vec<bool> {
         let square = joints.len() == 6;
-        let determinant = || Matrix6::from_row_slice(&self.joint_jacobian(parameters, joints).1).determinant();
+        let determinant = || Matrix6::from_row_slice(&self.with(parameters).flange_jacobian(joints).1).determinant();
         square.then(|| determinant() > 0.0).into_iter().collect()
     }
 
@@ -861,15 +823,6 @@ impl FreeBase for Serial {
     fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose {
         self.direct(parameters, joints)
     }
-    fn target_derivatives(
-        &self,
-        parameters: &[f64],
-        joints: &[f64],
-        targets: &[usize],
-        write: &mut dyn FnMut(usize, usize, Vector),
-    ) {
-        self.derivatives(parameters, joints, targets.iter().copied(), write);
-    }
     fn joint_value(
         &self,
         parameters: &[f64],
@@ -877,7 +830,7 @@ impl FreeBase for Serial {
         joint: usize,
         write: &mut dyn FnMut(usize, f64),
     ) -> Option<f64> {
-        let loads = self.loads(joints);
+        let loads = self.loads_at(joints);
         let axis = self.axes.iter().find(|axis| axis.drive.joint == joint)?;
         let element = &self.elements[axis.element];
         let state = State { joints, loads: &loads };
@@ -892,15 +845,95 @@ impl FreeBase for Serial {
     fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let n = parameters.len();
         out.fill(0.0);
-        let loads = self.loads(joints);
-        let state = State { joints, loads: &loads };
-        let mut axes = Vec::with_capacity(self.elements.len());
-        chain::trace(&self.elements, parameters, state, &mut axes);
+        let state = State { joints, loads: &self.loads_at(joints) };
+        let (_, axes) = Prepared::new(&self.elements, parameters).trace(state);
         for (element, &axis) in self.elements.iter().zip(&axes) {
             let turn = element.angular_velocity(axis);
             for (parameter, coefficient) in element.coefficients(state) {
                 (0..3).for_each(|i| out[i * n + parameter] += turn[i] * coefficient);
             }
         }
+    }
+}
+
+/// An arm with its parameters.
+struct WithParameters<'a> {
+    arm: &'a Serial,
+    chain: Prepared<'a>,
+}
+
+impl WithParameters<'_> {
+    /// The place of a target on a flange.
+    fn target(&self, flange: &Pose, target: usize) -> Vector {
+        let place = self.arm.target_place(target);
+        flange.apply([0, 1, 2].map(|k| self.chain.parameters()[place + k]))
+    }
+
+    /// Pose of the flange in the world, and its derivatives by the joint values, loads as they are: three rows of the position, three of
+    /// the orientation, rad times [`TURNED_MM`].
+    fn flange_jacobian(&self, q: &[f64]) -> (Pose, Vec<f64>) {
+        let state = State { joints: q, loads: &self.arm.loads_at(q) };
+        let (reached, axes) = self.chain.trace(state);
+        let mut a = vec![0.0; 6 * q.len()];
+        for (element, axis, joint, rate) in self.chain.rates(state, &axes) {
+            let linear = element.velocity(axis, reached.translation_mm);
+            let angular = element.angular_velocity(axis);
+            for i in 0..3 {
+                a[i * q.len() + joint] += linear[i] * rate;
+                a[(3 + i) * q.len() + joint] += angular[i] * rate * TURNED_MM;
+            }
+        }
+        (reached, a)
+    }
+
+    /// Gives `write` the derivatives of the positions of targets by parameters, one behind the other.
+    fn derivatives(
+        &self,
+        state: State,
+        targets: impl Iterator<Item = usize>,
+        mut write: impl FnMut(usize, usize, Vector),
+    ) {
+        let (flange, axes) = self.chain.trace(state);
+        for k in targets {
+            let point = self.target(&flange, k);
+            for (element, &axis) in self.arm.elements.iter().zip(&axes).filter(|(e, _)| !e.terms.is_empty()) {
+                let v = element.velocity(axis, point);
+                for (parameter, coefficient) in element.coefficients(state) {
+                    write(k, parameter, [v[0] * coefficient, v[1] * coefficient, v[2] * coefficient]);
+                }
+            }
+            let place = self.arm.target_place(k);
+            (0..3).for_each(|axis| write(k, place + axis, flange.axis(axis)));
+        }
+    }
+}
+
+impl Parametrised for WithParameters<'_> {
+    fn positions(&self, state: State, out: &mut [f64]) {
+        let flange = self.chain.end(state);
+        out.chunks_exact_mut(3).enumerate().for_each(|(k, out)| out.copy_from_slice(&self.target(&flange, k)));
+    }
+    fn jacobian(&self, state: State, out: &mut [f64]) {
+        let n = self.chain.parameters().len();
+        out.fill(0.0);
+        self.derivatives(state, 0..self.arm.targets().len(), |target, parameter, moved| {
+            (0..3).for_each(|i| out[(3 * target + i) * n + parameter] += moved[i]);
+        });
+    }
+    fn joint_jacobian(&self, state: State, positions: &mut [f64], out: &mut [f64]) {
+        let n = self.arm.joints().len();
+        out.fill(0.0);
+        let (flange, axes) = self.chain.trace(state);
+        for (k, (rows, at)) in out.chunks_exact_mut(3 * n).zip(positions.chunks_exact_mut(3)).enumerate() {
+            let point = self.target(&flange, k);
+            at.copy_from_slice(&point);
+            for (element, axis, joint, rate) in self.chain.rates(state, &axes) {
+                let v = element.velocity(axis, point);
+                (0..3).for_each(|i| rows[i * n + joint] += v[i] * rate);
+            }
+        }
+    }
+    fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector)) {
+        self.derivatives(state, targets.iter().copied(), write);
     }
 }

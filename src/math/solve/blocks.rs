@@ -83,7 +83,9 @@ impl<'a> Rows<'a> {
             Some(_) => self.entries().for_each(|row| row.for_each(|(j, v)| squares[j] += v * v)),
             None => {
                 for row in self.numbers.chunks_exact(self.n.max(1)) {
-                    squares.iter_mut().zip(row).for_each(|(s, v)| *s += v * v);
+                    for (j, v) in row.iter().enumerate() {
+                        squares[j] += v * v;
+                    }
                 }
             }
         }
@@ -101,7 +103,11 @@ impl<'a> Rows<'a> {
             return product;
         }
         for (row, by) in self.numbers.chunks_exact(self.n.max(1)).zip(by.chunks_exact(N)) {
-            product.iter_mut().zip(row).for_each(|(p, &v)| add(p, v, by));
+            for (j, v) in row.iter().enumerate() {
+                for k in 0..N {
+                    product[j][k] += v * by[k];
+                }
+            }
         }
         product
     }

@@ -4,6 +4,7 @@
 //! the blocks, so the result has the same bytes for any number of threads (tall-skinny QR: Demmel et al. 2012).
 
 use super::blocks::{Head, OWN, Rows, with_heads};
+use pulp::Arch;
 use rayon::prelude::*;
 
 /// Rows that one thread takes: fixed, so that the result does not depend on the number of threads.
@@ -105,9 +106,17 @@ impl Factor {
         self
     }
 
-    /// Takes up `m` more rows, given column by column with the right-hand side last: Householder reflections of
-    /// [R; rows], in which the part above the rows is one element a column.
+    /// Takes up `m` more rows, given column by column with the right-hand side last.
     fn absorb(&mut self, columns: &mut [f64], m: usize) {
+        Arch::new().dispatch(
+            #[inline(always)]
+            || self.reflect(columns, m),
+        );
+    }
+
+    /// Householder reflections of [R; rows], in which the part above the rows is one element a column.
+    #[inline(always)]
+    fn reflect(&mut self, columns: &mut [f64], m: usize) {
         let n = self.n;
         for k in 0..n {
             let (head, tail) = columns.split_at_mut((k + 1) * m);
@@ -127,9 +136,7 @@ impl Factor {
                 let above = if j < n { &mut self.r[j * n + k] } else { &mut self.qtb[k] };
                 let factor = -beta * (*above * v0 + inner(v, column));
                 *above += factor * v0;
-                for (c, v) in column.iter_mut().zip(v) {
-                    *c += factor * v;
-                }
+                add(column, factor, v);
             }
         }
         let b = &columns[n * m..];
@@ -398,16 +405,32 @@ impl Factor {
 }
 
 /// Scalar product in eight running sums: a fixed order that vectorises.
+#[inline(always)]
 fn inner(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
-    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
-    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a8.zip(b8) {
+    let ((a8, a), (b8, b)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
+    for k in 0..a8.len().min(b8.len()) {
         for i in 0..8 {
-            sums[i] += x[i] * y[i];
+            sums[i] += a8[k][i] * b8[k][i];
         }
     }
-    sums.iter().sum::<f64>() + tail
+    let mut tail = 0.0;
+    for k in 0..a.len().min(b.len()) {
+        tail += a[k] * b[k];
+    }
+    let mut sum = 0.0;
+    for part in sums {
+        sum += part;
+    }
+    sum + tail
+}
+
+/// Adds a multiple of `v`.
+#[inline(always)]
+fn add(to: &mut [f64], factor: f64, v: &[f64]) {
+    for k in 0..to.len().min(v.len()) {
+        to[k] += factor * v[k];
+    }
 }
 
 #[cfg(test)]
