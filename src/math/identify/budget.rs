@@ -14,7 +14,7 @@ use UncertaintySource as Source;
 use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A source of uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -409,6 +409,10 @@ pub(super) fn replicates(
     degrees_of_freedom: usize,
 ) -> Option<Replicates> {
     type Missed<'a> = (&'a [f64], [f64; 3]);
+    let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
+    if poses.len() == observations.len() {
+        return None;
+    }
     let mut groups: BTreeMap<(PoseName, usize), Vec<Missed>> = BTreeMap::new();
     for o in observations {
         for (target, miss) in o.misses(robot, values) {

@@ -9,12 +9,13 @@ use crate::base::message::{Message, Result};
 use crate::base::pose::Vector;
 use crate::base::pose_name::PoseName;
 use crate::base::statistics::median;
-use crate::math::robots::{FreeBase, Parametrised, Platform, Robot, State};
+use crate::math::robots::{FreeBase, Loads, Parametrised, Platform, Robot, State};
 use crate::math::solve::{Blocks, Problem, Rows, Solution};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// What is compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -37,7 +38,7 @@ pub(super) struct Residuals<'a> {
     pub free: Vec<usize>,
     observations: &'a [Observation],
     /// loads at each observation; empty where bending is not modelled
-    loads: Vec<Vec<f64>>,
+    loads: Arc<[Vec<f64>]>,
     platform: Option<&'a dyn Platform>,
     /// what makes residuals independent that are not
     pub common: Option<Common>,
@@ -69,6 +70,24 @@ impl<'a> Residuals<'a> {
         free: &[usize],
         values: &[f64],
     ) -> Result<Self> {
+        let all = |loads: Loads| observations.par_iter().with_min_len(CHUNK).map(|o| loads(&o.joints)).collect();
+        let loads: Vec<Vec<f64>> = robot.loads().map_or_else(Vec::new, all);
+        Self::under(loads.into(), robot, observations, settings, free, values)
+    }
+
+    /// Those of the same observations as a function of other parameters.
+    pub fn of_others(&self, settings: &'a Settings, free: &[usize], values: &[f64]) -> Result<Self> {
+        Self::under(self.loads.clone(), self.robot, self.observations, settings, free, values)
+    }
+
+    fn under(
+        loads: Arc<[Vec<f64>]>,
+        robot: &'a dyn Robot,
+        observations: &'a [Observation],
+        settings: &'a Settings,
+        free: &[usize],
+        values: &[f64],
+    ) -> Result<Self> {
         if free.is_empty() {
             return Err(Message::error("no parameter is left to identify").hint("hold fewer parameters").into());
         }
@@ -89,9 +108,7 @@ impl<'a> Residuals<'a> {
             layout: Layout::new(robot, free, observations, settings).filter(|_| platform.is_none()),
             free: free.to_vec(),
             observations,
-            loads: robot.loads().map_or_else(Vec::new, |loads| {
-                observations.par_iter().with_min_len(CHUNK).map(|o| loads(&o.joints)).collect()
-            }),
+            loads,
             platform,
             weights: Weights::new(observations, robot.dimension(), unit)
                 .filter(|_| platform.is_none() && settings.standard_uncertainty_mm.is_some()),

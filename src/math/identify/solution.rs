@@ -1,6 +1,7 @@
 //! The least-squares solution at which the same parameters are held as those it was found with.
 
 use super::diagnosis::{diagnose_failure, nothing_left};
+use super::elimination::Layout;
 use super::identifiability::{Analysis, Group};
 use super::residuals::Residuals;
 use super::{Observation, Settings};
@@ -44,8 +45,8 @@ pub(super) fn solve_identifiable(
 ) -> Result<Identifiable> {
     // a subset of many poses brings the parameters near, all poses then take few steps; many targets are not all in one
     let (mut values, mut held) = (start.to_vec(), None);
-    let many = Residuals::new(robot, observations, settings, wanted, start)?.layout.is_some();
-    if observations.len() > 2 * SUBSET && !many {
+    let many = || Layout::new(robot, wanted, observations, settings).is_some();
+    if observations.len() > 2 * SUBSET && !many() {
         let step = observations.len().div_ceil(SUBSET);
         let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
         if let Ok(near) = rounds(robot, &subset, settings, wanted, values.clone(), None) {
@@ -115,7 +116,7 @@ fn rounds(
             return Err(diagnose_failure(robot, observations, settings, asked, &start, solution.termination));
         }
         wanted.retain(|&i| useless.iter().all(|g| g.held != i));
-        let all = Residuals::new(robot, observations, settings, &by_rank(robot, &wanted), &values)?;
+        let all = problem.of_others(settings, &by_rank(robot, &wanted), &values)?;
         let (new, redundant): (Vec<Group>, Vec<Group>) = Analysis::at(&all, &values, all.noise(Some(&solution)))
             .groups
             .into_iter()
@@ -169,7 +170,7 @@ fn anchored(
     if free.is_empty() {
         return Err(nothing_left(robot, observations, start));
     }
-    let residuals = Residuals::new(robot, observations, settings, &free, start)?;
+    let residuals = all.of_others(settings, &free, start)?;
     let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
     let weight = |&i: &usize| ANCHOR_MM / residuals.unit / robot.parameters()[i].known_within();
     let prior = |(parameter, i)| Prior { parameter, value: x[parameter], weight: weight(i) };

@@ -96,7 +96,7 @@ pub(super) fn with_uncertainty(
     let observed = factor.and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance.as_deref()));
     let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
     if let Some(o) = &mut observability {
-        let all = Residuals::new(robot, observations, settings, wanted, &values)?;
+        let all = problem.of_others(settings, wanted, &values)?;
         o.held_singular_values = held_singular_values(&all, &values, o);
     }
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
