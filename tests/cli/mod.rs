@@ -78,6 +78,16 @@ fn init_takes_the_robot_of_a_urdf() {
     assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stderr));
     let not_one = etalon(folder.path(), &["init", "other", "--urdf", "mine/robot.toml"]);
     assert!(not_one.status.code() == Some(2) && !folder.path().join("other").exists(), "{}", text(&not_one.stderr));
+    let joint = |name: &str, [parent, child]: [&str; 2]| {
+        format!(
+            "<joint name=\"{name}\" type=\"revolute\"><parent link=\"{parent}\"/><child link=\"{child}\"/></joint>\n"
+        )
+    };
+    let ring = [joint("one", ["a", "b"]), joint("two", ["b", "a"])].concat();
+    let ring = format!("<robot name=\"ring\">\n<link name=\"a\"/><link name=\"b\"/>\n{ring}</robot>\n");
+    std::fs::write(folder.path().join("ring.urdf"), ring).unwrap();
+    let said = text(&etalon(folder.path(), &["init", "ring", "--urdf", "ring.urdf"]).stderr);
+    assert!(said.contains("form a loop") && said.contains("ring.urdf:3:1"), "{said}");
 }
 
 /// Every robot of the table has a campaign that lacks its files alone.
@@ -86,7 +96,7 @@ fn init_has_the_geometry_of_robots() {
     let folder = tempfile::tempdir().unwrap();
     let unknown = text(&etalon(folder.path(), &["init", "x", "--robot", "ur6"]).stderr);
     let names = unknown.lines().find_map(|line| line.trim().strip_prefix("expected: ")).expect("names").to_owned();
-    assert!(names.split(", ").count() >= 18, "{names}");
+    assert!(names.split(", ").count() >= 19, "{names}");
     for name in names.split(", ") {
         let made = etalon(folder.path(), &["init", name, "--robot", name]);
         assert!(made.status.success(), "{}", text(&made.stderr));
@@ -110,6 +120,19 @@ fn init_has_the_geometry_of_robots() {
     let drawn = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/abb-irb120/robot.toml");
     let (urdf, drawn) = (poses("irb120/robot.toml"), poses(drawn));
     assert!(urdf.iter().zip(&drawn).all(|(a, b)| near(&a[1..4], &b[1..4])), "{urdf:?} {drawn:?}");
+    let Some(arm) = crate::reference_data("robots/hilti_column") else { return };
+    // the same arm as its user has it, with quarter turns rounded to 0.2 mrad
+    let robot = format!(
+        "model = \"urdf\"\nfile = '{}'\nbase_link = \"dsr_base_0\"\ntool_link = \"dsr_link6\"\n",
+        arm.join("trailblazer.urdf").display()
+    );
+    std::fs::write(folder.path().join("doosan.toml"), robot).unwrap();
+    let named: Vec<String> = (1..=6).map(|i| format!("dsr_joint{i}_deg")).collect();
+    let renamed = joints.replace("q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg", &named.join(","));
+    let table = poses("m1013/robot.toml");
+    std::fs::write(folder.path().join("q.csv"), renamed).unwrap();
+    let (urdf, near) = (poses("doosan.toml"), |a: f64, b: f64| (a - b).abs() < 1.0);
+    assert!(urdf.iter().zip(&table).all(|(a, b)| (1..4).all(|i| near(a[i], b[i]))), "{urdf:?} {table:?}");
 }
 
 #[test]

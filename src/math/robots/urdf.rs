@@ -194,6 +194,10 @@ impl Tree {
                 longest = Some((count, chain));
             }
         }
+        if longest.is_none() {
+            // no link ends a chain
+            self.links.iter().try_for_each(|link| self.upward(&link.name).map(drop))?;
+        }
         let none = || Message::error("no joint of the file moves").at(Place::file(file));
         Ok(longest.filter(|(count, _)| *count > 0).ok_or_else(none)?.1)
     }
