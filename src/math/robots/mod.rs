@@ -415,7 +415,10 @@ fn limit_violation(joints: &[Joint], limits: &[Option<[f64; 2]>], values: &[f64]
 fn wrong_targets(targets: &[String]) -> Problems {
     let mut problems = Problems::default();
     if targets.is_empty() {
-        problems.0.push(Message::error("a robot in space needs at least one target").hint("name them in `targets`"));
+        problems.0.push(
+            Message::error("a robot in space needs at least one target")
+                .hint("name them in `targets` of the campaign, or in a column `target` of the table"),
+        );
     }
     if targets.iter().any(|target| target == "base") {
         let what = "no target can be called `base`: its parameters would be those of the robot's base";
