@@ -29,8 +29,8 @@ impl F64x8 {
 
     #[inline(always)]
     fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        for i in 0..LANES {
-            self.0[i] = f(self.0[i], other.0[i]);
+        for (x, y) in self.0.iter_mut().zip(other.0) {
+            *x = f(*x, y);
         }
         self
     }
@@ -38,8 +38,8 @@ impl F64x8 {
     /// self + a b, rounded once: whether the machine has an instruction for it or not.
     #[inline(always)]
     pub fn plus(mut self, a: Self, b: Self) -> Self {
-        for i in 0..LANES {
-            self.0[i] = a.0[i].mul_add(b.0[i], self.0[i]);
+        for ((sum, a), b) in self.0.iter_mut().zip(a.0).zip(b.0) {
+            *sum = a.mul_add(b, *sum);
         }
         self
     }
@@ -77,11 +77,7 @@ impl F64x8 {
         }
         let series = |coefficients: [f64; 5]| {
             let [last, rest @ ..] = coefficients;
-            let mut sum = Self::all(last);
-            for c in rest {
-                sum = Self::all(c).plus(sum, w);
-            }
-            sum
+            rest.into_iter().fold(Self::all(last), |sum, c| Self::all(c).plus(sum, w))
         };
         let root = series([7.0 / 256.0, -5.0 / 128.0, 1.0 / 16.0, -1.0 / 8.0, 1.0 / 2.0]);
         let inverse = series([35.0 / 128.0, -5.0 / 16.0, 3.0 / 8.0, -1.0 / 2.0, 1.0]);

@@ -175,10 +175,7 @@ impl Tree {
         let is_parent = |link: &&Link| self.joints.iter().any(|joint| joint.parent == link.name);
         let mut longest: Option<(usize, LongestChain)> = None;
         for leaf in self.links.iter().filter(|link| !is_parent(link)) {
-            let mut base = leaf.name.as_str();
-            for _ in 0..=self.joints.len() {
-                base = self.above(base)?.map_or(base, |joint| joint.parent.as_str());
-            }
+            let base = self.upward(&leaf.name)?.last().map_or(leaf.name.as_str(), |joint| joint.parent.as_str());
             let chain = self.chain(file, [base, &leaf.name], place)?;
             let mut joints: Vec<Joint> = Vec::new();
             let moving = chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed");

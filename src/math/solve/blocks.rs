@@ -83,9 +83,7 @@ impl<'a> Rows<'a> {
             Some(_) => self.entries().for_each(|row| row.for_each(|(j, v)| squares[j] += v * v)),
             None => {
                 for row in self.numbers.chunks_exact(self.n.max(1)) {
-                    for (j, v) in row.iter().enumerate() {
-                        squares[j] += v * v;
-                    }
+                    squares.iter_mut().zip(row).for_each(|(s, v)| *s += v * v);
                 }
             }
         }
@@ -103,11 +101,7 @@ impl<'a> Rows<'a> {
             return product;
         }
         for (row, by) in self.numbers.chunks_exact(self.n.max(1)).zip(by.chunks_exact(N)) {
-            for (j, v) in row.iter().enumerate() {
-                for k in 0..N {
-                    product[j][k] += v * by[k];
-                }
-            }
+            product.iter_mut().zip(row).for_each(|(p, &v)| add(p, v, by));
         }
         product
     }
