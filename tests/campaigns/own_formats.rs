@@ -31,7 +31,7 @@ macro_rules! one_target {
     };
 }
 
-pub const CASES: [Case; 12] = [
+pub const CASES: [Case; 14] = [
     ("PolyWorks report", labelled!("polyworks_report", "mm"), 1.0, true, LOG, 1.0, BY_POSE),
     (
         "PolyWorks report, decimal comma",
@@ -45,6 +45,8 @@ pub const CASES: [Case; 12] = [
     ("PolyWorks project", labelled!("polyworks_project", "um"), 0.001, true, LOG, 1.0, BY_POSE),
     ("Calypso", labelled!("calypso", "inch"), 25.4, true, LOG, 1.0, BY_POSE),
     ("Calypso, decimal comma", labelled!("calypso, decimal comma", "mm"), 1.0, true, LOG, 1.0, BY_POSE),
+    ("Q-DAS", labelled!("aqdef", "m"), 1000.0, true, LOG, 1.0, BY_POSE),
+    ("Q-DAS, decimal comma", labelled!("aqdef, decimal comma", "um"), 0.001, true, LOG, 1.0, BY_POSE),
     ("DMIS", labelled!("dmis", "m"), 1000.0, true, LOG, 1.0, BY_POSE),
     ("DMIS of GEOPAK", labelled!("geopak_dmis", "inch"), 25.4, true, LOG, 1.0, BY_POSE),
     ("GEOPAK-Win scan", labelled!("geopak_gws", "inch"), 25.4, true, LOG, 1.0, BY_POSE),

@@ -111,6 +111,82 @@ fn the_head_of_a_calypso_run_names_its_unit_and_temperature_and_holds_no_points(
     assert_eq!(mm("calypso", features)[0], p("A", [1.0, 2.0, 3.0]));
 }
 
+/// Three characteristics by their names and a diameter; pieces as K fields and as rows without keys.
+const AQDEF: &str = "K0100 4\nK1001 Plate\nK2004/0 0\nK2142/0 mm\nK2002/1 Ball 1.X\nK2002/2 Ball 1.Y\nK2001/3 Ball 1_z\nK2002/4 Ball 1.D\n\
+                     K0001/1 1.5\nK0001/2 2.5\nK0001/3 -3.5\nK0001/4 25.4\nK0004/0 15.02.2024/07:46:31\n\
+                     1.6\u{14}0\u{14}15.02.2024/07:46:32\u{f}2.6\u{14}0\u{f}-3.6\u{f}25.4\n";
+
+/// A positional tolerance in space and its three coordinates, as elements of a group.
+const AQDEF_GROUP: &str = "K0100 4\nK1002 Teil\nK2002/1 K1_7_1\nK2004/1 0\nK2008/1 10\nK2002/2 X-Achse\nK2002/3 Y-Achse\n\
+                           K2002/4 Z-Achse\nK5111/1 1\nK5112/2 1\nK5103/1 2\nK5102/2 2\nK5102/2 3\nK5102/2 4\nK0001/1 0\nK0002/1 256\n\
+                           K0001/2 10,023\nK0001/3 15,986\nK0001/4 20,006\n";
+
+#[test]
+fn coordinates_of_a_q_das_file_are_points_by_name_or_group_and_piece() {
+    let expected = [p("Ball 1", [1.5, 2.5, -3.5]), p("Ball 1", [1.6, 2.6, -3.6])];
+    assert_eq!(mm("aqdef", AQDEF), expected);
+    assert_eq!(mm("aqdef", &AQDEF.replace('\n', "\r\n")), expected);
+    let (head, values) = AQDEF.split_at(AQDEF.find("K0001").unwrap());
+    assert_eq!(mm("aqdef, decimal comma", &(head.to_owned() + &values.replace('.', ","))), expected);
+    let group = [p("K1_7_1", [10.023, 15.986, 20.006])];
+    assert_eq!(mm("aqdef, decimal comma", AQDEF_GROUP), group);
+    let simple: String =
+        AQDEF_GROUP.lines().filter(|line| !line.starts_with("K5")).map(|line| format!("{line}\n")).collect();
+    let simple = simple.replace("K2008/1 10\n", "K2008/1 10\nK2030/1 1\nK2031/2 1\nK2031/3 1\nK2031/4 1\n");
+    assert_eq!(mm("aqdef, decimal comma", &simple), group);
+    // characteristics have nodes of their own below that of the group
+    let nodes = "K5103/2 3\nK5103/2 4\nK5103/2 5\nK5112/3 2\nK5112/4 3\nK5112/5 4\nK5102/3 2\nK5102/4 3\nK5102/5 4\n";
+    let own = AQDEF_GROUP.replace("K5102/2 2\nK5102/2 3\nK5102/2 4\n", nodes);
+    assert_eq!(mm("aqdef, decimal comma", &own), group);
+}
+
+#[test]
+fn values_of_a_q_das_file_that_do_not_count_are_no_points() {
+    // deleted, or a row without it: the piece has no point, and the next one is not moved up
+    let second = &[p("Ball 1", [1.6, 2.6, -3.6])];
+    assert_eq!(mm("aqdef", &AQDEF.replace("K0001/2 2.5\n", "K0001/2 2.5\nK0002/2 256\n")), second);
+    assert_eq!(mm("aqdef", &AQDEF.replace("2.6\u{14}0", "2.6\u{14}255")), &[p("Ball 1", [1.5, 2.5, -3.5])]);
+    assert_eq!(mm("aqdef", &AQDEF.replace("2.6\u{14}0", "")), &[p("Ball 1", [1.5, 2.5, -3.5])]);
+    // a diameter, a number of errors, a name that is an axis alone
+    assert_eq!(mm("aqdef", &AQDEF.replace("K2142/0 mm", "K2142/0 mm\nK2004/2 1")), &[]);
+    assert_eq!(mm("aqdef", &AQDEF.replace("Ball 1_z", "Z")), &[]);
+}
+
+#[test]
+fn what_is_wrong_in_a_q_das_file_is_refused_with_its_line() {
+    refused("aqdef", &AQDEF.replace("K2142/0 mm", "K2142/0 inch"), &["the file is in inch (K2142)", "f.txt:4"]);
+    refused("aqdef", &AQDEF.replace("K2142/0 mm", "K2142/2 deg"), &["`deg` is not a unit of a coordinate", "f.txt:4"]);
+    refused("aqdef", &AQDEF.replace("1.5", "1,5"), &["`1,5`", "f.txt:9", "decimal comma"]);
+    refused(
+        "aqdef",
+        &AQDEF.replace("K0100 4", "K0100 3"),
+        &["of characteristic 4, and K0100 states 3", "f.txt:8", "f.txt:14"],
+    );
+    refused("aqdef", &AQDEF.replace("K0100 4\n", ""), &["the first field is K1001, not K0100", ".dfd", ".dfx"]);
+    refused("aqdef", &format!("{AQDEF}K0100 4\n"), &["a second K0100", "f.txt:15"]);
+    refused("aqdef", &AQDEF[..AQDEF.find("K0001").unwrap()], &["describes characteristics alone"]);
+    refused("aqdef", &AQDEF.replace("K1001 Plate", "Plate"), &["neither a K field nor a row of values", "f.txt:2"]);
+    refused(
+        "aqdef",
+        &AQDEF.replace("K2002/4 Ball 1.D\n", ""),
+        &["characteristic 4 has a value and no name", "K2002/4"],
+    );
+    refused(
+        "aqdef",
+        &AQDEF.replace("K0001/2 2.5\n", ""),
+        &["value 1 of `Ball 1.Y` is of piece 2: one before it is missing", "f.txt:13"],
+    );
+    let by_characteristic = "K0100 3\nK1001 P\nK2001/1 A.X\nK0001/1 1\nK0001/1 2\nK2001/2 A.Y\nK0001/2 3\nK0001/2 4\n\
+                             K2001/3 A.Z\nK0001/3 5\nK0001/3 6\n";
+    assert_eq!(mm("aqdef", by_characteristic), [p("A", [1.0, 3.0, 5.0]), p("A", [2.0, 4.0, 6.0])]);
+    refused(
+        "aqdef",
+        &by_characteristic.replace("K0001/2 3\n", ""),
+        &["`A.Y` has 1 values, and another coordinate of the point 2", "f.txt:6"],
+    );
+    refused("aqdef", &AQDEF.replace("K0001/1 1.5\n", "K0002/1 0\n"), &["K0002 before a value", "f.txt:9"]);
+}
+
 const DMIS: &str = "$$ comment $\nFILNAM/'a, b = c/d'\nunits/mm, angdec\nF(N) = FEAT/POINT, CART, 9, 9, 9, 0, 0, 1\n\
                     FA(A 1) = FEAT/POINT, CART, 1.5, 2.5, $\n  3.5, 0, 0, 1\nTA(T)=TOL/POS,0.1,INTOL\n\
                     FA(S)=FEAT/SPHERE,OUTER,CART,1,2,3,25.4\nENDFIL\n";
@@ -279,6 +355,7 @@ pub fn samples() -> Vec<(&'static str, String)> {
         ("polyworks_report", REPORT.to_owned()),
         ("polyworks_project", project.to_owned()),
         ("calypso", CHR.to_owned()),
+        ("aqdef", AQDEF.to_owned()),
         ("dmis", DMIS.to_owned()),
         ("geopak_dmis", angles),
         ("pcdmis_xyz", "XYZIJK    METRIC\n10.0,20.0,5.0,0,0,1\n1,2,3\n".to_owned()),

@@ -2,6 +2,7 @@
 //!
 //! A file that states its unit must state the campaign's; one that does not is read in the campaign's.
 
+mod aqdef;
 mod calypso;
 pub(crate) mod delimited;
 pub mod dmis;
@@ -33,13 +34,14 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Every format that has a name. To add one: its file, and its line here.
-const FORMATS: [&dyn ExportFormat; 19] = [
+const FORMATS: [&dyn ExportFormat; 20] = [
     &polyworks::Polyworks,
     &qif::Qif,
     &spatialanalyzer::SpatialAnalyzer,
     &polyworks_report::PolyworksReport,
     &polyworks_project::PolyworksProject,
     &calypso::Calypso,
+    &aqdef::Aqdef,
     &dmis::DMIS,
     &dmis::GEOPAK,
     &pcdmis_xyz::PcdmisXyz,
