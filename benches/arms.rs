@@ -5,8 +5,8 @@
 
 use etalon::base::noise::Noise;
 use etalon::campaign::read_robot;
-use etalon::math::identify::{Observation, Settings, identify};
-use etalon::math::robots::{Parameter, Quantity, Robot, Role, State};
+use etalon::identify::{Observation, Settings, identify};
+use etalon::robots::{Parameter, Quantity, Robot, Role, State};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;

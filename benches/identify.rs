@@ -7,7 +7,7 @@
 
 use etalon::base::table;
 use etalon::campaign::Campaign;
-use etalon::math::identify::{Observation, Settings, identify};
+use etalon::identify::{Observation, Settings, identify};
 use etalon::run::check::{Prepared, check};
 use etalon::stages::evaluate;
 use etalon::stages::frames;

@@ -5,9 +5,9 @@
 
 #![allow(clippy::print_stdout)] // a benchmark prints
 
-use etalon::import::Format;
-use etalon::import::cloud;
-use etalon::import::format::Unit;
+use etalon::formats::Format;
+use etalon::formats::cloud;
+use etalon::formats::dialect::Unit;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;

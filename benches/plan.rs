@@ -6,10 +6,10 @@
 #![allow(clippy::print_stdout)] // a benchmark prints
 
 use etalon::campaign::read_robot;
-use etalon::import;
-use etalon::math::identify::{Settings, sensitivity};
-use etalon::math::plan::search::greedy;
-use etalon::math::plan::{Criterion, candidates, pool_of};
+use etalon::formats;
+use etalon::identify::plan::search::greedy;
+use etalon::identify::plan::{Criterion, candidates, pool_of};
+use etalon::identify::{Settings, sensitivity};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;

@@ -51,16 +51,20 @@
 #![forbid(unsafe_code)]
 #![allow(non_snake_case)] // world_T_base: frames in names
 
-pub mod base;
-pub mod campaign;
+pub use etalon_base as base;
+pub use etalon_campaign as campaign;
+pub use etalon_controllers as controllers;
+pub use etalon_documents as documents;
+pub use etalon_fit as fit;
+pub use etalon_formats as formats;
+pub use etalon_identify as identify;
+pub use etalon_math as math;
+pub use etalon_report as report;
+pub use etalon_robots as robots;
+pub use etalon_standards as standards;
+
 pub mod cli;
 pub mod compare;
-pub mod document;
-pub mod export;
-pub mod import;
-pub mod iso9283;
-pub mod math;
-pub mod report;
 pub mod run;
 pub mod simulate;
 pub mod stages;

@@ -1,6 +1,6 @@
 use etalon::base::message::Result;
-use etalon::math::identify::{Observation, Settings, identify};
-use etalon::math::robots::{Prexyt, Robot};
+use etalon::identify::{Observation, Settings, identify};
+use etalon::robots::{Prexyt, Robot};
 
 #[test]
 fn a_table_in_memory_is_identified() -> Result<()> {

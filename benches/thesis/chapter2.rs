@@ -4,10 +4,10 @@ use crate::campaigns::{Changes, campaigns, truth};
 use crate::page::{Compared, Comparison, Entry, Spread, Verdict, exactly};
 use crate::picture::{Form, Picture, Series};
 use etalon::base::pose::{Pose, Vector};
-use etalon::document::{GeometricDocument, Iso9283Pose};
-use etalon::math::geometric::{Workspace, area_mm2};
-use etalon::math::identify::{Observation, ResidualKind, Settings, identify};
-use etalon::math::robots::{PlanarPose, Prexyt, Robot};
+use etalon::documents::{GeometricDocument, Iso9283Pose};
+use etalon::identify::geometric::{Workspace, area_mm2};
+use etalon::identify::{Observation, ResidualKind, Settings, identify};
+use etalon::robots::{PlanarPose, Prexyt, Robot};
 use std::path::Path;
 
 pub const ALL: &[(&str, fn(u64) -> Vec<Entry>)] =
@@ -240,7 +240,7 @@ fn geometric(draws: u64) -> Vec<Entry> {
     let predicted = after_from_before();
     let mut first = 0;
     let table = |(k, (title, rows)): (usize, &(&'static str, &[Row]))| {
-        let ours = |i: usize, f: &dyn Fn(&etalon::document::PoseRow) -> f64| {
+        let ours = |i: usize, f: &dyn Fn(&etalon::documents::PoseRow) -> f64| {
             Spread::of(drawn.iter().map(|d| f(&d.tables[k].rows[i])))
         };
         let cell = |printed: f64, ours: Spread| Compared { printed: Some(printed), ours, digits: 3 };

@@ -4,8 +4,8 @@ use crate::campaigns::{Changes, campaign, sample};
 use crate::page::{Compared, Comparison, Entry, Spread, Verdict, exactly};
 use crate::picture::{Form, Picture, Series};
 use etalon::base::noise::Noise;
-use etalon::math::identify::{Observation, ResidualKind, Settings};
-use etalon::math::robots::{PlanarPose, Prexyt, Robot};
+use etalon::identify::{Observation, ResidualKind, Settings};
+use etalon::robots::{PlanarPose, Prexyt, Robot};
 use etalon::simulate::Unmodelled;
 use etalon::simulate::study::{Draw, Frame, Landing, Study, StudyFile, observations};
 use rayon::prelude::*;
@@ -152,7 +152,7 @@ const OUR_SETS: &str = "Poses are ours (set 1: ends of the travel with 0 and abo
     three standard deviations, residuals are those of eq. 3.26, parameters the mean of five identifications.";
 
 fn table_3_1(robot: &Prexyt, truth: &[f64], drawn: &[Vec<Draw>]) -> Entry {
-    let row = |(i, p): (usize, &etalon::math::robots::Parameter)| {
+    let row = |(i, p): (usize, &etalon::robots::Parameter)| {
         let cell = |(set, draws): (usize, &Vec<Draw>)| Compared {
             printed: IDENTIFIED[set].1.get(i).copied(),
             ours: Spread::of(draws.iter().map(|d| p.quantity.outward(d.mean[i]))),

@@ -4,9 +4,9 @@ use crate::campaigns::{Changes, campaign, truth as sample_truth};
 use crate::page::{Compared, Comparison, Entry, Spread, Verdict, exactly};
 use crate::picture::{Form, Picture, Series};
 use etalon::base::pose::Vector;
-use etalon::math::identify::{Observation, Settings, sensitivity};
-use etalon::math::plan::{Choice, Criterion, Plan, Request, plan, pool_of};
-use etalon::math::robots::{FiveBar, Limits, Robot};
+use etalon::identify::plan::{Choice, Criterion, Plan, Request, plan, pool_of};
+use etalon::identify::{Observation, Settings, sensitivity};
+use etalon::robots::{FiveBar, Limits, Robot};
 use etalon::simulate::study::{Draw, Frame, Landing, Study};
 use etalon::simulate::{Interpolation, Unmodelled, true_values};
 use rayon::prelude::*;
@@ -266,10 +266,10 @@ fn planned(s: &Simulated) -> Vec<Entry> {
         Vec::new(),
         Verdict::Differs(MODES),
     );
-    let curve = |plan: &Plan, f: &dyn Fn(&etalon::math::plan::Step) -> f64| {
+    let curve = |plan: &Plan, f: &dyn Fn(&etalon::identify::plan::Step) -> f64| {
         plan.curve.iter().map(|c| [c.configurations as f64, f(c)]).collect::<Vec<_>>()
     };
-    let lines = |title: &str, up: &'static str, f: &dyn Fn(&etalon::math::plan::Step) -> f64| {
+    let lines = |title: &str, up: &'static str, f: &dyn Fn(&etalon::identify::plan::Step) -> f64| {
         let line = |name: &str, plan: &Plan| Series { name: name.into(), points: curve(plan, f), form: Form::Line };
         let series = vec![line("all modes of a position", &s.ours), line("one by one", &s.conventional)];
         Picture { title: title.into(), across: "configurations", up, equal: false, series }.svg()

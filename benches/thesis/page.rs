@@ -1,6 +1,6 @@
 //! What the page is made of: entries with printed and computed values side by side, drawn as Markdown and as HTML.
 
-pub use etalon::document::Spread;
+pub use etalon::documents::Spread;
 use std::fmt::Write;
 
 /// Share of the values outside their intervals up to which an entry agrees: 95 % intervals leave one in twenty to chance.

@@ -1,6 +1,6 @@
 //! Reading whole files, and writing them so that nothing exists until it is whole.
 
-use crate::base::message::{Message, Problems, Result};
+use crate::message::{Message, Problems, Result};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};

@@ -1,6 +1,6 @@
 //! Rigid transforms in space: `a_T_b` is the pose of frame b in frame a; chains read from left to right.
 
-use crate::base::scalar::Scalar;
+use crate::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 

@@ -92,12 +92,12 @@ impl<const N: usize> Dual<N> {
 }
 
 /// Values as variables, each with its own derivative.
-pub(crate) fn duals<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
+pub fn duals<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
     values.iter().enumerate().map(|(i, &v)| Dual::variable(v, i)).collect()
 }
 
 /// Values without derivatives.
-pub(crate) fn constants<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
+pub fn constants<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
     values.iter().map(|&v| Dual::from(v)).collect()
 }
 

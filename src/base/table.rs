@@ -1,8 +1,8 @@
 //! Tables: points, joints, observations (polars underneath), with the names of their columns in one place.
 
-use crate::base::message::{Message, Place, Problems, Result};
-use crate::base::pose::Vector;
-use crate::base::pose_name::PoseName;
+use crate::message::{Message, Place, Problems, Result};
+use crate::pose::Vector;
+use crate::pose_name::PoseName;
 use polars::prelude::*;
 use polars_io::parquet::write::{BatchedWriter, ParquetCompression};
 use serde::Serialize;

@@ -1,9 +1,9 @@
 //! `[repeatability]`, `[poses]`, `[compliance]` and `[[stream]]`: tests of ISO 9283.
 
 use super::Campaign;
-use crate::base::message::{Message, Problems};
-use crate::base::pose_name::PoseName;
-use crate::import::{Format, format::Unit};
+use etalon_base::message::{Message, Problems};
+use etalon_base::pose_name::PoseName;
+use etalon_formats::{Format, dialect::Unit};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;

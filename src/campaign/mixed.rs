@@ -1,9 +1,9 @@
 //! Exports that carry joint values beside the points: each row is joined with itself.
 
 use super::{CampaignFile, Join, JoinBy};
-use crate::base::message::{Message, Stated};
-use crate::import::format::{Delimiter, FromRow, Header, Role};
-use crate::import::{Export, Log, LogKind};
+use etalon_base::message::{Message, Stated};
+use etalon_formats::dialect::{Delimiter, FromRow, Header, Role};
+use etalon_formats::{Export, Log, LogKind};
 use toml::Spanned;
 
 impl CampaignFile {
@@ -39,7 +39,7 @@ impl CampaignFile {
     }
 
     /// What contradicts an export with `joints`, with the text that states it.
-    pub(crate) fn joints_stated_twice(&self) -> Option<(Message, &Spanned<String>)> {
+    pub fn joints_stated_twice(&self) -> Option<(Message, &Spanned<String>)> {
         let mut mixed = self.exports.iter().filter(|export| !export.joints.is_empty());
         let export = mixed.next()?;
         if let Some(other) = mixed.next() {

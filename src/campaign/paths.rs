@@ -1,6 +1,6 @@
 //! Paths that a campaign may name: inside its folder, or below a variable of the environment that it names.
 
-use crate::base::message::Message;
+use etalon_base::message::Message;
 use std::path::{Component, Path, PathBuf};
 
 /// `$NAME/rest` as (NAME, rest).

@@ -2,9 +2,9 @@
 
 use super::toml_file::{self, Recovered, UnreadKeys};
 use super::{paths, urdf};
-use crate::base::files::{self, Stamp};
-use crate::base::message::{Message, Place, Problems, Result};
-use crate::math::robots::{Definition, Description, MODELS, Model, Parameter, Quantity, Robot, Role, Source, Tree};
+use etalon_base::files::{self, Stamp};
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_robots::{Definition, Description, MODELS, Model, Parameter, Quantity, Robot, Role, Source, Tree};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, de};

@@ -1,7 +1,7 @@
 //! Which poses: `"1-8, 12, home"`, `["home", "P3", "5-9"]`, `"all"`, `"rest"`, or `"index mod 10 < 7"`.
 
-use crate::base::message::Message;
-use crate::base::pose_name::PoseName;
+use etalon_base::message::Message;
+use etalon_base::pose_name::PoseName;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use std::borrow::Cow;

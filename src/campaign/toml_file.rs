@@ -1,8 +1,8 @@
 //! All problems of a TOML file at once: an entry that does not fit is reported and removed, a missing one is reported and
 //! filled in, and the rest is read again.
 
-use crate::base::message::{Message, Place, Problems, Result, nearest};
-use crate::math::robots::MODELS;
+use etalon_base::message::{Message, Place, Problems, Result, nearest};
+use etalon_robots::MODELS;
 use serde::de::DeserializeOwned;
 use std::ops::Range;
 use std::sync::LazyLock;
@@ -63,7 +63,7 @@ fn meet(keys: &[String], path: &[&str]) -> bool {
 }
 
 /// Reads `text` as a `T`, or reports everything in it that does not fit.
-pub(crate) fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
+pub fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
     let Recovered { value, problems, .. } = recover(file, text);
     value.filter(|_| problems.0.is_empty()).ok_or(problems)
 }

@@ -1,12 +1,12 @@
 //! The keys of `campaign.toml`.
 
 use super::{Join, JoinBy, StatedPoses};
-use crate::base::country::Country;
-use crate::base::pose::{Vector, minus, norm, unit};
-use crate::document::{Conditions, DecisionRule, Language};
-use crate::import::format::{Decimal, Delimiter, Encoding, FromRow};
-use crate::import::{Export, Layout, Log};
-use crate::math::identify::{ResidualKind, RigidPart, ToolFrame, ToolPoint};
+use etalon_base::country::Country;
+use etalon_base::pose::{Vector, minus, norm, unit};
+use etalon_documents::{Conditions, DecisionRule, Language};
+use etalon_formats::dialect::{Decimal, Delimiter, Encoding, FromRow};
+use etalon_formats::{Export, Layout, Log};
+use etalon_identify::{ResidualKind, RigidPart, ToolFrame, ToolPoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};

@@ -1,9 +1,9 @@
 //! URDF files: links and joints of a robot, in metres and radians. What the program does not need is passed over.
 
-use crate::base::message::{Message, Problems, Result};
-use crate::base::pose::{Pose, Vector};
-use crate::import::xml::{Node, Tree as Xml};
-use crate::math::robots::{Link, Mimic, Tree, TreeJoint};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::pose::{Pose, Vector};
+use etalon_formats::xml::{Node, Tree as Xml};
+use etalon_robots::{Link, Mimic, Tree, TreeJoint};
 use std::f64::consts::TAU;
 
 /// Elements that say nothing of kinematics and masses.

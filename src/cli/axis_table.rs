@@ -3,15 +3,15 @@
 use super::export::Exported;
 use super::kinematics::{identified, joint_names, whole_pose};
 use super::{Verdict, print, say};
-use crate::base::files;
-use crate::base::message::{Message, Place, Problems, Result, Severity};
-use crate::base::pose::Pose;
-use crate::base::table::{self, QUATERNION, XYZ};
-use crate::document::{CampaignSummary, GeometricDocument, LeadResult};
-use crate::export::axis_tables::{self, Deviation, MachineAxes, Plane, Sign};
-use crate::math::robots::{Calibrated, Quantity};
 use crate::run::documents::Documents;
 use crate::stages::table_file::TableFile;
+use etalon_base::files;
+use etalon_base::message::{Message, Place, Problems, Result, Severity};
+use etalon_base::pose::Pose;
+use etalon_base::table::{self, QUATERNION, XYZ};
+use etalon_controllers::axis_tables::{self, Deviation, MachineAxes, Plane, Sign};
+use etalon_documents::{CampaignSummary, GeometricDocument, LeadResult};
+use etalon_robots::{Calibrated, Quantity};
 use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
 

@@ -2,13 +2,12 @@
 
 use super::report::Dressed;
 use super::{Verdict, print_with, progress, say};
-use crate::base::files;
-use crate::base::message::printable;
-use crate::document::to_json;
-use crate::document::{BatchDocument, BatchEnd, BatchEntry, Presentation};
-use crate::report;
 use crate::run::batch::{Batch as Batched, batch, folders};
 use crate::run::pipeline::Wanted;
+use etalon_base::files;
+use etalon_base::message::printable;
+use etalon_documents::to_json;
+use etalon_documents::{BatchDocument, BatchEnd, BatchEntry, Presentation};
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -54,7 +53,7 @@ impl Batch {
         let table = self.to.join("batch.parquet");
         let Batched { document, figures } = files::write_by(&table, |file| Ok(batch(&campaigns, wanted, file, said)?))?;
         let page = self.to.join("batch.html");
-        files::write_by(&page, |file| report::batch::write(&document, &figures, &self.to, &presentation, file))?;
+        files::write_by(&page, |file| etalon_report::batch::write(&document, &figures, &self.to, &presentation, file))?;
         let verdict = match (document.failed, document.not_met) {
             (0, 0) => Verdict::Met,
             (0, _) => Verdict::LimitNotMet,

@@ -1,10 +1,10 @@
 //! `etalon check`
 
 use super::{Verdict, print, print_with, remark};
-use crate::base::message::{Problems, printable};
-use crate::campaign::Campaign;
-use crate::document::{CheckDocument, ImportDocument};
 use crate::run::check::everything;
+use etalon_base::message::{Problems, printable};
+use etalon_campaign::Campaign;
+use etalon_documents::{CheckDocument, ImportDocument};
 use std::path::{Path, PathBuf};
 
 /// Find everything that is wrong with a campaign, without computing
@@ -25,7 +25,7 @@ impl Check {
             let messages = Problems(problems.0.into_iter().chain(messages).collect()).grouped();
             let document = CheckDocument::new(self.campaign.display().to_string(), &messages.0, sources);
             let verdict = if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun };
-            return print_with(crate::document::to_json(&document)?, verdict);
+            return print_with(etalon_documents::to_json(&document)?, verdict);
         }
         let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
         remark(&document.messages);

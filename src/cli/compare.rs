@@ -2,11 +2,11 @@
 
 use super::report::Reports;
 use super::{Verdict, answer, remark};
-use crate::base::message::{Message, Problems, Result};
 use crate::compare::{Compared, compare};
-use crate::document::to_json;
-use crate::report::Faces;
 use crate::run::documents::{self, Documents};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_documents::to_json;
+use etalon_report::Faces;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 

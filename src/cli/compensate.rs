@@ -3,18 +3,18 @@
 use super::export::Exported;
 use super::kinematics::{cell, identified, joint_names, poses, starts, whole_pose};
 use super::{Verdict, print_with, remark, say};
-use crate::base::files;
-use crate::base::message::{Message, Place, Problems, Result, count};
-use crate::base::pose::{Pose, minus, norm};
-use crate::base::table::{self, QUATERNION, XYZ};
-use crate::document::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
-use crate::export::Given;
-use crate::export::commands::{
-    self, Command, Configuration, DECIMALS, Freedoms, Galil, Language, Program, ProgramTarget,
-};
-use crate::math::robots::{Calibrated, Kinematics};
 use crate::stages::table_file::TableFile;
 use clap::ValueEnum;
+use etalon_base::files;
+use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::pose::{Pose, minus, norm};
+use etalon_base::table::{self, QUATERNION, XYZ};
+use etalon_controllers::Given;
+use etalon_controllers::commands::{
+    self, Command, Configuration, DECIMALS, Freedoms, Galil, Language, Program, ProgramTarget,
+};
+use etalon_documents::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
+use etalon_robots::{Calibrated, Kinematics};
 use std::path::PathBuf;
 
 /// What to command so that the identified robot comes to its targets

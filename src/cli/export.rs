@@ -1,16 +1,16 @@
 //! `etalon export`
 
 use super::{Verdict, print_written, progress, remark};
-use crate::base::files;
-use crate::base::message::{Message, Problems, Severity};
-use crate::campaign::{Campaign, RobotFile, read_robot};
-use crate::document::{CampaignSummary, ParametersDocument, Presentation};
-use crate::export::{self, Description, Exporter, Given};
-use crate::math::robots::Robot;
 use crate::run::documents::{Documents, read_parameters};
 use crate::run::summary::summary;
 use crate::run::validation::recommend;
 use crate::stages::given::other_nominal;
+use etalon_base::files;
+use etalon_base::message::{Message, Problems, Severity};
+use etalon_campaign::{Campaign, RobotFile, read_robot};
+use etalon_controllers::{Description, Exporter, Given};
+use etalon_documents::{CampaignSummary, ParametersDocument, Presentation};
+use etalon_robots::Robot;
 use std::path::{Path, PathBuf};
 
 /// Write identified parameters as a file that a controller or another program loads
@@ -53,12 +53,16 @@ impl Export {
             Which::Identified => Exported::read(&self.source, self.robot.as_deref())?,
             Which::Recommended => Exported::recommended(&self.source)?,
         };
-        let wanted =
-            if self.format.is_empty() { export::usual().map(str::to_owned).collect::<Vec<_>>() } else { self.format };
+        let wanted = if self.format.is_empty() {
+            etalon_controllers::usual().map(str::to_owned).collect::<Vec<_>>()
+        } else {
+            self.format
+        };
         let to = self.to.unwrap_or_else(|| folder.clone());
         let exporter = |name: &String| {
             let wrong = || Message::error(format!("`{name}` is not a controller format"));
-            export::by_name(name).ok_or_else(|| Problems::from(wrong().hint_names(name, export::names())))
+            etalon_controllers::by_name(name)
+                .ok_or_else(|| Problems::from(wrong().hint_names(name, etalon_controllers::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
         let given = exported.given(self.force);

@@ -3,14 +3,13 @@
 use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
 use super::{Verdict, print, remark, say};
-use crate::base::message::{Message, Place, Problems};
-use crate::base::pose::Vector;
-use crate::document::{FitDocument, to_json};
-use crate::import;
-use crate::import::Format;
-use crate::import::format::Unit;
-use crate::math::fit::{self, CircleMethod, Element, PackedPoints, Probe, Settings, Side, Source};
 use crate::stages::qif_fit::{ProbeStated, refit};
+use etalon_base::message::{Message, Place, Problems};
+use etalon_base::pose::Vector;
+use etalon_documents::{FitDocument, to_json};
+use etalon_fit::{CircleMethod, Element, PackedPoints, Probe, Settings, Side, Source};
+use etalon_formats::Format;
+use etalon_formats::dialect::Unit;
 use std::path::PathBuf;
 
 /// Fit a geometric element to the points of files
@@ -62,7 +61,7 @@ impl Fit {
             Some(points) => (vec![self.fit("", Source::from(&points))?], false),
             None => {
                 let texts = self.texts()?;
-                let qif = texts.iter().any(|(_, text)| import::qif::is_xml(text));
+                let qif = texts.iter().any(|(_, text)| etalon_formats::qif::is_xml(text));
                 (if qif { self.measured_features(&texts)? } else { self.groups(&texts)? }, qif)
             }
         };
@@ -82,13 +81,13 @@ impl Fit {
         let first = PathBuf::from(&self.element);
         let paths = if self.all_features() { [&[first], &self.files[..]].concat() } else { self.files.clone() };
         let format = self.format()?;
-        let texts = paths.iter().map(|path| Ok((path.display().to_string(), import::text_in(path, &format)?)));
+        let texts = paths.iter().map(|path| Ok((path.display().to_string(), etalon_formats::text_in(path, &format)?)));
         let texts: Vec<_> = texts.collect::<Result<_, Problems>>()?;
         if texts.is_empty() {
             let message = Message::error(format!("`{}` has no file to be fitted to", self.element));
             return Err(message.hint(format!("name the file: etalon fit {} FILE", self.element)).into());
         }
-        match texts.iter().find(|(_, text)| self.all_features() && !import::qif::is_xml(text)) {
+        match texts.iter().find(|(_, text)| self.all_features() && !etalon_formats::qif::is_xml(text)) {
             Some((file, _)) => {
                 let message = Message::error("the element is not stated, and the file is not QIF");
                 let hint = format!("state it: etalon fit ELEMENT {file}");
@@ -133,7 +132,7 @@ impl Fit {
         let mut documents = Vec::new();
         let mut seen = Vec::new();
         for (file, text) in texts {
-            let read = import::qif::read(file, text, unit.map(Unit::in_mm))?;
+            let read = etalon_formats::qif::read(file, text, unit.map(Unit::in_mm))?;
             remark(&read.messages);
             for feature in &read.features {
                 seen.extend(feature.element().map(Element::name).filter(|_| !feature.points_mm.is_empty()));
@@ -200,7 +199,7 @@ impl Fit {
         let (unit, format) = (self.text.unit()?, self.format()?);
         let mut all = Vec::new();
         for (file, text) in texts {
-            let (points, refused) = import::points_and_refused(file, text, &format, unit)?;
+            let (points, refused) = etalon_formats::points_and_refused(file, text, &format, unit)?;
             refused.into_iter().for_each(|message| say(format_args!("{message}\n")));
             all.extend(points);
         }
@@ -215,7 +214,7 @@ impl Fit {
         let (unit, format) = (self.text.unit()?, self.format()?);
         let mut all = PackedPoints::default();
         for path in self.files.iter() {
-            match import::packed_points(path, &format, unit) {
+            match etalon_formats::packed_points(path, &format, unit) {
                 Ok(Some(points)) => all.append(points),
                 _ => return Ok(None),
             }
@@ -243,18 +242,18 @@ impl Fit {
             "enclosing-circle" => {
                 let plane: Vec<[f64; 2]> = all().iter().map(|p| [p[0], p[1]]).collect();
                 let flat: Vec<Vector> = plane.iter().map(|p| [p[0], p[1], 0.0]).collect();
-                Ok(FitDocument::enclosing("enclosing-circle", label, &flat, &fit::enclosing_circle(&plane)?))
+                Ok(FitDocument::enclosing("enclosing-circle", label, &flat, &etalon_fit::enclosing_circle(&plane)?))
             }
             "enclosing-sphere" => {
                 let points = all();
-                Ok(FitDocument::enclosing("enclosing-sphere", label, &points, &fit::enclosing_sphere(&points)?))
+                Ok(FitDocument::enclosing("enclosing-sphere", label, &points, &etalon_fit::enclosing_sphere(&points)?))
             }
             name => {
                 let element: Element = name.parse()?;
                 if self.minimum_zone {
-                    return Ok(FitDocument::minimum_zone(label, &fit::minimum_zone(element, &all())?));
+                    return Ok(FitDocument::minimum_zone(label, &etalon_fit::minimum_zone(element, &all())?));
                 }
-                Ok(FitDocument::new(label, &fit::element(element, points, &self.settings(self.probe()?))?))
+                Ok(FitDocument::new(label, &etalon_fit::element(element, points, &self.settings(self.probe()?))?))
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A fit as text.
 
-use crate::base::pose::Vector;
-use crate::document::{FitDocument, FitStated, ZoneProof};
+use etalon_base::pose::Vector;
+use etalon_documents::{FitDocument, FitStated, ZoneProof};
 use std::fmt::Write;
 
 /// A fit as some lines.

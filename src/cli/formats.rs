@@ -15,9 +15,9 @@ pub struct Formats {
 
 impl Formats {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let document = crate::import::propose_file(&self.file)?;
+        let document = etalon_formats::propose_file(&self.file)?;
         if self.json {
-            print(crate::document::to_json(&document)?)?;
+            print(etalon_documents::to_json(&document)?)?;
         } else {
             print(document.toml)?;
         }

@@ -3,20 +3,20 @@
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
-use crate::base::files;
-use crate::base::message::{Message, Place, Problems, count};
-use crate::base::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
-use crate::campaign::{Exclude, read_robot};
-use crate::document::to_json;
-use crate::math::identify::{ResidualKind, Settings, fit_frames, identify_from, weigh};
-use crate::math::robots::Robot;
-use crate::report::Faces;
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::exclusions::{Exclusion, exclude, excluded_rows};
 use crate::stages::kinds::{self, Observed, Stated};
-use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
+use etalon_base::files;
+use etalon_base::message::{Message, Place, Problems, count};
+use etalon_base::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
+use etalon_campaign::{Exclude, read_robot};
+use etalon_documents::parameters_document;
+use etalon_documents::to_json;
+use etalon_identify::{ResidualKind, Settings, fit_frames, identify_from, weigh};
+use etalon_report::Faces;
+use etalon_robots::Robot;
 use std::path::PathBuf;
 
 /// Standard uncertainties of a coordinate; beyond them the unit is another.

@@ -1,10 +1,10 @@
 //! `etalon init`
 
 use super::{Verdict, print_written};
-use crate::base::files;
-use crate::base::message::{Message, Problems};
-use crate::campaign::{parse, read_urdf};
-use crate::math::robots::{Joint, Quantity};
+use etalon_base::files;
+use etalon_base::message::{Message, Problems};
+use etalon_campaign::{parse, read_urdf};
+use etalon_robots::{Joint, Quantity};
 use serde::Deserialize;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

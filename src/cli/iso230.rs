@@ -1,12 +1,12 @@
 //! `etalon iso230`
 
 use super::{Verdict, print};
-use crate::base::message::{Message, Result};
-use crate::base::table;
-use crate::document::{AxisDocument, to_json};
-use crate::export::axis_tables::{self, Deviation};
-use crate::math::axis::{Approach, AxisPosition, AxisPositioning};
 use crate::stages::table_file::TableFile;
+use etalon_base::message::{Message, Result};
+use etalon_base::table;
+use etalon_controllers::axis_tables::{self, Deviation};
+use etalon_documents::{AxisDocument, to_json};
+use etalon_math::axis::{Approach, AxisPosition, AxisPositioning};
 use std::path::PathBuf;
 
 /// Accuracy and repeatability of positioning of a linear axis (ISO 230-2:2014), and its compensation table

@@ -5,13 +5,13 @@ mod stream;
 
 use super::table_file::TableFile;
 use super::{Verdict, answer, remark};
-use crate::base::message::{Message, Problems};
-use crate::campaign::Limits;
-use crate::document::{Characteristics, DecisionRule, to_json};
-use crate::iso9283::pose::{DRAWS, Settings};
-use crate::report::Faces;
 use crate::stages::iso9283::pose::PoseTables;
 use crate::stages::iso9283::{limits, load};
+use etalon_base::message::{Message, Problems};
+use etalon_campaign::Limits;
+use etalon_documents::{Characteristics, DecisionRule, to_json};
+use etalon_report::Faces;
+use etalon_standards::iso9283::pose::{DRAWS, Settings};
 use plan::PlanOptions;
 use std::path::{Path, PathBuf};
 use stream::StreamOptions;

@@ -1,16 +1,16 @@
 //! `etalon kinematics`
 
 use super::{Verdict, print_with, remark};
-use crate::base::message::{Message, Place, Problems, Result};
-use crate::base::pose::Pose;
-use crate::base::table::{self, ASSEMBLY, QUATERNION, XYZ};
-use crate::campaign::read_robot;
-use crate::document::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
-use crate::math::identify::{joint_column, stated_modes};
-use crate::math::robots::{Kinematics as Arm, Robot, Role};
 use crate::run::documents::read_parameters;
 use crate::stages::given::robot_values;
 use crate::stages::table_file::TableFile;
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::Pose;
+use etalon_base::table::{self, ASSEMBLY, QUATERNION, XYZ};
+use etalon_campaign::read_robot;
+use etalon_documents::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
+use etalon_identify::{joint_column, stated_modes};
+use etalon_robots::{Kinematics as Arm, Robot, Role};
 use std::path::{Path, PathBuf};
 
 /// How far a quaternion may be from length one: it has a few decimals.
@@ -224,7 +224,7 @@ fn direct(arm: &dyn Arm, file: &TableFile, document: &mut KinematicsDocument) ->
     Ok(())
 }
 
-fn entry(arm: &dyn Arm, pose: crate::base::pose_name::PoseName, joints: &[f64], at: &Pose) -> KinematicsEntry {
+fn entry(arm: &dyn Arm, pose: etalon_base::pose_name::PoseName, joints: &[f64], at: &Pose) -> KinematicsEntry {
     let outward = arm.joints().iter().zip(joints).map(|(joint, &q)| joint.quantity.outward(q));
     let joints = outward.chain(joints.get(arm.joints().len()).copied()).collect();
     KinematicsEntry { pose, joints, xyz_mm: at.translation_mm, quaternion: at.quaternion() }

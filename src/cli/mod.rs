@@ -29,11 +29,11 @@ mod uncertainty;
 mod validate;
 mod verify;
 
-use crate::base::message::{Message, Problems};
-use crate::document::WrittenDocument;
-use crate::report::Faces;
 use crate::stages::table_file;
 use clap::{Parser, Subcommand};
+use etalon_base::message::{Message, Problems};
+use etalon_documents::WrittenDocument;
+use etalon_report::Faces;
 use std::fmt::Display;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::process::ExitCode;
@@ -127,7 +127,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Ok(Verdict::LimitNotMet) => ExitCode::from(1),
         Ok(Verdict::NotRun) => ExitCode::from(2),
         Err(error) => {
-            match error.downcast_ref::<crate::base::message::Problems>() {
+            match error.downcast_ref::<etalon_base::message::Problems>() {
                 Some(problems) => say(problems),
                 None => say(format_args!("error: {error:#}")),
             }
@@ -180,7 +180,7 @@ fn remark(messages: &[Message]) {
 /// The files that were written, as lines or as JSON.
 fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     if json {
-        return print(crate::document::to_json(&WrittenDocument::new(files))?);
+        return print(etalon_documents::to_json(&WrittenDocument::new(files))?);
     }
     print(files.iter().map(|file| format!("{file}\n")).collect::<String>())
 }

@@ -3,22 +3,21 @@
 use super::report::Reports;
 use super::table_file::TableFile;
 use super::{Verdict, answer, progress, remark};
-use crate::base::files;
-use crate::base::message::{Message, Place, Problems, Result};
-use crate::base::pose_name::PoseName;
-use crate::base::table::ASSEMBLY;
-use crate::campaign::{RobotFile, read_robot, read_true_parameters};
-use crate::document::*;
-use crate::export;
-use crate::math::identify::{Observation, Settings};
-use crate::math::plan::candidates::{self, Candidates};
-use crate::math::plan::{
+use crate::simulate::true_values;
+use etalon_base::files;
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose_name::PoseName;
+use etalon_base::table::ASSEMBLY;
+use etalon_campaign::{RobotFile, read_robot, read_true_parameters};
+use etalon_documents::observability_summary;
+use etalon_documents::*;
+use etalon_identify::plan::candidates::{self, Candidates};
+use etalon_identify::plan::{
     Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, point_of, study,
 };
-use crate::math::robots::{Parameter, Robot};
-use crate::report::Faces;
-use crate::simulate::true_values;
-use crate::stages::parameters::observability_summary;
+use etalon_identify::{Observation, Settings};
+use etalon_report::Faces;
+use etalon_robots::{Parameter, Robot};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -27,6 +26,29 @@ use std::path::{Path, PathBuf};
 const STUDY_RUNS: u64 = 5;
 /// Such means, of whose errors the median is reported: one alone scatters by a third.
 const STUDY_DRAWS: u64 = 20;
+
+/// A criterion, as a value of the command line.
+#[derive(Clone, Copy, Debug)]
+struct Index(Criterion);
+
+impl clap::ValueEnum for Index {
+    fn value_variants<'a>() -> &'a [Self] {
+        const ALL: [Index; Criterion::ALL.len()] = {
+            let mut all = [Index(Criterion::O1); Criterion::ALL.len()];
+            let mut i = 0;
+            while i < all.len() {
+                all[i] = Index(Criterion::ALL[i]);
+                i += 1;
+            }
+            all
+        };
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        Some(clap::builder::PossibleValue::new(self.0.name()).help(self.0.definition()))
+    }
+}
 
 /// Choose the poses to measure among candidates, and prove how far they are from the best
 #[derive(Debug, clap::Args)]
@@ -43,7 +65,7 @@ pub struct Plan {
     positions: usize,
     /// What to maximise: an observability index, or D-, A-, E- or I-optimality
     #[arg(long, value_enum, default_value = "O1", ignore_case = true)]
-    index: Criterion,
+    index: Index,
     /// Choose configuration by configuration instead of pose by pose
     #[arg(long)]
     single: bool,
@@ -107,7 +129,7 @@ impl Plan {
         };
         let request = Request {
             positions: self.positions,
-            criterion: self.index,
+            criterion: self.index.0,
             single: self.single,
             start: self.start.clone(),
             starts: self.starts,
@@ -123,7 +145,7 @@ impl Plan {
             files::write(path, csv(robot.as_ref(), &document).as_bytes())?;
         }
         if let Some(path) = &self.targets {
-            files::write(path, &export::targets(&document, &path.display().to_string())?)?;
+            files::write(path, &etalon_controllers::targets(&document, &path.display().to_string())?)?;
         }
         let faces = Faces::plan(&document, self.reports.over(Presentation::default())?)?;
         self.reports.write(&faces)?;
@@ -185,7 +207,7 @@ impl Plan {
         });
         let inputs = files::sha256_of(self.inputs())?;
         let compared = (!self.compare.is_empty()).then(|| {
-            let value = index_of(planned, observations, self.index, &self.compare);
+            let value = index_of(planned, observations, self.index.0, &self.compare);
             let better_by_percent = 100.0 * (planned.index / value - 1.0);
             ComparedPoses { poses: self.compare.clone(), value, better_by_percent }
         });
@@ -202,8 +224,8 @@ impl Plan {
         Ok(PlanDocument {
             schema: "etalon/plan/1".to_owned(),
             robot: robot.model().to_owned(),
-            index: format!("{:?}", self.index),
-            definition: self.index.definition().to_owned(),
+            index: self.index.0.name().to_owned(),
+            definition: self.index.0.definition().to_owned(),
             grouped: !self.single,
             candidates: planned.members.len(),
             configurations: observations.len(),

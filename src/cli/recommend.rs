@@ -2,13 +2,13 @@
 
 use super::report::Reports;
 use super::{Verdict, answer, progress, remark};
-use crate::base::files;
-use crate::base::message::{Message, Problems};
-use crate::campaign::Campaign;
-use crate::document::to_json;
-use crate::report::Faces;
 use crate::run::check::presentation;
 use crate::run::validation::recommend;
+use etalon_base::files;
+use etalon_base::message::{Message, Problems};
+use etalon_campaign::Campaign;
+use etalon_documents::to_json;
+use etalon_report::Faces;
 use std::path::PathBuf;
 
 /// Which identified parameters deserve to be loaded into the controller

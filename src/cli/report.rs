@@ -1,13 +1,13 @@
 //! `etalon report`
 
 use super::{Verdict, print_written};
-use crate::base::files;
-use crate::base::message::{Message, Problems, Result};
-use crate::document::{Language, Presentation};
-use crate::export::CERTIFICATE;
-use crate::report::branding;
-use crate::report::{self, Faces};
 use crate::run::documents::{self, Documents};
+use etalon_base::files;
+use etalon_base::message::{Message, Problems, Result};
+use etalon_controllers::CERTIFICATE;
+use etalon_documents::{Language, Presentation};
+use etalon_report::Faces;
+use etalon_report::branding;
 use std::path::{Path, PathBuf};
 
 /// Write the report again from the documents of an output folder
@@ -90,10 +90,10 @@ impl Reports {
 /// The kind of report that the ending of its file names.
 fn kind(path: &Path) -> Result<String> {
     let ending = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).unwrap_or_default();
-    if report::kinds().any(|kind| kind == ending) {
+    if etalon_report::kinds().any(|kind| kind == ending) {
         return Ok(ending);
     }
-    let kinds: Vec<String> = report::kinds().map(|kind| format!(".{kind}")).collect();
+    let kinds: Vec<String> = etalon_report::kinds().map(|kind| format!(".{kind}")).collect();
     let message = Message::error(format!("`{}` does not end like a report", path.display()));
     Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
 }
@@ -102,7 +102,7 @@ impl Report {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let written = match (&self.folder, &self.write_templates) {
             (_, Some(folder)) => {
-                let templates = report::templates().map(|(name, text)| (name, text.as_bytes().to_vec()));
+                let templates = etalon_report::templates().map(|(name, text)| (name, text.as_bytes().to_vec()));
                 files::write_new(folder, &templates.collect::<Vec<_>>())?
             }
             (Some(folder), None) => write_report(folder, &self.dressed, self.certificate)?,

@@ -1,10 +1,10 @@
 //! `etalon run`
 
 use super::{Verdict, print_with, remark, say};
-use crate::base::message::Message;
-use crate::campaign::Campaign;
-use crate::document::to_json;
 use crate::run::pipeline::{self, Outcome};
+use etalon_base::message::Message;
+use etalon_campaign::Campaign;
+use etalon_documents::to_json;
 use std::path::PathBuf;
 
 /// Run a campaign from its exports to the report

@@ -1,7 +1,7 @@
 //! `etalon schema`
 
 use super::{Verdict, print};
-use crate::base::message::{Message, Problems};
+use etalon_base::message::{Message, Problems};
 
 /// Print the JSON Schema of an input file or of a JSON document
 #[derive(Debug, clap::Args)]
@@ -25,7 +25,7 @@ pub struct Schema {
 
 impl Schema {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let all = [crate::campaign::schemas(), crate::document::schema::all()].concat();
+        let all = [etalon_campaign::schemas(), etalon_documents::schema::all()].concat();
         let (_, text) = all.iter().find(|(name, _)| *name == self.name).ok_or_else(|| {
             let message = Message::error(format!("there is no schema `{}`", self.name));
             Problems::from(message.hint_names(&self.name, all.iter().map(|(name, _)| *name)))

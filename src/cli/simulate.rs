@@ -1,8 +1,8 @@
 //! `etalon simulate`
 
 use super::{Verdict, print_written, say};
-use crate::campaign::Campaign;
 use crate::simulate::Truth;
+use etalon_campaign::Campaign;
 use std::path::PathBuf;
 
 /// Write the exports, logs and observations of a campaign for a robot with known parameters and stated noise

@@ -1,10 +1,10 @@
 //! `etalon study`
 
 use super::{Verdict, print, say};
-use crate::base::files;
-use crate::campaign::read_robot;
-use crate::document::{Provenance, Spread, StudiesDocument, to_json};
 use crate::simulate::study::StudyFile;
+use etalon_base::files;
+use etalon_campaign::read_robot;
+use etalon_documents::{Provenance, Spread, StudiesDocument, to_json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

@@ -1,10 +1,10 @@
 //! Options that state how a text of points is read.
 
 use super::table_file::TableFile;
-use crate::base::message::{Message, Problems};
-use crate::import::format::FromRow;
-use crate::import::format::{Decimal, Delimiter, Dialect, Header, Role, Unit};
-use crate::import::{self, Format, Layout};
+use etalon_base::message::{Message, Problems};
+use etalon_formats::dialect::FromRow;
+use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Header, Role, Unit};
+use etalon_formats::{Format, Layout};
 use std::path::Path;
 
 /// Unit and columns of a text.
@@ -101,7 +101,7 @@ impl TableFormat {
             pose: self.pose.as_deref().map(|row| word::<FromRow>("--pose", row)).transpose()?,
         };
         let encoding = self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()?;
-        TableFile::observations(path, &import::bytes_of(path)?, layout, encoding, self.sheet.as_deref())
+        TableFile::observations(path, &etalon_formats::bytes_of(path)?, layout, encoding, self.sheet.as_deref())
     }
 }
 

@@ -1,11 +1,11 @@
 //! `etalon uncertainty`
 
 use super::{Verdict, answer, progress, remark};
-use crate::campaign::Campaign;
-use crate::document::to_json;
-use crate::report::Faces;
 use crate::run::validation::uncertainty;
 use crate::stages::monte_carlo::Draws;
+use etalon_campaign::Campaign;
+use etalon_documents::to_json;
+use etalon_report::Faces;
 use std::path::PathBuf;
 
 /// Distributions of a campaign's results by Monte Carlo and bootstrap

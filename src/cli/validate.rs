@@ -2,13 +2,13 @@
 
 use super::report::Reports;
 use super::{Verdict, answer, remark};
-use crate::campaign::Campaign;
-use crate::document::{GivenFrames, to_json};
-use crate::report::Faces;
 use crate::run::check::presentation;
 use crate::run::documents::read_parameters;
 use crate::run::validation::validate;
 use crate::stages::validation::Validated;
+use etalon_campaign::Campaign;
+use etalon_documents::{GivenFrames, to_json};
+use etalon_report::Faces;
 use std::path::PathBuf;
 
 /// Judge given parameters on the data of a campaign

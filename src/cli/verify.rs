@@ -6,16 +6,16 @@ use super::report::Reports;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, progress, remark};
-use crate::base::files;
-use crate::base::message::{Message, Problems};
-use crate::campaign::{RobotFile, read_robot};
-use crate::document::{ParametersDocument, Presentation, to_json};
-use crate::math::identify::Observation;
-use crate::math::plan::candidates::Candidates;
-use crate::report::Faces;
 use crate::run::documents::read_parameters;
 use crate::stages::kinds;
 use crate::stages::verification::{plan, verify};
+use etalon_base::files;
+use etalon_base::message::{Message, Problems};
+use etalon_campaign::{RobotFile, read_robot};
+use etalon_documents::{ParametersDocument, Presentation, to_json};
+use etalon_identify::Observation;
+use etalon_identify::plan::candidates::Candidates;
+use etalon_report::Faces;
 use std::path::PathBuf;
 
 /// Check whether identified parameters still hold, from some few measured poses

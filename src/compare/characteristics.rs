@@ -2,10 +2,10 @@
 
 use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
 use super::trend::{changed, of_estimates, pairs};
-use crate::base::message::Message;
-use crate::base::pose_name::PoseName;
-use crate::document::*;
-use crate::iso9283::statistics::sample::spread;
+use etalon_base::message::Message;
+use etalon_base::pose_name::PoseName;
+use etalon_documents::*;
+use etalon_standards::iso9283::statistics::sample::spread;
 use std::collections::BTreeSet;
 
 /// AP, mean position and RP of every pose that all campaigns have; homings too.

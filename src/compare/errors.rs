@@ -2,7 +2,7 @@
 
 use super::significance::Estimate;
 use super::trend::of_estimates;
-use crate::document::*;
+use etalon_documents::*;
 
 /// Mean errors of position and orientation, before and after, of every set of poses that all campaigns have.
 pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<CompareTrend> {

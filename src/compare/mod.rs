@@ -9,8 +9,8 @@ mod paths;
 pub mod significance;
 mod trend;
 
-use crate::base::message::{Message, Problems, Result, one_line};
-use crate::document::*;
+use etalon_base::message::{Message, Problems, Result, one_line};
+use etalon_documents::*;
 use std::collections::{BTreeMap, BTreeSet};
 use trend::judge;
 

@@ -2,9 +2,9 @@
 
 use super::significance::{Estimate, LEVEL};
 use super::trend::{of_estimates, pairs};
-use crate::base::message::Message;
-use crate::document::*;
-use crate::math::identify::UncertaintyFrom;
+use etalon_base::message::Message;
+use etalon_documents::*;
+use etalon_identify::UncertaintyFrom;
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 use std::collections::BTreeSet;

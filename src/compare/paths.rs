@@ -2,8 +2,8 @@
 
 use super::significance::{Difference, Recovered, recovered};
 use super::trend::{changed, pairs};
-use crate::base::message::{Message, count, one_line};
-use crate::document::*;
+use etalon_base::message::{Message, count, one_line};
+use etalon_documents::*;
 
 /// Paths are one where length, begin and end agree to this share of the length.
 const SAME: f64 = 1e-3;

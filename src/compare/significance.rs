@@ -1,7 +1,7 @@
 //! When a change is more than chance.
 
-use crate::base::noise::Noise;
-pub use crate::math::identify::holm;
+use etalon_base::noise::Noise;
+pub use etalon_identify::holm;
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor, Normal, StudentsT};
 

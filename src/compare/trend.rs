@@ -1,7 +1,7 @@
 //! Quantities over campaigns, whatever they are.
 
 use super::significance::{Difference, Estimate, LEVEL, holm, step_down};
-use crate::document::{CompareChange, CompareFamily, CompareTrend, CompareValue};
+use etalon_documents::{CompareChange, CompareFamily, CompareTrend, CompareValue};
 use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 

@@ -4,9 +4,9 @@
 use super::html;
 use super::number::{significant, with_uncertainty};
 use super::words::Words;
-use crate::base::message::one_line;
-use crate::base::statistics::median;
-use crate::document::{BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, Presentation};
+use etalon_base::message::one_line;
+use etalon_base::statistics::median;
+use etalon_documents::{BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, Presentation};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -242,7 +242,7 @@ fn encoded(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Language;
+    use etalon_documents::Language;
 
     /// A hundred campaigns of two robots, one of them unlike the rest, one that failed; names that want to be markup.
     fn batch() -> (BatchDocument, BatchFigures) {

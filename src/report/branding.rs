@@ -1,9 +1,9 @@
 //! What a laboratory dresses its reports in: a logo and templates, read from files.
 
-use crate::base::files;
-use crate::base::message::{Message, Result};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use etalon_base::files;
+use etalon_base::message::{Message, Result};
 use std::collections::BTreeMap;
 use std::path::Path;
 

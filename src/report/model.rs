@@ -4,8 +4,8 @@
 
 use super::number;
 use super::words::Words;
-use crate::base::message::one_line;
-use crate::base::pose_name::PoseName;
+use etalon_base::message::one_line;
+use etalon_base::pose_name::PoseName;
 use serde::{Serialize, Serializer};
 
 /// Rows of a table that a page shows; the workbook and the documents have all.

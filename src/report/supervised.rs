@@ -1,6 +1,6 @@
 //! Templates of a laboratory are programs: one that does not end, or takes all memory, is stopped.
 
-use crate::base::message::{Message, Result};
+use etalon_base::message::{Message, Result};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 

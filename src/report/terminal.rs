@@ -3,7 +3,7 @@
 
 use super::model::{Block, Cell, Contents, Table, Tone};
 use super::words::Words;
-use crate::base::message::printable_character;
+use etalon_base::message::printable_character;
 
 /// What a terminal shows.
 pub(super) fn terminal(contents: &Contents, words: &Words) -> String {

@@ -4,8 +4,8 @@
 
 pub(super) mod comparison;
 
-use crate::base::message::{Message, Result, printable};
-use crate::document::Language;
+use etalon_base::message::{Message, Result, printable};
+use etalon_documents::Language;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 

@@ -4,7 +4,7 @@
 use super::model::{Block, Cell, Columns, Contents, Fact, Table};
 use super::number;
 use super::words::Words;
-use crate::base::message::{Message, Result};
+use etalon_base::message::{Message, Result};
 use rust_xlsxwriter::{Chart, ChartType, Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
 /// What Excel holds on one sheet, less the header and a line on what is left out.

@@ -3,17 +3,17 @@
 //! Documents of a batch are not synced one by one: what counts as done on a restart is a folder whose files all have the hashes of its
 //! manifest, so a power cut costs no more than the campaigns that the system had not written yet, which are run again.
 
-use crate::base::folder::{self, Durability};
-use crate::base::message::{Message, Problems, Result};
-use crate::base::table::RowGroups;
-use crate::campaign::Campaign;
-use crate::document::{
-    AccuracyDocument, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary, Characteristics, Iso9283Pose,
-    ParametersDocument,
-};
 use crate::run::documents::Run;
 use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
+use etalon_base::folder::{self, Durability};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::table::RowGroups;
+use etalon_campaign::Campaign;
+use etalon_documents::{
+    AccuracyDocument, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary, Characteristics, Iso9283Pose,
+    ParametersDocument,
+};
 use polars::prelude::{Column, DataFrame};
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::io::Write;
@@ -225,7 +225,7 @@ pub fn folders(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
             all.push(path.clone());
             continue;
         }
-        let Some(text) = problems.keep(crate::base::files::read_text(path)) else { continue };
+        let Some(text) = problems.keep(etalon_base::files::read_text(path)) else { continue };
         let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
         // beside the list, as paths in a campaign are beside it
         all.extend(lines.map(|line| path.parent().unwrap_or(Path::new("")).join(line)));

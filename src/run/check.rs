@@ -1,14 +1,6 @@
 //! Everything that is wrong with a campaign, found at once and without identifying anything; what was read is kept for the run.
 
 use super::{names, statements};
-use crate::base::message::{Problems, Result, Severity};
-use crate::base::pattern::matches_pattern;
-use crate::base::pose_name::PoseName;
-use crate::campaign::Campaign;
-use crate::document::{ImportDocument, Presentation};
-use crate::import::Point;
-use crate::math::robots::Robot;
-use crate::report::{self, branding};
 use crate::stages::frames;
 use crate::stages::gather::{self, Gathered};
 use crate::stages::geometric;
@@ -16,6 +8,14 @@ use crate::stages::identification::{check_selections, preview};
 use crate::stages::iso9283::{self, TestData};
 use crate::stages::join;
 use crate::stages::kinds;
+use etalon_base::message::{Problems, Result, Severity};
+use etalon_base::pattern::matches_pattern;
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::Campaign;
+use etalon_documents::{ImportDocument, Presentation};
+use etalon_formats::Point;
+use etalon_report::branding;
+use etalon_robots::Robot;
 use std::collections::BTreeSet;
 
 /// A campaign whose files are read, each once.
@@ -171,6 +171,6 @@ pub fn presentation(campaign: &Campaign) -> Result<Presentation> {
         let read = branding::templates(&campaign.resolve(folder)?);
         presentation.templates = read.map_err(|more| more.at(&campaign.place(folder)))?;
     }
-    report::check_templates(&presentation)?;
+    etalon_report::check_templates(&presentation)?;
     Ok(presentation)
 }

@@ -1,16 +1,16 @@
 //! The output folder of a run as others read it: every document is what that run wrote, or the folder is refused.
 
-use crate::base::folder::{self, Durability};
-use crate::base::message::{Message, Place, Result};
-use crate::base::{files, table};
-use crate::campaign::Campaign;
-use crate::document::to_json;
-use crate::document::{
+use crate::stages::evaluate;
+use etalon_base::folder::{self, Durability};
+use etalon_base::message::{Message, Place, Result};
+use etalon_base::{files, table};
+use etalon_campaign::Campaign;
+use etalon_documents::to_json;
+use etalon_documents::{
     AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
     ImportDocument, ManifestDocument, ParametersDocument, PointError,
 };
-use crate::report::{self, Report};
-use crate::stages::evaluate;
+use etalon_report::Report;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -163,7 +163,7 @@ impl Run {
             import: &self.import,
             features: &self.features,
             frames: &self.frames,
-            identified: self.identified.as_ref().map(|i| report::Identified {
+            identified: self.identified.as_ref().map(|i| etalon_report::Identified {
                 parameters: &i.parameters,
                 accuracy: &i.accuracy,
                 errors: &i.errors,

@@ -1,13 +1,12 @@
 //! Names that do not exist: labels, features, targets, parameters, columns.
 
-use crate::base::message::{Message, Problems};
-use crate::base::pattern::matches_pattern;
-use crate::campaign::{Campaign, JoinBy};
-use crate::import;
-use crate::import::Export;
-use crate::import::format::Role;
-use crate::math::robots::Robot;
 use crate::stages::gather::Gathered;
+use etalon_base::message::{Message, Problems};
+use etalon_base::pattern::matches_pattern;
+use etalon_campaign::{Campaign, JoinBy};
+use etalon_formats::Export;
+use etalon_formats::dialect::Role;
+use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
 
@@ -125,10 +124,13 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
             problems.0.push(message.expected("letters, digits, `_` and `-`, another name for each log"));
         }
         let known = |key: &str| {
-            import::is_common_column(key)
-                || robot.joints().iter().any(|j| import::is_joint_column(key, j) || key == j.direction_column())
+            etalon_formats::is_common_column(key)
+                || robot.joints().iter().any(|j| etalon_formats::is_joint_column(key, j) || key == j.direction_column())
         };
-        for key in log.columns.keys().filter(|key| !known(key.get_ref()) && import::log_column(key.get_ref()).is_some())
+        for key in log
+            .columns
+            .keys()
+            .filter(|key| !known(key.get_ref()) && etalon_formats::log_column(key.get_ref()).is_some())
         {
             let columns: Vec<String> = robot.joints().iter().map(|joint| joint.column()).collect();
             let message = Message::error(format!("`{}` is not a joint of this robot", key.get_ref()));
@@ -140,7 +142,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
         }
         for joint in robot.joints() {
             let column = joint.column();
-            if !log.columns.keys().any(|k| import::is_joint_column(k.get_ref(), joint)) {
+            if !log.columns.keys().any(|k| etalon_formats::is_joint_column(k.get_ref(), joint)) {
                 problems.0.push(
                     Message::error(format!("log `{}` has no column for joint `{}`", log.name, joint.name))
                         .at(campaign.place(&log.file))
@@ -176,7 +178,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
 /// An error where no label of an export has the form that the campaign states.
 fn other_form(campaign: &Campaign, export: &Export, imported: &Gathered) -> Option<Message> {
     let form = export.label.as_ref()?;
-    let pattern = import::LabelPattern::parse(form.get_ref()).ok()?;
+    let pattern = etalon_formats::LabelPattern::parse(form.get_ref()).ok()?;
     let own = || imported.points.iter().filter(|p| *p.export == **export.file.get_ref());
     let first = &own().next()?.label;
     if own().any(|p| p.pose.is_some() || pattern.read(&p.label, |_| false).is_some()) {

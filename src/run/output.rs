@@ -1,19 +1,16 @@
 //! The output folder of a campaign: documents are collected first and written when all of them are whole.
 
-use crate::base::files;
-use crate::base::folder::Durability;
-use crate::base::message::{Message, Result};
-use crate::base::table;
-use crate::campaign::Campaign;
-use crate::document::{ImportDocument, ManifestDocument, Source, to_json};
-use crate::export;
-use crate::import;
-use crate::report;
 use crate::run::documents::{self, Documents};
 use crate::stages::evaluate;
 use crate::stages::gather::Gathered;
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
+use etalon_base::files;
+use etalon_base::folder::Durability;
+use etalon_base::message::{Message, Result};
+use etalon_base::table;
+use etalon_campaign::Campaign;
+use etalon_documents::{ImportDocument, ManifestDocument, Source, to_json};
 use polars::prelude::DataFrame;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -63,7 +60,7 @@ impl Output {
 
     /// Adds the tables of points and joint values.
     pub fn gathered(&mut self, campaign: &Campaign, gathered: &Gathered) -> Result<()> {
-        self.bytes("points.parquet", import::to_parquet(&gathered.points)?);
+        self.bytes("points.parquet", etalon_formats::to_parquet(&gathered.points)?);
         for log in &gathered.logs {
             self.table(&Self::numbered("joints", &log.name, campaign), &mut log.table()?)?;
         }
@@ -90,7 +87,7 @@ impl Output {
     }
 
     /// Adds the files of a report.
-    pub fn reports(&mut self, files: Vec<report::File>) {
+    pub fn reports(&mut self, files: Vec<etalon_report::File>) {
         files.into_iter().for_each(|(name, bytes)| self.bytes(name, bytes));
     }
 
@@ -105,7 +102,7 @@ impl Output {
     pub fn write(self, campaign: &Campaign, sources: &[Source], durability: Durability) -> Result<Vec<String>> {
         let names = self.files.iter().map(|(name, _)| name.clone()).collect();
         let earlier = Documents::open(&self.folder).map(|earlier| earlier.manifest.files).unwrap_or_default();
-        let ours = |name: &str| earlier.contains_key(name) || export::file_names().any(|file| file == name);
+        let ours = |name: &str| earlier.contains_key(name) || etalon_controllers::file_names().any(|file| file == name);
         documents::replace(
             &self.folder,
             BTreeMap::new(),

@@ -1,11 +1,5 @@
 //! The hallway: every stage is a function from the documents before it to the document after it.
 
-use crate::base::folder::Durability;
-use crate::base::message::{Message, Problems, Result};
-use crate::campaign::Campaign;
-use crate::document::{CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument};
-use crate::export;
-use crate::report::{self, Faces, Report};
 use crate::run::check::{Prepared, check};
 use crate::run::output::Output;
 use crate::run::summary::summary;
@@ -16,6 +10,11 @@ use crate::stages::identification::{Identified, identify};
 use crate::stages::iso9283;
 use crate::stages::join::{self, Joined};
 use crate::stages::kinds;
+use etalon_base::folder::Durability;
+use etalon_base::message::{Message, Problems, Result};
+use etalon_campaign::Campaign;
+use etalon_documents::{CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument};
+use etalon_report::{Faces, Report};
 
 /// What a run writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,7 +123,7 @@ impl Evaluated {
             import: &self.gathered.document,
             features: &self.features,
             frames: &self.frames,
-            identified: self.identified.as_ref().map(|found| report::Identified {
+            identified: self.identified.as_ref().map(|found| etalon_report::Identified {
                 parameters: &found.parameters,
                 accuracy: &found.accuracy,
                 errors: &found.errors,
@@ -172,19 +171,24 @@ fn write(
     if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
         let targets = gathered.observations.as_ref().map(|table| kinds::targets(&table.table)).transpose()?;
         let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
-        let given = export::Given {
+        let given = etalon_controllers::Given {
             parameters: &found.parameters,
             summary: Some(&summary),
             name: summary.robot.as_deref(),
             robot: Some(robot.as_ref()),
-            description: campaign.robot.description().map(|(file, text)| export::Description { file, text }),
+            description: campaign
+                .robot
+                .description()
+                .map(|(file, text)| etalon_controllers::Description { file, text }),
             force: false,
         };
         for exporter in exporters(campaign) {
             out.bytes(exporter.file_name(), exporter.write(&given)?);
         }
     }
-    let faces = faces.map(|faces| faces.with_certificate(export::CERTIFICATE, out.file(export::CERTIFICATE)));
+    let faces = faces.map(|faces| {
+        faces.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
+    });
     if let Some(faces) = &faces {
         out.reports(faces.files()?);
     }
@@ -193,17 +197,17 @@ fn write(
 }
 
 /// The controller formats that the campaign names, or the usual ones.
-fn exporters(campaign: &Campaign) -> Vec<&'static dyn export::Exporter> {
+fn exporters(campaign: &Campaign) -> Vec<&'static dyn etalon_controllers::Exporter> {
     match &campaign.file.controllers {
-        Some(names) => names.iter().filter_map(|name| export::by_name(name.get_ref())).collect(),
-        None => export::usual().filter_map(export::by_name).collect(),
+        Some(names) => names.iter().filter_map(|name| etalon_controllers::by_name(name.get_ref())).collect(),
+        None => etalon_controllers::usual().filter_map(etalon_controllers::by_name).collect(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::files::{self, OPENED};
+    use etalon_base::files::{self, OPENED};
     use std::path::{Path, PathBuf};
 
     /// A copy of a sample in a folder of its own, with more in its `campaign.toml`, and other files.

@@ -1,14 +1,13 @@
 //! Statements of a campaign that contradict each other or mean nothing, whatever the files hold.
 
-use crate::base::date::date;
-use crate::base::message::{Message, Problems};
-use crate::base::table::LABEL;
-use crate::campaign::{Campaign, ClockOffset, Join, JoinBy};
-use crate::export;
-use crate::import::Export;
-use crate::import::format::Role;
-use crate::math::identify::ResidualKind;
-use crate::math::robots::Quantity;
+use etalon_base::date::date;
+use etalon_base::message::{Message, Problems};
+use etalon_base::table::LABEL;
+use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
+use etalon_formats::Export;
+use etalon_formats::dialect::Role;
+use etalon_identify::ResidualKind;
+use etalon_robots::Quantity;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
@@ -26,9 +25,11 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         problems.0.extend(campaign.selections(identify).err().unwrap_or_default().0);
     }
     for name in file.controllers.iter().flatten() {
-        if export::by_name(name.get_ref()).is_none() {
+        if etalon_controllers::by_name(name.get_ref()).is_none() {
             let what = format!("`{}` is not a controller format", name.get_ref());
-            problems.0.push(Message::error(what).at(campaign.place(name)).hint_names(name.get_ref(), export::names()));
+            problems.0.push(
+                Message::error(what).at(campaign.place(name)).hint_names(name.get_ref(), etalon_controllers::names()),
+            );
         }
     }
     let instrument = &file.instrument;

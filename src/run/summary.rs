@@ -1,7 +1,7 @@
 //! The campaign as its report states it.
 
-use crate::campaign::{Campaign, ReportDefinition};
-use crate::document::{CampaignSummary, ContactSummary, Issue, Presentation};
+use etalon_campaign::{Campaign, ReportDefinition};
+use etalon_documents::{CampaignSummary, ContactSummary, Issue, Presentation};
 
 /// The campaign as its report states it.
 pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {

@@ -1,15 +1,15 @@
 //! The pipeline as far as the observations, to judge parameters on them.
 
 use super::check::{Prepared, check};
-use crate::base::message::{Message, Place, Result};
-use crate::campaign::{Campaign, Identify};
-use crate::document::{FramesDocument, GivenFrames, ParametersDocument, RecommendationDocument, UncertaintyDocument};
-use crate::import::Point;
-use crate::math::robots::Robot;
 use crate::stages::join::{self, Joined};
 use crate::stages::monte_carlo::{self, Draws};
 use crate::stages::validation::{self, Validated};
 use crate::stages::{frames, recommendation};
+use etalon_base::message::{Message, Place, Result};
+use etalon_campaign::{Campaign, Identify};
+use etalon_documents::{FramesDocument, GivenFrames, ParametersDocument, RecommendationDocument, UncertaintyDocument};
+use etalon_formats::Point;
+use etalon_robots::Robot;
 use std::collections::BTreeMap;
 
 /// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is written.

@@ -1,13 +1,13 @@
 //! An export in the format that the campaign states.
 
 use super::{Scene, Turn, geometric, repeatability};
-use crate::base::message::{Message, Result};
-use crate::base::noise::Noise;
-use crate::base::pose::Vector;
-use crate::import::format::{Encoding, Role};
-use crate::import::formats::Row as Written;
-use crate::import::{self, Export};
 use crate::stages::gather;
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::Vector;
+use etalon_formats::Export;
+use etalon_formats::dialect::{Encoding, Role};
+use etalon_formats::exports::Row as Written;
 
 /// One row, in the unit of the export.
 struct Row {
@@ -123,7 +123,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
 }
 
 /// Whether `point` states of the row what a join or a feature needs.
-fn is_meant(row: &Row, point: &import::Point) -> bool {
+fn is_meant(row: &Row, point: &etalon_formats::Point) -> bool {
     let target = point.target.as_deref() == Some(row.target.as_str());
     let label = *point.label == *row.label;
     if !row.moves {

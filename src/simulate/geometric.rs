@@ -1,11 +1,11 @@
 //! The points of the geometric calibration (thesis, chapter 2).
 
 use super::Scene;
-use crate::base::message::{Message, Result};
-use crate::base::noise::Noise;
-use crate::base::pose::Vector;
-use crate::import::Export;
 use crate::stages::geometric::{self, Gathered};
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::Vector;
+use etalon_formats::Export;
 
 /// Stream of the noise of homing: no file has it.
 const HOMING: u64 = 1 << 32;

@@ -1,12 +1,12 @@
 //! A log with the columns that the campaign reads.
 
 use super::Scene;
-use crate::base::message::{Message, Result};
-use crate::base::noise::Noise;
-use crate::base::table::ASSEMBLY;
-use crate::campaign::JoinBy;
-use crate::import::{self, JointLog, Log, LogRow};
 use crate::stages::gather;
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::table::ASSEMBLY;
+use etalon_campaign::JoinBy;
+use etalon_formats::{JointLog, Log, LogRow};
 
 /// Stream of the noise of the contact: no file has it.
 const CONTACT: u64 = 1 << 33;
@@ -33,7 +33,7 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
             ..LogRow::default()
         });
     }
-    let all = import::write_log(scene.campaign.stated(), log, &values)?;
+    let all = etalon_formats::write_log(scene.campaign.stated(), log, &values)?;
     gather::log_of(scene.campaign, log, &all)?;
     Ok(all)
 }

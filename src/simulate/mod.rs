@@ -15,12 +15,12 @@ pub use repeatability::{Repeating, Scatter};
 pub use truth::{Circle, Drawn, LabelledPoint, Placement, Poses, Truth, true_values};
 pub use unmodelled::{Interpolation, Unmodelled};
 
-use crate::base::files;
-use crate::base::message::{Message, Problems, Result};
-use crate::base::noise::Noise;
-use crate::base::pose::{Pose, Vector};
-use crate::campaign::Campaign;
-use crate::math::robots::Robot;
+use etalon_base::files;
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Pose, Vector};
+use etalon_campaign::Campaign;
+use etalon_robots::Robot;
 
 /// Between two poses of the log.
 const INTERVAL_S: f64 = 10.0;

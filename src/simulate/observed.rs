@@ -1,12 +1,12 @@
 //! What the truth has observed: rows of a table of observations, by kind, and the fixed things that they refer to.
 
 use super::Truth;
-use crate::base::message::{Message, Result};
-use crate::base::pose::Vector;
-use crate::base::pose_name::PoseName;
-use crate::campaign::{Selection, StatedPoses};
-use crate::math::identify::{Fixture, Surface};
-use crate::math::robots::Robot;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::{Selection, StatedPoses};
+use etalon_identify::{Fixture, Surface};
+use etalon_robots::Robot;
 use serde::Deserialize;
 
 /// Axes of the world.

@@ -1,11 +1,11 @@
 //! Visits of a test of repeatability (thesis 2.4): where a robot stands depends on where it comes from.
 
 use super::{Scene, Turn};
-use crate::base::message::{Message, Result};
-use crate::base::noise::Noise;
-use crate::base::pose::{Vector, minus};
-use crate::import::Export;
 use crate::stages::geometric;
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Vector, minus};
+use etalon_formats::Export;
 use serde::Deserialize;
 
 /// Stream of the noise of the robot: no file has it.

@@ -1,17 +1,17 @@
 //! Studies: how near parameters and tool of a robot with a known truth come to it, by what is measured (thesis 3.7 and 4.6).
 
 use super::truth::{Circle, stated_joints, true_values};
-use crate::base::files;
-use crate::base::message::{Message, Problems, Result};
-use crate::base::noise::Noise;
-use crate::base::pose::{Pose, Vector, minus, norm};
-use crate::base::pose_name::PoseName;
-use crate::campaign::parse;
-use crate::document::{DesignError, DesignParameter, Spread, StudiedDesign};
-use crate::math::identify::{Observation, ResidualKind, Settings, identify_from};
-use crate::math::plan::candidates;
-use crate::math::robots::{Kinematics, Parameter, PlanarPose, Quantity, Robot};
 use crate::stages::table_file::TableFile;
+use etalon_base::files;
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Pose, Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::parse;
+use etalon_documents::{DesignError, DesignParameter, Spread, StudiedDesign};
+use etalon_identify::plan::candidates;
+use etalon_identify::{Observation, ResidualKind, Settings, identify_from};
+use etalon_robots::{Kinematics, Parameter, PlanarPose, Quantity, Robot};
 use rayon::prelude::*;
 use serde::Deserialize;
 use std::collections::BTreeMap;

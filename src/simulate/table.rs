@@ -2,18 +2,18 @@
 
 use super::observed::{Item, What};
 use super::{Scene, Turn};
-use crate::base::message::{Message, Result};
-use crate::base::noise::Noise;
-use crate::base::pose::{Pose, Vector, minus, norm};
-use crate::base::table::{ASSEMBLY, QUATERNION, XYZ};
-use crate::campaign::ObservationsDefinition;
-use crate::import::format::{Decimal, Delimiter, Encoding};
-use crate::import::{self, log_column};
-use crate::math::robots::Quantity;
-use crate::math::solve::Factor;
 use crate::stages::identification;
 use crate::stages::kinds;
 use crate::stages::orientations::{ANGLES, AngleOrder, ROTATION_VECTOR};
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Pose, Vector, minus, norm};
+use etalon_base::table::{ASSEMBLY, QUATERNION, XYZ};
+use etalon_campaign::ObservationsDefinition;
+use etalon_formats::dialect::{Decimal, Delimiter, Encoding};
+use etalon_formats::log_column;
+use etalon_math::Factor;
+use etalon_robots::Quantity;
 use std::collections::BTreeMap;
 
 /// Streams of the noise of the table, and of what joints touch: no export has them.
@@ -395,11 +395,11 @@ impl Scene<'_> {
 fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Result<()> {
     let (campaign, file) = (scene.campaign, stated.file.get_ref());
     let here = || campaign.place(&stated.file);
-    let table = import::observations_with(file, text, &stated.layout()).map_err(|more| more.at(&here()))?;
+    let table = etalon_formats::observations_with(file, text, &stated.layout()).map_err(|more| more.at(&here()))?;
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     let mut robot = campaign.build_robot_with(&kinds::targets(&table)?)?;
     let read = identification::observed(campaign, identify, robot.as_mut(), &table, &mut Vec::new())?;
-    let value = |p: &crate::math::robots::Parameter| scene.robot.index(&p.name).map_or(p.nominal, |i| scene.values[i]);
+    let value = |p: &etalon_robots::Parameter| scene.robot.index(&p.name).map_or(p.nominal, |i| scene.values[i]);
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let instrument = campaign.file.instrument.standard_uncertainty_mm();
     let rounding = 10f64.powi(-(scene.truth.decimals as i32)) * 1e3;

@@ -1,12 +1,12 @@
 //! What is true in a simulation, and what is measured.
 
-use crate::base::files;
-use crate::base::message::{Message, Result};
-use crate::base::noise::Noise;
-use crate::base::pose::Vector;
-use crate::campaign::parse;
-use crate::math::geometric::Setup;
-use crate::math::robots::{PlanarPose, Robot};
+use etalon_base::files;
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::Vector;
+use etalon_campaign::parse;
+use etalon_identify::geometric::Setup;
+use etalon_robots::{PlanarPose, Robot};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,9 +1,9 @@
 //! Errors of a simulated robot that no parameter of its model describes: what calibration leaves behind.
 
 use super::Scene;
-use crate::base::message::{Message, Result};
-use crate::base::noise::Noise;
-use crate::base::pose::Vector;
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::Vector;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -74,7 +74,7 @@ impl Unmodelled {
         let mut zeros = Noise::new(scene.truth.seed, ZEROS);
         let joints = scene.robot.joints().iter().zip(stated.iter().zip(before));
         let error = |(joint, (q, from)): (_, (&f64, &f64))| {
-            let joint: &crate::math::robots::Joint = joint;
+            let joint: &etalon_robots::Joint = joint;
             let of = |all: &BTreeMap<String, f64>| all.get(&joint.name).map_or(0.0, |v| joint.quantity.inward(*v));
             let lag = if q == from { 0.0 } else { -0.5 * (q - from).signum() * of(&self.backlash) };
             let wave = self.interpolation.get(&joint.name).map_or(0.0, |i| {

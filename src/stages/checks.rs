@@ -1,17 +1,17 @@
 //! Checks of the model by what it leaves: trends of the residuals, how well readings control each other, which poses decide.
 
-use crate::base::message::Message;
-use crate::base::pose::{Vector, minus, norm};
-use crate::base::pose_name::PoseName;
-use crate::base::statistics::median;
-use crate::document::{
+use etalon_base::message::Message;
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_base::statistics::median;
+use etalon_documents::{
     InfluenceEntry, PointError, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose, RobustSummary,
 };
-use crate::math::identify::{
+use etalon_identify::{
     ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, ReadingReliability, Reliability, RobustChange,
     RobustComparison, Variance, WRONG_READINGS, holm,
 };
-use crate::math::robots::Robot;
+use etalon_robots::Robot;
 use nalgebra::DVector;
 use std::collections::BTreeMap;
 
@@ -196,7 +196,7 @@ fn trend(poses: &BTreeMap<PoseName, Mean>, k: usize) -> Option<Trend> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::noise::Noise;
+    use etalon_base::noise::Noise;
 
     /// Errors of 40 poses with two repeats, and what a wave of joint 2 adds (mm).
     fn errors(trial: u64, wave_mm: f64) -> Vec<PointError> {

@@ -1,12 +1,12 @@
 //! How far the validation poses lie from those of the calibration: errors hold among poses like these.
 
-use crate::base::message::Message;
-use crate::base::pose_name::PoseName;
-use crate::base::statistics::median;
-use crate::document::ValidationDistance;
-use crate::math::identify::Observation;
-use crate::math::robots::Robot;
 use crate::stages::evaluate::Sets;
+use etalon_base::message::Message;
+use etalon_base::pose_name::PoseName;
+use etalon_base::statistics::median;
+use etalon_documents::ValidationDistance;
+use etalon_identify::Observation;
+use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -117,9 +117,9 @@ pub fn far_or_near(distance: &ValidationDistance) -> Option<Message> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::noise::Noise;
-    use crate::base::pose::{minus, norm};
-    use crate::math::robots::Prexyt;
+    use etalon_base::noise::Noise;
+    use etalon_base::pose::{minus, norm};
+    use etalon_robots::Prexyt;
 
     /// Poses of a grid of four by four by four, 10 mm apart, from `first_mm` in each joint.
     fn grid(first_mm: f64) -> Vec<Observation> {

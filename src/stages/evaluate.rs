@@ -1,20 +1,19 @@
 //! Errors before and after: measured against predicted, on calibration and validation poses apart.
 
-use crate::base::message::{Message, Result};
-use crate::base::pose::{Vector, centroid, minus, norm};
-use crate::base::pose_name::PoseName;
-use crate::base::table::{self, TIME, XYZ};
-use crate::campaign::{Campaign, Limits, Selections};
-use crate::document::{
+use crate::stages::kinds::Observed;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, centroid, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_base::table::{self, TIME, XYZ};
+use etalon_campaign::{Campaign, Limits, Selections};
+use etalon_documents::{
     AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
     Statistics,
 };
-use crate::math::fit;
-use crate::math::identify::{
+use etalon_identify::{
     Condition, Contributions, Figure, Kind, Observation, ReadingReliability, Settings, UncertaintySource,
 };
-use crate::math::robots::Robot;
-use crate::stages::kinds::Observed;
+use etalon_robots::Robot;
 use polars::prelude::{Column, DataFrame};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -175,7 +174,7 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], 
     let (b, a) = (predict(before), predict(after));
     // a rotation needs three targets that are not on one line
     let turned = |from: &[Vector]| {
-        let fitted = fit::rigid(from, &measured).ok()?;
+        let fitted = etalon_fit::rigid(from, &measured).ok()?;
         Some(fitted.to_T_from.angle_rad().to_degrees())
     };
     let (before_deg, after_deg) = (turned(&b), turned(&a));

@@ -1,10 +1,10 @@
 //! Readings and rows that are left out, each with its reason, which the report repeats.
 
-use crate::base::message::{Message, Place, Problems, Result, count};
-use crate::base::pose_name::PoseName;
-use crate::campaign::{Exclude, Selection, StatedPoses};
-use crate::math::identify::{Condition, Observation};
-use crate::math::robots::Robot;
+use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::{Exclude, Selection, StatedPoses};
+use etalon_identify::{Condition, Observation};
+use etalon_robots::Robot;
 use std::collections::BTreeSet;
 
 /// A rule of exclusion, and where it is stated.

@@ -1,16 +1,15 @@
 //! World frames from features and targets (thesis 3.4.1), and targets brought into them.
 
-use crate::base::message::{Message, Problems, Result, Severity};
-use crate::base::pattern::matches_pattern;
-use crate::base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
-use crate::base::pose_name::PoseName;
-use crate::campaign::{Campaign, WorldDefinition};
-use crate::document::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
-use crate::import::Point;
-use crate::math::fit;
 use crate::stages::gather::used_labels;
 use crate::stages::labelled_points::LabelledPoints;
 use crate::stages::repeats;
+use etalon_base::message::{Message, Problems, Result, Severity};
+use etalon_base::pattern::matches_pattern;
+use etalon_base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::{Campaign, WorldDefinition};
+use etalon_documents::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
+use etalon_formats::Point;
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
@@ -30,7 +29,7 @@ pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDoc
 
 fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     let labelled = LabelledPoints::new(campaign, points);
-    let settings = fit::Settings::default();
+    let settings = etalon_fit::Settings::default();
     let (mut features, mut messages, mut problems) = (Vec::new(), Vec::new(), Problems::default());
     for (name, definition) in &campaign.file.features {
         let Some((element, labels)) = definition.element() else { continue };
@@ -75,12 +74,12 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     Ok(FeaturesDocument { schema: "etalon/features/1".to_owned(), features, messages })
 }
 
-fn fitted(element: &str, points: &[Vector], settings: &fit::Settings) -> Result<fit::Fit> {
+fn fitted(element: &str, points: &[Vector], settings: &etalon_fit::Settings) -> Result<etalon_fit::Fit> {
     match element {
-        "plane" => fit::plane(points, settings),
-        "line" => fit::line(points, settings),
-        "circle" => fit::circle3d(points, settings),
-        _ => fit::cylinder(points, settings),
+        "plane" => etalon_fit::plane(points, settings),
+        "line" => etalon_fit::line(points, settings),
+        "circle" => etalon_fit::circle3d(points, settings),
+        _ => etalon_fit::cylinder(points, settings),
     }
 }
 
@@ -313,7 +312,8 @@ impl Basis {
             let points: Vec<Vector> = of.iter().map(|i| self.points[*i]).collect();
             let weights: Vec<f64> = of.iter().map(|i| self.weights[*i]).collect();
             let weights = weights.iter().any(|w| *w != 1.0).then_some(weights);
-            let fit = fitted(element, &points, &fit::Settings { weights: weights.as_deref(), ..Default::default() })?;
+            let fit =
+                fitted(element, &points, &etalon_fit::Settings { weights: weights.as_deref(), ..Default::default() })?;
             geometry.features.insert(name.clone(), (fit.point_mm, fit.direction.unwrap_or_default()));
         }
         for (name, of) in &self.places {
@@ -462,7 +462,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     let covariance = fitted.zip(excess).map(|(fitted, excess)| combined(&fitted, &excess, |a, b| a + b));
     let (mut poses, mut squares, mut largest) = (Vec::new(), 0.0, 0.0f64);
     for (&(pose, cycle), places) in &whole {
-        let fitted = fit::rigid(&reference, places)?;
+        let fitted = etalon_fit::rigid(&reference, places)?;
         for r in fitted.distances_mm() {
             squares += r * r;
             largest = largest.max(r);

@@ -1,10 +1,10 @@
 //! Parameters that were identified before, to be compared with observations of today.
 
-use crate::base::message::{Message, Result};
-use crate::base::pose_name::PoseName;
-use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument};
-use crate::math::identify::{GivenParameters, Observation, Settings, Variance};
-use crate::math::robots::{Parameter, Robot, Role};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument};
+use etalon_identify::{GivenParameters, Observation, Settings, Variance};
+use etalon_robots::{Parameter, Robot, Role};
 use std::collections::BTreeMap;
 
 /// The parameters of `robot` that a document holds, those of other targets left out.

@@ -1,12 +1,5 @@
 //! Identify: observations become parameters, and errors before and after.
 
-use crate::base::message::{Message, Place, Problems, Result, count};
-use crate::base::pose_name::PoseName;
-use crate::base::table;
-use crate::campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
-use crate::document::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
-use crate::math::identify::{self, FrameError, Identification, Observation, RobustFit, Settings};
-use crate::math::robots::Robot;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
@@ -14,10 +7,17 @@ use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::Joined;
 use crate::stages::kinds::{self, Observed, Stated};
 use crate::stages::orientations::AngleOrder;
-use crate::stages::parameters::parameters_document;
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
 use crate::stages::tool::Expected;
+use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::pose_name::PoseName;
+use etalon_base::table;
+use etalon_campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
+use etalon_documents::parameters_document;
+use etalon_documents::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
+use etalon_identify::{FrameError, Identification, Observation, RobustFit, Settings};
+use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -48,16 +48,16 @@ pub fn identify(
 ) -> Result<Identified> {
     let Selected { mut sets, settings, poses, selections, mut messages } = select(campaign, stated, robot, joined)?;
     let robot: &dyn Robot = robot;
-    let mut before = identify::fit_frames(robot, &sets.calibration, &settings)?;
+    let mut before = etalon_identify::fit_frames(robot, &sets.calibration, &settings)?;
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));
-    let mut found = identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
+    let mut found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
     if stated.outliers == OutlierRule::Exclude {
         let readings: usize = sets.calibration.iter().map(|o| o.targets.iter().flatten().count()).sum();
         let fewest = (readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
         while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, &settings, &found)? {
             messages.push(left_out);
-            before = identify::fit_frames(robot, &sets.calibration, &settings)?;
-            found = identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
+            before = etalon_identify::fit_frames(robot, &sets.calibration, &settings)?;
+            found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
         }
     }
     for (name, table) in joined.observations.iter().skip(1) {
@@ -65,7 +65,7 @@ pub fn identify(
         let mut theirs = Observed { observations, settings: campaign.settings(stated) };
         leave_out(campaign, stated, robot, &mut theirs)?;
         let others = evaluate::split(&theirs, &poses, &selections);
-        let theirs = identify::identify(robot, &others.calibration, &settings)?;
+        let theirs = etalon_identify::identify(robot, &others.calibration, &settings)?;
         let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, found: &found };
         let other = LogFit { name, sets: &others, found: &theirs };
         let warnings =
@@ -84,7 +84,7 @@ pub fn identify(
     }
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
     if sets.validation_conditions.is_empty() {
-        let budgets = identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)?;
+        let budgets = etalon_identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)?;
         accuracy.budget = evaluate::budgets(budgets.unwrap_or_default());
     }
     let tool = campaign.file.tool.map(|tool| tool.point());
@@ -94,11 +94,11 @@ pub fn identify(
         accuracy.tool = expected.accuracy(&sets, &accuracy).map_err(at_tool)?;
         accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
-    let robust = identify::robust_comparison(robot, &sets.calibration, &settings, &found)?;
+    let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found)?;
     found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)));
     let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
-    if let Some(reliability) = identify::reliability(robot, &sets.calibration, &settings, &found)? {
+    if let Some(reliability) = etalon_identify::reliability(robot, &sets.calibration, &settings, &found)? {
         with_reliability(robot, &reliability, &mut errors);
         parameters.reliability = reliability_summary(robot, &reliability);
     }
@@ -131,7 +131,7 @@ pub fn select(campaign: &Campaign, stated: &Identify, robot: &mut dyn Robot, joi
     let selections = campaign.selections(stated)?;
     let sets = evaluate::split(&observed, &poses, &selections);
     let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
-    let weighted = identify::weigh(&observed.observations, robot.dimension(), &mut settings);
+    let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
     messages.extend(weighted.map_err(|problems| problems.at(&campaign.place_of(&["identify", "residuals"])))?);
     Ok(Selected { sets, settings, poses, selections, messages })
 }
@@ -197,7 +197,7 @@ pub(super) fn wrong_set_up(robot: &dyn Robot, observations: &[Observation], sett
     if observations.is_empty() {
         return None;
     }
-    identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm())
+    etalon_identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm())
 }
 
 /// Leaves out what the campaign excludes.
@@ -253,7 +253,8 @@ struct LogFit<'a> {
 
 /// A warning where the residuals with one log correlate with its difference from another; `used` is the campaign's choice.
 fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> Option<Message> {
-    let compared = identify::compare_logs(robot, &this.found.values, &this.sets.calibration, &that.sets.calibration)?;
+    let compared =
+        etalon_identify::compare_logs(robot, &this.found.values, &this.sets.calibration, &that.sets.calibration)?;
     if compared.correlation <= 0.3 {
         return None;
     }

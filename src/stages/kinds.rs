@@ -2,13 +2,13 @@
 //!
 //! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
 
-use crate::base::message::{Message, Place, Problems, Result, count};
-use crate::base::pose::Vector;
-use crate::base::pose_name::PoseName;
-use crate::base::table;
-use crate::math::identify::{Condition, Fixture, Kind, Known, Observation, Settings, Surface, joint_values};
-use crate::math::robots::{Joint, Quantity, Robot};
 use crate::stages::orientations::{AngleOrder, Orientations, unstated};
+use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
+use etalon_base::table;
+use etalon_identify::{Condition, Fixture, Kind, Known, Observation, Settings, Surface, joint_values};
+use etalon_robots::{Joint, Quantity, Robot};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,11 +1,11 @@
 //! Points of a campaign that belong to one step of a procedure, found by the form of their labels.
 
-use crate::base::message::{Message, Result};
-use crate::base::pattern::matches_pattern;
-use crate::base::pose::Vector;
-use crate::base::pose_name::PoseName;
-use crate::campaign::Campaign;
-use crate::import::{LabelNames, LabelPattern, Point};
+use etalon_base::message::{Message, Result};
+use etalon_base::pattern::matches_pattern;
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::Campaign;
+use etalon_formats::{LabelNames, LabelPattern, Point};
 use std::collections::BTreeMap;
 use toml::Spanned;
 

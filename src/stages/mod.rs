@@ -15,7 +15,6 @@ pub mod kinds;
 pub(crate) mod labelled_points;
 pub mod monte_carlo;
 pub mod orientations;
-pub mod parameters;
 pub mod plausible;
 pub mod qif_fit;
 pub mod recommendation;

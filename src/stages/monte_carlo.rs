@@ -1,21 +1,21 @@
 //! Distributions of the results of a campaign: by draws of everything that it states of its readings, through frames and identification
 //! (JCGM 101:2008, Monte Carlo), and by poses and cycles drawn from those that were measured (bootstrap).
 
-use crate::base::message::{Message, Result};
-use crate::base::noise::Noise;
-use crate::base::pose::{Pose, Vector, norm};
-use crate::base::pose_name::PoseName;
-use crate::campaign::{Campaign, Identify};
-use crate::document::{
-    DistributionEntry, FramePose, FramesDocument, Provenance, UncertaintyDocument, UncertaintySource,
-};
-use crate::import::Point;
-use crate::math::identify::{self, Figure, Identification, Observation, Repeated, Settings};
-use crate::math::robots::{Quantity, Robot};
 use crate::stages::evaluate::summarise;
 use crate::stages::frames;
 use crate::stages::identification::{Identified, identify, select};
 use crate::stages::join::Joined;
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Pose, Vector, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::{Campaign, Identify};
+use etalon_documents::{
+    DistributionEntry, FramePose, FramesDocument, Provenance, UncertaintyDocument, UncertaintySource,
+};
+use etalon_formats::Point;
+use etalon_identify::{Figure, Identification, Observation, Repeated, Settings};
+use etalon_robots::{Quantity, Robot};
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -59,7 +59,7 @@ struct Trials<'a> {
     height_mm: f64,
     calibration: Vec<Reading>,
     validation: Vec<Reading>,
-    systematic: identify::Systematic,
+    systematic: etalon_identify::Systematic,
     seed: u64,
 }
 
@@ -335,7 +335,7 @@ impl<'a> Trials<'a> {
                     drawn.extend(cycles[any(cycles.len()).min(cycles.len() - 1)].iter().copied().cloned());
                 }
             }
-            let values = identify::identify_again(self.robot, &drawn, self.settings, self.found)?;
+            let values = etalon_identify::identify_again(self.robot, &drawn, self.settings, self.found)?;
             Some(self.found.free.iter().map(|&i| values[i]).collect::<Vec<f64>>())
         };
         let all: Vec<Vec<f64>> = (0..resamples as u64).into_par_iter().filter_map(one).collect();

@@ -1,10 +1,10 @@
 //! Measured orientations of a table: quaternions, rotation vectors, or three angles in a stated order.
 
-use crate::base::message::{Message, Place, Result};
-use crate::base::pose::Pose;
-use crate::base::table::{self, QUATERNION};
-use crate::math::identify::{Condition, Kind, Observation, Settings, fit_frames, mounted_misfit_rad};
-use crate::math::robots::Robot;
+use etalon_base::message::{Message, Place, Result};
+use etalon_base::pose::Pose;
+use etalon_base::table::{self, QUATERNION};
+use etalon_identify::{Condition, Kind, Observation, Settings, fit_frames, mounted_misfit_rad};
+use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 use std::fmt;
 use std::str::FromStr;

@@ -1,15 +1,15 @@
 //! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
 
-use crate::base::message::{Message, count};
-use crate::base::pose::{centroid, minus, norm};
-use crate::base::pose_name::PoseName;
-use crate::base::statistics::median;
-use crate::document::PointError;
-use crate::math::identify::{
+use etalon_base::message::{Message, count};
+use etalon_base::pose::{centroid, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_base::statistics::median;
+use etalon_documents::PointError;
+use etalon_identify::{
     Identification, OUTLIER, Observation, RobustFit, Settings, WRONG_READINGS, allowed_mm, chi_square_exceeds, explain,
     far_from_nominal, moved_between,
 };
-use crate::math::robots::{Parameter, Quantity, Robot, Role};
+use etalon_robots::{Parameter, Quantity, Robot, Role};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::collections::BTreeSet;
 
@@ -313,9 +313,9 @@ fn exchanged<'r>(robot: &'r dyn Robot, values: &[f64]) -> Option<(&'r Parameter,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::noise::Noise;
-    use crate::math::identify::identify;
-    use crate::math::robots::Prexyt;
+    use etalon_base::noise::Noise;
+    use etalon_identify::identify;
+    use etalon_robots::Prexyt;
 
     /// What is said of a common factor where all measured points are `factor` times what they are, and the robot's parameters are off
     /// nominal by up to `off_mm`.

@@ -1,10 +1,10 @@
 //! Measured features fitted again: what a file states against what its points give.
 
-use crate::base::message::{Message, Problems, Result};
-use crate::base::pose::{Vector, cross, dot, minus, norm};
-use crate::document::{FitDocument, FitStated};
-use crate::import::qif::{Geometry, MeasuredFeature, Touch};
-use crate::math::fit::{self, Element, Fit, Probe, Settings, Side};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::pose::{Vector, cross, dot, minus, norm};
+use etalon_documents::{FitDocument, FitStated};
+use etalon_fit::{Element, Fit, Probe, Settings, Side};
+use etalon_formats::qif::{Geometry, MeasuredFeature, Touch};
 
 /// What the user states about the probe, over what the file states.
 #[derive(Clone, Copy, Debug, Default)]
@@ -35,7 +35,7 @@ pub fn refit(feature: &MeasuredFeature, settings: &Settings, probe: ProbeStated)
     };
     let in_plane = feature.stated.direction.filter(|d| element == Element::Circle3d && is_coordinate_axis(*d));
     let settings = Settings { axis: settings.axis.or(in_plane), probe: None, ..*settings };
-    let centres = fit::element(element, &feature.points_mm, &settings).map_err(named)?;
+    let centres = etalon_fit::element(element, &feature.points_mm, &settings).map_err(named)?;
     let (probe, side_from) = probe_of(feature, &centres, probe)?.unzip();
     let fit = centres.compensated(probe).map_err(named)?;
     let mut document = FitDocument::new(Some(label.to_owned()), &fit);

@@ -8,15 +8,15 @@
 use super::evaluate::{self, Sets, summarise};
 use super::identification::{Selected, select, wrong_set_up};
 use super::join::Joined;
-use super::parameters::parameters_document;
-use crate::base::message::{Message, Result, count};
-use crate::base::noise::Noise;
-use crate::base::pose::norm;
-use crate::base::pose_name::PoseName;
-use crate::campaign::{Campaign, Identify};
-use crate::document::*;
-use crate::math::identify::{self, Identification, Observation, Settings, Stability, Status, Variance, effects};
-use crate::math::robots::{Effect, Robot};
+use etalon_base::message::{Message, Result, count};
+use etalon_base::noise::Noise;
+use etalon_base::pose::norm;
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::{Campaign, Identify};
+use etalon_documents::parameters_document;
+use etalon_documents::*;
+use etalon_identify::{Identification, Observation, Settings, Stability, Status, Variance, effects};
+use etalon_robots::{Effect, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
@@ -92,7 +92,7 @@ impl<'a> Study<'a> {
             Noise::new(SEED, repeat as u64).shuffle(&mut names);
             folds.extend((0..parts).map(|part| names.iter().copied().skip(part).step_by(parts).collect()));
         }
-        let before = identify::fit_frames(robot, observations, &settings)?;
+        let before = etalon_identify::fit_frames(robot, observations, &settings)?;
         Ok(Self { robot, observations, effects: effects(robot, observations), before, folds, poses, settings })
     }
 
@@ -110,7 +110,7 @@ impl<'a> Study<'a> {
 
     /// Identifies from some of the poses, from where base and targets are.
     fn identify(&self, observations: &[Observation], settings: &Settings) -> Result<Identification> {
-        identify::identify_from(self.robot, observations, settings, &self.before)
+        etalon_identify::identify_from(self.robot, observations, settings, &self.before)
     }
 
     /// Tries a choice of parameters, which may be made anew in each fold from what that identifies.
@@ -176,7 +176,7 @@ impl<'a> Study<'a> {
         let settings = choose(&full);
         let document = parameters_document(self.robot, &settings, &self.before, &recommended.found, inputs);
         messages
-            .extend(document.messages.iter().filter(|m| m.severity == crate::base::message::Severity::Error).cloned());
+            .extend(document.messages.iter().filter(|m| m.severity == etalon_base::message::Severity::Error).cloned());
         Ok(RecommendationDocument {
             schema: "etalon/recommendation/1".to_owned(),
             robot: self.robot.model().to_owned(),
@@ -245,8 +245,8 @@ impl<'a> Study<'a> {
     fn stability(&self, model: &Settings, found: &Identification) -> Result<Vec<Stability>> {
         let of_robot: Vec<usize> = found.free.iter().copied().filter(|&i| self.effects[i].is_some()).collect();
         let mut left_out = self.folds[..self.folds.len() / repeats(self.poses)].to_vec();
-        left_out.extend(identify::halves(self.observations));
-        identify::stability(self.robot, self.observations, model, found, (&of_robot, &left_out))
+        left_out.extend(etalon_identify::halves(self.observations));
+        etalon_identify::stability(self.robot, self.observations, model, found, (&of_robot, &left_out))
     }
 
     /// Parameters that are proven and stable.
@@ -300,7 +300,7 @@ impl<'a> Study<'a> {
             Some(Change { index, change, u, p_value })
         };
         let mut changes: Vec<Change> = identified.filter_map(change).collect();
-        let corrected = identify::holm(&changes.iter().map(|c| c.p_value).collect::<Vec<_>>());
+        let corrected = etalon_identify::holm(&changes.iter().map(|c| c.p_value).collect::<Vec<_>>());
         changes.iter_mut().zip(corrected).for_each(|(c, p)| c.p_value = p);
         changes
     }

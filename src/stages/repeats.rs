@@ -1,13 +1,13 @@
 //! What repeats and should not: readings and joint values that stayed where they were, and repeats of a fixed point that disagree.
 
-use crate::base::message::{Message, Place, count};
-use crate::base::pattern::matches_pattern;
-use crate::base::pose::{Vector, minus, norm};
-use crate::base::statistics::middle_pair;
-use crate::campaign::Campaign;
-use crate::import::Point;
-use crate::math::identify::Observation;
-use crate::math::robots::Robot;
+use etalon_base::message::{Message, Place, count};
+use etalon_base::pattern::matches_pattern;
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::statistics::middle_pair;
+use etalon_campaign::Campaign;
+use etalon_formats::Point;
+use etalon_identify::Observation;
+use etalon_robots::Robot;
 use std::collections::BTreeMap;
 
 /// Two readings are of two poses where the nominal robot moves its target by this or more between them, mm.

@@ -1,13 +1,13 @@
 //! A table that a command is given, or a campaign names: every one is read here.
 
-use crate::base::files::{self, Stamp};
-use crate::base::message::{Message, Problems, Result};
-use crate::base::table;
-use crate::campaign::{Campaign, ObservationsDefinition};
-use crate::document::Source;
-use crate::import::format::{Decimal, Delimiter, Dialect, Encoding};
-use crate::import::tables::coordinates::NamedTable;
-use crate::import::{self, Format, Layout};
+use etalon_base::files::{self, Stamp};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::table;
+use etalon_campaign::{Campaign, ObservationsDefinition};
+use etalon_documents::Source;
+use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
+use etalon_formats::tables::coordinates::NamedTable;
+use etalon_formats::{Format, Layout};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::path::Path;
 use toml::Spanned;
@@ -23,7 +23,7 @@ pub(crate) struct TableFile {
 
 impl TableFile {
     pub fn read(path: &Path) -> Result<Self> {
-        Self::read_with(path, import::observations)
+        Self::read_with(path, etalon_formats::observations)
     }
 
     /// A table of observations in this layout, in a text of this encoding or in a sheet of a workbook.
@@ -39,8 +39,8 @@ impl TableFile {
             // its cells are read as a text with tabs
             (layout.delimiter, layout.decimal) = (Delimiter::Tab, Decimal::Point);
         }
-        let text = import::text_of(path, bytes, encoding, &format)?;
-        Self::of(path, text, |name, text| import::observations_with(name, text, &layout))
+        let text = etalon_formats::text_of(path, bytes, encoding, &format)?;
+        Self::of(path, text, |name, text| etalon_formats::observations_with(name, text, &layout))
     }
 
     /// A text of another form, which `table` makes a table of, given the file's name and the text.
@@ -100,7 +100,7 @@ pub(crate) struct CampaignTables<'a> {
 impl CampaignTables<'_> {
     /// A table; `holds` describes it in the list of inputs.
     pub fn read(&mut self, file: &Spanned<String>, holds: &str) -> Result<TableFile> {
-        self.read_with(file, "table", holds, import::observations)
+        self.read_with(file, "table", holds, etalon_formats::observations)
     }
 
     /// The table of observations.

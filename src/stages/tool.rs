@@ -1,12 +1,12 @@
 //! The error to expect at the tool point.
 
 use super::evaluate::{Sets, summarise};
-use crate::base::message::Result;
-use crate::base::pose::{Pose, Vector, minus, norm};
-use crate::base::pose_name::PoseName;
-use crate::document::{AccuracyDocument, MapNode, PredictionMap, Statistics, ToolAccuracy};
-use crate::math::identify::{Held, Identification, Settings, ToolError, ToolFrame, ToolPoint, UncertaintyFrom, held};
-use crate::math::robots::{Kinematics, Robot};
+use etalon_base::message::Result;
+use etalon_base::pose::{Pose, Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{AccuracyDocument, MapNode, PredictionMap, Statistics, ToolAccuracy};
+use etalon_identify::{Held, Identification, Settings, ToolError, ToolFrame, ToolPoint, UncertaintyFrom, held};
+use etalon_robots::{Kinematics, Robot};
 use nalgebra::Matrix3;
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Gamma};

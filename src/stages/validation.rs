@@ -4,11 +4,11 @@ use super::evaluate::{self, ErrorUncertainty, Sets};
 use super::given::{Noise, given, other_nominal, robot_values};
 use super::identification::{Selected, select, wrong_set_up};
 use super::join::Joined;
-use crate::base::message::{Message, Result};
-use crate::campaign::{Campaign, Identify};
-use crate::document::{AccuracyDocument, GivenFrames, GivenSummary, ParametersDocument, Statistics};
-use crate::math::identify::{self, GivenParameters, Settings};
-use crate::math::robots::{Robot, Role};
+use etalon_base::message::{Message, Result};
+use etalon_campaign::{Campaign, Identify};
+use etalon_documents::{AccuracyDocument, GivenFrames, GivenSummary, ParametersDocument, Statistics};
+use etalon_identify::{GivenParameters, Settings};
+use etalon_robots::{Robot, Role};
 
 /// Errors of given parameters, and what a reader must know of them.
 #[derive(Clone, Debug)]
@@ -77,14 +77,14 @@ impl Values {
             });
             return Ok(Self { before: earlier.collect(), after });
         }
-        let before = identify::fit_frames(robot, &sets.calibration, settings)?;
+        let before = etalon_identify::fit_frames(robot, &sets.calibration, settings)?;
         if let (GivenFrames::Prior, Some(document)) = (frames, document) {
             return Ok(Self { before, after: with_prior(robot, document, sets, settings)? });
         }
         let Some(document) = document else { return Ok(Self { after: before.clone(), before }) };
         let values = robot_values(robot, document, &[Role::Robot])?;
         robot.definition_mut().set_nominal(&values);
-        let after = identify::fit_frames(robot, &sets.calibration, settings);
+        let after = etalon_identify::fit_frames(robot, &sets.calibration, settings);
         robot.definition_mut().set_nominal(&nominal);
         Ok(Self { before, after: after? })
     }
@@ -109,7 +109,7 @@ fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, set
     let mut observations = sets.calibration.clone();
     let noise = Noise::of(document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
     let settings = noise.applied(&mut observations, Settings::default());
-    identify::most_probable(robot, &observations, &settings, &frames)
+    etalon_identify::most_probable(robot, &observations, &settings, &frames)
 }
 
 /// The nominal parameters, where base and targets are among them.
@@ -128,12 +128,12 @@ fn stated(robot: &dyn Robot) -> Result<Vec<f64>> {
 fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Option<f64>> {
     let mut observations = sets.calibration.clone();
     let calibrated =
-        |o: &identify::Observation| sets.calibration.iter().any(|c| (c.pose, c.cycle) == (o.pose, o.cycle));
+        |o: &etalon_identify::Observation| sets.calibration.iter().any(|c| (c.pose, c.cycle) == (o.pose, o.cycle));
     observations.extend(sets.validation.iter().filter(|o| !calibrated(o)).cloned());
     let parameters = given(robot, document)?;
     let noise = Noise::of(document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
     let settings = noise.applied(&mut observations, Settings::default());
-    Ok(identify::p_value(robot, &observations, &settings, &parameters, noise.variance).ok())
+    Ok(etalon_identify::p_value(robot, &observations, &settings, &parameters, noise.variance).ok())
 }
 
 /// What before and after are.

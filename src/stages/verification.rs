@@ -2,15 +2,14 @@
 
 use super::given::{Noise, given, other_nominal};
 use super::repeats::stale;
-use crate::base::message::{Message, Result, count};
-use crate::base::pose::{minus, norm};
-use crate::base::pose_name::PoseName;
-use crate::document::*;
-use crate::math::identify::{
-    self, Detectable, Explanation, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings, Verification,
-    set_up_problem,
+use etalon_base::message::{Message, Result, count};
+use etalon_base::pose::{minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_documents::*;
+use etalon_identify::{
+    Detectable, Explanation, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings, Verification, set_up_problem,
 };
-use crate::math::robots::{Quantity, Robot};
+use etalon_robots::{Quantity, Robot};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -34,7 +33,7 @@ pub fn verify(
         return Err(problem.into());
     }
     let settings = noise.applied(&mut observations, Settings::default());
-    let found = identify::verify(robot, &observations, &settings, &parameters, noise.variance)?;
+    let found = etalon_identify::verify(robot, &observations, &settings, &parameters, noise.variance)?;
     let poses: BTreeSet<_> = observations.iter().map(|o| o.pose).collect();
     if found.is_changed() && found.cause().is_none() {
         if let Some(exchanged) = exchanged_targets(robot, &parameters.values, &observations, &found) {
@@ -42,7 +41,8 @@ pub fn verify(
         }
         messages.extend(wrong_pose(&poses, |kept| {
             let kept: Vec<Observation> = observations.iter().filter(|o| kept(o.pose)).cloned().collect();
-            identify::p_value(robot, &kept, &settings, &parameters, noise.variance).is_ok_and(|p| p >= SIGNIFICANCE)
+            etalon_identify::p_value(robot, &kept, &settings, &parameters, noise.variance)
+                .is_ok_and(|p| p >= SIGNIFICANCE)
         }));
     }
     let explanations: Vec<Movement> = found.explanations.iter().map(|e| movement(robot, e)).collect();
@@ -111,7 +111,7 @@ pub fn plan(
     let detectable = |chosen: &[PoseName]| {
         let of_pose = |pose: &PoseName| candidates.iter().filter(move |o| o.pose == *pose).cloned().collect::<Vec<_>>();
         let observations: Vec<Observation> = chosen.iter().flat_map(of_pose).collect();
-        identify::detectable(robot, &observations, &settings, &parameters, noise.variance)
+        etalon_identify::detectable(robot, &observations, &settings, &parameters, noise.variance)
     };
     // sum of logarithms; what is not shown at all counts as the largest change
     let score = |chosen: &[PoseName]| {
@@ -210,7 +210,7 @@ fn wrong_pose(poses: &BTreeSet<PoseName>, valid: impl Fn(&dyn Fn(PoseName) -> bo
     Some(Message::warning(what).hint("measure this pose again, and log its joints again"))
 }
 
-fn sum_of_squares(test: &identify::Test) -> SumOfSquares {
+fn sum_of_squares(test: &etalon_identify::Test) -> SumOfSquares {
     SumOfSquares { value: test.sum, degrees_of_freedom: test.degrees_of_freedom, p_value: test.p_value }
 }
 
@@ -285,7 +285,7 @@ fn number(v: &MovementValue) -> String {
 /// A warning where several motions explain the residuals as well.
 fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
     let cause = found.cause()?;
-    let as_well = |e: &&Explanation| *e != cause && e.p_left > identify::EXPLAINED;
+    let as_well = |e: &&Explanation| *e != cause && e.p_left > etalon_identify::EXPLAINED;
     let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e).name).collect();
     if others.is_empty() {
         return None;

@@ -1,7 +1,7 @@
 //! What a campaign states of errors that its readings have in common: carried to the parameters, and refused where it means nothing.
 
 use crate::support::scratch::{Scratch, copy_sample, ends};
-use etalon::document::{AccuracyDocument, ParametersDocument, UncertaintySource};
+use etalon::documents::{AccuracyDocument, ParametersDocument, UncertaintySource};
 
 const STATED: &str = "\n[expansion]\nexpanded_temperature_uncertainty_c = 1.0\ncoverage_factor = 2\nrobot_per_c = 11.5e-6\n\n\
     [homing]\nexpanded_uncertainty_um = 10\ncoverage_factor = 2\n";

@@ -6,7 +6,7 @@ use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::campaign::read_robot;
-use etalon::math::robots::{Kinematics, Quantity, Robot};
+use etalon::robots::{Kinematics, Quantity, Robot};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
@@ -60,7 +60,7 @@ impl Exported {
                 let mut some = |range: f64| [0, 1, 2].map(|_| noise.uniform(range));
                 home.then(&Pose::from_xyz_rpy(some(50.0), some(0.25)))
             });
-            let mut joint = |joint: &etalon::math::robots::Joint| match joint.quantity {
+            let mut joint = |joint: &etalon::robots::Joint| match joint.quantity {
                 Quantity::Angle => (if arm.dimension() == 2 { 1.2 } else { 0.0 }) + noise.uniform(1.5),
                 _ => 100.0 + noise.uniform(70.0),
             };

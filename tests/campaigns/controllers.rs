@@ -3,9 +3,9 @@
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::{Campaign, read_robot};
-use etalon::document::{CampaignSummary, ParametersDocument};
-use etalon::export::{self, Description, Given};
-use etalon::math::robots::{Robot, Role};
+use etalon::controllers::{self, Description, Given};
+use etalon::documents::{CampaignSummary, ParametersDocument};
+use etalon::robots::{Robot, Role};
 use std::path::Path;
 use std::process::Command;
 
@@ -16,7 +16,7 @@ pub fn etalon(arguments: &[&str]) -> (Option<i32>, String) {
 
 /// Parameters of a run that found these values (mm, rad, 1).
 pub fn parameters(scratch: &Scratch, robot: &dyn Robot, values: &[f64]) -> String {
-    let entry = |(p, value): (&etalon::math::robots::Parameter, &f64)| {
+    let entry = |(p, value): (&etalon::robots::Parameter, &f64)| {
         serde_json::json!({
             "name": p.name, "unit": p.quantity.unit(), "nominal": p.quantity.outward(p.nominal), "before": p.quantity.outward(p.nominal),
             "value": p.quantity.outward(*value), "standard_uncertainty": null, "degrees_of_freedom": null,
@@ -43,7 +43,7 @@ pub fn parameters(scratch: &Scratch, robot: &dyn Robot, values: &[f64]) -> Strin
 /// Values off by what a calibration finds; gains only of joints that `gains` names.
 pub fn disturbed(robot: &dyn Robot, gains: &[&str]) -> Vec<f64> {
     let mut noise = etalon::base::noise::Noise::new(19, 1);
-    let mut value = |p: &etalon::math::robots::Parameter| match p.name.as_str() {
+    let mut value = |p: &etalon::robots::Parameter| match p.name.as_str() {
         _ if p.role != Role::Robot => p.nominal,
         name if name.starts_with("compliance") || name.starts_with("coupling") => p.nominal,
         name if name.starts_with("gain") && !gains.contains(&name) => 1.0,
@@ -63,7 +63,7 @@ fn reads_as_the_identified_robot(urdf: &Path, robot: &dyn Robot, values: &[f64])
         .map(|_| (0..7).map(|i| if i == 0 { 400.0 + noise.uniform(390.0) } else { noise.uniform(2.0) }).collect())
         .collect();
     let line = |q: &Vec<f64>| {
-        let value = |(joint, q): (&etalon::math::robots::Joint, &f64)| {
+        let value = |(joint, q): (&etalon::robots::Joint, &f64)| {
             let metres = joint.quantity.unit() == "mm";
             (joint.name.clone(), serde_json::Value::from(if metres { q / 1000.0 } else { *q }))
         };

@@ -5,7 +5,7 @@ use etalon::base::message::Problems;
 use etalon::base::pose::Pose;
 use etalon::base::table;
 use etalon::campaign::Campaign;
-use etalon::import::Format;
+use etalon::formats::Format;
 use etalon::simulate::{LabelledPoint, Truth, simulate};
 use etalon::stages::gather::gather;
 use std::collections::BTreeMap;
@@ -183,7 +183,7 @@ fn every_dialect_reads_back_bit_for_bit() {
         simulate(&campaign, &truth).unwrap_or_else(|e| panic!("{name}: {e}"));
         let imported = gather(&campaign).unwrap_or_else(|e| panic!("{name}: {e}"));
         let robot = campaign.build_robot().unwrap();
-        let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+        let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
         let values: Vec<f64> = robot.parameters().iter().map(value).collect();
         let rpy = truth.export_T_world.rpy_deg.map(f64::to_radians);
         let placed = Pose::from_xyz_rpy(truth.export_T_world.xyz_mm, rpy);
@@ -200,7 +200,7 @@ fn every_dialect_reads_back_bit_for_bit() {
             assert_eq!(joint[6].to_bits(), written(expected, log_mm, digits).to_bits(), "{name}");
         }
 
-        let points = &etalon::import::table(&imported.points).unwrap();
+        let points = &etalon::formats::table(&imported.points).unwrap();
         let targets = table::texts(points, "target").unwrap();
         let (p, c) =
             (table::optional_integers(points, "pose").unwrap(), table::optional_integers(points, "cycle").unwrap());

@@ -14,7 +14,7 @@ fn timed(join: &str, clock_offset_s: f64, drop_log_row: Option<usize>, measured_
     let campaign = Campaign::read(&scratch.path()).unwrap();
     let robot = campaign.build_robot().unwrap();
     let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
-    let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+    let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     let mut export = String::new();
@@ -109,7 +109,7 @@ fn by_row_only_where_the_counts_agree() {
 /// The rows that `import.json` lists as unmatched: file, line, key.
 fn unmatched(scratch: &Scratch) -> Vec<(String, usize, String)> {
     let text = std::fs::read_to_string(scratch.path().join("out/import.json")).unwrap();
-    let document: etalon::document::ImportDocument = serde_json::from_str(&text).unwrap();
+    let document: etalon::documents::ImportDocument = serde_json::from_str(&text).unwrap();
     document.unmatched.into_iter().map(|u| (u.file, u.line, u.key)).collect()
 }
 

@@ -1,7 +1,7 @@
 //! What parameters mean: every model explains and draws its own.
 
 use etalon::campaign::read_robot;
-use etalon::math::robots::{Quantity, Role};
+use etalon::robots::{Quantity, Role};
 use std::path::Path;
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::support::scratch::{Scratch, cmm_truth, copy_sample, ends};
 use etalon::base::noise::Noise;
-use etalon::document::ParametersDocument;
+use etalon::documents::ParametersDocument;
 
 const HEAD: &str = "name = \"mixed\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 6\ncoverage_factor = 2\n";
 const TAIL: &str = "[frame.world]\nas_exported = true\n[identify]\ncalibration = \"1-40\"\nvalidation = \"rest\"\n";

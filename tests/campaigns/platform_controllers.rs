@@ -5,7 +5,7 @@ use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::campaign::read_robot;
-use etalon::math::robots::Robot;
+use etalon::robots::Robot;
 use std::path::Path;
 
 /// The robot of an example with these values, and the file of a format.

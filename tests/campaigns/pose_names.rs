@@ -1,7 +1,7 @@
 //! Poses that have names: the same result as with numbers, and names that are mistaken.
 
 use crate::support::scratch::{Scratch, copy_sample, ends, said};
-use etalon::document::{ParameterEntry, ParametersDocument};
+use etalon::documents::{ParameterEntry, ParametersDocument};
 
 /// The CMM sample with names of poses in exports and log; `written` is how the log writes them.
 fn named(name: fn(i64) -> String, written: fn(i64) -> String) -> Scratch {

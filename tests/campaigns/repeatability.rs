@@ -3,11 +3,11 @@
 use crate::support::documents_of;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
-use etalon::document::{Iso9283Document, Iso9283Pose, Iso9283Variation};
-use etalon::iso9283::pose::coplanarity::from_the_others;
-use etalon::iso9283::pose::repeatability::pose_repeatability;
+use etalon::documents::{Iso9283Document, Iso9283Pose, Iso9283Variation};
 use etalon::run::check::everything;
 use etalon::simulate::Truth;
+use etalon::standards::iso9283::pose::coplanarity::from_the_others;
+use etalon::standards::iso9283::pose::repeatability::pose_repeatability;
 
 const SAMPLE: &str = "prexyt-repeatability";
 
@@ -33,7 +33,7 @@ fn close(found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() < tolerance, "{found} is not {expected}");
 }
 
-fn approach<'a>(v: &'a Iso9283Variation, name: &str) -> &'a etalon::document::Iso9283Approach {
+fn approach<'a>(v: &'a Iso9283Variation, name: &str) -> &'a etalon::documents::Iso9283Approach {
     v.approaches.iter().find(|a| a.name == name).unwrap()
 }
 

@@ -1,10 +1,10 @@
 //! The same data in every delimiter, mark, encoding and line end are the same points, bit for bit.
 
 use etalon::base::noise::Noise;
-use etalon::import::Format;
-use etalon::import::format::Encoding;
-use etalon::import::format::Unit;
-use etalon::import::read_file;
+use etalon::formats::Format;
+use etalon::formats::dialect::Encoding;
+use etalon::formats::dialect::Unit;
+use etalon::formats::read_file;
 
 const DELIMITERS: [(&str, &str); 5] = [("blank", "  "), ("tab", "\t"), (",", ","), (";", ";"), ("|", "|")];
 const LINE_ENDS: [&str; 3] = ["\n", "\r\n", "\r"];

@@ -3,7 +3,7 @@
 use crate::support::documents_of;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
-use etalon::document::ParameterStatus;
+use etalon::documents::ParameterStatus;
 use etalon::run::pipeline;
 use etalon::simulate::Truth;
 use std::path::Path;

@@ -3,7 +3,7 @@
 
 use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
-use etalon::import::propose_file;
+use etalon::formats::propose_file;
 use etalon::stages::gather::gather;
 use std::path::{Path, PathBuf};
 

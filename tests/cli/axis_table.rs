@@ -5,7 +5,7 @@ use crate::campaigns::controllers::{disturbed, parameters};
 use crate::support::scratch::Scratch;
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::read_robot;
-use etalon::math::robots::Robot;
+use etalon::robots::Robot;
 use std::path::Path;
 
 /// Two slides one above the other, a cross table.

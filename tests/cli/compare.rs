@@ -4,7 +4,7 @@ use super::reports::tool;
 use super::{etalon, text};
 use crate::support::scratch::{copy_sample, stamp};
 use calamine::{Reader, Xlsx};
-use etalon::document::{CompareDocument, CompareFamily};
+use etalon::documents::{CompareDocument, CompareFamily};
 use std::path::Path;
 use std::process::Output;
 

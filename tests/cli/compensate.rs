@@ -5,7 +5,7 @@ use crate::campaigns::controllers::{disturbed, parameters};
 use crate::support::scratch::Scratch;
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::read_robot;
-use etalon::document::CompensationDocument;
+use etalon::documents::CompensationDocument;
 use std::path::{Path, PathBuf};
 
 /// A robot that differs from its drawing as calibrations find it, in a folder.

@@ -2,7 +2,7 @@
 
 use super::{etalon, text};
 use crate::support::scratch::copy_sample;
-use etalon::document::FitDocument;
+use etalon::documents::FitDocument;
 use std::fmt::Write;
 use std::process::Output;
 
@@ -174,7 +174,7 @@ fn points_that_determine_nothing_are_messages_and_never_numbers_that_are_none() 
         ("no number", "1 2 3\nnan 0 0\n".to_owned()),
         ("too large", "1e999 0 0\n1 2 3\n".to_owned()),
     ];
-    let elements = etalon::math::fit::Element::ALL.map(|e| e.name());
+    let elements = etalon::fit::Element::ALL.map(|e| e.name());
     for (what, points) in &sets {
         std::fs::write(folder.path().join("p.txt"), points).unwrap();
         for element in elements.iter().copied().chain(["enclosing-circle", "enclosing-sphere"]) {

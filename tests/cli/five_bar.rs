@@ -29,7 +29,7 @@ fn assembly_modes_are_read_or_taken_from_the_measurement_and_told() {
     for with_mode in [true, false] {
         let answered = run(&table(with_mode));
         assert!(answered.status.success(), "{}", text_of(&answered));
-        let document: etalon::document::ParametersDocument = serde_json::from_slice(&answered.stdout).unwrap();
+        let document: etalon::documents::ParametersDocument = serde_json::from_slice(&answered.stdout).unwrap();
         for (p, truth) in document.parameters.iter().zip(truth()) {
             let truth = if p.unit == "deg" { truth.to_degrees() } else { truth };
             assert!((p.value - truth).abs() < 1e-9, "{} {} {truth}", p.name, p.value);
@@ -48,7 +48,7 @@ fn a_position_between_both_assembly_modes_is_an_error() {
     std::fs::write(folder.path().join("robot.toml"), ROBOT).unwrap();
     let lines = table(false);
     // the line from elbow to elbow is as far from one as from the other
-    let at = robot().direct(&etalon::math::robots::Robot::nominal(&robot()), [1.6, 1.4], 1.0);
+    let at = robot().direct(&etalon::robots::Robot::nominal(&robot()), [1.6, 1.4], 1.0);
     let middle = [0.5 * (at.b1[0] + at.b2[0]) + 263.0, 0.5 * (at.b1[1] + at.b2[1]) + 75.0];
     let row = format!("99,1,tool,{},{},{},{}\n", middle[0], middle[1], 1.6f64.to_degrees(), 1.4f64.to_degrees());
     std::fs::write(folder.path().join("o.csv"), lines + &row).unwrap();
@@ -67,10 +67,10 @@ fn a_plate_measured_once_calibrates_from_encoders_alone_with_its_errors_kept_apa
     let answered = etalon(&sample.path(), &["run", "."]);
     assert!(answered.status.success(), "{}", text_of(&answered));
     let read = std::fs::read_to_string(sample.path().join("out/parameters.json")).unwrap();
-    let document: etalon::document::ParametersDocument = serde_json::from_str(&read).unwrap();
+    let document: etalon::documents::ParametersDocument = serde_json::from_str(&read).unwrap();
     let r = &document.residuals;
     assert_eq!((r.stated_standard_uncertainty_mm, r.common_standard_uncertainty_mm), (Some(0.005), Some(0.00135)));
-    assert_eq!(r.uncertainties_from, etalon::math::identify::UncertaintyFrom::Instrument);
+    assert_eq!(r.uncertainties_from, etalon::identify::UncertaintyFrom::Instrument);
     let spread = r.chi_square.unwrap() / r.degrees_of_freedom as f64;
     assert!((0.75..1.25).contains(&spread), "{spread}");
     // table 4.4; the world is that of three measured balls, so that base parameters may be off by their errors
@@ -120,7 +120,7 @@ fn joints_are_read_in_the_unit_that_their_column_names() {
     }
     let answered = run(&csv);
     assert!(answered.status.success(), "{}", text_of(&answered));
-    let document: etalon::document::ParametersDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    let document: etalon::documents::ParametersDocument = serde_json::from_slice(&answered.stdout).unwrap();
     assert!((document.parameters[0].value - truth()[0]).abs() < 1e-9, "{:?}", document.parameters[0]);
     let twice = run(&csv.replace("theta2_deg", "theta1_deg"));
     assert_eq!(twice.status.code(), Some(2));

@@ -3,7 +3,7 @@
 use super::{etalon, text_of};
 use etalon::base::pose::Pose;
 use etalon::base::pose_name::PoseName;
-use etalon::document::{Iso9283ComplianceDocument, Iso9283PlanDocument, Iso9283StreamDocument};
+use etalon::documents::{Iso9283ComplianceDocument, Iso9283PlanDocument, Iso9283StreamDocument};
 use std::path::Path;
 use std::process::Output;
 
@@ -218,7 +218,7 @@ fn reference_targets_carry_positions_back_and_must_be_there_from_the_first_cycle
         run(here, "iso9283 poses.csv --commanded commanded.csv --reference nests.csv --all --json")
     };
     let answered = answer(&(nests(1) + &nests(3)));
-    let document: etalon::document::Iso9283Document = serde_json::from_slice(&answered.stdout).unwrap();
+    let document: etalon::documents::Iso9283Document = serde_json::from_slice(&answered.stdout).unwrap();
     assert!(document.poses[0].ap_mm.unwrap() < 1e-9 && document.poses[0].rp_mm.unwrap() < 1e-9);
     assert_eq!(document.reference.iter().map(|e| (e.cycle, e.moved_mm)).collect::<Vec<_>>(), [(1, 0.0), (3, 0.5)]);
     for (rows, said) in [
@@ -269,7 +269,7 @@ fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
     let arguments = ["iso9283", "poses.csv", "--commanded", "commanded.csv", "--all", "--json"];
     let answer = |more: &[&str]| {
         let output = super::etalon(here, &[&arguments[..], more].concat());
-        let document: etalon::document::Iso9283Document = serde_json::from_slice(&output.stdout).unwrap();
+        let document: etalon::documents::Iso9283Document = serde_json::from_slice(&output.stdout).unwrap();
         (document, text_of(&output))
     };
     write("poses.csv", false);
@@ -277,7 +277,7 @@ fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
     write("poses.csv", true);
     let order = ["--reference", "nests.csv", "--rotation-order", "Rz(c) Ry(b) Rx(a)"];
     let (back, _) = answer(&order);
-    let numbers = |d: &etalon::document::Iso9283Document| {
+    let numbers = |d: &etalon::documents::Iso9283Document| {
         let p = &d.poses[0];
         [p.ap_mm, p.rp_mm, p.ap_a_deg, p.ap_b_deg, p.ap_c_deg, p.rp_a_deg, p.rp_b_deg, p.rp_c_deg].map(|v| v.unwrap())
     };

@@ -4,7 +4,7 @@ use super::reports::{column, text_of_pdf, workbook};
 use super::{etalon, judged, rows, text, text_of};
 use crate::support::scratch::{Scratch, copy_sample};
 use calamine::Data;
-use etalon::document::{Conformity, Iso9283ComplianceDocument, Iso9283Document, Iso9283Drift, Iso9283Pose};
+use etalon::documents::{Conformity, Iso9283ComplianceDocument, Iso9283Document, Iso9283Drift, Iso9283Pose};
 use std::fmt::Write;
 
 fn read<T: serde::de::DeserializeOwned>(scratch: &Scratch, name: &str) -> T {

@@ -2,7 +2,7 @@
 
 use super::iso9283::run;
 use super::text_of;
-use etalon::document::Iso9283Document;
+use etalon::documents::Iso9283Document;
 
 #[test]
 fn readings_are_averaged_and_limits_judged_by_the_interval() {
@@ -19,9 +19,9 @@ fn readings_are_averaged_and_limits_judged_by_the_interval() {
     std::fs::write(here.join("poses.csv"), &table).unwrap();
     std::fs::write(here.join("commanded.csv"), "pose,x_mm,y_mm,c_deg\n1,100,0,179.9\n").unwrap();
     let line = "iso9283 poses.csv --commanded commanded.csv";
-    let pose = |options: &str| -> (Option<i32>, etalon::document::Iso9283Pose) {
+    let pose = |options: &str| -> (Option<i32>, etalon::documents::Iso9283Pose) {
         let answered = run(here, &format!("{line} --json{options}"));
-        let mut list: Vec<etalon::document::Iso9283Pose> = serde_json::from_slice(&answered.stdout).unwrap();
+        let mut list: Vec<etalon::documents::Iso9283Pose> = serde_json::from_slice(&answered.stdout).unwrap();
         (answered.status.code(), list.remove(0))
     };
     let (_, found) = pose("");
@@ -52,7 +52,7 @@ fn readings_are_averaged_and_limits_judged_by_the_interval() {
     // two visits have no interval: nothing is proved
     std::fs::write(here.join("poses.csv"), "pose,cycle,x_mm,y_mm,c_deg\n1,1,100,0,0\n1,2,100.001,0,0\n").unwrap();
     let (status, judged) = pose(" --rp-limit-mm 10");
-    assert_eq!((status, judged.rp_conformity), (Some(1), Some(etalon::document::Conformity::Neither)));
+    assert_eq!((status, judged.rp_conformity), (Some(1), Some(etalon::documents::Conformity::Neither)));
     std::fs::write(here.join("poses.csv"), table.replacen("reading", "label", 1)).unwrap();
     assert!(text_of(&run(here, line)).contains("pose 1 is there twice in cycle 0"));
 }

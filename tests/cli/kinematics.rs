@@ -111,7 +111,7 @@ fn an_arm_of_seven_joints_needs_a_start() {
     assert!(code == Some(2) && said.contains("infinitely many") && said.contains("--nearest"), "{said}");
     let (nearest, code, said) = kinematics("inverse", &robot, &beside(&poses, table), &["--nearest", "--json"]);
     assert_eq!(code, Some(0), "{said}");
-    let document: etalon::document::KinematicsDocument = serde_json::from_str(&nearest).unwrap();
+    let document: etalon::documents::KinematicsDocument = serde_json::from_str(&nearest).unwrap();
     assert_eq!(document.joints[..2], ["lift_mm", "shoulder_pan_deg"]);
     assert!((document.poses[0].joints[0] - 300.0).abs() < 1e-9, "{nearest}");
     // beyond a limit of the URDF

@@ -200,16 +200,16 @@ fn answer<T: serde::de::DeserializeOwned>(folder: &Path, arguments: &[&str], cod
 fn every_command_that_answers_does_so_in_json() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    let files = |arguments: &[&str]| answer::<etalon::document::WrittenDocument>(at, arguments, 0).files;
+    let files = |arguments: &[&str]| answer::<etalon::documents::WrittenDocument>(at, arguments, 0).files;
     assert_eq!(files(&["init", "--synthetic", "c", "--json"]), ["c/campaign.toml", "c/robot.toml", "c/truth.toml"]);
     assert_eq!(files(&["simulate", "c", "--json"]), ["exports/world.txt", "exports/poses.txt", "encoders.csv"]);
-    answer::<etalon::document::AccuracyDocument>(at, &["run", "c", "--json"], 0);
+    answer::<etalon::documents::AccuracyDocument>(at, &["run", "c", "--json"], 0);
     let mut reports = vec!["c/out/report.html", "c/out/report.pdf", "c/out/report.xlsx"];
     reports.retain(|name| cfg!(feature = "pdf") || !name.ends_with("pdf"));
     assert_eq!(files(&["report", "c/out", "--json"]), reports);
     let exported = files(&["export", "c/out/parameters.json", "--format", "csv", "--to", "k", "--json"]);
     assert_eq!(exported, ["k/controller.csv"]);
-    let formats: etalon::document::FormatsDocument = answer(at, &["formats", "c/exports/poses.txt", "--json"], 0);
+    let formats: etalon::documents::FormatsDocument = answer(at, &["formats", "c/exports/poses.txt", "--json"], 0);
     let best = &formats.readings[0];
     assert_eq!((best.delimiter.as_str(), best.decimal.as_str(), best.header), (";", ",", 1));
     assert_eq!(best.columns, ["label", "x", "y", "z"]);
@@ -223,7 +223,7 @@ fn check_answers_in_json_what_is_right_and_what_is_wrong() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("exports/world.txt", "rail2_b ", "rail2_z ");
     let check =
-        |code| answer::<etalon::document::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], code);
+        |code| answer::<etalon::documents::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], code);
     let found = check(2);
     let [error] = &found.errors[..] else { panic!("{found:?}") };
     assert_eq!(error.what, "no point has the label `rail2_b`");
@@ -239,14 +239,14 @@ fn check_answers_in_json_what_is_right_and_what_is_wrong() {
     // a label that nothing uses is a warning
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("exports/poses.txt", "K_1_1 ", "K_1_1_x ");
-    let found = answer::<etalon::document::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], 0);
+    let found = answer::<etalon::documents::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], 0);
     assert!(found.errors.is_empty());
     let [warning, lacking] = &found.warnings[..] else { panic!("{found:?}") };
     assert_eq!(lacking.what, "poses that lack a target: 1");
     assert_eq!((warning.file.as_deref(), warning.line), (Some("exports/poses.txt"), Some(1)));
     assert_eq!(found.sources.iter().map(|s| s.rows_read).collect::<Vec<_>>(), [0, 0, 25, 590, 295]);
     // no campaign at all is an answer too
-    let found = answer::<etalon::document::CheckDocument>(scratch.root(), &["check", "nowhere", "--json"], 2);
+    let found = answer::<etalon::documents::CheckDocument>(scratch.root(), &["check", "nowhere", "--json"], 2);
     assert!(found.errors[0].what.contains("there is no campaign"), "{found:?}");
 }
 
@@ -306,9 +306,9 @@ fn identify_answers_in_json_without_a_campaign() {
         ],
     );
     assert!(answered.status.success(), "{}", text(&answered.stderr));
-    let document: etalon::document::ParametersDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    let document: etalon::documents::ParametersDocument = serde_json::from_slice(&answered.stdout).unwrap();
     assert_eq!(document.parameters[0].name, "beta");
-    assert_eq!(document.parameters[0].status, etalon::document::ParameterStatus::Fixed);
+    assert_eq!(document.parameters[0].status, etalon::documents::ParameterStatus::Fixed);
     assert_eq!(document.covariance.len(), 13);
     assert_eq!(document.provenance.inputs.len(), 2);
 }
@@ -369,14 +369,14 @@ fn fit_answers_with_its_unit_and_uncertainty() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(text_of(&refused).contains("never guessed"));
     let answered = run(&["--unit", "inch", "--json"]);
-    let document: etalon::document::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    let document: etalon::documents::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
     assert_eq!((document.element.as_str(), document.points), ("sphere", 20));
     assert!((document.radius_mm.unwrap() - 50.8).abs() < 1e-6, "{document:?}");
     let center = document.center_mm.unwrap();
     assert!(center.iter().zip([25.4, 50.8, 76.2]).all(|(c, e)| (c - e).abs() < 1e-6), "{center:?}");
     assert!(document.standard_uncertainty.unwrap().radius_mm.unwrap() < 1e-6);
     let listed = run(&["--unit", "inch", "--json", "--by-label"]);
-    let documents: Vec<etalon::document::FitDocument> = serde_json::from_slice(&listed.stdout).unwrap();
+    let documents: Vec<etalon::documents::FitDocument> = serde_json::from_slice(&listed.stdout).unwrap();
     assert_eq!(documents[0].label.as_deref(), Some("ball"));
 }
 
@@ -386,7 +386,7 @@ fn a_minimum_zone_names_the_points_that_hold_it() {
     // corners of a tent 2 mm high on a base of 30 mm x 20 mm, and a point inside
     std::fs::write(folder.path().join("tent.txt"), "0 0 0\n30 0 0\n10 8 1\n0 20 0\n12 9 2\n").unwrap();
     let answered = etalon(folder.path(), &["fit", "plane", "tent.txt", "--unit", "mm", "--minimum-zone", "--json"]);
-    let document: etalon::document::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    let document: etalon::documents::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
     assert!((document.form_mm - 2.0).abs() < 1e-12 && (document.max_mm - 1.0).abs() < 1e-12, "{document:?}");
     let contacts = document.contacts.unwrap();
     assert!(contacts.verified && contacts.upper == [5] && contacts.lower == [1, 2, 4], "{contacts:?}");
@@ -396,7 +396,7 @@ fn a_minimum_zone_names_the_points_that_hold_it() {
     let equator = "9.9 0 0\n-4.95 8.573651497465942 0\n-4.95 -8.573651497465942 0\n";
     std::fs::write(folder.path().join("ball.txt"), format!("0 0 10.1\n0 0 -10.1\n{equator}")).unwrap();
     let answered = etalon(folder.path(), &["fit", "sphere", "ball.txt", "--unit", "mm", "--minimum-zone", "--json"]);
-    let document: etalon::document::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
+    let document: etalon::documents::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
     assert!((document.form_mm - 0.2).abs() < 1e-12 && (document.radius_mm.unwrap() - 10.0).abs() < 1e-12);
     let contacts = document.contacts.unwrap();
     assert!(contacts.verified && contacts.upper == [1, 2] && contacts.lower == [3, 4, 5], "{contacts:?}");
@@ -455,7 +455,7 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
     // 30 µm are more than a quarter of 0.1 mm
     let said = text(&all.stderr);
     assert!(all.status.success() && said.contains("exceeds a quarter of what it verifies at pose 1, 2"), "{said}");
-    let document: etalon::document::Iso9283Document = serde_json::from_slice(&all.stdout).unwrap();
+    let document: etalon::documents::Iso9283Document = serde_json::from_slice(&all.stdout).unwrap();
     assert_eq!((document.distances[0].poses, document.distances[0].cycles), ([1.into(), 2.into()], 4));
     assert!(document.conventions.iter().any(|c| c.contains("not stated")));
     // pose 2 has no AP to verify
@@ -494,7 +494,7 @@ fn a_test_of_repeatability_runs_without_identifying_and_its_report_is_made_again
     assert!(etalon(scratch.root(), &["report", "campaign/out"]).status.success());
     assert!(std::fs::read(&report).unwrap() == first);
     let json = etalon(scratch.root(), &["run", "campaign", "--json"]);
-    let document: etalon::document::Iso9283Document = serde_json::from_slice(&json.stdout).unwrap();
+    let document: etalon::documents::Iso9283Document = serde_json::from_slice(&json.stdout).unwrap();
     assert_eq!((document.visits.len(), document.poses.len()), (240, 5));
 
     scratch.replace("campaign.toml", "repeatability_max_mm = 0.040", "repeatability_max_mm = 0.020");

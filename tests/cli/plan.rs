@@ -2,8 +2,8 @@
 
 use super::{etalon, text, text_of};
 use crate::support::five_bar::{SEVEN, holes, robot};
-use etalon::document::PlanDocument;
-use etalon::math::robots::Robot;
+use etalon::documents::PlanDocument;
+use etalon::robots::Robot;
 use std::fmt::Write;
 use std::path::Path;
 

@@ -3,7 +3,7 @@
 use super::{etalon, text_of};
 use crate::support::scratch::{Scratch, copy_sample, ends};
 use etalon::campaign::read_robot;
-use etalon::document::PlanDocument;
+use etalon::documents::PlanDocument;
 use std::fmt::Write;
 
 const SAMPLES: [&str; 2] = ["hexapod", "delta"];
@@ -11,7 +11,7 @@ const SAMPLES: [&str; 2] = ["hexapod", "delta"];
 /// The table of joint values of a sample under the names of its robot's joints, one row for each of three targets.
 fn candidates(scratch: &Scratch, poses: usize) -> String {
     let robot = read_robot(&scratch.path().join("robot.toml")).unwrap().build(&["a".to_owned()]).unwrap();
-    let columns: Vec<String> = robot.joints().iter().map(etalon::math::robots::Joint::column).collect();
+    let columns: Vec<String> = robot.joints().iter().map(etalon::robots::Joint::column).collect();
     let mut csv = format!("pose,target,{}\n", columns.join(","));
     let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     let mut rows = log.lines().map(|line| line.split(',').collect::<Vec<&str>>());

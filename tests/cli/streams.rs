@@ -2,7 +2,7 @@
 
 use super::{etalon, rows, text, text_of};
 use crate::support::scratch::{Scratch, copy_sample};
-use etalon::document::{ImportDocument, Iso9283StreamsDocument};
+use etalon::documents::{ImportDocument, Iso9283StreamsDocument};
 
 fn read<T: serde::de::DeserializeOwned>(scratch: &Scratch, name: &str) -> T {
     serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(name)).unwrap()).unwrap()
@@ -75,7 +75,7 @@ fn a_weave_in_a_campaign_tells_what_the_command_tells() {
     let alone =
         "iso9283 --stream seam.csv --path seam-path.csv --weave-stroke-mm 4 --weave-hz 2.5 --weave-across 0,1,0 --json";
     let alone = etalon(&scratch.path(), &alone.split(' ').collect::<Vec<_>>());
-    let alone: etalon::document::Iso9283StreamDocument = serde_json::from_slice(&alone.stdout).unwrap();
+    let alone: etalon::documents::Iso9283StreamDocument = serde_json::from_slice(&alone.stdout).unwrap();
     assert_eq!(alone.weaving.as_ref(), Some(weave));
 }
 

@@ -3,7 +3,7 @@
 use super::etalon;
 use crate::support::scratch::{Scratch, cmm_truth, copy_sample, ends, said};
 use etalon::base::pose::{Pose, Vector, minus};
-use etalon::document::{StudiedDesign, StudiesDocument};
+use etalon::documents::{StudiedDesign, StudiesDocument};
 use etalon::simulate::Truth;
 
 /// The study of the sample with few draws and commands.

@@ -3,7 +3,7 @@
 use super::{etalon, text_of};
 use crate::support::scratch::{Scratch, cmm_truth, copy_sample};
 use etalon::base::noise::Noise;
-use etalon::document::ParametersDocument;
+use etalon::documents::ParametersDocument;
 
 /// A measured ball of the sample's robot: what a row states.
 struct Row {

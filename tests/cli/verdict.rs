@@ -97,7 +97,7 @@ fn the_quarter_rule_takes_the_uncertainty_of_a_position() {
         let run = etalon(scratch.root(), &["run", "campaign"]);
         assert!(run.status.code() < Some(2), "{}", text_of(&run));
         let text = std::fs::read_to_string(scratch.path().join("out/iso9283.json")).unwrap();
-        let document: etalon::document::Iso9283Document = serde_json::from_str(&text).unwrap();
+        let document: etalon::documents::Iso9283Document = serde_json::from_str(&text).unwrap();
         let poses = document.poses.iter();
         poses.map(|p| p.uncertainty_over_rp.unwrap() * p.rp_mm.unwrap()).collect::<Vec<f64>>()
     };

@@ -1,6 +1,6 @@
 //! Keys of `campaign.toml` and `robot.toml`: docs/*.md list them from the schemas, and every sample follows these.
 
-use etalon::math::robots::{Quantity, Role};
+use etalon::robots::{Quantity, Role};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -20,7 +20,7 @@ fn compare(path: &str, text: &str) {
 fn committed_schemas_are_current() {
     let program = std::process::Command::new(crate::support::program()).args(["schema", "--help"]).output().unwrap();
     let help = String::from_utf8(program.stdout).unwrap();
-    for (name, text) in [etalon::campaign::schemas(), etalon::document::schema::all()].concat() {
+    for (name, text) in [etalon::campaign::schemas(), etalon::documents::schema::all()].concat() {
         assert!(help.split([' ', ',', '\n']).any(|word| word == name), "`{name}` is not in `etalon schema --help`");
         compare(&format!("schemas/{name}.schema.json"), &text);
     }

@@ -3,7 +3,7 @@
 use super::compare;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
-use etalon::iso9283::pose::rotations::RotationOrder;
+use etalon::standards::iso9283::pose::rotations::RotationOrder;
 use std::fmt::Write;
 
 type Vector = [f64; 3];

@@ -48,8 +48,8 @@ fn what_is_no_text_with_numbers_is_an_error_with_a_reason_and_not_a_long_wait() 
 
 #[test]
 fn a_file_cut_off_anywhere_is_read_or_refused_and_never_more_than_it_holds() {
-    use etalon::import::Format;
-    use etalon::import::format::Unit;
+    use etalon::formats::Format;
+    use etalon::formats::dialect::Unit;
     #[derive(serde::Deserialize)]
     struct Stated {
         format: Format,
@@ -63,7 +63,7 @@ fn a_file_cut_off_anywhere_is_read_or_refused_and_never_more_than_it_holds() {
     let whole = text.as_bytes();
     for cut in 0..=whole.len() {
         std::fs::write(&file, &whole[..cut]).unwrap();
-        let rows = etalon::import::read_file(&file, None, &format, Unit::Millimetre).map_or(0, |points| points.len());
+        let rows = etalon::formats::read_file(&file, None, &format, Unit::Millimetre).map_or(0, |points| points.len());
         let lines = whole[..cut].iter().filter(|b| **b == b'\n').count();
         assert!(rows <= lines.min(2) + 1, "{cut} bytes give {rows} rows");
     }

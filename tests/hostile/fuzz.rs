@@ -6,9 +6,9 @@
 use super::{logs, qif, readers};
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
-use etalon::import::Format;
-use etalon::import::format::Unit;
-use etalon::import::{labelled_points, propose, propose_file};
+use etalon::formats::Format;
+use etalon::formats::dialect::Unit;
+use etalon::formats::{labelled_points, propose, propose_file};
 use etalon::stages::gather::gather;
 use std::io::{Cursor, Write};
 use std::time::{Duration, Instant};
@@ -174,7 +174,7 @@ fn proposals() {
 #[test]
 fn measured_features() {
     let sound = qif::sound();
-    run("QIF", &[&sound], |text| drop(etalon::import::qif::read("f.qif", text, None)));
+    run("QIF", &[&sound], |text| drop(etalon::formats::qif::read("f.qif", text, None)));
 }
 
 /// A workbook of these files; they are kept as they are.

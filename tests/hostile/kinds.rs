@@ -189,7 +189,7 @@ fn orientations_in_any_form_are_the_same() {
     use crate::support::arms::{SIX_AXES, serial};
     use etalon::base::noise::Noise;
     use etalon::base::pose::Pose;
-    use etalon::math::robots::{FreeBase, Robot};
+    use etalon::robots::{FreeBase, Robot};
     let robot = serial(&SIX_AXES, &["probe"], &[]);
     let mut truth = robot.nominal();
     truth[..9].copy_from_slice(&[900.0, -300.0, 150.0, 0.3, -0.2, 1.1, 40.0, -20.0, 65.0]);

@@ -1,6 +1,6 @@
 //! Damaged and hostile QIF files: an error with its place, never a panic, never more memory or time than the file is worth.
 
-use etalon::import::qif;
+use etalon::formats::qif;
 
 const HEAD: &str = "<QIFDocument versionQIF=\"3.0.0\"><FileUnits><PrimaryUnits><LinearUnit><UnitName>mm</UnitName>\
                     <UnitConversion><Factor>0.001</Factor></UnitConversion></LinearUnit></PrimaryUnits></FileUnits>\n";

@@ -2,9 +2,9 @@
 //! them in one go, never a panic, never more memory or time than the file is worth. All texts are synthetic.
 
 use etalon::base::pose::Vector;
-use etalon::import::Format;
-use etalon::import::format::Unit;
-use etalon::import::labelled_points;
+use etalon::formats::Format;
+use etalon::formats::dialect::Unit;
+use etalon::formats::labelled_points;
 use std::time::Instant;
 
 fn read(name: &str, text: &str, unit: Unit) -> Result<Vec<(String, Vector)>, String> {

@@ -3,7 +3,7 @@
 use super::{ends, etalon};
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
-use etalon::document::ParametersDocument;
+use etalon::documents::ParametersDocument;
 
 fn parameters(scratch: &Scratch) -> ParametersDocument {
     serde_json::from_slice(&std::fs::read(scratch.path().join("out/parameters.json")).unwrap()).unwrap()

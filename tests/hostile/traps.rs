@@ -7,9 +7,9 @@
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Result;
 use etalon::campaign::Campaign;
-use etalon::import::Format;
-use etalon::import::format::Unit;
-use etalon::import::{Point, read_file};
+use etalon::formats::Format;
+use etalon::formats::dialect::Unit;
+use etalon::formats::{Point, read_file};
 use etalon::stages::gather::{Gathered, gather};
 
 #[derive(serde::Deserialize)]
@@ -149,7 +149,7 @@ fn trap_17_the_extension_of_a_file_says_nothing() {
     for name in ["points.csv", "points.igs", "points", "points.txt"] {
         let file = folder.path().join(name);
         std::fs::write(&file, "1.5 2.5 3.5\n").unwrap();
-        let proposed = etalon::import::propose_file(&file).unwrap();
+        let proposed = etalon::formats::propose_file(&file).unwrap();
         assert_eq!(proposed.readings[0].delimiter, "blank", "{name}");
     }
     let told = said("1.5 2.5 3.5\n", "{ delimiter = \",\", columns = [\"x\", \"y\", \"z\"] }");

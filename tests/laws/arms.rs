@@ -1,8 +1,8 @@
 //! Arms with two to four joints, whose geometry leaves more untold than base and targets: what is told must be right.
 
 use etalon::base::noise::Noise;
-use etalon::math::identify::{Identification, Observation, Settings, Status, identify};
-use etalon::math::robots::{Quantity, Robot, Role, Serial, SerialJoint};
+use etalon::identify::{Identification, Observation, Settings, Status, identify};
+use etalon::robots::{Quantity, Robot, Role, Serial, SerialJoint};
 use std::f64::consts::FRAC_PI_2;
 
 const NOISE_MM: f64 = 0.01;
@@ -31,7 +31,7 @@ fn arms() -> [(&'static str, Vec<SerialJoint>); 3] {
 
 /// A robot that is wrong by about a millimetre and a milliradian, seen from anywhere.
 fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
-    let value = |p: &etalon::math::robots::Parameter, noise: &mut Noise| match (p.role, p.quantity) {
+    let value = |p: &etalon::robots::Parameter, noise: &mut Noise| match (p.role, p.quantity) {
         (Role::Base, Quantity::Length) => noise.uniform(2000.0),
         (Role::Base, _) => noise.uniform(1.2),
         (Role::Target, _) => noise.uniform(150.0),
@@ -44,7 +44,7 @@ fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
 
 fn observe(robot: &dyn Robot, truth: &[f64], poses: usize, sigma_mm: f64, noise: &mut Noise) -> Vec<Observation> {
     let observe = |i: usize| {
-        let range = |q: &etalon::math::robots::Joint| if q.quantity == Quantity::Length { 200.0 } else { 1.5 };
+        let range = |q: &etalon::robots::Joint| if q.quantity == Quantity::Length { 200.0 } else { 1.5 };
         let joints: Vec<f64> = robot.joints().iter().map(|q| noise.uniform(range(q))).collect();
         let mut target = |k: usize| robot.position(truth, &joints, k).map(|v| v + noise.gaussian(sigma_mm));
         let targets = (0..robot.targets().len()).map(|k| Some(target(k))).collect();

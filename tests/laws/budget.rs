@@ -3,11 +3,11 @@
 use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Vector, minus, norm};
-use etalon::math::identify::{
+use etalon::identify::{
     Figure, Identification, Observation, Settings, Systematic, UncertaintySource as Source, figure_budgets,
     identify_with,
 };
-use etalon::math::robots::{Prexyt, Quantity, Robot};
+use etalon::robots::{Prexyt, Quantity, Robot};
 
 const U_MM: f64 = 0.002;
 
@@ -205,7 +205,7 @@ fn instrument_and_contact_are_apart() {
                 last = Some((at, ball));
                 // the reading is moved by the ball's error, the joints by that of the contact
                 let stands = [at[0] + noise.gaussian(contact_mm), at[1] + noise.gaussian(contact_mm)];
-                let branches = etalon::math::robots::WORKING_MODES
+                let branches = etalon::robots::WORKING_MODES
                     .into_iter()
                     .find(|b| {
                         let q = robot.inverse(&truth, robot.to_base(&truth, [at[0], at[1]]), *b);

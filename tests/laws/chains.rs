@@ -5,8 +5,8 @@ use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
-use etalon::math::identify::{Condition, Fixture, Kind, Known, Observation, Settings, identify};
-use etalon::math::robots::{Effect, Quantity, Robot, Role};
+use etalon::identify::{Condition, Fixture, Kind, Known, Observation, Settings, identify};
+use etalon::robots::{Effect, Quantity, Robot, Role};
 use std::fmt::Write;
 use std::process::Command;
 
@@ -32,7 +32,7 @@ fn arm(keys: &str, before: &str) -> Box<dyn Robot> {
 
 /// Parameters of an arm as it could have been built, and mounted anywhere.
 fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
-    let of = |p: &etalon::math::robots::Parameter| {
+    let of = |p: &etalon::robots::Parameter| {
         p.nominal
             + match (p.role, p.quantity) {
                 (Role::Base, Quantity::Length) => noise.uniform(1000.0),
@@ -239,9 +239,9 @@ fn a_chain_between_two_hands_is_that_of_both_arms() {
     for _ in 0..20 {
         let q = joints(both.as_ref(), &mut noise);
         let of = |robot: &dyn Robot| {
-            let value = |p: &etalon::math::robots::Parameter| both.index(&p.name).map_or(p.nominal, |i| values[i]);
+            let value = |p: &etalon::robots::Parameter| both.index(&p.name).map_or(p.nominal, |i| values[i]);
             let values: Vec<f64> = robot.parameters().iter().map(value).collect();
-            let joint = |j: &etalon::math::robots::Joint| q[names.iter().position(|n| *n == j.name).unwrap()];
+            let joint = |j: &etalon::robots::Joint| q[names.iter().position(|n| *n == j.name).unwrap()];
             let joints: Vec<f64> = robot.joints().iter().map(joint).collect();
             robot.free_base().unwrap().flange(&values, &joints)
         };

@@ -2,8 +2,8 @@
 
 use crate::support::five_bar::{SEVEN, measure, robot, settings, truth};
 use etalon::base::noise::Noise;
-use etalon::math::identify::{Identification, Observation, Settings, identify_from};
-use etalon::math::robots::{FiveBar, Robot};
+use etalon::identify::{Identification, Observation, Settings, identify_from};
+use etalon::robots::{FiveBar, Robot};
 
 const CYCLES: i64 = 2;
 const TRIALS: u64 = 800;
@@ -17,7 +17,7 @@ fn touched(robot: &FiveBar, ball_mm: f64, contact_mm: f64, seed: u64) -> Vec<Obs
         let measured = [p[0] + noise.gaussian(ball_mm), p[1] + noise.gaussian(ball_mm), 0.0];
         for o in measure(robot, &truth, &[*p], &mut || 0.0) {
             let e = robot.to_base(&truth, *p);
-            let branches = etalon::math::robots::WORKING_MODES
+            let branches = etalon::robots::WORKING_MODES
                 .into_iter()
                 .find(|b| robot.inverse(&truth, e, *b).iter().zip(&o.joints).all(|(q, j)| (q - j).abs() < 1e-12))
                 .expect("the mode");

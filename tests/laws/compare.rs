@@ -3,11 +3,11 @@
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
 use etalon::compare::{Compared, compare};
-use etalon::document::Iso9283Interval as Interval;
-use etalon::document::*;
-use etalon::iso9283::pose::accuracy::pose_accuracy;
-use etalon::iso9283::pose::repeatability::pose_repeatability;
-use etalon::iso9283::statistics::interval::{accuracy_interval, repeatability_interval};
+use etalon::documents::Iso9283Interval as Interval;
+use etalon::documents::*;
+use etalon::standards::iso9283::pose::accuracy::pose_accuracy;
+use etalon::standards::iso9283::pose::repeatability::pose_repeatability;
+use etalon::standards::iso9283::statistics::interval::{accuracy_interval, repeatability_interval};
 use std::collections::BTreeMap;
 
 const PAIRS: u64 = 2000;
@@ -15,7 +15,7 @@ const PAIRS: u64 = 2000;
 /// Residuals that the instrument explains.
 fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
     ResidualSummary {
-        kind: etalon::math::identify::ResidualKind::Targets,
+        kind: etalon::identify::ResidualKind::Targets,
         count: 100,
         rms: 0.001,
         max: 0.003,
@@ -25,7 +25,7 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
         repeats: None,
         chi_square: None,
         chi_square_rejected: false,
-        uncertainties_from: etalon::math::identify::UncertaintyFrom::Instrument,
+        uncertainties_from: etalon::identify::UncertaintyFrom::Instrument,
         uncertainties_enlarged_by: 1.0,
     }
 }
@@ -68,7 +68,7 @@ pub(super) fn identified(
         solver: SolverSummary {
             method: String::new(),
             iterations: 1,
-            termination: etalon::math::solve::Termination::ResidualsZero,
+            termination: etalon::math::Termination::ResidualsZero,
             meaning: String::new(),
         },
         messages: Vec::new(),
@@ -104,7 +104,7 @@ pub(super) fn identified(
         contact: None,
         temperature_c: None,
         conditions: Conditions::default(),
-        issue: etalon::document::Issue::default(),
+        issue: etalon::documents::Issue::default(),
         report: Presentation::default(),
     };
     Compared {

@@ -6,7 +6,7 @@ use crate::support::arms::SIX_AXES;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::read_robot;
-use etalon::math::robots::{Calibrated, Kinematics, Quantity, Robot, Role};
+use etalon::robots::{Calibrated, Kinematics, Quantity, Robot, Role};
 use std::path::Path;
 
 /// Where a robot is, by formulas of this test; `None` for models that it has none for.
@@ -87,7 +87,7 @@ fn pseudo_poses_land_on_their_targets() {
     for (file, robot, direct) in cases {
         let arm = robot.kinematics().unwrap();
         let mut noise = Noise::new(193, 1);
-        let real = |p: &etalon::math::robots::Parameter, noise: &mut Noise| match p.quantity {
+        let real = |p: &etalon::robots::Parameter, noise: &mut Noise| match p.quantity {
             _ if p.role != Role::Robot => p.nominal,
             Quantity::Length => p.nominal + noise.uniform(0.5),
             Quantity::Angle => p.nominal + noise.uniform(2e-3),

@@ -5,10 +5,10 @@ use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::base::pose_name::PoseName;
-use etalon::math::identify::{
+use etalon::identify::{
     Condition, Fixture, Identification, Kind, Known, Observation, Settings, Status, Surface, fit_frames, identify_from,
 };
-use etalon::math::robots::{FreeBase, Robot, Role, Serial};
+use etalon::robots::{FreeBase, Robot, Role, Serial};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -40,7 +40,7 @@ impl Campaign {
         let robot = serial(&SIX_AXES, &["ball"], &[]);
         // what a base and a single ball take up
         let absorbed = ["alpha_1", "a_1", "theta_1", "d_1", "theta_6", "d_6"];
-        let of = |p: &etalon::math::robots::Parameter| {
+        let of = |p: &etalon::robots::Parameter| {
             let error = match (p.role, p.name.split('_').next().unwrap()) {
                 (Role::Base, _) => 0.0,
                 (Role::Target, _) => 60.0 + noise.uniform(20.0),

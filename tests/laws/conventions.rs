@@ -6,8 +6,8 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, centroid, cross, minus, norm, unit};
 use etalon::campaign::{Campaign, read_robot};
-use etalon::math::identify::{Condition, Fixture, Kind, Observation, Settings, identify};
-use etalon::math::robots::{Robot, Role};
+use etalon::identify::{Condition, Fixture, Kind, Observation, Settings, identify};
+use etalon::robots::{Robot, Role};
 use etalon::run::pipeline;
 use std::fmt::Write;
 

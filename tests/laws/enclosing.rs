@@ -5,7 +5,7 @@
 #![allow(clippy::excessive_precision)] // digits as published
 
 use etalon::base::pose::{Vector, minus, norm};
-use etalon::math::fit::{Enclosing, enclosing_circle, enclosing_sphere};
+use etalon::fit::{Enclosing, enclosing_circle, enclosing_sphere};
 use std::path::Path;
 
 fn numbers(path: &Path, header: usize) -> Vec<Vec<f64>> {

@@ -3,7 +3,7 @@
 use crate::support::scratch::copy_sample;
 use etalon::base::pose::{Pose, Vector, cross, dot, norm, unit};
 use etalon::campaign::Campaign;
-use etalon::document::{FeaturesDocument, FramesDocument};
+use etalon::documents::{FeaturesDocument, FramesDocument};
 use etalon::simulate::LabelledPoint;
 use etalon::simulate::Truth;
 use serde::de::DeserializeOwned;

@@ -4,7 +4,7 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm};
-use etalon::math::fit::{self, Element, Fit, Settings};
+use etalon::fit::{self, Element, Fit, Settings};
 
 /// Points on an element about z through the origin, seen over `turn_rad`, and its true sizes.
 pub(super) fn points_on(element: Element, turn_rad: f64) -> Vec<Vector> {

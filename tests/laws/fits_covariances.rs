@@ -2,7 +2,7 @@
 
 use super::fits::{disturbed, points_on, quantities};
 use etalon::base::pose::{Pose, Vector, centroid, dot, minus};
-use etalon::math::fit::{self, CircleMethod, Element, Fit, Probe, Settings, Side};
+use etalon::fit::{self, CircleMethod, Element, Fit, Probe, Settings, Side};
 use rayon::prelude::*;
 
 const TRIALS: u64 = 10_000;

@@ -2,7 +2,7 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
-use etalon::math::fit::{self, CircleMethod, Element, Settings};
+use etalon::fit::{self, CircleMethod, Element, Settings};
 
 fn is_sound(what: &str, element: Element, points: &[Vector], settings: &Settings) {
     match fit::element(element, points, settings) {

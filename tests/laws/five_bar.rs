@@ -3,8 +3,8 @@
 use crate::support::five_bar::{SEVEN, measure, robot, settings, truth};
 use crate::support::linearised::linearised;
 use etalon::base::noise::Noise;
-use etalon::math::identify::{Identification, Observation, fit_frames, identify, identify_from};
-use etalon::math::robots::{FiveBar, Robot, WORKING_MODES};
+use etalon::identify::{Identification, Observation, fit_frames, identify, identify_from};
+use etalon::robots::{FiveBar, Robot, WORKING_MODES};
 
 #[test]
 fn direct_undoes_inverse_in_all_working_modes_of_disturbed_robots() {

@@ -2,8 +2,8 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector};
-use etalon::math::geometric::*;
-use etalon::math::robots::Prexyt;
+use etalon::identify::geometric::*;
+use etalon::robots::Prexyt;
 
 /// Indices in the model's parameters.
 const BETA: usize = 0;

@@ -3,7 +3,7 @@
 use crate::support::documents_of;
 use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::campaign::Campaign;
-use etalon::document::{BarVerdict, GeometricDocument, MethodErrors};
+use etalon::documents::{BarVerdict, GeometricDocument, MethodErrors};
 use etalon::run::pipeline;
 use etalon::simulate::Truth;
 use std::f64::consts::PI;

@@ -2,16 +2,16 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
-use etalon::iso9283::pose::accuracy::{angle_accuracy_rad, pose_accuracy};
-use etalon::iso9283::pose::coplanarity::coplanarity;
-use etalon::iso9283::pose::directions::{angle_variation_rad, variation};
-use etalon::iso9283::pose::distance::{angle_distance_rad, distance};
-use etalon::iso9283::pose::drift::drift;
-use etalon::iso9283::pose::exchangeability::exchangeability;
-use etalon::iso9283::pose::repeatability::{angle_repeatability_rad, pose_repeatability};
-use etalon::iso9283::statistics::bootstrap::Bootstrap;
-use etalon::iso9283::statistics::interval::{accuracy_interval, repeatability_interval};
-use etalon::iso9283::statistics::uncertainty_ratio::uncertainty_ratio;
+use etalon::standards::iso9283::pose::accuracy::{angle_accuracy_rad, pose_accuracy};
+use etalon::standards::iso9283::pose::coplanarity::coplanarity;
+use etalon::standards::iso9283::pose::directions::{angle_variation_rad, variation};
+use etalon::standards::iso9283::pose::distance::{angle_distance_rad, distance};
+use etalon::standards::iso9283::pose::drift::drift;
+use etalon::standards::iso9283::pose::exchangeability::exchangeability;
+use etalon::standards::iso9283::pose::repeatability::{angle_repeatability_rad, pose_repeatability};
+use etalon::standards::iso9283::statistics::bootstrap::Bootstrap;
+use etalon::standards::iso9283::statistics::interval::{accuracy_interval, repeatability_interval};
+use etalon::standards::iso9283::statistics::uncertainty_ratio::uncertainty_ratio;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 

@@ -3,12 +3,12 @@
 use super::iso9283::cloud;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, dot, minus, norm};
-use etalon::document::{Conformity, DecisionRule, Iso9283Ellipsoid as Ellipsoid, Iso9283Interval as Interval};
-use etalon::iso9283::pose::ellipsoid::ellipsoid;
-use etalon::iso9283::pose::noise_free::{repeatability_of_scatter, without_noise};
-use etalon::iso9283::pose::reference::epochs;
-use etalon::iso9283::pose::repeatability::pose_repeatability;
-use etalon::iso9283::statistics::bootstrap::Bootstrap;
+use etalon::documents::{Conformity, DecisionRule, Iso9283Ellipsoid as Ellipsoid, Iso9283Interval as Interval};
+use etalon::standards::iso9283::pose::ellipsoid::ellipsoid;
+use etalon::standards::iso9283::pose::noise_free::{repeatability_of_scatter, without_noise};
+use etalon::standards::iso9283::pose::reference::epochs;
+use etalon::standards::iso9283::pose::repeatability::pose_repeatability;
+use etalon::standards::iso9283::statistics::bootstrap::Bootstrap;
 use std::f64::consts::PI;
 
 const TESTS: usize = 2000;

@@ -1,11 +1,11 @@
 //! Corners of a commanded path: what is told of them, and that they part no pass.
 
 use etalon::base::pose::{Vector, minus, norm};
-use etalon::iso9283::motion::stream::Stream;
-use etalon::iso9283::path::commanded::CommandedPath;
-use etalon::iso9283::path::cornering::cornering;
-use etalon::iso9283::path::passes::passes;
-use etalon::iso9283::path::velocity::path_velocity;
+use etalon::standards::iso9283::motion::stream::Stream;
+use etalon::standards::iso9283::path::commanded::CommandedPath;
+use etalon::standards::iso9283::path::cornering::cornering;
+use etalon::standards::iso9283::path::passes::passes;
+use etalon::standards::iso9283::path::velocity::path_velocity;
 
 const RATE_HZ: f64 = 500.0;
 

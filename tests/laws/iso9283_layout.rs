@@ -1,8 +1,8 @@
 //! The test laid out: what the standard says of cube, plane, poses and paths holds in every workspace.
 
 use etalon::base::pose::{Vector, cross, dot, minus, norm, unit};
-use etalon::iso9283::plan::layout::{PLANES, layout};
-use etalon::iso9283::plan::programme::programme;
+use etalon::standards::iso9283::plan::layout::{PLANES, layout};
+use etalon::standards::iso9283::plan::programme::programme;
 
 const LOW: Vector = [300.0, -250.0, 100.0];
 const HIGH: Vector = [900.0, 350.0, 500.0];

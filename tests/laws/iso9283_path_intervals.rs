@@ -3,14 +3,14 @@
 use super::compare::recorded;
 use etalon::base::noise::Noise;
 use etalon::compare::{Compared, compare};
-use etalon::document::CompareFamily;
-use etalon::iso9283::motion::stream::Stream;
-use etalon::iso9283::path::accuracy::path_accuracy;
-use etalon::iso9283::path::bootstrap::PathBootstrap;
-use etalon::iso9283::path::commanded::{CommandPoint, CommandedPath};
-use etalon::iso9283::path::passes::{Pass, passes};
-use etalon::iso9283::path::repeatability::path_repeatability;
-use etalon::iso9283::pose::noise_free::repeatability_of_scatter;
+use etalon::documents::CompareFamily;
+use etalon::standards::iso9283::motion::stream::Stream;
+use etalon::standards::iso9283::path::accuracy::path_accuracy;
+use etalon::standards::iso9283::path::bootstrap::PathBootstrap;
+use etalon::standards::iso9283::path::commanded::{CommandPoint, CommandedPath};
+use etalon::standards::iso9283::path::passes::{Pass, passes};
+use etalon::standards::iso9283::path::repeatability::path_repeatability;
+use etalon::standards::iso9283::pose::noise_free::repeatability_of_scatter;
 use rayon::prelude::*;
 
 const POINTS: usize = 24;

@@ -3,13 +3,15 @@
 use super::iso9283::{close, deviation_by_pairs};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, dot, minus, norm};
-use etalon::iso9283::motion::stream::Stream;
-use etalon::iso9283::path::accuracy::{path_accuracy, path_accuracy_on_reorientation, path_angle_accuracy_rad};
-use etalon::iso9283::path::commanded::{CommandPoint, CommandedPath};
-use etalon::iso9283::path::cornering::cornering;
-use etalon::iso9283::path::passes::{Passes, passes};
-use etalon::iso9283::path::repeatability::{path_angle_repeatability_rad, path_repeatability};
-use etalon::iso9283::path::velocity::path_velocity;
+use etalon::standards::iso9283::motion::stream::Stream;
+use etalon::standards::iso9283::path::accuracy::{
+    path_accuracy, path_accuracy_on_reorientation, path_angle_accuracy_rad,
+};
+use etalon::standards::iso9283::path::commanded::{CommandPoint, CommandedPath};
+use etalon::standards::iso9283::path::cornering::cornering;
+use etalon::standards::iso9283::path::passes::{Passes, passes};
+use etalon::standards::iso9283::path::repeatability::{path_angle_repeatability_rad, path_repeatability};
+use etalon::standards::iso9283::path::velocity::path_velocity;
 
 const RATE_HZ: f64 = 500.0;
 /// A corner of a right angle, and one of 45°.

@@ -2,11 +2,11 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
-use etalon::iso9283::motion::overshoot::overshoot_mm;
-use etalon::iso9283::motion::posing_time::posing;
-use etalon::iso9283::motion::stabilisation::{arrival, stabilisation_time_s};
-use etalon::iso9283::motion::standstill::{Standstill, Stillness, places_mm, standstills, visited};
-use etalon::iso9283::motion::stream::Stream;
+use etalon::standards::iso9283::motion::overshoot::overshoot_mm;
+use etalon::standards::iso9283::motion::posing_time::posing;
+use etalon::standards::iso9283::motion::stabilisation::{arrival, stabilisation_time_s};
+use etalon::standards::iso9283::motion::standstill::{Standstill, Stillness, places_mm, standstills, visited};
+use etalon::standards::iso9283::motion::stream::Stream;
 
 const STILL: Stillness = Stillness { radius_mm: 0.05, duration_s: 0.2 };
 const RATE_HZ: f64 = 500.0;

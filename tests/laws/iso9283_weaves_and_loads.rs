@@ -3,9 +3,9 @@
 use super::iso9283::close;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, dot, minus};
-use etalon::iso9283::load::{Loaded, compliance};
-use etalon::iso9283::motion::stream::Stream;
-use etalon::iso9283::path::weaving::{Weave, weaving};
+use etalon::standards::iso9283::load::{Loaded, compliance};
+use etalon::standards::iso9283::motion::stream::Stream;
+use etalon::standards::iso9283::path::weaving::{Weave, weaving};
 
 const RATE_HZ: f64 = 500.0;
 

@@ -2,7 +2,7 @@
 
 use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
-use etalon::document::UncertaintyDocument;
+use etalon::documents::UncertaintyDocument;
 use etalon::run::validation::uncertainty;
 use etalon::stages::monte_carlo::Draws;
 

@@ -6,7 +6,7 @@
 
 use etalon::base::message::Result;
 use etalon::base::pose::{Vector, cross, dot, minus, norm};
-use etalon::math::fit::{self, CircleMethod, Fit, Settings};
+use etalon::fit::{self, CircleMethod, Fit, Settings};
 use std::path::Path;
 
 /// One reference pair: points and published answer.

@@ -1,7 +1,7 @@
 //! NIST StRD nonlinear regression: 27 problems from both certified starts, no per-problem settings.
 
 use etalon::base::scalar::{Dual, Scalar};
-use etalon::math::solve::{Options, Problem, solve};
+use etalon::math::{Options, Problem, solve};
 use std::path::Path;
 
 type D = Dual<9>;

@@ -3,13 +3,13 @@
 use crate::support::five_bar::{SEVEN, holes, measure, robot, settings, truth};
 use etalon::base::noise::Noise;
 use etalon::base::pose_name::PoseName;
-use etalon::math::identify::{Observation, identify_from};
-use etalon::math::plan::bound::branch_and_bound;
-use etalon::math::plan::candidates::{self, Candidates};
-use etalon::math::plan::search::{exchange_from_many, greedy};
-use etalon::math::plan::{Choice, Criterion, Plan, Pool, Request, plan, pool_of};
-use etalon::math::robots::{FiveBar, Robot, WORKING_MODES};
-use etalon::math::solve::{Factor, Svd, svd};
+use etalon::identify::plan::bound::branch_and_bound;
+use etalon::identify::plan::candidates::{self, Candidates};
+use etalon::identify::plan::search::{exchange_from_many, greedy};
+use etalon::identify::plan::{Choice, Criterion, Plan, Pool, Request, plan, pool_of};
+use etalon::identify::{Observation, identify_from};
+use etalon::math::{Factor, Svd, svd};
+use etalon::robots::{FiveBar, Robot, WORKING_MODES};
 
 pub const ALL: [Criterion; 9] = [
     Criterion::O1,
@@ -104,7 +104,7 @@ fn index_by_svd(pool: &Pool, criterion: Criterion, chosen: &[usize]) -> f64 {
 }
 
 fn pool(robot: &FiveBar, observations: &[Observation], criterion: Criterion) -> Pool {
-    let known = etalon::math::identify::sensitivity(robot, observations, &settings(0.01)).expect("sensitivity");
+    let known = etalon::identify::sensitivity(robot, observations, &settings(0.01)).expect("sensitivity");
     let mut members: Vec<Vec<usize>> = Vec::new();
     for (k, o) in observations.iter().enumerate() {
         match members.last_mut() {
@@ -379,7 +379,7 @@ fn positions_alone_become_all_working_modes() {
         .iter()
         .enumerate()
         .fold("pose,x_mm,y_mm\n".to_owned(), |t, (k, p)| t + &format!("{k},{},{}\n", p[0], p[1]));
-    let table = etalon::import::tables::observations::observations("c.csv", &csv).unwrap();
+    let table = etalon::formats::tables::observations::observations("c.csv", &csv).unwrap();
     let Candidates { observations: all, beyond } = candidates::configurations(&robot, &table).unwrap();
     assert_eq!(beyond, None);
     let expected = measure(&robot, &robot.nominal(), &SEVEN, &mut || 0.0);

@@ -4,8 +4,8 @@ use crate::robots::{jacobian_is_the_numeric_derivative, joint_jacobian_is_the_nu
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
-use etalon::math::identify::{Condition, Fixture, Identification, Kind, Observation, Settings, Status, identify};
-use etalon::math::robots::{Robot, Role};
+use etalon::identify::{Condition, Fixture, Identification, Kind, Observation, Settings, Status, identify};
+use etalon::robots::{Robot, Role};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use std::path::Path;
@@ -43,7 +43,7 @@ impl Model {
 
     /// The legs off by half a millimetre and two milliradians, base and targets anywhere.
     fn truth(&self, robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
-        let of = |p: &etalon::math::robots::Parameter| match (p.role, p.name.starts_with("base_r")) {
+        let of = |p: &etalon::robots::Parameter| match (p.role, p.name.starts_with("base_r")) {
             (Role::Base, true) => noise.uniform(1.0),
             (Role::Base, false) => noise.uniform(2000.0),
             (Role::Robot, _) if p.quantity.unit() == "deg" => p.nominal + noise.uniform(2e-3),

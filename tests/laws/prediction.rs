@@ -4,11 +4,11 @@ use crate::support::scratch::copy_sample;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::Campaign;
-use etalon::math::identify::{
+use etalon::identify::{
     CRITICAL_W, Identification, Observation, Settings, ToolPoint, UncertaintyFrom, identify_again, identify_from,
     reliability,
 };
-use etalon::math::robots::Robot;
+use etalon::robots::Robot;
 use etalon::run::pipeline;
 use etalon::stages::identification::Identified;
 use nalgebra::{DMatrix, DVector};

@@ -1,8 +1,8 @@
 //! The PreXYT against the thesis' table 3.1 and an independent implementation's sensitivity study.
 
 use etalon::base::noise::Noise;
-use etalon::math::identify::{Observation, ResidualKind, Settings, identify};
-use etalon::math::robots::{PlanarPose, Prexyt, Robot};
+use etalon::identify::{Observation, ResidualKind, Settings, identify};
+use etalon::robots::{PlanarPose, Prexyt, Robot};
 use etalon::simulate::study::{Frame, Landing};
 
 /// "Actual" column of table 3.1, in the order of the model; the balls are 146 mm apart.

@@ -3,7 +3,7 @@
 #![allow(non_snake_case)] // frames in names
 
 use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm};
-use etalon::math::fit::{self, CircleMethod, Element, Fit, Probe, Settings, Side};
+use etalon::fit::{self, CircleMethod, Element, Fit, Probe, Settings, Side};
 
 const PROBE_MM: f64 = 2.5;
 const HALF_ANGLE_RAD: f64 = 0.3;

@@ -3,8 +3,8 @@
 
 use crate::support::arms::serial;
 use etalon::base::pose::{minus, norm};
-use etalon::math::identify::{Observation, RigidPart, Settings, fit_frames, identify_from};
-use etalon::math::robots::{Robot, Serial};
+use etalon::identify::{Observation, RigidPart, Settings, fit_frames, identify_from};
+use etalon::robots::{Robot, Serial};
 
 /// Nominal geometry by the README of the set.
 fn arm() -> Serial {

@@ -2,8 +2,8 @@
 
 use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
-use etalon::document::LoadVerdict;
-use etalon::math::robots::Effect;
+use etalon::documents::LoadVerdict;
+use etalon::robots::Effect;
 use etalon::run::validation::recommend;
 use std::path::Path;
 

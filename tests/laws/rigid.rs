@@ -6,8 +6,8 @@ use etalon::base::message::Severity;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::Campaign;
-use etalon::math::identify::{Identification, Observation, RigidPart, Settings, fit_frames, identify_from};
-use etalon::math::robots::{Robot, Role, Serial};
+use etalon::identify::{Identification, Observation, RigidPart, Settings, fit_frames, identify_from};
+use etalon::robots::{Robot, Role, Serial};
 use etalon::run::pipeline;
 
 const TARGETS: [&str; 3] = ["t1", "t2", "t3"];

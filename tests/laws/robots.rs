@@ -1,7 +1,7 @@
 //! Every model: direct(inverse(pose)) = pose, and Jacobian = numeric derivative.
 
 use etalon::base::pose::{Pose, minus, norm};
-use etalon::math::robots::{FiveBar, PlanarPose, Platform, Prexyt, Robot, Serial, SerialJoint};
+use etalon::robots::{FiveBar, PlanarPose, Platform, Prexyt, Robot, Serial, SerialJoint};
 
 /// Parameters away from nominal, so that no term of a model is multiplied by zero or one.
 fn disturbed(robot: &dyn Robot) -> Vec<f64> {

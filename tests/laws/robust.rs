@@ -1,10 +1,10 @@
 //! A robust fit beside the plain one: silent where readings are only noisy, right where one is wrong.
 
 use super::prediction::{U_MM, drawn, sample};
-use etalon::math::identify::{
+use etalon::identify::{
     Observation, RobustComparison, Settings, identify_again, identify_from, reliability, robust_comparison,
 };
-use etalon::math::robots::Robot;
+use etalon::robots::Robot;
 use rayon::prelude::*;
 
 fn compared(

@@ -1,7 +1,7 @@
 //! Samples of every kind of observation: made again byte for byte, explained by what is stated, and the truth itself where there is no noise.
 
 use crate::support::scratch::{Scratch, copy_sample, ends};
-use etalon::document::ParametersDocument;
+use etalon::documents::ParametersDocument;
 use etalon::simulate::Truth;
 
 const SAMPLES: [&str; 7] =

@@ -5,8 +5,8 @@ use crate::support::tracker;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, norm};
 use etalon::campaign::read_robot;
-use etalon::math::identify::{Observation, Settings, UncertaintyFrom, identify};
-use etalon::math::robots::{Robot, Role};
+use etalon::identify::{Observation, Settings, UncertaintyFrom, identify};
+use etalon::robots::{Robot, Role};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -19,7 +19,7 @@ fn robot(targets: usize) -> Box<dyn Robot> {
 /// A truth that differs from nominal in every parameter that can be told apart from base and targets.
 fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
     let absorbed = ["alpha_1", "a_1", "theta_1", "d_1", "theta_6", "d_6"];
-    let value = |p: &etalon::math::robots::Parameter, noise: &mut Noise| match (p.role, p.name.as_str()) {
+    let value = |p: &etalon::robots::Parameter, noise: &mut Noise| match (p.role, p.name.as_str()) {
         (Role::Base, "base_x" | "base_y" | "base_z") => noise.uniform(3000.0),
         // a rotation vector shorter than half a turn: a longer one is the same attitude by other numbers
         (Role::Base, _) => noise.uniform(1.75),
@@ -59,7 +59,7 @@ fn base_and_targets_are_found_from_anywhere() {
             let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };
             let found = identify(robot.as_ref(), &observations, &settings).unwrap();
             for (i, p) in robot.parameters().iter().enumerate() {
-                let identified = found.status[i] == etalon::math::identify::Status::Identified;
+                let identified = found.status[i] == etalon::identify::Status::Identified;
                 assert!(identified || found.values[i] == p.nominal, "{} is not held at its nominal value", p.name);
             }
             let fresh = observe(robot.as_ref(), &truth, 20, &mut noise);

@@ -9,8 +9,8 @@ use etalon::base::message::{Message, Severity};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
-use etalon::math::identify::{Observation, Settings, fit_frames, identify_from};
-use etalon::math::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
+use etalon::identify::{Observation, Settings, fit_frames, identify_from};
+use etalon::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
 use etalon::run::check;
 use etalon::stages::evaluate::{self, Sets};
 use etalon::stages::plausible::plausibility;
@@ -43,7 +43,7 @@ fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<M
 
 /// A robot off by half a millimetre and two milliradians, its base and targets anywhere.
 fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
-    let value = |p: &etalon::math::robots::Parameter, noise: &mut Noise| match (p.role, p.quantity) {
+    let value = |p: &etalon::robots::Parameter, noise: &mut Noise| match (p.role, p.quantity) {
         (Role::Base, Quantity::Length) => noise.uniform(2000.0),
         (Role::Base, _) => noise.uniform(1.2),
         (Role::Target, _) => 60.0 + noise.uniform(30.0),

@@ -2,7 +2,7 @@
 
 #![allow(clippy::excessive_precision)] // digits as computed
 
-use etalon::math::solve::{Loss, Options, Prior, Problem, WithPriors, solve, svd};
+use etalon::math::{Loss, Options, Prior, Problem, WithPriors, solve, svd};
 
 /// y = a + b t.
 struct Line {

@@ -3,8 +3,8 @@
 use super::prediction::{U_MM, drawn, sample};
 use etalon::base::noise::Noise;
 use etalon::base::pose_name::PoseName;
-use etalon::math::identify::{Observation, Settings, Stability, effects, halves, identify_from, stability};
-use etalon::math::robots::Robot;
+use etalon::identify::{Observation, Settings, Stability, effects, halves, identify_from, stability};
+use etalon::robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 

@@ -5,8 +5,8 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
-use etalon::document::ImportDocument;
-use etalon::import::standstill::{Watched, standing};
+use etalon::documents::ImportDocument;
+use etalon::formats::standstill::{Watched, standing};
 use etalon::run::pipeline::Outcome;
 
 /// A walk of two joints that stands now and then, with scatter and odd steps of time.
@@ -114,7 +114,7 @@ fn campaign(scratch: &Scratch, log: &[(f64, [f64; 3])], measured: &[(f64, [f64; 
     let campaign = Campaign::read(&scratch.path()).unwrap();
     let robot = campaign.build_robot().unwrap();
     let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
-    let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+    let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let mut export = String::new();
     for (time, q) in measured {

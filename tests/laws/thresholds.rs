@@ -1,7 +1,7 @@
 //! Limits that README.md promises, met from both sides with numbers worked out by hand.
 
-use etalon::math::identify::{Identification, Observation, Settings, SingularValue, Status, UncertaintyFrom, identify};
-use etalon::math::robots::{Prexyt, Robot};
+use etalon::identify::{Identification, Observation, Settings, SingularValue, Status, UncertaintyFrom, identify};
+use etalon::robots::{Prexyt, Robot};
 
 /// Poses at theta = 0 of the nominal PreXYT, and of K and L what `error_mm` makes of them.
 ///

@@ -6,10 +6,8 @@ use crate::support::scratch::copy_sample;
 use etalon::base::noise::Noise;
 use etalon::base::pose::norm;
 use etalon::campaign::Campaign;
-use etalon::math::identify::{
-    Identification, Observation, Settings, ToolFrame, ToolPoint, UncertaintyFrom, held, identify,
-};
-use etalon::math::robots::{PlanarPose, Platform, Prexyt, Robot, Role};
+use etalon::identify::{Identification, Observation, Settings, ToolFrame, ToolPoint, UncertaintyFrom, held, identify};
+use etalon::robots::{PlanarPose, Platform, Prexyt, Robot, Role};
 use etalon::run::pipeline;
 
 /// Table 3.1, in the order of the model; the balls are 146 mm apart.

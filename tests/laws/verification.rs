@@ -4,10 +4,8 @@
 use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
-use etalon::math::identify::{
-    GivenParameters, Moved, Observation, Settings, Variance, Verification, identify_from, verify,
-};
-use etalon::math::robots::{FiveBar, Prexyt, Quantity, Robot};
+use etalon::identify::{GivenParameters, Moved, Observation, Settings, Variance, Verification, identify_from, verify};
+use etalon::robots::{FiveBar, Prexyt, Quantity, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// How many calibrations and observations of each kind: `ETALON_CASES`.
@@ -185,7 +183,7 @@ fn verification_measures_the_change() {
             let by = if joint.quantity == Quantity::Angle { 0.003 } else { 0.5 };
             let observed = observe(case.robot.as_ref(), &case.truth, &case.joints, &Change::Joint(j, by), None);
             let found = verify(case.robot.as_ref(), &observed, &settings, &given, Variance::Stated).unwrap();
-            let of = |e: &&etalon::math::identify::Explanation| e.moved == Moved::Joint(j);
+            let of = |e: &&etalon::identify::Explanation| e.moved == Moved::Joint(j);
             let explained = found.explanations.iter().find(of).unwrap();
             // and a large one, where nothing is linear
             let large = if joint.quantity == Quantity::Angle { 0.06 } else { 8.0 };

@@ -3,7 +3,7 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
-use etalon::math::fit::{self, Element, MinimumZone, Settings, minimum_zone};
+use etalon::fit::{self, Element, MinimumZone, Settings, minimum_zone};
 
 const ELEMENTS: [Element; 3] = [Element::Line2d, Element::Plane, Element::Circle2d];
 

@@ -5,7 +5,7 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
-use etalon::math::fit::{self, Element, MinimumZone, Settings, minimum_zone};
+use etalon::fit::{self, Element, MinimumZone, Settings, minimum_zone};
 
 const ELEMENTS: [Element; 3] = [Element::Sphere, Element::Cylinder, Element::Cone];
 const HALF_ANGLE: f64 = 0.35;

@@ -1,7 +1,7 @@
 //! Repeatability against a laser-tracker exercise whose authors printed their results (KIT, winter 2024/25).
 
 use etalon::base::pose::{Vector, centroid, cross, minus, norm, unit};
-use etalon::iso9283::pose::repeatability::{PoseRepeatability, angle_repeatability_rad, pose_repeatability};
+use etalon::standards::iso9283::pose::repeatability::{PoseRepeatability, angle_repeatability_rad, pose_repeatability};
 use std::path::{Path, PathBuf};
 
 /// Two poses that the robot shuttles between, and the first approached from arbitrary directions.

@@ -6,7 +6,7 @@
 
 use super::iso9283::folder;
 use etalon::base::pose::{Vector, cross, minus, norm, unit};
-use etalon::document::{Iso9283Path, Iso9283StreamDocument};
+use etalon::documents::{Iso9283Path, Iso9283StreamDocument};
 use std::path::Path;
 
 /// Samples, and per cent of the velocity.

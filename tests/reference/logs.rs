@@ -3,7 +3,7 @@
 use crate::support::scratch::copy_sample;
 use etalon::base::table;
 use etalon::campaign::Campaign;
-use etalon::document::ImportDocument;
+use etalon::documents::ImportDocument;
 use etalon::stages::gather::gather;
 use polars::prelude::DataFrame;
 

@@ -3,9 +3,9 @@
 //! Expected numbers are what the files themselves state of their features, as computed by the program that measured.
 
 use etalon::base::pose::{Vector, cross, dot, minus, norm};
-use etalon::document::{FitDocument, FitStated};
-use etalon::import::qif::{self, MeasuredFeatures, Touch};
-use etalon::math::fit::{self, Element, Settings};
+use etalon::documents::{FitDocument, FitStated};
+use etalon::fit::{self, Element, Settings};
+use etalon::formats::qif::{self, MeasuredFeatures, Touch};
 use etalon::stages::qif_fit::{ProbeStated, refit};
 
 const PROBE_MM: f64 = 2.49978271104;

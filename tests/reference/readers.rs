@@ -4,12 +4,12 @@
 use crate::support::scratch::copy_sample;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
-use etalon::document::Source;
-use etalon::import::Format;
-use etalon::import::format::Decimal;
-use etalon::import::format::Unit;
-use etalon::import::formats::{dmis, polyworks_report};
-use etalon::import::labelled_points;
+use etalon::documents::Source;
+use etalon::formats::Format;
+use etalon::formats::dialect::Decimal;
+use etalon::formats::dialect::Unit;
+use etalon::formats::exports::{dmis, polyworks_report};
+use etalon::formats::labelled_points;
 use etalon::stages::gather::gather;
 
 /// Labels and points in mm, and the file with what of it was refused; or what is said against it.

@@ -1,6 +1,6 @@
 //! Serial arms by their tables: alpha (deg), a (mm), theta (deg), d (mm).
 
-use etalon::math::robots::{Serial, SerialJoint};
+use etalon::robots::{Serial, SerialJoint};
 
 /// An ABB IRB 120 by its drawing.
 pub const SIX_AXES: [[f64; 4]; 6] = [

@@ -1,7 +1,7 @@
 //! The five-bar of the thesis, section 4.2: its true parameters, its plate and what is measured on it.
 
-use etalon::math::identify::{Observation, Settings};
-use etalon::math::robots::{FiveBar, Limits, Robot};
+use etalon::identify::{Observation, Settings};
+use etalon::robots::{FiveBar, Limits, Robot};
 
 /// "Actual" column of table 4.1, in the order of eq. 4.24.
 pub fn truth() -> Vec<f64> {

@@ -1,7 +1,7 @@
 //! The thesis' own identification (eq. 4.25 to 4.30), a second implementation to compare with.
 
-use etalon::math::identify::Observation;
-use etalon::math::robots::Robot;
+use etalon::identify::Observation;
+use etalon::robots::Robot;
 use nalgebra::{DMatrix, DVector};
 
 /// Newton on the linearised model with scaled columns, until the RMSE changes by less than 1e-16 mm or no more. Gives

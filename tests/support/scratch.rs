@@ -1,6 +1,6 @@
 //! Copies of samples that a test may change.
 
-use etalon::document::ManifestDocument;
+use etalon::documents::ManifestDocument;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -102,12 +102,12 @@ pub fn ends(scratch: &Scratch, command: &str, code: i32, parts: &[&str]) -> Stri
 }
 
 /// The robot of the CMM sample, the true values of its parameters, and the joint values of its log, row by row.
-pub fn cmm_truth() -> (Box<dyn etalon::math::robots::Robot>, Vec<f64>, Vec<[f64; 3]>) {
+pub fn cmm_truth() -> (Box<dyn etalon::robots::Robot>, Vec<f64>, Vec<[f64; 3]>) {
     let scratch = copy_sample("prexyt-cmm");
     let robot = etalon::campaign::read_robot(&scratch.path().join("robot.toml")).unwrap();
     let robot = robot.build(&["K".to_owned(), "L".to_owned()]).unwrap();
     let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
-    let value = |p: &etalon::math::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+    let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
     let values = robot.parameters().iter().map(value).collect();
     let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     let joints = |line: &str| {

@@ -4,7 +4,7 @@ use super::arms::{SIX_AXES, serial};
 use super::scratch::Scratch;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector};
-use etalon::math::robots::{Quantity, Robot, Role, Serial};
+use etalon::robots::{Quantity, Robot, Role, Serial};
 use etalon::simulate::Truth;
 use std::fmt::Write;
 
@@ -30,7 +30,7 @@ pub fn robot(bends: bool) -> Serial {
 }
 
 /// Half a millimetre and two milliradians off in all that is identifiable apart from base and targets.
-pub fn true_value(p: &etalon::math::robots::Parameter, noise: &mut Noise) -> f64 {
+pub fn true_value(p: &etalon::robots::Parameter, noise: &mut Noise) -> f64 {
     let absorbed = ["alpha_1", "a_1", "theta_1", "d_1", "theta_6", "d_6"];
     match (p.role, p.quantity, p.name.as_str()) {
         (Role::Base, Quantity::Length, _) => 800.0 + noise.uniform(200.0),

@@ -7,7 +7,7 @@ mod points;
 
 use engeom::geom3::Cylinder3;
 use engeom::{Circle2, Plane3, Point2, Point3, Sphere3, UnitVec3, Vector3};
-use etalon::math::fit::{self, Element, Fit, Settings};
+use etalon::fit::{self, Element, Fit, Settings};
 use points::{Points, START_AXIS, START_CENTER, START_RADIUS};
 use std::hint::black_box;
 use std::path::Path;

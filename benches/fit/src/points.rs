@@ -1,6 +1,6 @@
 //! Points on elements, from a seed.
 
-use etalon::math::fit::Element;
+use etalon::fit::Element;
 use etalon::base::noise::Noise;
 
 /// The truth: radius 50 mm about (300, -200, 100) mm, along (0.6, 0, 0.8), with 5 µm of noise.

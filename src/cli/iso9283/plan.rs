@@ -1,13 +1,12 @@
 //! `etalon iso9283 plan`
 
 use super::super::{Verdict, print, print_written, say};
-use crate::base::files;
-use crate::base::message::{Message, Problems};
-use crate::base::table::{ANGLES, XYZ};
-use crate::campaign::read_robot;
-use crate::document::{Iso9283Places, Iso9283PlanDocument, to_json};
-use crate::export;
-use crate::iso9283::plan::{Request, plan, reach};
+use etalon_base::files;
+use etalon_base::message::{Message, Problems};
+use etalon_base::table::{ANGLES, XYZ};
+use etalon_campaign::read_robot;
+use etalon_documents::{Iso9283Places, Iso9283PlanDocument, to_json};
+use etalon_standards::iso9283::plan::{Request, plan, reach};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -81,7 +80,7 @@ fn write(folder: &Path, document: &Iso9283PlanDocument) -> anyhow::Result<Vec<St
         }
         for ending in ["json", "h"] {
             let name = format!("{}.{ending}", places.name);
-            all.push((name.clone(), export::places(places, &name)?));
+            all.push((name.clone(), etalon_controllers::places(places, &name)?));
         }
     }
     Ok(files::write_new(folder, &all)?)

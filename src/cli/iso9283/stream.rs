@@ -3,18 +3,17 @@
 use super::super::table_file::TableFile;
 use super::super::text_format::{TextFormat, word};
 use super::super::{Verdict, answer, remark};
-use crate::base::files;
-use crate::base::message::Result;
-use crate::base::table::ANGLES;
-use crate::base::table::XYZ;
-use crate::document::{Characteristics, Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, to_json};
-use crate::import;
-use crate::import::tables::recording::{commanded_path, commanded_poses, recording};
-use crate::iso9283::motion::stream::Recording;
-use crate::iso9283::motion::{Stated, evaluate};
-use crate::iso9283::path::commanded::CommandedPath;
-use crate::iso9283::pose::test::CommandedPose;
-use crate::report::Faces;
+use etalon_base::files;
+use etalon_base::message::Result;
+use etalon_base::table::ANGLES;
+use etalon_base::table::XYZ;
+use etalon_documents::{Characteristics, Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, to_json};
+use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
+use etalon_report::Faces;
+use etalon_standards::iso9283::motion::stream::Recording;
+use etalon_standards::iso9283::motion::{Stated, evaluate};
+use etalon_standards::iso9283::path::commanded::CommandedPath;
+use etalon_standards::iso9283::pose::test::CommandedPose;
 use std::path::{Path, PathBuf};
 
 /// A recorded motion.
@@ -116,7 +115,7 @@ impl StreamOptions {
         let recorded = match stated {
             Some(format) => {
                 let unit = self.text.unit()?;
-                TableFile::read_with(path, |file, text| import::recorded_points(file, text, &format, unit))?
+                TableFile::read_with(path, |file, text| etalon_formats::recorded_points(file, text, &format, unit))?
             }
             None => TableFile::read(path)?,
         };

@@ -1,8 +1,8 @@
 //! What the typesetter is given, and what it must survive.
 
 use super::*;
-use crate::report::tests::demo::{Documents, point};
-use crate::report::tests::page::with_text;
+use crate::tests::demo::{Documents, point};
+use crate::tests::page::with_text;
 
 fn typeset_of(documents: &Documents) -> Vec<u8> {
     let (words, report) = (Words::default(), documents.report());

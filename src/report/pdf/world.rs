@@ -1,6 +1,6 @@
 //! What a typst template can see: the files that it is given and the fonts of the program. No disk, no network, no clock.
 
-use crate::base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 use typst::diag::{FileError, FileResult, SourceDiagnostic};

@@ -4,11 +4,11 @@ use super::axis::{Axis, left_margin, range};
 use super::limit_lines::LimitLines;
 use super::points;
 use super::svg::Svg;
-use crate::base::pose::{Vector, minus, norm};
-use crate::document::{LimitVerdict, PointError};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_documents::{LimitVerdict, PointError};
 
 const WIDTH: f64 = 380.0;
 const HEIGHT: f64 = 250.0;
@@ -27,7 +27,7 @@ struct Along<'a> {
 }
 
 /// One picture for each joint, and one for the distance from the base.
-pub(in crate::report) fn pictures(
+pub(crate) fn pictures(
     errors: &[&PointError],
     joints: &[String],
     base_mm: Option<Vector>,
@@ -93,7 +93,7 @@ fn picture(errors: &[&PointError], along: &Along, limits: &[LimitVerdict], words
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::point;
+    use crate::tests::demo::point;
 
     #[test]
     fn every_joint_that_moves_and_the_distance_from_the_base_have_a_picture() {

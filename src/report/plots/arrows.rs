@@ -4,11 +4,11 @@ use super::axis::range;
 use super::plane::{self, Plane, WIDTH};
 use super::points;
 use super::svg::{Place, Svg};
-use crate::base::pose::Vector;
-use crate::document::PointError;
-use crate::report::model::Figure;
-use crate::report::number::{self, round_down_125};
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number::{self, round_down_125};
+use crate::words::Words;
+use etalon_base::pose::Vector;
+use etalon_documents::PointError;
 
 /// More arrows than this cannot be read.
 const LIMIT: usize = 120;
@@ -16,7 +16,7 @@ const LIMIT: usize = 120;
 const SHARE: f64 = 0.16;
 
 /// Before and after, side by side, for every plane of the workspace.
-pub(in crate::report) fn arrows(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
+pub(crate) fn arrows(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
     let of_plane = |&axes: &(usize, usize)| [false, true].map(|after| in_plane(errors, axes, after, words));
     let mut all: Vec<Figure> = plane::planes(planar).iter().flat_map(of_plane).collect();
     if let Some(figure) = all.get_mut(1) {
@@ -119,7 +119,7 @@ fn table(drawn: &[&PointError], words: &Words) -> (String, Vec<String>, Vec<Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::point;
+    use crate::tests::demo::point;
 
     #[test]
     fn arrows_are_enlarged_by_a_round_factor_that_is_stated() {

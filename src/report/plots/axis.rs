@@ -1,10 +1,10 @@
 //! Axes with round ticks: steps of 1, 2 or 5 times a power of ten.
 
-use crate::report::number;
+use crate::number;
 
 /// An axis between two places of the picture.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::report) struct Axis {
+pub(crate) struct Axis {
     low: f64,
     high: f64,
     from: f64,
@@ -13,7 +13,7 @@ pub(in crate::report) struct Axis {
 }
 
 /// Smallest and largest of the finite values.
-pub(in crate::report) fn range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
+pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
     values.into_iter().filter(|v| v.is_finite()).fold(None, |range, v| match range {
         None => Some((v, v)),
         Some((low, high)) => Some((f64::min(low, v), f64::max(high, v))),
@@ -21,7 +21,7 @@ pub(in crate::report) fn range(values: impl IntoIterator<Item = f64>) -> Option<
 }
 
 /// The round step that cuts `span` into at most `count` parts.
-pub(in crate::report) fn step(span: f64, count: usize) -> f64 {
+pub(crate) fn step(span: f64, count: usize) -> f64 {
     let exact = span / count.max(1) as f64;
     let below = number::round_down_125(exact);
     // 1 → 2 → 5 → 10: the next round number after `below` is at most 2.5 times it
@@ -30,7 +30,7 @@ pub(in crate::report) fn step(span: f64, count: usize) -> f64 {
 }
 
 /// Room at the left of an upright axis for its name and these labels, the widest of which decides.
-pub(in crate::report) fn left_margin(ticks: &[(f64, String)]) -> f64 {
+pub(crate) fn left_margin(ticks: &[(f64, String)]) -> f64 {
     const NAME: f64 = 24.0;
     const GAP: f64 = 10.0;
     // a digit of the reports' font is 0.6 of its 12 px wide

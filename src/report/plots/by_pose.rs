@@ -4,25 +4,25 @@ use super::axis::{Axis, left_margin, range};
 use super::limit_lines::LimitLines;
 use super::points;
 use super::svg::{Shape, Svg};
-use crate::base::pose_name::PoseName;
-use crate::document::{LimitVerdict, PointError};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{LimitVerdict, PointError};
 use std::collections::BTreeSet;
 
-pub(in crate::report) const WIDTH: f64 = 760.0;
-pub(in crate::report) const HEIGHT: f64 = 340.0;
+pub(crate) const WIDTH: f64 = 760.0;
+pub(crate) const HEIGHT: f64 = 340.0;
 /// room for half of the last label
-pub(in crate::report) const RIGHT: f64 = 22.0;
-pub(in crate::report) const TOP: f64 = 36.0;
-pub(in crate::report) const BOTTOM: f64 = 296.0;
+pub(crate) const RIGHT: f64 = 22.0;
+pub(crate) const TOP: f64 = 36.0;
+pub(crate) const BOTTOM: f64 = 296.0;
 const TICKS: usize = 5;
 /// The axis is logarithmic where the largest error before is more than this many times the median after.
 const RATIO: f64 = 20.0;
 
 /// Position and, where there is one, orientation.
-pub(in crate::report) fn pictures(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
+pub(crate) fn pictures(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
     let position = |p: &PointError| Some((points::before_mm(p), points::after_mm(p)));
     let orientation = |p: &PointError| Some((p.before_deg?.abs(), p.after_deg?.abs()));
     let all = [
@@ -113,7 +113,7 @@ fn picture(
 }
 
 /// An upright axis with its name, and the numbers of the poses along the other.
-pub(in crate::report) fn draw_axes(
+pub(crate) fn draw_axes(
     svg: &mut Svg,
     left: f64,
     (across, axis): (&Axis, &Axis),
@@ -185,7 +185,7 @@ fn quantile(values: impl Iterator<Item = f64>, share: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::point;
+    use crate::tests::demo::point;
 
     #[test]
     fn the_axis_follows_its_stated_rule() {

@@ -2,9 +2,9 @@
 
 use super::axis::{Axis, left_margin, range};
 use super::svg::{COLOURS, SHAPES, Shape, Svg};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
 
 const WIDTH: f64 = 760.0;
 const RIGHT: f64 = 744.0;
@@ -17,19 +17,19 @@ const LIMIT: usize = 300;
 /// Curves that a legend names.
 const NAMED: usize = 12;
 
-pub(in crate::report) struct Curve {
+pub(crate) struct Curve {
     pub name: String,
     pub points: Vec<(f64, f64)>,
 }
 
 /// A value that matters, with its interval.
-pub(in crate::report) struct Mark {
+pub(crate) struct Mark {
     pub at: (f64, f64),
     pub interval: Option<(f64, f64)>,
     pub name: String,
 }
 
-pub(in crate::report) struct Chart {
+pub(crate) struct Chart {
     pub id: String,
     pub title: String,
     pub caption: String,

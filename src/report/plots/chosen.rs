@@ -2,10 +2,10 @@
 
 use super::plane::{Plane, WIDTH};
 use super::svg::{Shape, Svg};
-use crate::document::{CandidatePlace, PlanDocument};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_documents::{CandidatePlace, PlanDocument};
 
 /// Places beyond this are not places of a robot, mm.
 const DRAWABLE_MM: f64 = 1e7;
@@ -13,7 +13,7 @@ const DRAWABLE_MM: f64 = 1e7;
 const LIMIT: usize = 2000;
 
 /// Candidates, and those chosen with the number of their pose; `None` where no candidate has a place.
-pub(in crate::report) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
+pub(crate) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let whole = |p: &&CandidatePlace| p.at_mm.iter().all(|v| v.abs() < DRAWABLE_MM);
     let all: Vec<&CandidatePlace> = plan.places.iter().filter(whole).collect();
     let stride = all.len().div_ceil(LIMIT).max(1);

@@ -2,10 +2,10 @@
 
 use super::intervals::{LETTERS, shortened};
 use super::svg::Svg;
-use crate::document::ParametersDocument;
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_documents::ParametersDocument;
 
 /// Of few parameters; of more a picture takes the whole width.
 const NARROW: (usize, f64) = (14, 380.0);
@@ -16,7 +16,7 @@ const LETTERED: usize = 48;
 const STRONG: f64 = 0.9;
 
 /// The matrix of correlations; `None` without a covariance of the identified parameters.
-pub(in crate::report) fn picture(document: &ParametersDocument, words: &Words) -> Option<Figure> {
+pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Figure> {
     let names: Vec<&str> = document.identified().map(|p| p.name.as_str()).collect();
     let (covariance, n) = (&document.covariance, names.len());
     if n < 2 || covariance.len() != n || covariance.iter().any(|row| row.len() != n) {
@@ -99,7 +99,7 @@ fn colour(r: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::Documents;
+    use crate::tests::demo::Documents;
 
     #[test]
     fn correlations_are_those_of_the_covariance() {
@@ -119,7 +119,7 @@ mod tests {
     fn a_matrix_of_many_parameters_has_letters_too() {
         let mut document = Documents::demo().parameters;
         let first = document.parameters[0].clone();
-        let of = |i: usize| crate::document::ParameterEntry { name: format!("p{i}"), ..first.clone() };
+        let of = |i: usize| etalon_documents::ParameterEntry { name: format!("p{i}"), ..first.clone() };
         for (n, lettered) in [(45, 45), (60, 30)] {
             document.parameters = (0..n).map(of).collect();
             document.covariance = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();

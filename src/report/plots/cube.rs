@@ -5,12 +5,12 @@ use super::map::Space;
 use super::plane::{Plane, WIDTH};
 use super::svg::{Shape, Svg};
 use super::visits::of_pose;
-use crate::base::pose::{Vector, centroid, minus};
-use crate::base::pose_name::PoseName;
-use crate::document::Iso9283Document;
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_base::pose::{Vector, centroid, minus};
+use etalon_base::pose_name::PoseName;
+use etalon_documents::Iso9283Document;
 
 /// Distance of P2 to P5 from the centre over half the diagonal: (10 ± 2) % of a diagonal from its ends.
 const FROM_CENTRE: f64 = 0.8;
@@ -23,7 +23,7 @@ const NAMED: usize = 12;
 
 /// Where each pose was commanded or, where it was not, the mean of its visits.
 fn places(document: &Iso9283Document) -> Vec<(PoseName, Vector)> {
-    let place = |p: &crate::document::Iso9283Pose| {
+    let place = |p: &etalon_documents::Iso9283Pose| {
         let mean = centroid(&of_pose(document, p.pose).map(|v| v.attained_mm).collect::<Vec<_>>())?;
         let off = [p.ap_x_mm, p.ap_y_mm, p.ap_z_mm].map(Option::unwrap_or_default);
         let at = minus(mean, off);
@@ -46,7 +46,7 @@ fn cube(places: &[(PoseName, Vector)], planar: bool) -> Option<(Vector, f64)> {
 }
 
 /// All poses, and the cube where there is one.
-pub(in crate::report) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figure> {
+pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figure> {
     let places = places(document);
     let extent = |axis: usize| range(places.iter().map(|(_, p)| p[axis])).map_or(0.0, |(low, high)| high - low);
     let planar = extent(2) < FLAT * extent(0).max(extent(1));

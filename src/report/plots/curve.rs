@@ -2,10 +2,10 @@
 
 use super::axis::{Axis, range};
 use super::svg::{Shape, Svg};
-use crate::document::PlanDocument;
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_documents::PlanDocument;
 
 const WIDTH: f64 = 380.0;
 const HEIGHT: f64 = 340.0;
@@ -15,7 +15,7 @@ const TOP: f64 = 36.0;
 const BOTTOM: f64 = 296.0;
 
 /// The curve of the thesis' way; `None` where it has no two points.
-pub(in crate::report) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
+pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let points: Vec<_> = plan.greedy.curve.iter().filter(|p| p.value.is_finite() && p.condition.is_finite()).collect();
     let (first, last) = range(points.iter().map(|p| p.configurations as f64)).filter(|_| points.len() > 1)?;
     let title = words.fill("{0} and condition number while positions are added", &[&plan.index]);
@@ -49,10 +49,10 @@ pub(in crate::report) fn curve(plan: &PlanDocument, words: &Words) -> Option<Fig
         svg.text("mid", (x, TOP - 20.0), &words.fill("knee: {0}", &[&knee]));
     }
     for (shape, class, arrow, axis, of) in [
-        (Shape::Diamond, "val", "arrow-val", &condition, (|p| p.condition) as fn(&crate::document::CurvePoint) -> f64),
+        (Shape::Diamond, "val", "arrow-val", &condition, (|p| p.condition) as fn(&etalon_documents::CurvePoint) -> f64),
         (Shape::Circle, "cal", "arrow-cal", &index, |p| p.value),
     ] {
-        let at = |p: &crate::document::CurvePoint| (across.at(p.configurations as f64), axis.at(of(p)));
+        let at = |p: &etalon_documents::CurvePoint| (across.at(p.configurations as f64), axis.at(of(p)));
         for pair in points.windows(2) {
             svg.line(arrow, at(pair[0]), at(pair[1]));
         }
@@ -68,7 +68,7 @@ pub(in crate::report) fn curve(plan: &PlanDocument, words: &Words) -> Option<Fig
     svg.text("start", (LEFT + 18.0, TOP - 4.0), &plan.index);
     svg.mark(Shape::Diamond, "val", (LEFT + 78.0, TOP - 8.0), 4.0, "", "");
     svg.text("start", (LEFT + 88.0, TOP - 4.0), &words.say("condition number"));
-    let row = |p: &&crate::document::CurvePoint| {
+    let row = |p: &&etalon_documents::CurvePoint| {
         let (value, condition) = (number::significant(p.value, 5), number::significant(p.condition, 4));
         vec![p.positions.to_string(), p.configurations.to_string(), value, condition]
     };

@@ -4,10 +4,10 @@ use super::axis::{Axis, range, step};
 use super::limit_lines::LimitLines;
 use super::points;
 use super::svg::{Shape, Svg};
-use crate::document::{LimitVerdict, PointError};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_documents::{LimitVerdict, PointError};
 use std::fmt::Display;
 
 const WIDTH: f64 = 380.0;
@@ -19,7 +19,7 @@ const BOTTOM: f64 = 296.0;
 const BINS: usize = 12;
 
 /// Shares of the points by size of the position error, before and after.
-pub(in crate::report) fn histograms(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
+pub(crate) fn histograms(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
     [false, true].into_iter().filter_map(|after| histogram(errors, limits, after, words)).collect()
 }
 
@@ -118,7 +118,7 @@ fn draw_axes(svg: &mut Svg, across: &Axis, up: &Axis, unit: &str, words: &Words)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::point;
+    use crate::tests::demo::point;
 
     #[test]
     fn every_point_is_in_one_bin() {

@@ -2,10 +2,10 @@
 
 use super::axis::{Axis, range};
 use super::svg::Svg;
-use crate::document::{InfluenceEntry, ReliabilitySummary};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_documents::{InfluenceEntry, ReliabilitySummary};
 
 const WIDTH: f64 = 380.0;
 const TOP: f64 = 12.0;
@@ -16,7 +16,7 @@ const RIGHT: f64 = 60.0;
 const LETTERS: usize = 14;
 
 /// One bar for each pose of the table; none where no pose has a distance.
-pub(in crate::report) fn picture(found: &ReliabilitySummary, words: &Words) -> Option<Figure> {
+pub(crate) fn picture(found: &ReliabilitySummary, words: &Words) -> Option<Figure> {
     let distance = |p: &InfluenceEntry| p.cooks_distance.filter(|d| d.is_finite());
     let all: Vec<(&InfluenceEntry, f64)> = found.poses.iter().filter_map(|p| Some((p, distance(p)?))).collect();
     let largest = range(all.iter().map(|(_, d)| *d).chain([found.influential]))?.1;

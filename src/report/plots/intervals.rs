@@ -2,10 +2,10 @@
 
 use super::axis::{Axis, range};
 use super::svg::{Shape, Svg};
-use crate::document::{ParameterEntry, ParameterStatus};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_documents::{ParameterEntry, ParameterStatus};
 
 const WIDTH: f64 = 380.0;
 /// room for the half width of an interval, in numbers
@@ -19,7 +19,7 @@ const LAST: usize = 5;
 const FIGURE: f64 = 7.6;
 
 /// One picture for each unit that occurs.
-pub(in crate::report) fn pictures(parameters: &[&ParameterEntry], group: (usize, &str), words: &Words) -> Vec<Figure> {
+pub(crate) fn pictures(parameters: &[&ParameterEntry], group: (usize, &str), words: &Words) -> Vec<Figure> {
     let mut units: Vec<&str> = parameters.iter().map(|p| p.unit.as_str()).collect();
     units.sort_unstable();
     units.dedup();
@@ -115,7 +115,7 @@ fn apart(axis: &Axis) -> Vec<(f64, String)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::Documents;
+    use crate::tests::demo::Documents;
 
     #[test]
     fn every_identified_parameter_is_drawn_once_in_its_unit() {

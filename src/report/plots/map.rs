@@ -6,11 +6,11 @@ use super::plane::{self, Plane, WIDTH};
 use super::points;
 use super::svg::{Place, Shape, Svg};
 use super::view::{ASLANT, Paper, View};
-use crate::base::pose::{Vector, minus};
-use crate::document::PointError;
-use crate::report::model::Figure;
-use crate::report::number::{self, Shown};
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number::{self, Shown};
+use crate::words::Words;
+use etalon_base::pose::{Vector, minus};
+use etalon_documents::PointError;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -28,7 +28,7 @@ enum Seen {
 }
 
 /// Before and after, side by side: every plane of the workspace, and space where it has a third dimension.
-pub(in crate::report) fn maps(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
+pub(crate) fn maps(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
     let planes = plane::planes(planar).iter().map(|&axes| Seen::Plane(axes));
     let all = planes.chain((!planar).then_some(Seen::Space));
     let largest = |size: fn(&PointError) -> f64| range(errors.iter().map(|p| size(p))).map_or(0.0, |r| r.1);
@@ -253,7 +253,7 @@ fn radius(share: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::point;
+    use crate::tests::demo::point;
 
     #[test]
     fn larger_errors_are_darker_and_every_level_has_a_colour_on_both_scales() {

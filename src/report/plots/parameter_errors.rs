@@ -2,10 +2,10 @@
 
 use super::axis::{Axis, range};
 use super::svg::Svg;
-use crate::document::{StudiedParameter, StudyDocument};
-use crate::report::model::Figure;
-use crate::report::number::{self, Shown};
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number::{self, Shown};
+use crate::words::Words;
+use etalon_documents::{StudiedParameter, StudyDocument};
 
 const WIDTH: f64 = 380.0;
 const HEIGHT: f64 = 300.0;
@@ -15,7 +15,7 @@ const TOP: f64 = 14.0;
 const BOTTOM: f64 = 262.0;
 
 /// One picture for each unit that occurs.
-pub(in crate::report) fn pictures(study: &StudyDocument, words: &Words) -> Vec<Figure> {
+pub(crate) fn pictures(study: &StudyDocument, words: &Words) -> Vec<Figure> {
     ["mm", "deg", "1"].into_iter().filter_map(|unit| picture(study, unit, words)).collect()
 }
 

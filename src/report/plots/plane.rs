@@ -2,11 +2,11 @@
 
 use super::axis::{Axis, range};
 use super::svg::{Place, Svg};
-use crate::base::pose::Vector;
-use crate::report::words::Words;
+use crate::words::Words;
+use etalon_base::pose::Vector;
 
 /// Width of a map, in units of the picture: that of a phone, so that letters keep their size there.
-pub(in crate::report) const WIDTH: f64 = 380.0;
+pub(crate) const WIDTH: f64 = 380.0;
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = 12.0;
 const TOP: f64 = 10.0;
@@ -16,7 +16,7 @@ const UNDER: f64 = 40.0;
 const MARGIN: f64 = 14.0;
 
 /// Two coordinates of the workspace on paper: one millimetre is as long across as up.
-pub(in crate::report) struct Plane {
+pub(crate) struct Plane {
     axes: (usize, usize),
     across: Axis,
     up: Axis,
@@ -28,12 +28,12 @@ pub(in crate::report) struct Plane {
 }
 
 /// The planes of a workspace: xy, and xz and yz where it has a third dimension.
-pub(in crate::report) fn planes(planar: bool) -> &'static [(usize, usize)] {
+pub(crate) fn planes(planar: bool) -> &'static [(usize, usize)] {
     if planar { &[(0, 1)] } else { &[(0, 1), (0, 2), (1, 2)] }
 }
 
 /// Name of a plane.
-pub(in crate::report) fn name(axes: (usize, usize)) -> String {
+pub(crate) fn name(axes: (usize, usize)) -> String {
     format!("{}{}", axis_name(axes.0), axis_name(axes.1))
 }
 

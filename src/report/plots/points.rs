@@ -1,11 +1,11 @@
 //! The errors as the pictures need them: what can be drawn, how much of it, and what a pointer reads off a mark.
 
 use super::svg::Shape;
-use crate::base::pose::norm;
-use crate::base::pose_name::PoseName;
-use crate::document::{LimitVerdict, PointError};
-use crate::report::number;
-use crate::report::words::{Words, isolated};
+use crate::number;
+use crate::words::{Words, isolated};
+use etalon_base::pose::norm;
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{LimitVerdict, PointError};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
@@ -13,20 +13,20 @@ use std::fmt::Display;
 const DRAWABLE_MM: f64 = 1e7;
 
 /// The errors that can be drawn, in their order.
-pub(in crate::report) fn drawable(errors: &[PointError]) -> Vec<&PointError> {
+pub(crate) fn drawable(errors: &[PointError]) -> Vec<&PointError> {
     let small = |v: &f64| v.abs() < DRAWABLE_MM;
     let whole = |p: &&PointError| [p.at_mm, p.before_mm, p.after_mm].iter().flatten().all(small);
     errors.iter().filter(whole).collect()
 }
 
 /// Whether the points lie in a plane, as those of a planar robot do.
-pub(in crate::report) fn planar(points: &[&PointError], world: bool) -> bool {
+pub(crate) fn planar(points: &[&PointError], world: bool) -> bool {
     let flat = |p: &&PointError| p.at_mm[2] == 0.0 && p.before_mm[2] == 0.0 && p.after_mm[2] == 0.0;
     world || points.iter().all(flat)
 }
 
 /// At most about `limit` points, evenly chosen; the largest is always among them.
-pub(in crate::report) fn thin<'a>(
+pub(crate) fn thin<'a>(
     points: &[&'a PointError],
     limit: usize,
     size: impl Fn(&PointError) -> f64,
@@ -42,7 +42,7 @@ const MARKS: usize = 380;
 
 /// All points where they are few. Of more, of each pose the one with the largest error after, the same in every picture: all
 /// validation poses as far as they can be drawn, and calibration poses evenly chosen.
-pub(in crate::report) fn readable<'a>(points: &[&'a PointError]) -> Vec<&'a PointError> {
+pub(crate) fn readable<'a>(points: &[&'a PointError]) -> Vec<&'a PointError> {
     if points.len() <= MARKS {
         return points.to_vec();
     }
@@ -62,19 +62,19 @@ pub(in crate::report) fn readable<'a>(points: &[&'a PointError]) -> Vec<&'a Poin
 
 /// A limit that belongs into a picture of errors: its name in the campaign, and its value in mm or deg.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::report) struct Limit<'a> {
+pub(crate) struct Limit<'a> {
     pub name: &'a str,
     pub value: f64,
 }
 
 /// The limits of a quantity, `position` or `orientation`.
-pub(in crate::report) fn limits_of<'a>(limits: &'a [LimitVerdict], quantity: &str) -> Vec<Limit<'a>> {
+pub(crate) fn limits_of<'a>(limits: &'a [LimitVerdict], quantity: &str) -> Vec<Limit<'a>> {
     let of = limits.iter().filter(|l| l.name.starts_with(quantity) && l.limit.is_finite());
     of.map(|l| Limit { name: &l.name, value: l.limit }).collect()
 }
 
 /// A sentence on how many of the points are drawn; empty where all are.
-pub(in crate::report) fn how_many(drawn: usize, all: usize, words: &Words) -> String {
+pub(crate) fn how_many(drawn: usize, all: usize, words: &Words) -> String {
     match drawn < all {
         true => {
             format!(
@@ -87,32 +87,32 @@ pub(in crate::report) fn how_many(drawn: usize, all: usize, words: &Words) -> St
 }
 
 /// Size of the position error before.
-pub(in crate::report) fn before_mm(p: &PointError) -> f64 {
+pub(crate) fn before_mm(p: &PointError) -> f64 {
     norm(p.before_mm)
 }
 
 /// Size of the position error after.
-pub(in crate::report) fn after_mm(p: &PointError) -> f64 {
+pub(crate) fn after_mm(p: &PointError) -> f64 {
     norm(p.after_mm)
 }
 
 /// Validation poses are diamonds.
-pub(in crate::report) fn is_validation(p: &PointError) -> bool {
+pub(crate) fn is_validation(p: &PointError) -> bool {
     p.set == "validation"
 }
 
 /// Form of the mark of a point.
-pub(in crate::report) fn shape(p: &PointError) -> Shape {
+pub(crate) fn shape(p: &PointError) -> Shape {
     if is_validation(p) { Shape::Diamond } else { Shape::Circle }
 }
 
 /// Style of the mark of a point.
-pub(in crate::report) fn class(p: &PointError) -> &'static str {
+pub(crate) fn class(p: &PointError) -> &'static str {
     if is_validation(p) { "val" } else { "cal" }
 }
 
 /// Form and style of each set that occurs, for legends.
-pub(in crate::report) fn sets(points: &[&PointError]) -> Vec<(Shape, &'static str, &'static str)> {
+pub(crate) fn sets(points: &[&PointError]) -> Vec<(Shape, &'static str, &'static str)> {
     let all = [(false, Shape::Circle, "cal", "calibration"), (true, Shape::Diamond, "val", "validation")];
     let occurs = |validation: bool| points.iter().any(|p| is_validation(p) == validation);
     all.into_iter().filter(|s| occurs(s.0)).map(|(_, shape, class, name)| (shape, class, name)).collect()
@@ -120,7 +120,7 @@ pub(in crate::report) fn sets(points: &[&PointError]) -> Vec<(Shape, &'static st
 
 /// Which point, and its errors before and after: the same text in every picture, so that a page has it once. The target's name is
 /// isolated from its surroundings (right-to-left).
-pub(in crate::report) fn tooltip(p: &PointError, words: &Words) -> String {
+pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     // one unit and one number of decimals, so that all lengths compare: two digits of the error after
     let (before, after) = (before_mm(p), after_mm(p));
     let shown = number::shown("mm", before.max(after));
@@ -153,7 +153,7 @@ fn decimals(after: f64, before: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::point;
+    use crate::tests::demo::point;
 
     #[test]
     fn thinning_keeps_the_largest_and_no_more_than_asked() {

@@ -4,10 +4,10 @@ use super::axis::range;
 use super::map::{Scale, level, scales};
 use super::plane::{self, Plane, WIDTH};
 use super::svg::{Place, Svg};
-use crate::document::{MapNode, PredictionMap};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_documents::{MapNode, PredictionMap};
 use std::collections::BTreeMap;
 
 /// Nodes beyond this are not places of a robot, mm.
@@ -16,7 +16,7 @@ const DRAWABLE_MM: f64 = 1e7;
 const NEAR: f64 = 1.0;
 
 /// Nominal minus identified model, and expected error with the identified one, in every plane of the workspace.
-pub(in crate::report) fn pictures(map: &PredictionMap, planar: bool, words: &Words) -> Vec<Figure> {
+pub(crate) fn pictures(map: &PredictionMap, planar: bool, words: &Words) -> Vec<Figure> {
     let small = |n: &&MapNode| n.at_mm.iter().chain([&n.before_mm, &n.p95_mm]).all(|v| v.abs() < DRAWABLE_MM);
     let nodes: Vec<&MapNode> = map.nodes.iter().filter(small).collect();
     let largest = |size: fn(&MapNode) -> f64| range(nodes.iter().map(|n| size(n))).map_or(0.0, |r| r.1);
@@ -103,7 +103,7 @@ fn tooltip(n: &MapNode, words: &Words) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::identify::ToolFrame;
+    use etalon_identify::ToolFrame;
 
     fn node(at_mm: [f64; 3], before_mm: f64, after_mm: f64) -> MapNode {
         let (joints, parameters_mm, p95_mm) = (vec![], after_mm, 2.0 * after_mm);

@@ -4,11 +4,11 @@ use super::axis::{Axis, range};
 use super::by_pose::{self, BOTTOM, HEIGHT, RIGHT, TOP, WIDTH};
 use super::points;
 use super::svg::{COLOURS, SHAPES, Shape, Svg};
-use crate::base::pose_name::PoseName;
-use crate::document::PointError;
-use crate::report::model::Figure;
-use crate::report::number::{self, Shown};
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number::{self, Shown};
+use crate::words::Words;
+use etalon_base::pose_name::PoseName;
+use etalon_documents::PointError;
 use statrs::distribution::{ContinuousCDF, Normal};
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ const LIMIT: usize = 300;
 const FEWEST: usize = 10;
 
 /// By pose, and against the normal distribution.
-pub(in crate::report) fn pictures(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
+pub(crate) fn pictures(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
     let axes = if planar { 2 } else { 3 };
     let largest = range(errors.iter().flat_map(|p| &p.after_mm[..axes]).map(|v| v.abs())).map_or(0.0, |r| r.1);
     if largest <= 0.0 {
@@ -127,7 +127,7 @@ fn quantiles(errors: &[&PointError], axes: usize, shown: Shown, reach: f64, word
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::point;
+    use crate::tests::demo::point;
 
     fn places(svg: &str, class: &str) -> Vec<(f64, f64)> {
         let number = |mark: &str, name: &str| mark.split(name).nth(1)?.split('"').next()?.parse().ok();

@@ -2,9 +2,9 @@
 
 use super::intervals::{LETTERS, shortened};
 use super::svg::{COLOURS, Svg};
-use crate::document::{ParameterEntry, ParametersDocument, UncertaintySource};
-use crate::report::model::Figure;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::words::Words;
+use etalon_documents::{ParameterEntry, ParametersDocument, UncertaintySource};
 
 const WIDTH: f64 = 780.0;
 const TOP: f64 = 14.0;
@@ -15,7 +15,7 @@ const MOST: usize = 40;
 const WRITTEN: f64 = 0.08;
 
 /// One bar for each parameter, its sources by their names; none where there is one source alone.
-pub(in crate::report) fn picture(
+pub(crate) fn picture(
     document: &ParametersDocument,
     name_of: fn(UncertaintySource) -> &'static str,
     words: &Words,

@@ -2,10 +2,10 @@
 
 use super::axis::{Axis, left_margin};
 use super::svg::{Shape, Svg};
-use crate::document::{ObservabilitySummary, SingularValueEntry};
-use crate::report::model::Figure;
-use crate::report::number::significant;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number::significant;
+use crate::words::Words;
+use etalon_documents::{ObservabilitySummary, SingularValueEntry};
 
 const WIDTH: f64 = 760.0;
 const RIGHT: f64 = 744.0;
@@ -17,7 +17,7 @@ const DECADES: u8 = 18;
 const LABELS: usize = 20;
 
 /// `None` where the document has no singular value that could be drawn.
-pub(in crate::report) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure> {
+pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure> {
     let identified = o.singular_values.iter().map(|s| (s, false));
     let all: Vec<(&SingularValueEntry, bool)> =
         identified.chain(o.held_singular_values.iter().map(|s| (s, true))).collect();
@@ -94,7 +94,7 @@ fn caption(o: &ObservabilitySummary, words: &Words) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::Documents;
+    use crate::tests::demo::Documents;
 
     #[test]
     fn every_singular_value_has_a_mark_and_a_row_and_the_cut_is_stated() {

@@ -2,9 +2,9 @@
 
 use super::svg::{Place, Svg};
 use super::view::{ABOVE, ASLANT, Paper};
-use crate::base::sketch::{Sketch, StrokeKind};
-use crate::report::model::Figure;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::words::Words;
+use etalon_base::sketch::{Sketch, StrokeKind};
 
 const WIDTH: f64 = 380.0;
 const MOST_HIGH: f64 = 420.0;
@@ -19,7 +19,7 @@ const LETTER_WIDTH: f64 = 6.8;
 const REACH: f64 = 1e7;
 
 /// One picture for each drawing that can be drawn.
-pub(in crate::report) fn pictures(sketches: &[Sketch], words: &Words) -> Vec<Figure> {
+pub(crate) fn pictures(sketches: &[Sketch], words: &Words) -> Vec<Figure> {
     sketches.iter().enumerate().filter_map(|(i, sketch)| picture(sketch, i, words)).collect()
 }
 

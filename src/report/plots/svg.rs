@@ -1,17 +1,17 @@
 //! Inline SVG, one mark at a time; every text is escaped here and nowhere else.
 
-use crate::base::pose::Vector;
+use etalon_base::pose::Vector;
 use std::fmt::Write;
 
 /// Colours that every eye distinguishes (Okabe & Ito 2008).
-pub(in crate::report) const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
+pub(crate) const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
 
 /// A place in the picture, in its own units.
-pub(in crate::report) type Place = (f64, f64);
+pub(crate) type Place = (f64, f64);
 
 /// Form of a mark: calibration and validation differ by more than colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::report) enum Shape {
+pub(crate) enum Shape {
     Circle,
     Diamond,
     Square,
@@ -22,11 +22,11 @@ pub(in crate::report) enum Shape {
 }
 
 /// Forms of groups, which differ by more than their colour.
-pub(in crate::report) const SHAPES: [Shape; 6] =
+pub(crate) const SHAPES: [Shape; 6] =
     [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle, Shape::Inverted, Shape::Plus];
 
 /// A picture being drawn.
-pub(in crate::report) struct Svg {
+pub(crate) struct Svg {
     out: String,
 }
 
@@ -243,12 +243,12 @@ fn outline(corners: &[Place]) -> String {
 
 /// One decimal is a tenth of a dot of the screen.
 fn px(value: f64) -> String {
-    let value = crate::report::number::fixed(if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 }, 1);
+    let value = crate::number::fixed(if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 }, 1);
     value.strip_suffix(".0").map_or_else(|| value.clone(), str::to_owned)
 }
 
 /// Text as it may stand between tags and in quotes; control characters replaced.
-pub(in crate::report) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let printable: String = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     quick_xml::escape::escape(printable).into_owned()
 }

@@ -2,11 +2,11 @@
 
 use super::axis::{Axis, left_margin, range};
 use super::svg::{Shape, Svg};
-use crate::document::{CompareTrend, CompareValue};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
-use crate::report::words::comparison::{self, quantity};
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use crate::words::comparison::{self, quantity};
+use etalon_documents::{CompareTrend, CompareValue};
 
 const WIDTH: f64 = 380.0;
 const HEIGHT: f64 = 258.0;
@@ -17,15 +17,10 @@ const BOTTOM: f64 = 206.0;
 const DRAWABLE: f64 = 1e12;
 
 /// The label of a campaign: its number, and its date where it is short enough.
-pub(in crate::report) type Label = String;
+pub(crate) type Label = String;
 
 /// `None` where fewer than two campaigns have it.
-pub(in crate::report) fn picture(
-    trend: &CompareTrend,
-    index: usize,
-    labels: &[Label],
-    words: &Words,
-) -> Option<Figure> {
+pub(crate) fn picture(trend: &CompareTrend, index: usize, labels: &[Label], words: &Words) -> Option<Figure> {
     let known = |v: &CompareValue| v.value.filter(|v| v.abs() < DRAWABLE);
     let points: Vec<(usize, f64, &CompareValue)> =
         trend.values.iter().enumerate().filter_map(|(i, v)| Some((i, known(v)?, v))).collect();

@@ -2,20 +2,20 @@
 
 use super::axis::range;
 use super::svg::Place;
-use crate::base::pose::Vector;
+use etalon_base::pose::Vector;
 
 /// A direction of view.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::report) struct View {
+pub(crate) struct View {
     /// Of the one who looks, about z from x, rad; and above the horizon, rad.
     pub azimuth_rad: f64,
     pub elevation_rad: f64,
 }
 
 /// From the front, the right and above: x to the right, y away, z up.
-pub(in crate::report) const ASLANT: View = View { azimuth_rad: -1.0, elevation_rad: 0.5 };
+pub(crate) const ASLANT: View = View { azimuth_rad: -1.0, elevation_rad: 0.5 };
 /// Onto the plane z = 0.
-pub(in crate::report) const ABOVE: View =
+pub(crate) const ABOVE: View =
     View { azimuth_rad: -std::f64::consts::FRAC_PI_2, elevation_rad: std::f64::consts::FRAC_PI_2 };
 
 impl View {
@@ -28,7 +28,7 @@ impl View {
 
 /// Places on paper, fitted into a width.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::report) struct Paper {
+pub(crate) struct Paper {
     /// units of the picture per mm
     pub scale: f64,
     middle: Place,

@@ -2,12 +2,12 @@
 
 use super::plane::{self, Plane, WIDTH};
 use super::svg::{COLOURS, Place, SHAPES, Shape, Svg};
-use crate::base::pose::{Vector, centroid, minus, norm};
-use crate::base::pose_name::PoseName;
-use crate::document::{Iso9283Document, Iso9283Pose, Iso9283Visit};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::Figure;
+use crate::number;
+use crate::words::Words;
+use etalon_base::pose::{Vector, centroid, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{Iso9283Document, Iso9283Pose, Iso9283Visit};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
@@ -17,7 +17,7 @@ const UNKNOWN: &str = "#ffffff";
 const DRAWABLE_UM: f64 = 1e9;
 
 /// How a pose was approached: the program's own words are translated, those of a table are not.
-pub(in crate::report) fn approach(name: &str, words: &Words) -> String {
+pub(crate) fn approach(name: &str, words: &Words) -> String {
     match name.strip_prefix("from pose ") {
         Some(pose) => words.fill("from pose {0}", &[&pose]),
         None => name.to_owned(),
@@ -25,7 +25,7 @@ pub(in crate::report) fn approach(name: &str, words: &Words) -> String {
 }
 
 /// The visits of a pose.
-pub(in crate::report) fn of_pose(document: &Iso9283Document, pose: PoseName) -> impl Iterator<Item = &Iso9283Visit> {
+pub(crate) fn of_pose(document: &Iso9283Document, pose: PoseName) -> impl Iterator<Item = &Iso9283Visit> {
     document.visits.iter().filter(move |v| v.pose == pose)
 }
 
@@ -36,7 +36,7 @@ fn commanded_um(pose: &Iso9283Pose) -> Option<Vector> {
 }
 
 /// One picture for each pose with visits, and for each plane in which they scatter.
-pub(in crate::report) fn pictures(document: &Iso9283Document, words: &Words) -> Vec<Figure> {
+pub(crate) fn pictures(document: &Iso9283Document, words: &Words) -> Vec<Figure> {
     let of_one = |p: &Iso9283Pose| {
         let visits: Vec<&Iso9283Visit> = of_pose(document, p.pose).collect();
         let planar = visits.iter().all(|v| v.attained_mm[2] == visits[0].attained_mm[2]);

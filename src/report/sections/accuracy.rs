@@ -1,10 +1,10 @@
 //! What commanded poses add: accuracy of position and orientation, distances; and the exchangeability of robots.
 
 use super::repeatability::{angles, conformity, interval};
-use crate::document::{Characteristics, Iso9283Distance, Iso9283Document, Iso9283Pose};
-use crate::report::model::{Block, Columns, Section, Table, fixed, um};
-use crate::report::number;
-use crate::report::words::Words;
+use crate::model::{Block, Columns, Section, Table, fixed, um};
+use crate::number;
+use crate::words::Words;
+use etalon_documents::{Characteristics, Iso9283Distance, Iso9283Document, Iso9283Pose};
 
 /// Distances that a page shows; the workbook has all.
 const DISTANCES: usize = 60;

@@ -1,14 +1,14 @@
 //! The uncertainty budget: what each source contributes to the uncertainty of every parameter and of the errors (GUM 5.1.2).
 
-use crate::document::{
+use crate::Report;
+use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, term};
+use crate::number;
+use crate::plots::shares;
+use crate::words::Words;
+use etalon_documents::{
     AccuracyDocument, BudgetSource, Figure, FigureBudget, ParameterEntry, ParametersDocument,
     UncertaintySource as Source,
 };
-use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Section, Table, shown, significant, term};
-use crate::report::number;
-use crate::report::plots::shares;
-use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let (parameters, accuracy) = (report.identified?.parameters, report.identified?.accuracy);

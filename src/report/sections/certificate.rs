@@ -1,13 +1,13 @@
 //! The certificate: one page of the report for the customer (ISO/IEC 17025:2017, 7.8.4), from the same facts, verdict and errors.
 
 use super::{conditions, errors, limits};
-use crate::document::AccuracyDocument;
-use crate::report::Report;
-use crate::report::model::{Block, Contents, Section, Verdict};
-use crate::report::words::Words;
+use crate::Report;
+use crate::model::{Block, Contents, Section, Verdict};
+use crate::words::Words;
+use etalon_documents::AccuracyDocument;
 
 /// The page, made of what the report has.
-pub(in crate::report) fn contents(report: &Report, whole: Contents, words: &Words) -> Contents {
+pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Contents {
     let title = match report.identified {
         Some(_) => words.say("Calibration certificate"),
         None => words.say("Test certificate"),

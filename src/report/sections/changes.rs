@@ -1,21 +1,21 @@
 //! What changed between campaigns, and what is chance: a section for each family of quantities.
 
-use crate::base::message::one_line;
-use crate::document::{
+use crate::model::{Block, Cell, Columns, Section, Table, Text, Verdict, numbers, strong_term, term};
+use crate::number::{self, stated};
+use crate::plots::trend;
+use crate::words::comparison::{Change, change, family, quantity, unit, value};
+use crate::words::{Words, isolated};
+use etalon_base::message::one_line;
+use etalon_documents::{
     CompareChange, CompareDocument, CompareFamily, CompareTogether, CompareTrend, CompareValue, ComparedCampaign,
 };
-use crate::report::model::{Block, Cell, Columns, Section, Table, Text, Verdict, numbers, strong_term, term};
-use crate::report::number::{self, stated};
-use crate::report::plots::trend;
-use crate::report::words::comparison::{Change, change, family, quantity, unit, value};
-use crate::report::words::{Words, isolated};
 use std::fmt::Display;
 
 /// More pictures than this nobody looks at.
 const PICTURES: usize = 60;
 
 /// Campaigns, how changes are judged, and every family.
-pub(in crate::report) fn sections(compare: &CompareDocument, words: &Words) -> Vec<Section> {
+pub(crate) fn sections(compare: &CompareDocument, words: &Words) -> Vec<Section> {
     let mut all = vec![campaigns(compare, words), rules(compare, words)];
     all.push(super::messages::of(&compare.messages.iter().collect::<Vec<_>>(), words));
     let mut drawn = 0;
@@ -48,18 +48,14 @@ pub(in crate::report) fn sections(compare: &CompareDocument, words: &Words) -> V
     all
 }
 
-fn figures(
-    compare: &CompareDocument,
-    trends: &[(usize, &CompareTrend)],
-    words: &Words,
-) -> Vec<crate::report::model::Figure> {
+fn figures(compare: &CompareDocument, trends: &[(usize, &CompareTrend)], words: &Words) -> Vec<crate::model::Figure> {
     let label = |date: Option<&String>| date.filter(|d| d.chars().count() <= 12).cloned().unwrap_or_default();
     let labels: Vec<String> = compare.campaigns.iter().map(|c| label(c.date.as_ref())).collect();
     trends.iter().filter_map(|(i, t)| trend::picture(t, *i, &labels, words)).collect()
 }
 
 /// How many campaigns, and of which robot.
-pub(in crate::report) fn lead(compare: &CompareDocument, words: &Words) -> String {
+pub(crate) fn lead(compare: &CompareDocument, words: &Words) -> String {
     let count = compare.campaigns.len();
     match compare.campaigns.iter().find_map(|c| c.robot.as_ref()) {
         Some(robot) => {
@@ -212,7 +208,7 @@ fn all_values(trends: &[&CompareTrend], words: &Words) -> Table {
 }
 
 /// The first box: its style, and a sentence.
-pub(in crate::report) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
+pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
     const NAMED: usize = 6;
     // a frame that was found again elsewhere moves mean positions: they are not a quantity of the robot alone
     let robot = |t: &&CompareTrend| !matches!(t.family, CompareFamily::SetUp | CompareFamily::MeanPosition);

@@ -1,11 +1,11 @@
 //! Checks of the model by what it leaves: readings that control each other, poses that decide, trends of the residuals.
 
-use crate::document::{InfluenceEntry, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose, RobustSummary};
-use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Section, Table, shown, significant, strong_term, term};
-use crate::report::number;
-use crate::report::plots::influence;
-use crate::report::words::Words;
+use crate::Report;
+use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, strong_term, term};
+use crate::number;
+use crate::plots::influence;
+use crate::words::Words;
+use etalon_documents::{InfluenceEntry, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose, RobustSummary};
 
 /// Parameters that a table of a robust fit shows.
 const SHOWN: usize = 10;

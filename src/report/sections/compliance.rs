@@ -1,9 +1,9 @@
 //! How a robot gives way under load.
 
-use crate::document::{Characteristics, Iso9283Compliance};
-use crate::report::model::{Block, Columns, Section, Table, Text, shown};
-use crate::report::number::significant;
-use crate::report::words::Words;
+use crate::model::{Block, Columns, Section, Table, Text, shown};
+use crate::number::significant;
+use crate::words::Words;
+use etalon_documents::{Characteristics, Iso9283Compliance};
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.compliance.as_ref()?;

@@ -1,12 +1,12 @@
 //! What identifies the report, and the conditions: the lists that ISO/IEC 17025:2017 (7.8.2.1) and ISO 9283:1998 (12, annex C) ask for.
 
 use super::limits::name;
-use crate::base::message::one_line;
-use crate::document::{CampaignSummary, Characteristics, DecisionRule, Iso9283Document};
-use crate::report::Report;
-use crate::report::model::{Block, Cell, Section};
-use crate::report::number;
-use crate::report::words::Words;
+use crate::Report;
+use crate::model::{Block, Cell, Section};
+use crate::number;
+use crate::words::Words;
+use etalon_base::message::one_line;
+use etalon_documents::{CampaignSummary, Characteristics, DecisionRule, Iso9283Document};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let campaign = report.campaign;
@@ -80,7 +80,7 @@ pub(super) fn of_certificate(report: &Report, words: &Words) -> Vec<(String, Cel
 }
 
 /// The robot as the campaign names it; its model is not its name.
-pub(in crate::report) fn robot_name(report: &Report) -> Option<String> {
+pub(crate) fn robot_name(report: &Report) -> Option<String> {
     report.campaign.conditions.robot.clone().or_else(|| report.campaign.robot.clone())
 }
 
@@ -171,7 +171,7 @@ fn cycles(test: &Iso9283Document, words: &Words) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::Documents;
+    use crate::tests::demo::Documents;
 
     fn of(facts: &[(String, Cell)], what: &str) -> Option<String> {
         facts.iter().find(|(name, said)| name == what && !said.is_missing()).map(|(_, said)| said.plain())
@@ -180,7 +180,7 @@ mod tests {
     #[test]
     fn reports_of_tests_and_calibrations_list_what_is_not_stated() {
         let campaign = Documents::demo().campaign;
-        let test = facts(&campaign, &crate::report::tests::demo_iso9283::tested(), &Words::default());
+        let test = facts(&campaign, &crate::tests::demo_iso9283::tested(), &Words::default());
         let calibration = facts(&campaign, &Characteristics::default(), &Words::default());
         for what in
             ["controller", "mounting", "load", "warm-up before the test", "deviations from the method", "traceability"]

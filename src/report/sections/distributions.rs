@@ -1,12 +1,12 @@
 //! Distributions of a campaign's results beside its linear uncertainties (JCGM 101).
 
-use crate::document::{DistributionEntry, UncertaintyDocument, UncertaintyFrom};
-use crate::report::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term, with_uncertainty};
-use crate::report::model::{Text, Verdict};
-use crate::report::words::Words;
+use crate::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term, with_uncertainty};
+use crate::model::{Text, Verdict};
+use crate::words::Words;
+use etalon_documents::{DistributionEntry, UncertaintyDocument, UncertaintyFrom};
 
 /// What the draws show, in sentences.
-pub(in crate::report) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict {
+pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict {
     let apart = document.parameters.iter().filter(|p| p.agrees == Some(false)).count();
     let mut sentences = vec![match apart {
         0 => words.fill("Linear propagation and {0} draws agree for all {1} parameters.", &[&document.draws, &document.parameters.len()]),
@@ -22,7 +22,7 @@ pub(in crate::report) fn verdict(document: &UncertaintyDocument, words: &Words) 
 }
 
 /// The tables of parameters and of errors.
-pub(in crate::report) fn sections(document: &UncertaintyDocument, words: &Words) -> Vec<Section> {
+pub(crate) fn sections(document: &UncertaintyDocument, words: &Words) -> Vec<Section> {
     let mut parameters = Section::new("distributions", words.say("Distributions of the parameters"));
     parameters.push(Block::Table(table(&document.parameters, words).on("Distributions")));
     let note = words.fill("Bootstrap: {0} resamples of poses and cycles.", &[&document.resamples]);

@@ -1,9 +1,9 @@
 //! What changes in the course of a test: characteristics by set of cycles, and targets that should stand still.
 
-use crate::document::{Characteristics, Iso9283Document, Iso9283Drift, Iso9283Epoch};
-use crate::report::model::{Columns, Figure, Section, Table, term, um};
-use crate::report::plots::chart::{Chart, Curve};
-use crate::report::words::Words;
+use crate::model::{Columns, Figure, Section, Table, term, um};
+use crate::plots::chart::{Chart, Curve};
+use crate::words::Words;
+use etalon_documents::{Characteristics, Iso9283Document, Iso9283Drift, Iso9283Epoch};
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.poses.as_ref()?;

@@ -1,16 +1,16 @@
 //! Errors before and after: by set of poses, by pose, every one of them, and in pictures.
 
-use crate::base::pose::Vector;
-use crate::base::pose_name::PoseName;
-use crate::document::{
+use crate::model::{Block, Columns, ROWS, Section, Table, Text, shown};
+use crate::number::{self, Shown};
+use crate::plots::points::{self, after_mm, before_mm};
+use crate::plots::{against, arrows, by_pose, histogram, map, prediction};
+use crate::words::Words;
+use crate::{Identified, Report};
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{
     AccuracyDocument, AccuracySet, ErrorStatistics, MapNode, ParametersDocument, PointError, Statistics,
 };
-use crate::report::model::{Block, Columns, ROWS, Section, Table, Text, shown};
-use crate::report::number::{self, Shown};
-use crate::report::plots::points::{self, after_mm, before_mm};
-use crate::report::plots::{against, arrows, by_pose, histogram, map, prediction};
-use crate::report::words::Words;
-use crate::report::{Identified, Report};
 use std::collections::BTreeMap;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -19,7 +19,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 }
 
 /// The section of these errors.
-pub(in crate::report) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
+pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
     let mut section = Section::new("errors", words.say("Errors before and after"));
     section.summarise(words.say("definition of errors"), Text::document(&accuracy.definition, words), "");
     section.push(Block::detail(Text::document(&accuracy.definition, words)));
@@ -254,7 +254,7 @@ fn nodes(accuracy: &AccuracyDocument, words: &Words) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::demo::point;
+    use crate::tests::demo::point;
 
     fn set(name: &str, errors: Vec<ErrorStatistics>) -> AccuracySet {
         AccuracySet { name: name.into(), poses: 1, count: 1, errors }

@@ -1,13 +1,13 @@
 //! How well the model fits, what the poses make observable, and how the solver ended.
 
-use crate::document::{
+use crate::Report;
+use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
+use crate::number::{derived, significant};
+use crate::plots::{points, residuals as plots, singular};
+use crate::words::Words;
+use etalon_documents::{
     ObservabilitySummary, ParametersDocument, ResidualKind, ResidualSummary, SingularValueEntry, UncertaintyFrom,
 };
-use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
-use crate::report::number::{derived, significant};
-use crate::report::plots::{points, residuals as plots, singular};
-use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let identified = report.identified?;
@@ -17,7 +17,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 }
 
 /// The section of a fit, with the pictures of its residuals.
-pub(in crate::report) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &Words) -> Section {
+pub(crate) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &Words) -> Section {
     let mut section = Section::new("fit", words.say("Fit and observability"));
     section.push(Block::heading(words.say("Residuals")));
     section.push(Block::facts(residuals(&document.residuals, words)));

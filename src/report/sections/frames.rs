@@ -1,11 +1,11 @@
 //! The world frame and the features that it is made from, in the coordinates of the exports.
 
-use crate::base::pose::Vector;
-use crate::document::{Feature, FramePose, WorldFrame};
-use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, shown, term};
-use crate::report::number::fixed as number;
-use crate::report::words::Words;
+use crate::Report;
+use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, shown, term};
+use crate::number::fixed as number;
+use crate::words::Words;
+use etalon_base::pose::Vector;
+use etalon_documents::{Feature, FramePose, WorldFrame};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let (features, world) = (&report.features.features, &report.frames.world);

@@ -1,16 +1,14 @@
 //! The geometric calibration beside the identification: what geometry alone finds, and how much accuracy it leaves.
 
-use crate::document::{
+use crate::Report;
+use crate::model::{Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty};
+use crate::number;
+use crate::plots::plane::{Plane, WIDTH};
+use crate::plots::svg::Svg;
+use crate::words::Words;
+use etalon_documents::{
     BarVerdict, GeometricDocument, GeometricQuantity, LeadResult, Linearity, MeanError, PoseRow, PoseTable,
 };
-use crate::report::Report;
-use crate::report::model::{
-    Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty,
-};
-use crate::report::number;
-use crate::report::plots::plane::{Plane, WIDTH};
-use crate::report::plots::svg::Svg;
-use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let document = report.geometric?;
@@ -29,7 +27,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::heading(&table.title));
         section.push(Block::Table(poses(table, words)));
     }
-    let columns = Columns::<crate::document::MethodErrors>::new()
+    let columns = Columns::<etalon_documents::MethodErrors>::new()
         .page("method", "", |m| Text::name(&words.say(&m.name)))
         .sheet("method", "", |m| m.name.as_str())
         .both("position, max", "mm", |m| fixed(m.position_max_mm, 3))
@@ -38,7 +36,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.table(words.say("All tables"), "", Table::of(words, &document.methods, columns).on("Geometry, methods"));
     section.table(words.say("Leads"), "", leads(document, words));
     section.push(Block::Table(linearity(document, words)));
-    let columns = Columns::<crate::document::ScaleBarResult>::new()
+    let columns = Columns::<etalon_documents::ScaleBarResult>::new()
         .both("position", "", |b| b.name.as_str())
         .both("length", "mm", |b| fixed(b.length_mm, 4))
         .both("distances", "", |b| b.count)
@@ -51,7 +49,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .sheet("verdict", "", |b| bar_verdict(b.verdict, words));
     let bars = Table::of(words, &document.scale_bars, columns).on("Geometry, scale bars");
     section.table(words.say("Scale bars"), "", bars);
-    let columns = Columns::<crate::document::BallResult>::new()
+    let columns = Columns::<etalon_documents::BallResult>::new()
         .both("ball", "", |b| b.name.as_str())
         .both("readings", "", |b| b.count)
         .both("mean distance from their mean", "mm", |b| fixed(b.mean_mm, 4))
@@ -60,7 +58,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let balls = Table::of(words, &document.balls, columns).on("Geometry, balls");
     section.table(words.say("Single balls, measured repeatedly"), "", balls);
     section.table(words.say("Fits"), "", fits(document, words));
-    let columns = Columns::<crate::document::Region>::new()
+    let columns = Columns::<etalon_documents::Region>::new()
         .both("region of C, in the base frame", "", |r| Text::document(&r.name, words))
         .both("area", "mm²", |r| fixed(r.area_mm2, 0))
         .both("corners", "", |r| r.corners_mm.len());
@@ -180,7 +178,7 @@ fn linearity(document: &GeometricDocument, words: &Words) -> Table {
 
 /// How well each fit did.
 fn fits(document: &GeometricDocument, words: &Words) -> Table {
-    let columns = Columns::<crate::document::GeometricStep>::new()
+    let columns = Columns::<etalon_documents::GeometricStep>::new()
         .both("fit", "", |s| Text::document(&s.name, words))
         .both("residuals", "", |s| s.count)
         .both("standard deviation", "mm", |s| fixed(s.standard_deviation_mm, 4))

@@ -1,15 +1,15 @@
 //! Given parameters judged: whether they still hold, and which of them deserve to be loaded.
 
-use crate::document::{
+use crate::model::{Block, Columns, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
+use crate::number;
+use crate::words::Words;
+use etalon_documents::{
     EffectStep, LeastDetectable, LoadVerdict, ParameterVerdict, RecommendationDocument, VerificationDocument,
     VerificationPlanDocument, VerificationVerdict,
 };
-use crate::report::model::{Block, Columns, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
-use crate::report::number;
-use crate::report::words::Words;
 
 /// Whether parameters still hold.
-pub(in crate::report) fn still_valid(document: &VerificationDocument, words: &Words) -> Verdict {
+pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Verdict {
     Verdict {
         met: document.verdict == VerificationVerdict::Valid,
         class: if document.verdict == VerificationVerdict::Valid { "good" } else { "bad" },
@@ -19,7 +19,7 @@ pub(in crate::report) fn still_valid(document: &VerificationDocument, words: &Wo
 }
 
 /// By which probability, and what these poses would have detected.
-pub(in crate::report) fn verification(document: &VerificationDocument, words: &Words) -> Vec<Section> {
+pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Vec<Section> {
     let mut judged = Section::new("judged", words.say("How changes are judged")).on_terminal();
     let p = words.number(&number::p_value(document.p_value));
     let limit = words.fill("called changed below {0}", &[&number::stated(document.significance)]);
@@ -52,27 +52,27 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
 }
 
 /// The poses that were chosen.
-pub(in crate::report) fn chosen(document: &VerificationPlanDocument, words: &Words) -> Verdict {
+pub(crate) fn chosen(document: &VerificationPlanDocument, words: &Words) -> Verdict {
     let names: Vec<String> = document.steps.iter().map(|step| step.pose.to_string()).collect();
     let sentences = vec![words.fill("Poses to measure: {0}.", &[&names.join(", ")])];
     Verdict { class: "open", met: true, sentences, ..Verdict::default() }
 }
 
 /// What they would detect.
-pub(in crate::report) fn poses_to_verify(document: &VerificationPlanDocument, words: &Words) -> Vec<Section> {
+pub(crate) fn poses_to_verify(document: &VerificationPlanDocument, words: &Words) -> Vec<Section> {
     let last = document.steps.last();
     last.map(|step| detected(&step.least, document.probability, document.naming, words)).into_iter().collect()
 }
 
 /// The recommendation in sentences.
-pub(in crate::report) fn recommended(document: &RecommendationDocument, words: &Words) -> Verdict {
+pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> Verdict {
     let met = document.recommended.is_plausible();
     let sentences = document.meaning.iter().map(|m| Text::document(m, words).plain()).collect();
     Verdict { met, class: if met { "good" } else { "bad" }, sentences, ..Verdict::default() }
 }
 
 /// Effects in the order in which they were tried, and what is proven of each parameter.
-pub(in crate::report) fn recommendation(document: &RecommendationDocument, words: &Words) -> Vec<Section> {
+pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -> Vec<Section> {
     let p = |p: Option<f64>| numbers(p.map(number::probability));
     let values: [&dyn std::fmt::Display; 3] = [&document.poses, &document.folds, &document.repeats];
     let mut effects =

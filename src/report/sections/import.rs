@@ -1,10 +1,10 @@
 //! What was read, and every row that was refused or met no partner.
 
-use crate::base::message::one_line;
-use crate::document::{Refused, Source, Unmatched};
-use crate::report::Report;
-use crate::report::model::{Block, Columns, Section, Table, Text, term};
-use crate::report::words::{Words, isolated};
+use crate::Report;
+use crate::model::{Block, Columns, Section, Table, Text, term};
+use crate::words::{Words, isolated};
+use etalon_base::message::one_line;
+use etalon_documents::{Refused, Source, Unmatched};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let mut section = Section::new("import", words.say("Import"));

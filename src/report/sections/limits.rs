@@ -1,17 +1,17 @@
 //! Limits of the campaign, what was reached, and whether they are met.
 
-use crate::document::{Characteristics, Conformity, DecisionRule, LimitVerdict};
-use crate::report::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term};
-use crate::report::number;
-use crate::report::words::Words;
-use crate::report::{Identified, Report};
+use crate::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term};
+use crate::number;
+use crate::words::Words;
+use crate::{Identified, Report};
+use etalon_documents::{Characteristics, Conformity, DecisionRule, LimitVerdict};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     of(&limits(report.identified.as_ref(), report.tested), report.campaign.decision_rule.is_none(), words)
 }
 
 /// The section of these limits; `default` where nobody chose their rule.
-pub(in crate::report) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
+pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
         .both("limit", "", |l| l.name.as_str())
         .both("allowed", "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })

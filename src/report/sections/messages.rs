@@ -1,9 +1,9 @@
 //! Every warning and error, with its place and its remedy.
 
-use crate::base::message::{Message, Problems, Rank, Severity, one_line};
-use crate::report::Report;
-use crate::report::model::{Block, Columns, Section, Table, Text};
-use crate::report::words::Words;
+use crate::Report;
+use crate::model::{Block, Columns, Section, Table, Text};
+use crate::words::Words;
+use etalon_base::message::{Message, Problems, Rank, Severity, one_line};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let elsewhere = |m: &&Message| {
@@ -22,7 +22,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 }
 
 /// The section of these messages: those of which somebody has to act first, rows of one kind joined.
-pub(in crate::report) fn of(messages: &[&Message], words: &Words) -> Section {
+pub(crate) fn of(messages: &[&Message], words: &Words) -> Section {
     let mut section = Section::new("messages", words.say("Warnings and remarks"));
     if messages.is_empty() {
         section.push(Block::text(words.say("None.")));

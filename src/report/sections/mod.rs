@@ -28,7 +28,7 @@ pub(super) mod verdict;
 use super::Report;
 use super::model::{Block, Section};
 use super::words::Words;
-use crate::document::Characteristics;
+use etalon_documents::Characteristics;
 
 /// A section from the documents; `None` where they have nothing of it.
 type Make = fn(&Report, &Words) -> Option<Section>;

@@ -1,20 +1,18 @@
 //! Parameters: each number with the digits that its uncertainty allows, covariances and correlations.
 
-use crate::document::{ParameterEntry, ParameterStatus, ParametersDocument, Role};
-use crate::report::Report;
-use crate::report::model::{
-    Block, Cell, Columns, Figure, Section, Table, Text, shown, significant, term, with_uncertainty,
-};
-use crate::report::number;
-use crate::report::plots::{correlation, intervals, sketch};
-use crate::report::words::Words;
+use crate::Report;
+use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, shown, significant, term, with_uncertainty};
+use crate::number;
+use crate::plots::{correlation, intervals, sketch};
+use crate::words::Words;
+use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument, Role};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     Some(of(report.identified?.parameters, words))
 }
 
 /// The section of these parameters.
-pub(in crate::report) fn of(document: &ParametersDocument, words: &Words) -> Section {
+pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
     let mut section = Section::new("parameters", words.say("Parameters"));
     let note = words.say("u is the standard uncertainty (k = 1), U = 2u the expanded one; numbers are shown to the second digit of u. “Before” is with only base and targets fitted. The change is from nominal to identified.");
     section.push(Block::note(note));
@@ -37,10 +35,7 @@ pub(in crate::report) fn of(document: &ParametersDocument, words: &Words) -> Sec
 }
 
 /// The parameters of the robot, its base, targets and fixtures apart: their sizes differ by orders of magnitude.
-pub(in crate::report) fn groups<'a>(
-    parameters: &'a [ParameterEntry],
-    words: &Words,
-) -> Vec<(String, Vec<&'a ParameterEntry>)> {
+pub(crate) fn groups<'a>(parameters: &'a [ParameterEntry], words: &Words) -> Vec<(String, Vec<&'a ParameterEntry>)> {
     let all = [
         (Role::Robot, words.say("Parameters of the robot")),
         (Role::Base, words.say("Place of the base")),

@@ -1,19 +1,17 @@
 //! A plan: which poses to measure, how far from the best, and what a calibration with them would come to.
 
-use crate::base::pose_name::PoseName;
-use crate::document::{
+use crate::model::{Block, Cell, Columns, Section, Table, Text, Verdict, fixed, shown, significant as digits, term};
+use crate::number::{self, significant, stated};
+use crate::plots::{chosen, curve, map, parameter_errors, points};
+use crate::words::Words;
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{
     PlanDocument, PlannedParameter, PointError, StudiedParameter, StudiedPlace, StudyDocument, StudyStep,
 };
-use crate::report::model::{
-    Block, Cell, Columns, Section, Table, Text, Verdict, fixed, shown, significant as digits, term,
-};
-use crate::report::number::{self, significant, stated};
-use crate::report::plots::{chosen, curve, map, parameter_errors, points};
-use crate::report::words::Words;
 use std::collections::BTreeMap;
 
 /// How good the choice is.
-pub(in crate::report) fn verdict(plan: &PlanDocument, words: &Words) -> Verdict {
+pub(crate) fn verdict(plan: &PlanDocument, words: &Words) -> Verdict {
     let chosen = plan.chosen.len();
     let (class, sentence) = match plan.at_most_below_percent {
         _ if plan.proven_optimal => (
@@ -36,7 +34,7 @@ pub(in crate::report) fn verdict(plan: &PlanDocument, words: &Words) -> Verdict 
 }
 
 /// In the order of reading.
-pub(in crate::report) fn sections(plan: &PlanDocument, words: &Words) -> Vec<Section> {
+pub(crate) fn sections(plan: &PlanDocument, words: &Words) -> Vec<Section> {
     let mut chosen = Section::new("chosen", words.say("Choice"));
     chosen.push(Block::facts(facts(plan, words)));
     let mut pictures = Section::new("pictures", words.say("How many, and where"));

@@ -1,16 +1,16 @@
 //! What the numbers come from: the program, its seed, and every input with its checksum.
 
-use crate::document::{Provenance, Source};
-use crate::report::Report;
-use crate::report::model::{Block, Cell, Columns, Section, Table, Text};
-use crate::report::words::Words;
+use crate::Report;
+use crate::model::{Block, Cell, Columns, Section, Table, Text};
+use crate::words::Words;
+use etalon_documents::{Provenance, Source};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     Some(of(&report.provenance(), &report.import.sources, words))
 }
 
 /// The section; `sources` has more of the inputs where they were read by this campaign.
-pub(in crate::report) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> Section {
+pub(crate) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> Section {
     let mut section = Section::new("provenance", words.say("Provenance"));
     section.push(Block::facts(vec![
         (words.say("written by"), format!("etalon {}", provenance.version).into()),

@@ -1,15 +1,15 @@
 //! Visited poses: table 2.1 of the thesis, the uncertainty of RP, the 25 % rule, approaches, coplanarity.
 
-use crate::base::pose::{Vector, centroid, minus};
-use crate::base::pose_name::PoseName;
-use crate::document::{
+use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
+use crate::number;
+use crate::plots::visits::{self, approach, of_pose};
+use crate::words::{Words, isolated};
+use etalon_base::pose::{Vector, centroid, minus};
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{
     Characteristics, Conformity, Iso9283Approach, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane, Iso9283Pose,
     Iso9283Variation, Iso9283Visit,
 };
-use crate::report::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
-use crate::report::number;
-use crate::report::plots::visits::{self, approach, of_pose};
-use crate::report::words::{Words, isolated};
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.poses.as_ref()?;

@@ -1,14 +1,14 @@
 //! Recorded motions: characteristics of ISO 9283 in a table, the path, drift and arrivals in pictures.
 
-use crate::base::pose_name::PoseName;
-use crate::document::{
+use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers};
+use crate::number;
+use crate::plots::chart::{Chart, Curve, Mark};
+use crate::words::Words;
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{
     Characteristics, Iso9283Arrival, Iso9283Corner, Iso9283Interval, Iso9283NamedStream, Iso9283Path, Iso9283PathPoint,
     Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamsDocument, Iso9283Weaving,
 };
-use crate::report::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers};
-use crate::report::number;
-use crate::report::plots::chart::{Chart, Curve, Mark};
-use crate::report::words::Words;
 use std::collections::BTreeMap;
 
 /// Time to come to rest, and overshoot (7.4, 7.5).

@@ -1,11 +1,11 @@
 //! Where a test was made: the poses, their picture, and the cube of ISO 9283:1998, 6, where they are laid into one.
 
-use crate::base::pose::{Vector, centroid};
-use crate::base::pose_name::PoseName;
-use crate::document::{Characteristics, Iso9283Document};
-use crate::report::model::{Columns, Section, Table, fixed};
-use crate::report::plots::cube;
-use crate::report::words::Words;
+use crate::model::{Columns, Section, Table, fixed};
+use crate::plots::cube;
+use crate::words::Words;
+use etalon_base::pose::{Vector, centroid};
+use etalon_base::pose_name::PoseName;
+use etalon_documents::{Characteristics, Iso9283Document};
 use std::collections::BTreeMap;
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {

@@ -2,17 +2,17 @@
 
 use super::limits::{judged, limits, name};
 use super::repeatability::quarter_sentence;
-use crate::document::{
+use crate::Identified;
+use crate::model::{Headline, Verdict};
+use crate::number::{self, Shown};
+use crate::words::Words;
+use etalon_documents::{
     AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorStatistics, Iso9283Document,
     Iso9283Pose, Iso9283Variation, LimitVerdict, ParametersDocument, ResidualSummary, Statistics, ToolAccuracy,
 };
-use crate::report::Identified;
-use crate::report::model::{Headline, Verdict};
-use crate::report::number::{self, Shown};
-use crate::report::words::Words;
 
 /// What the report is called: one of repeatability alone is called so.
-pub(in crate::report) fn title(tested: &Characteristics, words: &Words) -> String {
+pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
     let repeatability = tested.poses.as_ref().is_some_and(|d| d.poses.iter().all(|p| p.ap_mm.is_none()));
     match repeatability && tested.compliance.is_none() {
         true => words.say("Report on repeatability"),
@@ -22,7 +22,7 @@ pub(in crate::report) fn title(tested: &Characteristics, words: &Words) -> Strin
 
 /// Of everything that is judged: the result itself, the characteristics of ISO 9283, the instrument, and every limit that the
 /// campaign states.
-pub(in crate::report) fn verdict(identified: Option<&Identified>, tested: &Characteristics, words: &Words) -> Verdict {
+pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics, words: &Words) -> Verdict {
     let (limits, alarm) = (limits(identified, tested), identified.and_then(|i| alarm(i.parameters, words)));
     let class = match Conformity::of_all(limits.iter().map(|l| l.conformity)) {
         _ if alarm.is_some() => "bad",
@@ -120,14 +120,14 @@ fn unexplained(r: &ResidualSummary, words: &Words) -> Option<String> {
 }
 
 /// Whether every limit is met and proven, and the result can be that of a robot.
-pub(in crate::report) fn met(identified: Option<&Identified>, tested: &Characteristics) -> bool {
+pub(crate) fn met(identified: Option<&Identified>, tested: &Characteristics) -> bool {
     limits(identified, tested).iter().all(|l| l.met)
         && proven(tested)
         && identified.is_none_or(|i| i.parameters.is_plausible())
 }
 
 /// Of given parameters, judged on the data of a campaign.
-pub(in crate::report) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
+pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
     let largest = headline_set(accuracy).and_then(|set| largest_error(accuracy, set, words));
     let sentences = largest.into_iter().chain([counted(&limits, words)]).collect();
@@ -136,7 +136,7 @@ pub(in crate::report) fn of_validation(accuracy: &AccuracyDocument, words: &Word
 }
 
 /// Of a test without a campaign.
-pub(in crate::report) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
+pub(crate) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
     Verdict { met: proven(tested), sentences: characteristics(tested, words), ..Verdict::default() }
 }
 
@@ -147,7 +147,7 @@ fn proven(tested: &Characteristics) -> bool {
 }
 
 /// Of an identification without a campaign.
-pub(in crate::report) fn of_identification(document: &ParametersDocument, words: &Words) -> Verdict {
+pub(crate) fn of_identification(document: &ParametersDocument, words: &Words) -> Verdict {
     let sentences = alarm(document, words).into_iter().collect();
     Verdict { met: document.is_plausible(), sentences, ..Verdict::default() }
 }
@@ -290,9 +290,9 @@ fn conformity(document: &Iso9283Document, proved: Proved, words: &Words) -> Opti
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::solve::Termination;
-    use crate::report::tests::demo::Documents;
-    use crate::report::tests::demo_iso9283::whole;
+    use crate::tests::demo::Documents;
+    use crate::tests::demo_iso9283::whole;
+    use etalon_math::Termination;
 
     fn of(documents: &Documents) -> Verdict {
         let report = documents.report();

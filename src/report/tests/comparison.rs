@@ -4,8 +4,8 @@ use super::page::with_text;
 use super::workbook::only_texts_and_numbers;
 use super::{demo::Documents, demo_iso9283, demo_streams};
 use crate::compare::{Compared, compare};
-use crate::document::{Iso9283StreamsDocument, Language};
-use crate::report::*;
+use crate::*;
+use etalon_documents::{Iso9283StreamsDocument, Language};
 
 fn compared(folder: &str, documents: Documents, streams: Iso9283StreamsDocument) -> Compared {
     Compared {
@@ -84,7 +84,7 @@ fn what_else_differs_is_the_first_thing_it_says() {
     document.campaigns[0].conditions.load_kg = Some(0.0);
     let (to, from, parameters, f, degrees_of_freedom, p) = (2, 1, 11, 99.0, Some(40.0), 0.0);
     document.together =
-        vec![crate::document::CompareTogether { to, from, parameters, f, degrees_of_freedom, p, significant: true }];
+        vec![etalon_documents::CompareTogether { to, from, parameters, f, degrees_of_freedom, p, significant: true }];
     let shown = first(&document);
     let lines: Vec<&str> = shown.lines().skip(1).collect();
     assert!(lines[0].starts_with("Different instruments: Mitutoyo") && lines[0].contains("FaroArm, U = "), "{shown}");
@@ -137,7 +137,7 @@ fn many_campaigns_and_numbers_that_are_none_are_shown() {
     document.campaigns.extend((0..12).map(|_| campaign.clone()));
     for (i, t) in document.trends.iter_mut().enumerate() {
         let value = [f64::NAN, f64::INFINITY, 1e300, 0.0, -1e-300][i % 5];
-        t.values.resize(14, crate::document::CompareValue { value: Some(value), ..Default::default() });
+        t.values.resize(14, etalon_documents::CompareValue { value: Some(value), ..Default::default() });
         t.changes[0].change = value;
         t.changes[0].low = Some(value);
     }

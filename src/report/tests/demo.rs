@@ -1,15 +1,15 @@
 //! Documents to try the report on: a campaign like the thesis', with synthetic errors.
 
-use crate::base::message::{Message, Place};
-use crate::base::noise::Noise;
-use crate::base::pose::{Pose, Vector};
-use crate::document::ResidualKind;
-use crate::document::Termination;
-use crate::document::*;
-use crate::report::{Identified, Report};
+use crate::{Identified, Report};
+use etalon_base::message::{Message, Place};
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Pose, Vector};
+use etalon_documents::ResidualKind;
+use etalon_documents::Termination;
+use etalon_documents::*;
 
 /// An error of pose `pose`, cycle 1, target K, calibration.
-pub(in crate::report) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vector) -> PointError {
+pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vector) -> PointError {
     let (set, target) = ("calibration".to_owned(), "K".to_owned());
     PointError {
         set,
@@ -27,7 +27,7 @@ pub(in crate::report) fn point(pose: i64, at_mm: Vector, before_mm: Vector, afte
 }
 
 /// All that a report is made from.
-pub(in crate::report) struct Documents {
+pub(crate) struct Documents {
     pub campaign: CampaignSummary,
     pub import: ImportDocument,
     pub features: FeaturesDocument,
@@ -159,7 +159,7 @@ fn errors() -> Vec<PointError> {
 fn import() -> ImportDocument {
     let source = |file: &str, kind: &str, dialect: &str, refused: Vec<Refused>| Source {
         file: file.to_owned(),
-        sha256: crate::base::files::sha256(file.as_bytes()),
+        sha256: etalon_base::files::sha256(file.as_bytes()),
         bytes: 48_211,
         kind: kind.to_owned(),
         dialect: dialect.to_owned(),
@@ -282,7 +282,7 @@ fn parameters() -> ParametersDocument {
         provenance: Provenance {
             version: "0.1.0".to_owned(),
             inputs: ["campaign.toml", "robot.toml", "exports/poses.txt"]
-                .map(|f| (f.to_owned(), crate::base::files::sha256(f.as_bytes())))
+                .map(|f| (f.to_owned(), etalon_base::files::sha256(f.as_bytes())))
                 .into(),
             seed: Some(7),
         },
@@ -316,7 +316,7 @@ fn residuals() -> ResidualSummary {
         common_standard_uncertainty_mm: None,
         chi_square: Some(212.4),
         repeats: Some(Replicates { repeats_mm: 0.0031, degrees_of_freedom: 96, lack_of_fit_mm: 0.014, p_value: 2e-9 }),
-        uncertainties_from: crate::document::UncertaintyFrom::Instrument,
+        uncertainties_from: etalon_documents::UncertaintyFrom::Instrument,
         chi_square_rejected: true,
         uncertainties_enlarged_by: 1.194,
     }

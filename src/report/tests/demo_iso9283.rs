@@ -1,15 +1,15 @@
 //! A test of repeatability to try the report on: two poses, thirty visits each, synthetic.
 
-use crate::base::noise::Noise;
-use crate::document::*;
+use etalon_base::noise::Noise;
+use etalon_documents::*;
 
 /// The test alone.
-pub(in crate::report) fn tested() -> Characteristics {
+pub(crate) fn tested() -> Characteristics {
     Characteristics { poses: Some(iso9283()), ..Characteristics::default() }
 }
 
 /// With everything that commanded poses, sets, reference targets, robots and loads add.
-pub(in crate::report) fn whole() -> Characteristics {
+pub(crate) fn whole() -> Characteristics {
     let mut poses = iso9283();
     let interval = |low_mm, high_mm| Some(Iso9283Interval { low_mm, high_mm });
     for p in &mut poses.poses {
@@ -71,7 +71,7 @@ pub(in crate::report) fn whole() -> Characteristics {
     Characteristics { poses: Some(poses), compliance: Some(compliance), ..Characteristics::default() }
 }
 
-pub(in crate::report) fn iso9283() -> Iso9283Document {
+pub(crate) fn iso9283() -> Iso9283Document {
     let mut noise = Noise::new(7, 1);
     let mut visits = vec![];
     for (i, pose) in (1..=30).flat_map(|_| [1_i32, 2]).enumerate() {

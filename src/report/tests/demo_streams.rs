@@ -1,8 +1,8 @@
 //! Recorded motions to try the report on: a path with a corner and a weave, synthetic.
 
-use crate::document::*;
+use etalon_documents::*;
 
-pub(in crate::report) fn streams() -> Iso9283StreamsDocument {
+pub(crate) fn streams() -> Iso9283StreamsDocument {
     let stream = |name: &str, stream| Iso9283NamedStream {
         name: name.to_owned(),
         file: "motion.csv".to_owned(),

@@ -2,9 +2,9 @@
 
 use super::demo::{Documents, point};
 use super::{demo_iso9283, demo_streams};
-use crate::base::message::Place;
-use crate::document::{Language, Refused, Statistics};
-use crate::report::*;
+use crate::*;
+use etalon_base::message::Place;
+use etalon_documents::{Language, Refused, Statistics};
 
 fn html(report: &Report) -> Result<String> {
     Ok(String::from_utf8(Faces::campaign(report)?.file("html")?).unwrap())
@@ -78,7 +78,7 @@ fn of_many_poses_the_page_has_the_worst_and_says_what_is_left_out() {
 }
 
 /// Puts a text wherever a campaign, a file or a person can put one.
-pub(in crate::report) fn with_text(text: &str) -> Documents {
+pub(crate) fn with_text(text: &str) -> Documents {
     let mut d = Documents::demo();
     let t = || text.to_owned();
     let c = &mut d.campaign;

@@ -3,8 +3,8 @@
 use super::demo::Documents;
 use super::page::with_text;
 use super::{demo_iso9283, demo_streams};
-use crate::document::{Conformity, Iso9283Pose, Language};
-use crate::report::*;
+use crate::*;
+use etalon_documents::{Conformity, Iso9283Pose, Language};
 
 fn shown(documents: &Documents) -> String {
     Faces::campaign(&documents.report()).unwrap().terminal()

@@ -2,7 +2,7 @@
 
 use super::demo::Documents;
 use super::page::with_text;
-use crate::report::*;
+use crate::*;
 use calamine::{Data, Reader, Xlsx};
 use std::io::Cursor;
 
@@ -18,7 +18,7 @@ fn read(documents: &Documents) -> Xlsx<Cursor<Vec<u8>>> {
 }
 
 /// A workbook without a formula, whatever its texts look like.
-pub(in crate::report) fn only_texts_and_numbers(bytes: Vec<u8>) -> Xlsx<Cursor<Vec<u8>>> {
+pub(crate) fn only_texts_and_numbers(bytes: Vec<u8>) -> Xlsx<Cursor<Vec<u8>>> {
     let mut book: Xlsx<_> = calamine::open_workbook_from_rs(Cursor::new(bytes)).unwrap();
     for sheet in book.sheet_names() {
         assert!(book.worksheet_formula(&sheet).unwrap().is_empty(), "{sheet}");

@@ -3,12 +3,12 @@
 //! Documents name them in English; names of parameters and streams stay.
 
 use super::Words;
-use crate::base::message::one_line;
-use crate::document::{CompareChange, CompareFamily, CompareTrend, CompareValue};
-use crate::report::number;
+use crate::number;
+use etalon_base::message::one_line;
+use etalon_documents::{CompareChange, CompareFamily, CompareTrend, CompareValue};
 
 /// A family in words.
-pub(in crate::report) fn family(family: CompareFamily, words: &Words) -> String {
+pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
     match family {
         CompareFamily::Robot => words.say("Parameters of the robot"),
         CompareFamily::SetUp => words.say("Parameters of base and targets"),
@@ -22,7 +22,7 @@ pub(in crate::report) fn family(family: CompareFamily, words: &Words) -> String 
 }
 
 /// What a picture or a row is of.
-pub(in crate::report) fn quantity(trend: &CompareTrend, words: &Words) -> String {
+pub(crate) fn quantity(trend: &CompareTrend, words: &Words) -> String {
     let name = &one_line(&trend.name);
     let named = match trend.family {
         CompareFamily::Robot => Some(words.fill("Parameter {0}", &[name])),
@@ -58,7 +58,7 @@ fn of_pose(name: &str, words: &Words) -> Option<String> {
 }
 
 /// A change ready to print; what is not known is empty.
-pub(in crate::report) struct Change {
+pub(crate) struct Change {
     /// Which campaign from which.
     pub pair: String,
     /// The change with its unit, or the ratio.
@@ -72,17 +72,17 @@ pub(in crate::report) struct Change {
 }
 
 /// A unit as it follows a number.
-pub(in crate::report) fn unit(unit: &str) -> String {
+pub(crate) fn unit(unit: &str) -> String {
     if unit == "1" { String::new() } else { one_line(unit) }
 }
 
 /// Half the interval: what the digits of a value follow.
-pub(in crate::report) fn half(v: &CompareValue) -> Option<f64> {
+pub(crate) fn half(v: &CompareValue) -> Option<f64> {
     Some(0.5 * (v.high? - v.low?))
 }
 
 /// A value with its interval.
-pub(in crate::report) fn value(v: &CompareValue, words: &Words) -> String {
+pub(crate) fn value(v: &CompareValue, words: &Words) -> String {
     let shown = |number: f64| number::with_uncertainty(number, half(v));
     match (v.value, v.low, v.high) {
         (None, ..) => words.say("not known"),
@@ -92,12 +92,12 @@ pub(in crate::report) fn value(v: &CompareValue, words: &Words) -> String {
 }
 
 /// Which campaign from which.
-pub(in crate::report) fn pair(c: &CompareChange, words: &Words) -> String {
+pub(crate) fn pair(c: &CompareChange, words: &Words) -> String {
     words.fill("{0} from {1}", &[&c.to, &c.from])
 }
 
 /// A change of a quantity.
-pub(in crate::report) fn change(t: &CompareTrend, c: &CompareChange, words: &Words) -> Change {
+pub(crate) fn change(t: &CompareTrend, c: &CompareChange, words: &Words) -> Change {
     let half = c.low.zip(c.high).map(|(low, high)| 0.5 * (high - low));
     let shown = |number: f64| number::with_uncertainty(number, half);
     let change = match c.ratio {

@@ -1,14 +1,14 @@
 //! Blunders, found by rule and listed: distances between targets of a rigid part that do not hold.
 
 use super::points::PointColumns;
-use crate::base::message::{Message, Place, Problems, Result};
-use crate::base::pose::{minus, norm};
-use crate::base::pose_name::PoseName;
-use crate::base::statistics::median;
-use crate::campaign::{Campaign, Rigid};
-use crate::document::{Refused, Source};
-use crate::import::Point;
-use crate::math::identify::{OF_MEDIAN, Pair, chi_square_exceeds};
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::{minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_base::statistics::median;
+use etalon_campaign::{Campaign, Rigid};
+use etalon_documents::{Refused, Source};
+use etalon_formats::Point;
+use etalon_identify::{OF_MEDIAN, Pair, chi_square_exceeds};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,10 +1,10 @@
 //! Rows of exports that a campaign leaves out by their numbers.
 
 use super::points::PointColumns;
-use crate::base::message::{Message, Problems, Result, count};
-use crate::campaign::Campaign;
-use crate::document::{Refused, Source};
 use crate::stages::exclusions::excluded_rows;
+use etalon_base::message::{Message, Problems, Result, count};
+use etalon_campaign::Campaign;
+use etalon_documents::{Refused, Source};
 
 /// Leaves out the rows that `[[identify.exclude]]` names: they are listed among the refused ones, with their reasons.
 pub(super) fn leave_out(
@@ -43,7 +43,7 @@ pub(super) fn leave_out(
             let left_out =
                 columns.points.iter().filter(|point| *point.export == **file && excluded.contains(&point.row));
             let refused =
-                |p: &crate::import::Point| Refused { line: p.line, text: (&p.text).into(), reason: reason.clone() };
+                |p: &etalon_formats::Point| Refused { line: p.line, text: (&p.text).into(), reason: reason.clone() };
             source.refused.extend(left_out.map(refused));
             source.refused.sort_by_key(|refused| refused.line);
         }

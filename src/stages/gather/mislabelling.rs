@@ -1,10 +1,10 @@
 //! Points that lie where another one is, and reference targets that drift: reported, never dropped.
 
-use crate::base::message::{Message, Place, Problems, count};
-use crate::base::pose::{Vector, minus, norm};
-use crate::base::statistics::median;
-use crate::campaign::{Campaign, Fixed, JoinBy};
-use crate::import::Point;
+use etalon_base::message::{Message, Place, Problems, count};
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::statistics::median;
+use etalon_campaign::{Campaign, Fixed, JoinBy};
+use etalon_formats::Point;
 use indexmap::IndexMap;
 use std::collections::BTreeMap;
 
@@ -191,7 +191,7 @@ mod tests {
             line: row as usize,
             label: name.into(),
             target: target.map(Into::into),
-            pose: pose.map(crate::base::pose_name::PoseName::from),
+            pose: pose.map(etalon_base::pose_name::PoseName::from),
             cycle: pose,
             xyz_mm,
             ..Point::default()

@@ -11,13 +11,13 @@ mod rounding;
 
 pub(crate) use points::used_labels;
 
-use crate::base::files::Stamp;
-use crate::base::message::{Message, Place, Problems, Result};
-use crate::base::pose_name::two_spellings;
-use crate::campaign::Campaign;
-use crate::document::{ImportDocument, Source};
-use crate::import::{self, Export, JointLog, Log, LogRow, Point};
 use crate::stages::table_file::{CampaignTables, TableFile};
+use etalon_base::files::Stamp;
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose_name::two_spellings;
+use etalon_campaign::Campaign;
+use etalon_documents::{ImportDocument, Source};
+use etalon_formats::{Export, JointLog, Log, LogRow, Point};
 use points::PointColumns;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -62,8 +62,8 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             continue;
         }
         let read = campaign.resolve(&export.file).and_then(|path| {
-            let bytes = opened.remove(file).map_or_else(|| import::bytes_of(&path), Ok)?;
-            let text = import::text_of(&path, &bytes, export.encoding, &export.format)?;
+            let bytes = opened.remove(file).map_or_else(|| etalon_formats::bytes_of(&path), Ok)?;
+            let text = etalon_formats::text_of(&path, &bytes, export.encoding, &export.format)?;
             Ok((Arc::<str>::from(text), bytes))
         });
         match read.map_err(|problems| problems.at(&campaign.place(&export.file))) {
@@ -129,13 +129,13 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
         let read = campaign
             .resolve(&stated.file)
-            .and_then(|path| import::read_text(&path, stated.encoding, &campaign.place(&stated.file)));
+            .and_then(|path| etalon_formats::read_text(&path, stated.encoding, &campaign.place(&stated.file)));
         match read.and_then(|(text, bytes)| {
             if campaign.unread.affects(&["log"]) {
                 return Ok(None);
             }
             let mut source = statement("log", stated.file.get_ref(), &Stamp::of(&bytes));
-            let table = import::log(campaign.stated(), stated, &text, &mut source)?;
+            let table = etalon_formats::log(campaign.stated(), stated, &text, &mut source)?;
             Ok(Some((source, table)))
         }) {
             Ok(None) => {}
@@ -161,8 +161,13 @@ pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Res
 
 /// The table of a log if this is its text.
 pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<JointLog> {
-    import::log(campaign.stated(), stated, text, &mut statement("log", stated.file.get_ref(), &Stamp::default()))
-        .map(|(table, _)| table)
+    etalon_formats::log(
+        campaign.stated(),
+        stated,
+        text,
+        &mut statement("log", stated.file.get_ref(), &Stamp::default()),
+    )
+    .map(|(table, _)| table)
 }
 
 /// An error about a pose that two rows of exports and logs name in two spellings.

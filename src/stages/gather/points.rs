@@ -1,10 +1,10 @@
 //! Points of all exports, and what a campaign states of them.
 
-use crate::base::message::{Message, Place, Problems};
-use crate::base::pattern::matches_pattern;
-use crate::campaign::{Campaign, JoinBy};
-use crate::document::{Refused, Source};
-use crate::import::{Export, LabelNames, LabelPattern as Pattern, Names, Point};
+use etalon_base::message::{Message, Place, Problems};
+use etalon_base::pattern::matches_pattern;
+use etalon_campaign::{Campaign, JoinBy};
+use etalon_documents::{Refused, Source};
+use etalon_formats::{Export, LabelNames, LabelPattern as Pattern, Names, Point};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 

@@ -1,8 +1,8 @@
 //! Coordinates that an export rounded away.
 
-use crate::base::message::Message;
-use crate::campaign::Campaign;
-use crate::import::{Export, Point};
+use etalon_base::message::Message;
+use etalon_campaign::Campaign;
+use etalon_formats::{Export, Point};
 
 /// With fewer points all may be round by chance.
 const FEWEST: usize = 8;

@@ -1,14 +1,14 @@
 //! Labels of points become measurements of the geometric calibration, and back.
 
-use crate::base::message::{Message, Problems, Result};
-use crate::base::pose::{Vector, centroid};
-use crate::base::pose_name::PoseName;
-use crate::campaign::{Campaign, GeometricDefinition, WorldDefinition};
-use crate::import::Point;
-use crate::math::geometric::{
+use crate::stages::labelled_points::{LabelledPoints, PointGroup};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::pose::{Vector, centroid};
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::{Campaign, GeometricDefinition, WorldDefinition};
+use etalon_formats::Point;
+use etalon_identify::geometric::{
     BaseMeasurements, LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned,
 };
-use crate::stages::labelled_points::{LabelledPoints, PointGroup};
 use std::collections::BTreeSet;
 use toml::Spanned;
 

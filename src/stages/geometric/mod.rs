@@ -4,17 +4,19 @@ mod labels;
 
 pub use labels::{Gathered, gather, label, labelled};
 
-use crate::base::message::{Message, Result};
-use crate::base::pose::{Vector, minus, norm};
-use crate::base::pose_name::PoseName;
-use crate::campaign::{BallDefinition, Campaign, GeometricDefinition, ScaleBarDefinition, Selection};
-use crate::document::*;
-use crate::iso9283::pose::repeatability::pose_repeatability;
-use crate::math::geometric::{self, Readings, Repeated, Scatter, Steps, Uncertain, Workspace, mean_and_sd, scale_bar};
-use crate::math::identify::{Identification, Observation};
-use crate::math::robots::{Platform, RailTable, Robot};
 use crate::stages::evaluate::Sets;
 use crate::stages::identification::Identified;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::{BallDefinition, Campaign, GeometricDefinition, ScaleBarDefinition, Selection};
+use etalon_documents::*;
+use etalon_identify::geometric::{
+    self, Readings, Repeated, Scatter, Steps, Uncertain, Workspace, mean_and_sd, scale_bar,
+};
+use etalon_identify::{Identification, Observation};
+use etalon_robots::{Platform, RailTable, Robot};
+use etalon_standards::iso9283::pose::repeatability::pose_repeatability;
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 

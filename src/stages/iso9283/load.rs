@@ -1,10 +1,10 @@
 //! A table of a loaded robot: read and evaluated.
 
-use crate::base::message::{Message, Problems, Result};
-use crate::base::table;
-use crate::document::Iso9283ComplianceDocument;
-use crate::import::tables::coordinates::NamedTable;
-use crate::iso9283::load::{self, DIRECTIONS, Reading};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::table;
+use etalon_documents::Iso9283ComplianceDocument;
+use etalon_formats::tables::coordinates::NamedTable;
+use etalon_standards::iso9283::load::{self, DIRECTIONS, Reading};
 
 /// Compliance from a table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`.
 pub fn evaluate(table: NamedTable) -> Result<Iso9283ComplianceDocument> {

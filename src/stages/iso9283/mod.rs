@@ -5,13 +5,13 @@ pub mod pose;
 pub mod repeatability;
 mod streams;
 
-use crate::base::message::{Message, Problems, Result};
-use crate::base::pose::Pose;
-use crate::campaign::{Campaign, Limits, PosesDefinition};
-use crate::document::*;
-use crate::iso9283::pose::{DRAWS, Settings};
 use crate::stages::gather::Gathered;
 use crate::stages::table_file::CampaignTables;
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::pose::Pose;
+use etalon_campaign::{Campaign, Limits, PosesDefinition};
+use etalon_documents::*;
+use etalon_standards::iso9283::pose::{DRAWS, Settings};
 use pose::{PoseTables, PreparedTest};
 use repeatability::Commanded;
 use toml::Spanned;

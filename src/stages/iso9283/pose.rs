@@ -1,14 +1,14 @@
 //! Tables of a test of poses: read, compensated for the drift of the set-up, evaluated.
 
-use crate::base::message::{Message, Problems, Result};
-use crate::base::pose::{Vector, centroid, minus, norm};
-use crate::campaign::PosesDefinition;
-use crate::document::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
-use crate::import::tables::pose_test::pose_test;
-use crate::import::tables::reference_targets::{SetupDrift, compensate_setup_drift};
-use crate::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose};
-use crate::iso9283::pose::{Settings, drifts, evaluate};
 use crate::stages::table_file::{CampaignTables, TableFile};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::pose::{Vector, centroid, minus, norm};
+use etalon_campaign::PosesDefinition;
+use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
+use etalon_formats::tables::pose_test::pose_test;
+use etalon_formats::tables::reference_targets::{SetupDrift, compensate_setup_drift};
+use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose};
+use etalon_standards::iso9283::pose::{Settings, drifts, evaluate};
 use std::path::Path;
 use toml::Spanned;
 

@@ -1,19 +1,19 @@
 //! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of ISO 9283 out.
 
-use crate::base::message::{Message, Problems, Result};
-use crate::base::pose::Pose;
-use crate::base::pose_name::PoseName;
-use crate::base::table::ANGLES;
-use crate::campaign::{Campaign, RepeatabilityDefinition};
-use crate::document::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
-use crate::import::Point;
-use crate::import::tables::recording::commanded_poses;
-use crate::iso9283::pose::coplanarity::from_the_others;
-use crate::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTest, TestedPose, from_pose};
-use crate::iso9283::pose::{self, Settings};
 use crate::stages::iso9283::COVERAGE_FACTOR;
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
 use crate::stages::table_file::{CampaignTables, TableFile};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::pose::Pose;
+use etalon_base::pose_name::PoseName;
+use etalon_base::table::ANGLES;
+use etalon_campaign::{Campaign, RepeatabilityDefinition};
+use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
+use etalon_formats::Point;
+use etalon_formats::tables::recording::commanded_poses;
+use etalon_standards::iso9283::pose::coplanarity::from_the_others;
+use etalon_standards::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTest, TestedPose, from_pose};
+use etalon_standards::iso9283::pose::{self, Settings};
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
@@ -157,7 +157,7 @@ fn flatten(visits: &mut PoseTest) {
     }
 }
 
-fn visit(pose: PoseName, cycle: i64, approach: Option<String>, attained_mm: crate::base::pose::Vector) -> Iso9283Visit {
+fn visit(pose: PoseName, cycle: i64, approach: Option<String>, attained_mm: etalon_base::pose::Vector) -> Iso9283Visit {
     Iso9283Visit { pose, cycle, approach, attained_mm }
 }
 

@@ -1,13 +1,12 @@
 //! Recorded motions of a campaign: files become characteristics of ISO 9283.
 
-use crate::base::message::{Message, Problems, Result};
-use crate::campaign::{Campaign, StreamDefinition};
-use crate::document::{Iso9283NamedStream, Iso9283StreamsDocument};
-use crate::import;
-use crate::import::tables::recording::{commanded_path, commanded_poses, recording};
-use crate::iso9283::motion::stream::Recording;
-use crate::iso9283::motion::{Settings, Stated, evaluate};
 use crate::stages::table_file::{CampaignTables, TableFile};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_campaign::{Campaign, StreamDefinition};
+use etalon_documents::{Iso9283NamedStream, Iso9283StreamsDocument};
+use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
+use etalon_standards::iso9283::motion::stream::Recording;
+use etalon_standards::iso9283::motion::{Settings, Stated, evaluate};
 use std::collections::BTreeSet;
 use toml::Spanned;
 
@@ -68,8 +67,8 @@ pub(super) fn evaluate_all(campaign: &Campaign, ready: &[Ready]) -> Result<Optio
 fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready> {
     let mut file = |file: &Spanned<String>, what: &str, recorded: bool| -> Result<TableFile> {
         let read = |file: &str, text: &str| match (&stream.format, stream.unit) {
-            (Some(format), Some(unit)) if recorded => import::recorded_points(file, text, format, unit),
-            _ => import::observations(file, text),
+            (Some(format), Some(unit)) if recorded => etalon_formats::recorded_points(file, text, format, unit),
+            _ => etalon_formats::observations(file, text),
         };
         files.read_with(file, "stream", what, read)
     };

@@ -2,10 +2,10 @@
 
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
-use crate::base::message::{Message, Problems, Result, count};
-use crate::base::pose_name::PoseName;
-use crate::document::Unmatched;
-use crate::import::JointLog;
+use etalon_base::message::{Message, Problems, Result, count};
+use etalon_base::pose_name::PoseName;
+use etalon_documents::Unmatched;
+use etalon_formats::JointLog;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Names of poses, and numbers likewise.

@@ -2,13 +2,13 @@
 
 use super::unmatched::At;
 use super::{Remarks, Row, own_covariance};
-use crate::base::message::{Message, Problems, Result};
-use crate::base::pose::Vector;
-use crate::campaign::Campaign;
-use crate::document::FramesDocument;
-use crate::import::{JointLog, Point};
-use crate::math::identify::{Covariance, turned};
-use crate::math::robots::Robot;
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::pose::Vector;
+use etalon_campaign::Campaign;
+use etalon_documents::FramesDocument;
+use etalon_formats::{JointLog, Point};
+use etalon_identify::{Covariance, turned};
+use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One observation for every row of the log: the robot's only target is at the point that the row names. The mean counts

@@ -2,9 +2,9 @@
 
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
-use crate::base::message::{Message, Problems, Result, count};
-use crate::document::Unmatched;
-use crate::import::{DIRECTION, JointLog};
+use etalon_base::message::{Message, Problems, Result, count};
+use etalon_documents::Unmatched;
+use etalon_formats::{DIRECTION, JointLog};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How times meet.

@@ -1,6 +1,6 @@
 //! The offset of two clocks, from where the robot stood: every measurement was taken while it did.
 
-use crate::base::message::Message;
+use etalon_base::message::Message;
 
 /// Offsets at which every measurement falls into a standstill.
 #[derive(Clone, Copy, Debug, PartialEq)]

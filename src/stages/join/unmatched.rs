@@ -1,8 +1,8 @@
 //! Rows that a join leaves alone, or that have two partners, each with its place.
 
-use crate::base::message::Place;
-use crate::document::Unmatched;
-use crate::import::{JointLog, LogRow, Point};
+use etalon_base::message::Place;
+use etalon_documents::Unmatched;
+use etalon_formats::{JointLog, LogRow, Point};
 
 /// A row of an export or of a log, by its place in the file.
 #[derive(Clone, Copy)]

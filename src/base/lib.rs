@@ -1,0 +1,18 @@
+//! What every room may use: messages, files, tables, patterns of names, poses, numbers that carry derivatives, random
+//! numbers, dates, order statistics, line drawings.
+#![allow(non_snake_case)] // world_T_base: frames in names
+
+pub mod country;
+pub mod date;
+pub mod expression;
+pub mod files;
+pub mod folder;
+pub mod message;
+pub mod noise;
+pub mod pattern;
+pub mod pose;
+pub mod pose_name;
+pub mod scalar;
+pub mod sketch;
+pub mod statistics;
+pub mod table;

@@ -1,0 +1,268 @@
+//! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
+#![allow(non_snake_case)] // world_T_base: frames in names
+
+mod geometric;
+mod iso9283;
+mod join;
+mod mixed;
+mod paths;
+mod robot_file;
+mod selection;
+mod toml_file;
+mod types;
+mod urdf;
+
+pub use geometric::*;
+pub use iso9283::*;
+pub use join::{ClockOffset, Join, JoinBy};
+pub use robot_file::RobotFile;
+pub use selection::{Selection, Selections, StatedPoses};
+pub use toml_file::UnreadKeys;
+pub use types::*;
+
+use etalon_base::files::{self, Stamp};
+use etalon_base::message::{Message, Place, Problems, Result, Stated};
+use etalon_documents::Source;
+use etalon_documents::schema::schema;
+use etalon_identify::{FrameError, Settings, Systematic};
+use etalon_robots::{Joint, LongestChain, Quantity, Robot};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use toml::Spanned;
+use toml_file::Recovered;
+pub use toml_file::parse;
+
+/// A campaign with the folder it lives in and the text it was read from.
+#[derive(Clone, Debug)]
+pub struct Campaign {
+    /// `campaign.toml`.
+    pub file: CampaignFile,
+    /// `robot.toml`.
+    pub robot: RobotFile,
+    /// The folder of `campaign.toml`.
+    pub folder: PathBuf,
+    /// `campaign.toml` as the user named it.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+    /// What identifies both files.
+    pub stamps: [Stamp; 2],
+    /// What of `campaign.toml` did not read.
+    pub unread: UnreadKeys,
+}
+
+impl Campaign {
+    /// Reads a campaign: the path of a `campaign.toml`, or of the folder that holds it.
+    ///
+    /// Every wrong key and value of both files is reported, not only the first.
+    pub fn read(path: &Path) -> Result<Self> {
+        let (campaign, problems) = Self::recover(path)?;
+        campaign.filter(|_| problems.0.is_empty()).ok_or(problems)
+    }
+
+    /// The campaign that is left when everything that does not fit is taken away, and what that is.
+    pub fn recover(path: &Path) -> Result<(Option<Self>, Problems)> {
+        let path = if path.is_dir() { path.join("campaign.toml") } else { path.to_owned() };
+        if !path.is_file() {
+            let what = format!("there is no campaign `{}`", path.display());
+            return Err(Message::error(what).hint("`etalon init FOLDER` writes one to start from").into());
+        }
+        let (text, stamp) = files::read_statement(&path)?;
+        let name = path.display().to_string();
+        let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
+        let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
+        let Some(mut file) = value else { return Ok((None, problems)) };
+        let joints = file.exports.iter().any(|export| !export.joints.is_empty());
+        problems.0.extend(file.add_joints_of_exports(Stated { name: &name, text: &text }));
+        for key in missing_keys(&text).into_iter().filter(|key| !joints || !["log", "join"].contains(key)) {
+            problems.0.push(toml_file::missing(&name, &text, &(0..0), key, &[]));
+            unread.add(vec![key.to_owned()]);
+        }
+        problems.0.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
+        let here = Place::span(name.as_str(), &text, file.robot.span());
+        let read = paths::resolve(&folder, file.robot.get_ref())
+            .map_err(Problems::from)
+            .and_then(|path| Ok((path.display().to_string(), files::read_statement(&path)?)));
+        let (robot, more, robot_stamp) = match read {
+            // reported with the campaign
+            _ if unread.affects(&["robot"]) => (None, Problems::default(), Stamp::default()),
+            Ok((robot_name, (text, stamp))) => {
+                let (robot, more) = RobotFile::recover(&robot_name, &text);
+                (robot, more, stamp)
+            }
+            Err(more) => (None, more.at(&here), Default::default()),
+        };
+        problems.0.extend(more.0);
+        let robot = robot.unwrap_or_else(RobotFile::unreadable);
+        let stamps = [stamp, robot_stamp];
+        Ok((Some(Self { file, robot, folder, path: name, text, stamps, unread }), problems))
+    }
+
+    /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.
+    pub fn resolve(&self, file: &Spanned<String>) -> Result<PathBuf> {
+        paths::resolve(&self.folder, file.get_ref()).map_err(|m| m.at(self.place(file)).into())
+    }
+
+    /// The path of a file that was read.
+    pub fn source(&self, source: &Source) -> Result<PathBuf> {
+        match source.kind.as_str() {
+            "campaign" => Ok(PathBuf::from(&self.path)),
+            _ => Ok(paths::resolve(&self.folder, &source.file)?),
+        }
+    }
+
+    /// Folder for the documents.
+    pub fn output(&self) -> Result<PathBuf> {
+        self.resolve(&self.file.output)
+    }
+
+    /// The file that describes the robot beside robot.toml, as a path from the campaign's folder, and what identifies it.
+    pub fn robot_description(&self) -> Option<(String, &Stamp)> {
+        let (file, stamp) = self.robot.description_file()?;
+        let robot = self.file.robot.get_ref();
+        let folder = robot.rsplit_once('/').map(|(folder, _)| format!("{folder}/")).unwrap_or_default();
+        Some((if file.starts_with('$') { file.to_owned() } else { folder + file }, stamp))
+    }
+
+    /// Whether parameters are identified, even if `[identify]` itself does not read; a campaign may be a test by ISO 9283 alone.
+    pub fn identifies(&self) -> bool {
+        self.file.identify.is_some() || self.unread.affects(&["identify"])
+    }
+
+    /// The environment variable that the campaign's data depend on, if it is not set.
+    pub fn missing_variable(&self) -> Option<String> {
+        self.file.inputs().find_map(|f| paths::missing_variable(f.get_ref()))
+    }
+
+    /// The place of a value in `campaign.toml`.
+    pub fn place<T>(&self, value: &Spanned<T>) -> Place {
+        self.stated().place(value)
+    }
+
+    /// `campaign.toml` as the text that states values.
+    pub fn stated(&self) -> Stated<'_> {
+        Stated { name: &self.path, text: &self.text }
+    }
+
+    /// The place of a key's value in `campaign.toml`, given by the keys that lead to it; the file where there is none.
+    pub fn place_of(&self, path: &[&str]) -> Place {
+        let span = toml_file::find(&self.text, path);
+        span.map_or_else(|| Place::file(self.path.as_str()), |span| Place::span(self.path.as_str(), &self.text, span))
+    }
+
+    /// `campaign.toml`, without the folder: documents do not depend on where the folder is.
+    pub fn file_name(&self) -> &str {
+        self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path)
+    }
+
+    /// Whether all that an export states reads, except its unit, which labels do not need.
+    pub fn export_reads(&self, index: usize) -> bool {
+        !self.unread.affects_except(&["export", &index.to_string()], "unit")
+    }
+
+    /// Settings of the identification.
+    pub fn settings(&self, identify: &Identify) -> Settings {
+        let instrument = self.file.instrument.standard_uncertainty_mm();
+        let contact = self.file.contact.as_ref().map(Contact::standard_uncertainty_mm);
+        Settings {
+            kind: identify.residuals,
+            standard_uncertainty_mm: Some(contact.unwrap_or(instrument)),
+            common_uncertainty_mm: contact.map(|_| instrument),
+            hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),
+            rigid: self.file.rigid.iter().filter_map(Rigid::shape).collect(),
+            ..Settings::default()
+        }
+    }
+
+    /// The errors that all observations of `robot` have in common, `frames` among them.
+    pub fn systematic(&self, robot: &dyn Robot, frames: Vec<FrameError>) -> Systematic {
+        let of_joint = |homing: &Homing, joint: &Joint| {
+            let expanded = match joint.quantity {
+                Quantity::Angle => homing.expanded_uncertainty_deg.map(f64::to_radians),
+                _ => homing.expanded_uncertainty_um.map(|um| um / 1000.0),
+            };
+            expanded.unwrap_or(0.0) / homing.coverage_factor
+        };
+        let of_all = |homing: &Homing| robot.joints().iter().map(|joint| of_joint(homing, joint)).collect();
+        Systematic {
+            frames,
+            scale: self.file.instrument.scale_uncertainty(),
+            expansion: self.file.expansion.map_or(0.0, |expansion| expansion.relative_uncertainty()),
+            homing: self.file.homing.as_ref().map(of_all).unwrap_or_default(),
+        }
+    }
+
+    /// The place of the world frame's definition.
+    pub fn world_place(&self) -> Place {
+        self.place_of(&["frame", "world"])
+    }
+
+    /// The robot that the campaign measured, with the targets that `[join]` names.
+    pub fn build_robot(&self) -> Result<Box<dyn Robot>> {
+        self.build_robot_with(&[])
+    }
+
+    /// The same with these targets beside.
+    pub fn build_robot_with(&self, more: &[String]) -> Result<Box<dyn Robot>> {
+        // an arm whose targets did not read has some, and a test needs none
+        let unread = self.unread.affects(&["join", "targets"]) || !self.identifies();
+        let targets: Vec<String> = match unread && more.is_empty() {
+            true => vec!["target".to_owned()],
+            false => self.file.join_targets().map(|t| t.get_ref()).chain(more).cloned().collect(),
+        };
+        self.robot.build(&targets).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
+    }
+
+    /// The poses of `calibration` and `validation`.
+    pub fn selections(&self, identify: &Identify) -> Result<Selections> {
+        let parse = |text: &Spanned<StatedPoses>| {
+            Selection::parse(text.get_ref()).map_err(|m| Problems::from(m.at(self.place(text))))
+        };
+        let calibration = parse(&identify.calibration)?;
+        Ok(Selections { calibration, validation: identify.validation.as_ref().map(parse).transpose()? })
+    }
+}
+
+/// Keys of `campaign.toml` that this campaign needs and does not state: a test by ISO 9283 needs less than an identification.
+fn missing_keys(text: &str) -> Vec<&'static str> {
+    let all = toml_file::Stated::of(text);
+    let stated = |key: &&str| all.find(&[key]).is_some();
+    let tests = ["repeatability", "poses", "stream", "compliance"].iter().any(stated);
+    let geometric = stated(&"geometric");
+    // leads, bars, balls and a whole geometric calibration need no log
+    let identifies = !(tests || geometric) || ["log", "join", "identify", "observations"].iter().any(stated);
+    let needed: &[&str] = match identifies {
+        true if stated(&"observations") => &["identify"],
+        true => &["export", "log", "join", "frame", "identify"],
+        false if geometric || stated(&"repeatability") => &["export"],
+        false => &[],
+    };
+    needed.iter().copied().filter(|key| !stated(key)).collect()
+}
+
+/// Reads a robot file on its own.
+pub fn read_robot(path: &Path) -> Result<RobotFile> {
+    let (robot, problems) = RobotFile::recover(&path.display().to_string(), &files::read_text(path)?);
+    robot.filter(|_| problems.0.is_empty()).ok_or(problems)
+}
+
+/// The chain of a URDF file with the most moving joints, and the text of the file.
+pub fn read_urdf(path: &Path) -> Result<(LongestChain, String)> {
+    let (name, text) = (path.display().to_string(), files::read_text(path)?);
+    Ok((urdf::read(&name, &text)?.longest_chain(&name)?, text))
+}
+
+/// Reads the true parameters of a simulation alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.
+pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
+    #[derive(serde::Deserialize)]
+    struct Parameters {
+        parameters: BTreeMap<String, f64>,
+    }
+    let text = files::read_text(path)?;
+    Ok(toml_file::parse::<Parameters>(&path.display().to_string(), &text)?.parameters)
+}
+
+/// Name and JSON Schema of every input file, as in `schemas/`.
+pub fn schemas() -> Vec<(&'static str, String)> {
+    vec![("campaign.toml", schema::<CampaignFile>()), ("robot.toml", schema::<RobotFile>())]
+}

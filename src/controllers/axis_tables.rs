@@ -1,0 +1,247 @@
+//! Compensation tables of an axis or a plane from deviations, measured (mean of each direction) or computed. Positions and deviations of
+//! a linear axis are in mm, those of a rotary one in deg.
+
+use etalon_base::files;
+use etalon_base::message::{Message, Result};
+use etalon_math::axis::AxisPosition;
+use std::fmt::Write;
+
+/// Most rows of LinuxCNC's `COMP_FILE`.
+const MOST_ROWS: usize = 256;
+/// Unit of Beckhoff's tables, mm or deg.
+const UNIT: f64 = 1e-4;
+/// Entries of a plane that a Beckhoff control has room for where `max_points` is not stated (P-COMP-00061).
+const PLANE_ENTRIES: usize = 10_201;
+
+/// Attained minus programmed position at a programmed position, in positive and in negative direction, mm or deg.
+#[derive(Clone, Copy, Debug)]
+pub struct Deviation {
+    /// Programmed position.
+    pub position: f64,
+    /// In positive direction.
+    pub forward: f64,
+    /// In negative direction.
+    pub backward: f64,
+}
+
+impl From<&AxisPosition> for Deviation {
+    fn from(p: &AxisPosition) -> Self {
+        Self { position: p.position_mm, forward: p.forward.mean_mm, backward: p.backward.mean_mm }
+    }
+}
+
+impl Deviation {
+    fn mean(&self) -> f64 {
+        0.5 * (self.forward + self.backward)
+    }
+}
+
+/// Largest change of a deviation for each unit of distance: that of the worst ratio of a transmission.
+const STEEPEST: f64 = 0.05;
+
+/// Refuses deviations that cannot be those of an axis.
+///
+/// # Errors
+/// Deviations that change by more than 5 % of the distance of two positions, as those in um or of measured positions in m do.
+pub fn plausible(positions: &[Deviation]) -> Result<()> {
+    let change = |pair: &[Deviation]| {
+        let [a, b] = [&pair[0], &pair[1]];
+        (b.forward - a.forward).abs().max((b.backward - a.backward).abs())
+    };
+    let steep = |pair: &&[Deviation]| change(pair) > STEEPEST * (pair[1].position - pair[0].position).abs();
+    let Some(pair) = positions.windows(2).find(steep) else { return Ok(()) };
+    let [from, to] = [pair[0].position, pair[1].position];
+    let message = Message::error(format!("the deviation changes by {} from {from} to {to}", change(pair)));
+    Err(message
+        .expected("5 % of the distance at most")
+        .hint("positions and deviations are in the same unit, mm or deg")
+        .into())
+}
+
+/// What a control does with the value of a table, where its maker does not publish it: it was seen on the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Sign {
+    /// Adds it to the position that it commands
+    Add,
+    /// Subtracts it
+    Subtract,
+}
+
+impl Sign {
+    /// The value of a table that makes up for a deviation, in the same unit.
+    fn value(self, deviation: f64) -> f64 {
+        if self == Self::Add { -deviation } else { deviation }
+    }
+
+    /// What the header of a table says about it.
+    fn remark(self) -> String {
+        let does = if self == Self::Add { "adds" } else { "subtracts" };
+        format!(
+            "values as for a control that {does} them, as stated: not published by its maker. Check on the machine: at a node, the axis \
+             moves by the value {}when the table is switched on",
+            if self == Self::Add { "" } else { "times -1 " }
+        )
+    }
+}
+
+/// LinuxCNC, `COMP_FILE` with `COMP_FILE_TYPE = 0`: programmed position, and the actual ones in positive and in negative direction. The file
+/// holds no comment: reading ends at the first line that is not three numbers.
+///
+/// # Errors
+/// More than 256 positions.
+pub fn linuxcnc(positions: &[Deviation]) -> Result<String> {
+    if positions.len() > MOST_ROWS {
+        let message = Message::error(format!("{} positions are too many for LinuxCNC", positions.len()));
+        return Err(message.expected("256 at most").into());
+    }
+    let row = |p: &Deviation| format!("{:?} {:?} {:?}\n", p.position, p.position + p.forward, p.position + p.backward);
+    Ok(positions.iter().map(row).collect())
+}
+
+/// Beckhoff CNC, list of an axis (`kw.ssfk`, bilateral) at positions of its own, in 0.1 um or 0.0001 deg: measured minus programmed
+/// position, as the example of its documentation has it (TF5200, axis compensation).
+pub fn beckhoff(positions: &[Deviation], axis: &str, header: &[String]) -> String {
+    let mut out = commented("#", header) + &format!("kopf.log_achs_name {axis}\nkw.ssfk.interval 0\n");
+    let start = positions.first().map_or(0.0, |p| units(p.position));
+    let _ = writeln!(out, "kw.ssfk.kw_startpos {start}\nkw.ssfk.kw_nr_max {}", positions.len());
+    out += "kw.ssfk.unit 1\nkw.ssfk.bilateral 1\n";
+    for (i, p) in positions.iter().enumerate() {
+        let [setpoint, pos, neg] = [p.position, p.forward, p.backward].map(units);
+        let _ = writeln!(
+            out,
+            "kw.ssfk.table[{i}].setpoint {setpoint}\nkw.ssfk.table[{i}].pos {pos}\nkw.ssfk.table[{i}].neg {neg}"
+        );
+    }
+    out + "End\n"
+}
+
+/// SINUMERIK, measuring system error compensation of an axis (`$AA_ENC_COMP`), mm or deg: mean bidirectional deviations, because a positive value
+/// moves the axis in negative direction (Function Manual Extended Functions, K3, 4.4.2). One table serves both directions.
+///
+/// # Errors
+/// Positions that have no constant distance.
+pub fn sinumerik(positions: &[Deviation], axis: &str, header: &[String]) -> Result<String> {
+    let [first, step, last] = even(positions)?;
+    let mut out = format!("%_N_AX_EEC_INI\n{}CHANDATA(1)\n", commented(";", header));
+    for (i, p) in positions.iter().enumerate() {
+        let _ = writeln!(out, "$AA_ENC_COMP[0,{i},{axis}]={:.6}", p.mean());
+    }
+    for (name, value) in [("STEP", step), ("MIN", first), ("MAX", last)] {
+        let _ = writeln!(out, "$AA_ENC_COMP_{name}[0,{axis}]={value:.6}");
+    }
+    Ok(out + &format!("$AA_ENC_COMP_IS_MODULO[0,{axis}]=0\nM17\n"))
+}
+
+/// Which axes a table is about, by their numbers in the control.
+#[derive(Clone, Copy, Debug)]
+pub struct MachineAxes {
+    /// Those on whose positions it depends; the second of a plane.
+    pub base: [usize; 2],
+    /// The one that is corrected.
+    pub corrected: usize,
+}
+
+/// SINUMERIK, sag and angularity error compensation of one axis by another or by itself (`$AN_CEC`), mm or deg, table `index` (Function
+/// Manual Extended Functions 03/2013, K3, 4.4.3, and 802D sl 11/2012, K3, 11.3.3: table example). It does not publish which sign the values have.
+///
+/// # Errors
+/// Positions that have no constant distance.
+pub fn sinumerik_cec(
+    positions: &[Deviation],
+    axes: MachineAxes,
+    index: usize,
+    sign: Sign,
+    header: &[String],
+) -> Result<String> {
+    let [first, step, last] = even(positions)?;
+    let MachineAxes { base: [base, _], corrected } = axes;
+    let mut out = format!("%_N_NC_CEC_INI\n{}; {}\nCHANDATA(1)\n", commented(";", header), sign.remark());
+    for (i, p) in positions.iter().enumerate() {
+        let _ = writeln!(out, "$AN_CEC[{index},{i}]={:.6}", sign.value(p.mean()));
+    }
+    let _ = writeln!(out, "$AN_CEC_INPUT_AXIS[{index}]=(AX{base})\n$AN_CEC_OUTPUT_AXIS[{index}]=(AX{corrected})");
+    for (name, value) in [("STEP", step), ("MIN", first), ("MAX", last)] {
+        let _ = writeln!(out, "$AN_CEC_{name}[{index}]={value:.6}");
+    }
+    for name in ["DIRECTION", "MULT_BY_TABLE", "IS_MODULO"] {
+        let _ = writeln!(out, "$AN_CEC_{name}[{index}]=0");
+    }
+    Ok(out + "M17\n")
+}
+
+/// Deviations of an axis at the nodes of a grid over two others, or itself and another: rows along the first axis, mm.
+#[derive(Clone, Debug)]
+pub struct Plane {
+    /// Positions of the first node.
+    pub start: [f64; 2],
+    /// Distances of the nodes along both axes.
+    pub step: [f64; 2],
+    /// One row for each position of the second axis.
+    pub rows: Vec<Vec<f64>>,
+}
+
+/// Beckhoff CNC, plane compensation of an axis (`kw.crosscomp2`) in 0.1 um: the first index of the table is that of the second master
+/// axis (TF5200, axis compensation parameters, P-COMP-00008 to 00016, and its example). It does not publish which sign the values have.
+///
+/// # Errors
+/// A grid that is not of squares.
+pub fn beckhoff_plane(plane: &Plane, axes: MachineAxes, name: &str, sign: Sign, header: &[String]) -> Result<String> {
+    let ([x, y], Plane { start, step, rows }) = (axes.base, plane);
+    if (step[0] - step[1]).abs() > UNIT {
+        let message = Message::error("the positions of both axes of a plane of a Beckhoff CNC have the same distance");
+        return Err(message.expected(format!("{} mm for both", step[0])).into());
+    }
+    let columns = rows.first().map_or(0, Vec::len);
+    let mut out = commented("#", header) + &format!("# {}\n", sign.remark());
+    let _ = writeln!(out, "kopf.achs_nr {}\nkopf.log_achs_name {name}", axes.corrected);
+    if rows.len() * columns > PLANE_ENTRIES {
+        let _ = writeln!(out, "kw.crosscomp2.max_points {}", rows.len() * columns);
+    }
+    let [x_start, y_start, interval] = [start[0], start[1], step[0]].map(units);
+    let _ = write!(
+        out,
+        "kw.crosscomp2.interval {interval}\nkw.crosscomp2.last_index_master1 {}\nkw.crosscomp2.last_index_master2 {}\n\
+         kw.crosscomp2.start_position_master1 {x_start}\nkw.crosscomp2.start_position_master2 {y_start}\nkw.crosscomp2.unit 1\n\
+         kw.crosscomp2.n_cycles 10\nkw.crosscomp2.master1_ax_nr {x}\nkw.crosscomp2.master2_ax_nr {y}\n",
+        columns.saturating_sub(1),
+        rows.len().saturating_sub(1)
+    );
+    for (j, row) in rows.iter().enumerate() {
+        for (i, deviation) in row.iter().enumerate() {
+            let _ = writeln!(out, "kw.crosscomp2.table[{j}][{i}].correction {}", units(sign.value(*deviation)));
+        }
+    }
+    Ok(out + "End\n")
+}
+
+/// In units of Beckhoff's tables, without a negative zero.
+fn units(value: f64) -> f64 {
+    (value / UNIT).round() + 0.0
+}
+
+/// First position, constant distance and last position.
+fn even(positions: &[Deviation]) -> Result<[f64; 3]> {
+    let [first, .., last] = positions else {
+        return Err(Message::error("a table of a SINUMERIK has two positions at least").into());
+    };
+    let step = (last.position - first.position) / (positions.len() - 1) as f64;
+    let off = |(i, p): (usize, &Deviation)| (p.position - first.position - i as f64 * step).abs() > UNIT;
+    if positions.iter().enumerate().any(off) {
+        let message = Message::error("the positions of a table of a SINUMERIK have a constant distance");
+        return Err(message.hint("measure at equal distances, or use another table").into());
+    }
+    Ok([first.position, step, last.position])
+}
+
+/// Lines that begin a table which is not made of parameters: version, `about` its campaign, units and the hash of its `source`, in characters
+/// that end no comment.
+pub fn header(about: impl IntoIterator<Item = String>, units: &str, source: &str, bytes: &[u8]) -> Vec<String> {
+    let version = format!("Written by etalon {}", env!("CARGO_PKG_VERSION"));
+    let ends = [format!("units: {units}"), format!("sha256 of {source}: {}", files::sha256(bytes))];
+    std::iter::once(version).chain(about).chain(ends).map(|line| super::comment(&line)).collect()
+}
+
+/// Lines that a mark makes comments.
+fn commented(mark: &str, lines: &[String]) -> String {
+    lines.iter().map(|line| format!("{mark} {line}\n")).collect()
+}

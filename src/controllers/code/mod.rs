@@ -1,0 +1,101 @@
+//! The model as code: direct and inverse kinematics with the identified parameters, in languages that controllers and programs compile.
+//!
+//! Every language writes the same recorded formulas ([`Formula`]); where the inverse, or of a hexapod the direct kinematics, has no closed
+//! form it is Newton's method on them, as the program itself has it.
+
+mod c99;
+mod python;
+mod structured_text;
+
+pub(super) use c99::{C99, functions};
+pub(super) use python::PythonCode;
+pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, real_literal, scl, units};
+
+use super::Given;
+use etalon_base::expression::{Formula, Operation};
+use etalon_base::message::{Message, Result};
+
+/// The formulas of the robot with its identified parameters.
+pub(super) fn formulas(given: &Given) -> Result<Vec<Formula>> {
+    let (robot, values) = given.robot()?;
+    let formulas = robot.kinematics().map(|arm| arm.formulas(&values)).unwrap_or_default();
+    if formulas.is_empty() {
+        return Err(Message::error(format!("the kinematics of `{}` have no formulas", robot.model())).into());
+    }
+    let finite = |step: &Operation| !matches!(step, Operation::Constant(bits) if !f64::from_bits(*bits).is_finite());
+    if !formulas.iter().flat_map(|formula| &formula.steps).all(finite) {
+        return Err(Message::error("a constant of the kinematics is not finite").into());
+    }
+    Ok(formulas)
+}
+
+/// How a language writes a step.
+trait Notation {
+    /// A number.
+    fn constant(&self, value: f64) -> String;
+
+    /// A function of operands, by its name in C.
+    fn call(&self, function: &str, operands: &[&str]) -> String;
+
+    /// The statement that keeps step `number`.
+    fn keep(&self, number: usize, value: &str) -> String;
+}
+
+/// Statements of a formula and the names of its outputs: numbers and inputs are where they are used, all else is kept as `t`.
+fn statements(formula: &Formula, notation: &dyn Notation) -> (String, Vec<String>) {
+    let mut names: Vec<String> = Vec::with_capacity(formula.steps.len());
+    let mut out = String::new();
+    let mut kept = 0;
+    for step in &formula.steps {
+        let operands: Vec<&str> = step.operands().map(|i| names[i].as_str()).collect();
+        let infix = |sign: &str| operands.join(sign);
+        let value = match *step {
+            Operation::Constant(bits) => {
+                names.push(notation.constant(f64::from_bits(bits)));
+                continue;
+            }
+            Operation::Input(i) => {
+                names.push(format!("q[{i}]"));
+                continue;
+            }
+            Operation::Add(..) => infix(" + "),
+            Operation::Subtract(..) => infix(" - "),
+            Operation::Multiply(..) => infix(" * "),
+            Operation::Divide(..) => infix(" / "),
+            Operation::Negate(_) => format!("-{}", operands[0]),
+            Operation::Sqrt(_) => notation.call("sqrt", &operands),
+            Operation::Sin(_) => notation.call("sin", &operands),
+            Operation::Cos(_) => notation.call("cos", &operands),
+            Operation::Atan2(..) => notation.call("atan2", &operands),
+            Operation::Wrap(_) => notation.call("wrap", &operands),
+        };
+        out += &notation.keep(kept, &value);
+        names.push(format!("t[{kept}]"));
+        kept += 1;
+    }
+    let outputs = formula.outputs.iter().map(|(_, i)| names[*i].clone()).collect();
+    (out, outputs)
+}
+
+/// How many steps are kept: one at least, so that no array is empty.
+fn kept(formula: &Formula) -> usize {
+    let inline = |step: &&Operation| matches!(step, Operation::Constant(_) | Operation::Input(_));
+    (formula.steps.len() - formula.steps.iter().filter(inline).count()).max(1)
+}
+
+/// What a function takes and gives, for a comment.
+fn interface(formula: &Formula) -> String {
+    let names = formula.inputs.join(", ");
+    let outputs: Vec<&str> = formula.outputs.iter().map(|(name, _)| name.as_str()).take(12).collect();
+    let more = match formula.name {
+        "linearised" => ", then of each joint x, y, z, rx, ry, rz by it",
+        "step" => ", size",
+        _ => "",
+    };
+    super::comment(&format!("{} of {names}: {}{more}", formula.name, outputs.join(", ")))
+}
+
+/// Digits that read back bit for bit; negative ones in parentheses.
+pub(super) fn parenthesised(value: f64) -> String {
+    if value.is_sign_negative() { format!("({value:?})") } else { format!("{value:?}") }
+}

@@ -1,0 +1,387 @@
+//! Structured Text (IEC 61131-3) on LREAL: functions and function blocks as data, which TwinCAT, CODESYS and the like read as text, PLCopen
+//! as XML, and Siemens as SCL.
+
+use super::{Notation, formulas, interface, kept, statements};
+use crate::{Exporter, Given};
+use etalon_base::expression::Formula;
+use etalon_base::message::Result;
+use std::fmt::Write;
+
+/// Function blocks.
+pub(crate) struct StructuredText;
+
+/// A function or a function block.
+pub(crate) struct Unit {
+    pub name: String,
+    pub comment: String,
+    pub inputs: Vec<Variable>,
+    /// None of a function, which returns an LREAL.
+    pub outputs: Vec<Variable>,
+    pub locals: Vec<Variable>,
+    /// Statements; names of other units begin with ETALON_ or FB_Etalon.
+    pub body: String,
+}
+
+pub(crate) struct Variable {
+    pub name: &'static str,
+    pub kind: Kind,
+}
+
+pub(crate) enum Kind {
+    Real,
+    Integer,
+    Truth,
+    /// LREALs from 0 to the last of each index.
+    Array(Vec<usize>),
+    /// An instance of a function block.
+    Block(&'static str),
+}
+
+struct Iec;
+
+/// A real literal of IEC 61131-3 has a point, and digits on both sides of it.
+pub(crate) fn real_literal(value: f64) -> String {
+    let text = format!("{value:?}");
+    match text.split_once('e') {
+        Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0E{exponent}"),
+        Some((digits, exponent)) => format!("{digits}E{exponent}"),
+        None => text,
+    }
+}
+
+impl Notation for Iec {
+    fn constant(&self, value: f64) -> String {
+        let text = real_literal(value);
+        if value.is_sign_negative() { format!("({text})") } else { text }
+    }
+    fn call(&self, function: &str, operands: &[&str]) -> String {
+        match (function, operands) {
+            ("atan2", [y, x]) => format!("ETALON_ATAN2(y := {y}, x := {x})"),
+            ("wrap", [angle]) => format!("ETALON_WRAP(angle := {angle})"),
+            _ => format!("{}({})", function.to_ascii_uppercase(), operands.join(", ")),
+        }
+    }
+    /// The root of a negative number stops a controller: it is zero, and the output not valid.
+    fn keep(&self, number: usize, value: &str) -> String {
+        match value.strip_prefix("SQRT(").and_then(|rest| rest.strip_suffix(')')) {
+            Some(of) => format!(
+                "IF {of} < 0.0 THEN\n  valid := FALSE;\n  t[{number}] := 0.0;\nELSE\n  t[{number}] := {value};\nEND_IF;\n"
+            ),
+            None => format!("t[{number}] := {value};\n"),
+        }
+    }
+}
+
+/// Angle of the vector (x, y), rad.
+const ATAN2: &str = "\
+IF ABS(x) >= ABS(y) THEN
+  IF x = 0.0 THEN
+    ETALON_ATAN2 := 0.0;
+  ELSIF x > 0.0 THEN
+    ETALON_ATAN2 := ATAN(y / x);
+  ELSIF y < 0.0 THEN
+    ETALON_ATAN2 := ATAN(y / x) - 3.141592653589793;
+  ELSE
+    ETALON_ATAN2 := ATAN(y / x) + 3.141592653589793;
+  END_IF;
+ELSIF y > 0.0 THEN
+  ETALON_ATAN2 := 1.5707963267948966 - ATAN(x / y);
+ELSE
+  ETALON_ATAN2 := -1.5707963267948966 - ATAN(x / y);
+END_IF;
+";
+/// An angle between -2 pi and 2 pi brought to -pi ... pi.
+const WRAP: &str = "\
+IF angle > 3.141592653589793 THEN
+  ETALON_WRAP := angle - 6.283185307179586;
+ELSIF angle < -3.141592653589793 THEN
+  ETALON_WRAP := angle + 6.283185307179586;
+ELSE
+  ETALON_WRAP := angle;
+END_IF;
+";
+
+/// Newton's method, steps of at most half a radian or millimetre; `{N}` and `{L}` are the joints and the last of them.
+const INVERSE: &str = "\
+q := start;
+longest := 1.0;
+valid := FALSE;
+FOR search := 0 TO 100 DO
+  linearised(q := q);
+  reached := linearised.out;
+  same := 0.0;
+  FOR i := 0 TO 2 DO
+    e[i] := pose[i] - reached[i];
+    e[3 + i] := 0.0;
+  END_FOR;
+  FOR i := 0 TO 2 DO
+    same := same + reached[3 + i] * pose[3 + i] + reached[6 + i] * pose[6 + i] + reached[9 + i] * pose[9 + i];
+    e[3] := e[3] + 500.0 * (reached[6 + i] * pose[9 + i] - reached[9 + i] * pose[6 + i]);
+    e[4] := e[4] + 500.0 * (reached[9 + i] * pose[3 + i] - reached[3 + i] * pose[9 + i]);
+    e[5] := e[5] + 500.0 * (reached[3 + i] * pose[6 + i] - reached[6 + i] * pose[3 + i]);
+  END_FOR;
+  IF longest < 1.0E-13 OR search = 100 THEN
+    valid := SQRT(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) < 1.0E-9
+      AND SQRT(e[3] * e[3] + e[4] * e[4] + e[5] * e[5]) < 1.0E-9 AND same > 2.0;
+    RETURN;
+  END_IF;
+  trace := 0.0;
+  FOR i := 0 TO {L} DO
+    FOR j := 0 TO {N} DO
+      a[i, j] := 0.0;
+      FOR row := 0 TO 5 DO
+        factor := reached[12 + 6 * i + row];
+        IF j = {N} THEN
+          kept := e[row];
+        ELSE
+          kept := reached[12 + 6 * j + row];
+        END_IF;
+        IF row > 2 THEN
+          factor := 1000.0 * factor;
+          IF j < {N} THEN
+            kept := 1000.0 * kept;
+          END_IF;
+        END_IF;
+        a[i, j] := a[i, j] + factor * kept;
+      END_FOR;
+    END_FOR;
+    trace := trace + a[i, i];
+  END_FOR;
+  FOR i := 0 TO {L} DO
+    a[i, i] := a[i, i] + 1.0E-14 * trace;
+  END_FOR;
+  FOR k := 0 TO {L} DO
+    best := k;
+    FOR i := k TO {L} DO
+      IF ABS(a[i, k]) > ABS(a[best, k]) THEN
+        best := i;
+      END_IF;
+    END_FOR;
+    FOR j := 0 TO {N} DO
+      kept := a[k, j];
+      a[k, j] := a[best, j];
+      a[best, j] := kept;
+    END_FOR;
+    FOR i := 0 TO {L} DO
+      IF i <> k THEN
+        factor := a[i, k] / a[k, k];
+        FOR j := 0 TO {N} DO
+          a[i, j] := a[i, j] - factor * a[k, j];
+        END_FOR;
+      END_IF;
+    END_FOR;
+  END_FOR;
+  longest := 0.0;
+  FOR i := 0 TO {L} DO
+    a[i, {N}] := a[i, {N}] / a[i, i];
+    IF ABS(a[i, {N}]) > longest THEN
+      longest := ABS(a[i, {N}]);
+    END_IF;
+  END_FOR;
+  factor := 1.0;
+  IF longest > 0.5 THEN
+    factor := 0.5 / longest;
+  END_IF;
+  FOR i := 0 TO {L} DO
+    q[i] := q[i] + factor * a[i, {N}];
+  END_FOR;
+END_FOR;
+";
+
+/// Steps to the pose, as long as they are large.
+const DIRECT: &str = "\
+FOR i := 0 TO 11 DO
+  inside[i] := start[i];
+END_FOR;
+FOR i := 0 TO {L} DO
+  inside[12 + i] := q[i];
+END_FOR;
+valid := FALSE;
+FOR search := 0 TO 99 DO
+  iteration(q := inside);
+  FOR i := 0 TO 11 DO
+    inside[i] := iteration.out[i];
+    out[i] := iteration.out[i];
+  END_FOR;
+  IF iteration.out[12] < 1.0E-10 THEN
+    valid := TRUE;
+    RETURN;
+  END_IF;
+END_FOR;
+";
+
+impl Unit {
+    fn function(name: &str, comment: &str, inputs: &[&'static str], body: &str) -> Self {
+        let inputs = inputs.iter().map(|name| Variable { name, kind: Kind::Real }).collect();
+        let (name, comment, body) = (name.to_owned(), comment.to_owned(), body.to_owned());
+        Self { name, comment, inputs, outputs: Vec::new(), locals: Vec::new(), body }
+    }
+
+    pub fn is_function(&self) -> bool {
+        self.outputs.is_empty()
+    }
+
+    /// Its variables under the words that begin their lists.
+    pub fn lists(&self) -> impl Iterator<Item = (&'static str, &[Variable])> {
+        let lists = [("VAR_INPUT", &self.inputs), ("VAR_OUTPUT", &self.outputs), ("VAR", &self.locals)];
+        lists.into_iter().filter(|(_, list)| !list.is_empty()).map(|(word, list)| (word, list.as_slice()))
+    }
+
+    /// The block of a formula.
+    fn of(formula: &Formula) -> Self {
+        let (mut body, outputs) = statements(formula, &Iec);
+        let (first, rest) = formula.name.split_at(1);
+        body.insert_str(0, "valid := TRUE;\n");
+        for (i, name) in outputs.iter().enumerate() {
+            let _ = writeln!(body, "out[{i}] := {name};");
+        }
+        Self {
+            name: format!("FB_Etalon{}{rest}", first.to_ascii_uppercase()),
+            comment: interface(formula),
+            inputs: vec![array("q", &[formula.inputs.len()])],
+            outputs: vec![array("out", &[outputs.len()]), Variable { name: "valid", kind: Kind::Truth }],
+            locals: vec![array("t", &[kept(formula)])],
+            body,
+        }
+    }
+
+    /// The search for joint values on the linearised kinematics.
+    fn inverse(formula: &Formula) -> Self {
+        let joints = formula.inputs.len();
+        let real = |name| Variable { name, kind: Kind::Real };
+        let block = Variable { name: "linearised", kind: Kind::Block("FB_EtalonLinearised") };
+        let arrays = [array("reached", &[formula.outputs.len()]), array("a", &[joints, joints + 1]), array("e", &[6])];
+        let reals = ["same", "longest", "trace", "factor", "kept"].map(real);
+        let integers = integers(&["i", "j", "k", "row", "best", "search"]);
+        Self {
+            name: "FB_EtalonInverse".to_owned(),
+            comment: "Joint values, mm and rad, of a pose x, y, z, r11, r12 ... r33, looked for from start; valid where the pose is \
+                      reached to 1e-9 mm and 1e-12 rad."
+                .to_owned(),
+            inputs: vec![array("pose", &[12]), array("start", &[joints])],
+            outputs: vec![array("q", &[joints]), Variable { name: "valid", kind: Kind::Truth }],
+            locals: std::iter::once(block).chain(arrays).chain(reals).chain(integers).collect(),
+            body: INVERSE.replace("{N}", &joints.to_string()).replace("{L}", &(joints - 1).to_string()),
+        }
+    }
+
+    /// Steps of Newton's method to a pose.
+    fn direct(formula: &Formula) -> Self {
+        let joints = formula.inputs.len() - 12;
+        let block = Variable { name: "iteration", kind: Kind::Block("FB_EtalonStep") };
+        Self {
+            name: "FB_EtalonDirect".to_owned(),
+            comment: "Pose x, y, z, r11, r12 ... r33 of the platform at joint values, mm and rad, looked for from the pose start; valid where \
+                      it is found to 1e-9 mm."
+                .to_owned(),
+            inputs: vec![array("q", &[joints]), array("start", &[12])],
+            outputs: vec![array("out", &[12]), Variable { name: "valid", kind: Kind::Truth }],
+            locals: [block, array("inside", &[12 + joints])].into_iter().chain(integers(&["i", "search"])).collect(),
+            body: DIRECT.replace("{L}", &(joints - 1).to_string()),
+        }
+    }
+}
+
+fn array(name: &'static str, counts: &[usize]) -> Variable {
+    Variable { name, kind: Kind::Array(counts.iter().map(|n| n - 1).collect()) }
+}
+
+fn integers(names: &'static [&'static str]) -> impl Iterator<Item = Variable> {
+    names.iter().map(|name| Variable { name, kind: Kind::Integer })
+}
+
+/// Functions and function blocks of the robot with its identified parameters, each behind those that it calls.
+pub(crate) fn units(given: &Given) -> Result<Vec<Unit>> {
+    let mut all = vec![
+        Unit::function("ETALON_ATAN2", "Angle of the vector (x, y), rad.", &["y", "x"], ATAN2),
+        Unit::function("ETALON_WRAP", "An angle between -2 pi and 2 pi brought to -pi ... pi.", &["angle"], WRAP),
+    ];
+    for formula in formulas(given)? {
+        all.push(Unit::of(&formula));
+        match formula.name {
+            "linearised" => all.push(Unit::inverse(&formula)),
+            "step" => all.push(Unit::direct(&formula)),
+            _ => {}
+        }
+    }
+    Ok(all)
+}
+
+/// The name of a type; Siemens writes some with small letters, and those of blocks in quotation marks.
+fn type_name(kind: &Kind, siemens: bool) -> String {
+    let real = if siemens { "LReal" } else { "LREAL" };
+    match kind {
+        Kind::Real => real.to_owned(),
+        Kind::Integer => if siemens { "Int" } else { "INT" }.to_owned(),
+        Kind::Truth => if siemens { "Bool" } else { "BOOL" }.to_owned(),
+        Kind::Array(last) => {
+            let ranges: Vec<String> = last.iter().map(|last| format!("0..{last}")).collect();
+            format!("{}[{}] OF {real}", if siemens { "Array" } else { "ARRAY" }, ranges.join(", "))
+        }
+        Kind::Block(name) if siemens => format!("\"{name}\""),
+        Kind::Block(name) => (*name).to_owned(),
+    }
+}
+
+fn declarations(unit: &Unit, siemens: bool) -> String {
+    let mut out = String::new();
+    for (word, list) in unit.lists() {
+        let _ = writeln!(out, "{word}");
+        for Variable { name, kind } in list {
+            let _ = writeln!(out, "  {name} : {};", type_name(kind, siemens));
+        }
+        out += "END_VAR\n";
+    }
+    out
+}
+
+impl Exporter for StructuredText {
+    fn file_name(&self) -> &'static str {
+        "etalon_kinematics.st"
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let mut out: String = given.header_of_code("mm, rad")?.iter().map(|line| format!("(* {line} *)\n")).collect();
+        for unit in units(given)? {
+            let (word, of) = if unit.is_function() { ("FUNCTION", " : LREAL") } else { ("FUNCTION_BLOCK", "") };
+            let Unit { name, comment, body, .. } = &unit;
+            let _ =
+                write!(out, "\n(* {comment} *)\n{word} {name}{of}\n{}{body}END_{word}\n", declarations(&unit, false));
+        }
+        Ok(out.into_bytes())
+    }
+}
+
+/// Functions and function blocks in Siemens SCL, for S7-1200 and S7-1500: variables have a `#`, names of blocks quotation marks.
+pub(crate) fn scl(units: &[Unit]) -> String {
+    let mut out = String::new();
+    for unit in units {
+        let (word, of) = if unit.is_function() { ("FUNCTION", " : LReal") } else { ("FUNCTION_BLOCK", "") };
+        let Unit { name, comment, .. } = unit;
+        let _ =
+            write!(out, "\n// {comment}\n{word} \"{name}\"{of}\n{{ S7_Optimized_Access := 'TRUE' }}\nVERSION : 0.1\n");
+        let _ = write!(out, "{}BEGIN\n{}END_{word}\n", declarations(unit, true), with_marks(unit));
+    }
+    out
+}
+
+/// The statements of a unit with `#` before its variables and quotation marks around functions.
+fn with_marks(unit: &Unit) -> String {
+    let own = |word: &str| word == unit.name || unit.lists().any(|(_, list)| list.iter().any(|v| v.name == word));
+    let (mut out, mut rest, mut depth) = (String::new(), unit.body.as_str(), 0);
+    while let Some(first) = rest.chars().next() {
+        let in_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || first.is_ascii_digit() && c == '.';
+        let length = rest.find(|c| !in_word(c)).unwrap_or(rest.len()).max(first.len_utf8());
+        let (word, behind) = rest.split_at(length);
+        rest = behind;
+        depth += i32::from(first == '(') - i32::from(first == ')');
+        // what a call names is not its own
+        let named = depth > 0 && rest.starts_with(" := ");
+        match word {
+            _ if own(word) && !named && !out.ends_with('.') => out.extend(["#", word]),
+            _ if word.starts_with("ETALON_") => out.extend(["\"", word, "\""]),
+            _ => out += word,
+        }
+    }
+    out
+}

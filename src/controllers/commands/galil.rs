@@ -1,0 +1,107 @@
+//! Galil DMC: absolute positions of the axes in counts, `PA n,n,n`.
+
+use super::{Given, Number, Program, ProgramTarget, at_line, masked, number, skip_blanks, slots};
+use etalon_base::message::{Message, Result};
+use std::fmt::Write;
+
+/// Counts of each axis for a mm or deg of its joint.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Galil {
+    /// One an axis.
+    pub counts_per_unit: Vec<f64>,
+}
+
+/// Largest position of an axis (DMC-21x3 command reference, PA).
+const LARGEST: f64 = 2_147_483_647.0;
+
+impl Galil {
+    /// Counts of joint values in mm and deg.
+    pub fn counts(&self, joints: &[f64]) -> Vec<f64> {
+        joints.iter().zip(&self.counts_per_unit).map(|(q, counts)| (q * counts).round()).collect()
+    }
+
+    /// Joint values of counts, mm and deg.
+    pub fn joints(&self, counts: &[f64]) -> Vec<f64> {
+        counts.iter().zip(&self.counts_per_unit).map(|(n, counts)| n / counts).collect()
+    }
+
+    /// A program that goes to joint values (mm, deg) one after the other.
+    ///
+    /// # Errors
+    /// More axes than a controller has, or counts that it cannot hold.
+    pub fn list(&self, given: &Given, targets: &[(String, Vec<f64>)]) -> Result<String> {
+        let axes = "ABCDEFGH".get(..self.counts_per_unit.len());
+        let axes = axes.ok_or_else(|| Message::error("a Galil controller has eight axes at most"))?;
+        let mut out: String = given.header("counts")?.iter().map(|line| format!("REM {line}\n")).collect();
+        out += "#TARGETS\n";
+        for (name, joints) in targets {
+            let counts = self.counts(joints);
+            if counts.iter().any(|n| n.is_nan() || n.abs() > LARGEST) {
+                let message = Message::error(format!("target {name}: {counts:?} counts are out of range"));
+                return Err(message.expected(format!("at most {LARGEST} counts")).into());
+            }
+            let cells: Vec<String> = counts.iter().map(|n| format!("{n}")).collect();
+            let _ = writeln!(out, "REM {}\nPA {};BG {axes};AM {axes}", super::super::comment(name), cells.join(","));
+        }
+        Ok(out + "EN\n")
+    }
+
+    /// The targets of a program: absolute positions of all axes, `PA n,n,n`, in counts.
+    ///
+    /// # Errors
+    /// Positions of some axes or by variables, relative and coordinated movements.
+    pub fn targets(&self, program: &[u8]) -> Result<Program> {
+        let text = masked(program, b'\'');
+        let (mut found, mut problems, mut at) = (Program::default(), Vec::new(), 0);
+        for (i, line) in text.split(|b| *b == b'\n').enumerate() {
+            let remark = line.trim_ascii_start().starts_with(b"REM");
+            for command in line.split(|b| *b == b';') {
+                let start = at;
+                at += command.len() + 1;
+                let words = command.trim_ascii();
+                let written = String::from_utf8_lossy(words);
+                // letters that go on are a variable's, but for an axis with its sign
+                let (name, rest) = words.split_at(words.len().min(2));
+                let of_axis = matches!(rest, [axis, b'=', ..] if axis.is_ascii_uppercase());
+                if remark || !of_axis && rest.first().is_some_and(|b| b.is_ascii_alphanumeric() && !b.is_ascii_digit())
+                {
+                    continue;
+                }
+                match name {
+                    b"PA" if rest.trim_ascii().starts_with(b"?") => {}
+                    b"PA" => match self.positions(&text[..start + command.len()], skip_blanks(&text, start) + 2) {
+                        Some(numbers) => found.targets.push(ProgramTarget {
+                            name: format!("line {}", i + 1),
+                            line: i + 1,
+                            numbers: numbers.iter().map(|n| n.value).collect(),
+                            slots: slots(&numbers),
+                            configuration: None,
+                        }),
+                        None => problems.push(at_line(i + 1, format!("`{written}` is not a position of every axis"))),
+                    },
+                    b"PR" | b"IP" | b"LI" | b"VP" | b"CR" => {
+                        let what = format!("`{written}` is not compensated: only absolute positions (PA) are");
+                        problems.push(at_line(i + 1, what));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        super::none(problems)?;
+        Ok(found)
+    }
+
+    /// One number for each axis, and nothing else up to the end of the text.
+    fn positions(&self, text: &[u8], from: usize) -> Option<Vec<Number>> {
+        let (mut at, mut all) = (from, Vec::new());
+        while all.len() < self.counts_per_unit.len() {
+            let next = number(text, at)?;
+            at = skip_blanks(text, next.range.end);
+            all.push(next);
+            if all.len() < self.counts_per_unit.len() {
+                at = (text.get(at) == Some(&b',')).then_some(at + 1)?;
+            }
+        }
+        (at == text.len()).then_some(all)
+    }
+}

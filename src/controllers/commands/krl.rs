@@ -1,0 +1,132 @@
+//! KRL (KUKA): `{X 1, Y 2, Z 3, A 4, B 5, C 6, S 2, T 35}`, mm and deg, Rz(A) Ry(B) Rx(C); `E6POS`, `POS`, and `{A1 .., A6 ..}` of joints
+//! (KUKA System Software, operating and programming instructions).
+
+use super::{
+    Configuration, Freedoms, Language, Number, Program, ProgramTarget, at_line, line_of, masked, name_of, number,
+    slots, word_before,
+};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::Pose;
+use std::fmt::Write;
+use std::ops::Range;
+
+pub(super) struct Krl;
+
+const NAMES: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
+/// Movements that place the tool at a pose.
+const MOVES: [&str; 6] = ["PTP", "LIN", "CIRC", "SPTP", "SLIN", "SCIRC"];
+
+impl Language for Krl {
+    fn units(&self) -> &'static str {
+        "mm, deg"
+    }
+
+    fn numbers(&self, pose: &Pose, _freedoms: Freedoms) -> Vec<f64> {
+        let [rx, ry, rz] = pose.rpy_rad().map(f64::to_degrees);
+        pose.translation_mm.into_iter().chain([rz, ry, rx]).collect()
+    }
+
+    fn pose(&self, n: &[f64], _freedoms: Freedoms) -> Pose {
+        Pose::from_xyz_rpy([n[0], n[1], n[2]], [n[5], n[4], n[3]].map(f64::to_radians))
+    }
+
+    fn decimals(&self, _freedoms: Freedoms) -> Vec<usize> {
+        vec![6, 6, 6, 8, 8, 8]
+    }
+
+    fn list(&self, header: &[String], commands: &[(String, Vec<String>)], _freedoms: Freedoms) -> String {
+        let mut out = "DEFDAT ETALON_TARGETS PUBLIC\n".to_owned();
+        header.iter().for_each(|line| out += &format!("; {line}\n"));
+        for (name, n) in commands {
+            let cells: Vec<String> = NAMES.iter().zip(n).map(|(name, v)| format!("{name} {v}")).collect();
+            let _ = writeln!(out, "GLOBAL DECL POS {}={{{}}}", super::identifier(name, 24), cells.join(","));
+        }
+        out + "ENDDAT\n"
+    }
+
+    fn targets(&self, program: &[u8], _freedoms: Freedoms) -> Result<Program> {
+        let text = masked(program, b';');
+        let (mut found, mut problems) = (Program::default(), Vec::new());
+        for (open, _) in text.iter().enumerate().filter(|(_, b)| **b == b'{') {
+            let inside =
+                open + 1..open + 1 + text[open + 1..].iter().position(|b| matches!(b, b'{' | b'}')).unwrap_or(0);
+            if text.get(inside.end) == Some(&b'}') {
+                problems.extend(aggregate(&text, inside, &mut found));
+            }
+        }
+        frames(&text, &mut found);
+        super::none(problems)?;
+        Ok(found)
+    }
+}
+
+/// A field of an aggregate.
+struct Field {
+    name: String,
+    value: Number,
+}
+
+/// Takes an aggregate as what it is; an error where it is a target that cannot be compensated.
+fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<Message> {
+    let open = inside.start - 1;
+    let colon = text[inside.clone()].iter().position(|b| *b == b':').map(|i| inside.start + i);
+    let kind = colon.map_or("", |colon| word_before(text, colon)).to_ascii_uppercase();
+    let mut fields = Vec::new();
+    let mut at = colon.map_or(inside.start, |colon| colon + 1);
+    for part in text[at..inside.end].split(|b| *b == b',') {
+        let name_at = super::skip_blanks(part, 0);
+        let end = part[name_at..].iter().position(u8::is_ascii_whitespace).map_or(part.len(), |i| name_at + i);
+        if let Some(Number { range, value }) = number(part, end) {
+            let name = String::from_utf8_lossy(&part[name_at..end]).to_ascii_uppercase();
+            fields.push(Field { name, value: Number { range: at + range.start..at + range.end, value } });
+        }
+        at += part.len() + 1;
+    }
+    let field = |name: &str| fields.iter().find(|f| f.name == name);
+    if (1..=6).all(|i| field(&format!("A{i}")).is_some()) {
+        found.joint_targets += 1;
+        return None;
+    }
+    let numbers: Vec<_> = NAMES.iter().filter_map(|name| field(name)).map(|f| f.value.clone()).collect();
+    let before = text[..open].trim_ascii_end();
+    let line_start = before.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
+    let statement = String::from_utf8_lossy(&before[line_start..]).to_ascii_uppercase();
+    let statement = statement.trim_start();
+    let moves = MOVES
+        .iter()
+        .any(|m| statement.strip_prefix(m).is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '{'])));
+    let frame =
+        kind == "FRAME" || ["$", "BASE_DATA", "TOOL_DATA", "LOAD_DATA"].iter().any(|s| statement.starts_with(s));
+    if frame || statement.contains("FRAME ") || numbers.is_empty() || statement.contains("_REL") {
+        found.computed.extend(statement.contains("_REL").then(|| "relative movements".to_owned()));
+        return None;
+    }
+    let line = line_of(text, open);
+    if numbers.len() < NAMES.len() {
+        let message = at_line(line, "the target states a part of X, Y, Z, A, B and C");
+        return moves.then(|| message.hint("state all of them: the others are those of the position before it"));
+    }
+    found.targets.push(ProgramTarget {
+        name: name_of(text, open, "="),
+        line,
+        numbers: numbers.iter().map(|n| n.value).collect(),
+        slots: slots(&numbers),
+        configuration: field("T").map(|f| Configuration::Negative(f.value.value as i64)),
+    });
+    None
+}
+
+/// Tools and bases that a program names.
+fn frames(text: &[u8], found: &mut Program) {
+    let text = String::from_utf8_lossy(text).to_ascii_uppercase();
+    for (key, into) in [("TOOL_NO ", &mut found.tools), ("BASE_NO ", &mut found.objects)] {
+        let numbers = text.split(key).skip(1).map(|rest| rest.split([',', '}']).next().unwrap_or_default().trim());
+        into.extend(numbers.filter(|n| *n != "0").map(|n| format!("{key}{n}")));
+    }
+    for line in text.lines().map(str::trim) {
+        let assigned = |name: &str| line.strip_prefix(name).and_then(|rest| rest.trim_start().strip_prefix('='));
+        let value = |value: &str| value.trim().to_owned();
+        found.tools.extend(assigned("$TOOL").map(value).filter(|v| v != "$NULLFRAME"));
+        found.objects.extend(assigned("$BASE").map(value).filter(|v| v != "$NULLFRAME" && v != "$WORLD"));
+    }
+}

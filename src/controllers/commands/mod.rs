@@ -1,0 +1,318 @@
+//! Poses to command, in the languages of controllers: as a list, or in place of the targets of a program that is there.
+//!
+//! A program is bytes: what is not a target stays as it is, whatever its encoding and line ends.
+
+mod galil;
+mod gcode;
+mod krl;
+mod mecaprol;
+mod rapid;
+mod urscript;
+
+pub use galil::Galil;
+
+use super::Given;
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::pose::Pose;
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// Decimals of a length in mm where none are stated; other numbers have so many more or less that they are as fine.
+pub const DECIMALS: usize = 6;
+
+/// What of a pose a robot has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Freedoms {
+    /// Position in the plane.
+    Point,
+    /// Position and orientation in the plane.
+    Plane,
+    /// Position and orientation in space.
+    Space,
+}
+
+/// A pose to command.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Command {
+    /// Name of the target.
+    pub name: String,
+    /// The pose.
+    pub pose: Pose,
+}
+
+/// A language in which poses are commanded.
+pub trait Language: Sync {
+    /// Units of its numbers.
+    fn units(&self) -> &'static str;
+
+    /// The numbers of a pose as the language orders them.
+    fn numbers(&self, pose: &Pose, freedoms: Freedoms) -> Vec<f64>;
+
+    /// The pose of such numbers.
+    fn pose(&self, numbers: &[f64], freedoms: Freedoms) -> Pose;
+
+    /// Decimals of these numbers that go with [`DECIMALS`] of a length in mm.
+    fn decimals(&self, freedoms: Freedoms) -> Vec<usize>;
+
+    /// A list of poses; each number is written already.
+    fn list(&self, header: &[String], commands: &[(String, Vec<String>)], freedoms: Freedoms) -> String;
+
+    /// The targets of a program.
+    ///
+    /// # Errors
+    /// Targets that cannot be compensated one by one, or a language whose programs are not read.
+    fn targets(&self, _program: &[u8], _freedoms: Freedoms) -> Result<Program> {
+        Err(Message::error("programs of this language are not read").hint("give the targets as a table").into())
+    }
+}
+
+/// What is found in a program.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Program {
+    /// Its targets, in the order in which they are written.
+    pub targets: Vec<ProgramTarget>,
+    /// Targets that are joint values.
+    pub joint_targets: usize,
+    /// Tools that it names, other than the flange.
+    pub tools: BTreeSet<String>,
+    /// Frames that it names, other than the base.
+    pub objects: BTreeSet<String>,
+    /// What computes poses when the program runs: it is left as it is.
+    pub computed: BTreeSet<String>,
+}
+
+/// A target of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProgramTarget {
+    /// Its name, or the line that it is on.
+    pub name: String,
+    /// From 1.
+    pub line: usize,
+    /// Its numbers.
+    pub numbers: Vec<f64>,
+    /// Where each of them is.
+    pub slots: Vec<Slot>,
+    /// Joint values that it asks for.
+    pub configuration: Option<Configuration>,
+}
+
+/// Where a number of a program is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slot {
+    /// Its bytes; empty where the number is to be added.
+    pub range: Range<usize>,
+    /// What comes before a number that is added.
+    pub prefix: &'static str,
+}
+
+/// Configuration data of a target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Configuration {
+    /// Quarter turns of joints 1, 4 and 6 (RAPID, `confdata`).
+    Quadrants([i64; 3]),
+    /// Bit i is set where joint i is negative (KRL, `Turn`).
+    Negative(i64),
+}
+
+impl Configuration {
+    /// Whether joint values have it, deg.
+    pub fn fits(&self, joints_deg: &[f64]) -> bool {
+        match *self {
+            Self::Quadrants(quadrants) => [0, 3, 5].iter().zip(quadrants).all(|(&i, wanted)| {
+                joints_deg.get(i).is_none_or(|q| ((q / 90.0).floor() as i64 - wanted).rem_euclid(4) == 0)
+            }),
+            Self::Negative(bits) => {
+                joints_deg.iter().enumerate().take(6).all(|(i, q)| (bits >> i & 1 == 1) == (*q < 0.0))
+            }
+        }
+    }
+}
+
+/// The languages by their names.
+const LANGUAGES: [(&str, &dyn Language, &[&str]); 5] = [
+    ("rapid", &rapid::Rapid, &["mod", "modx", "prg", "sys"]),
+    ("krl", &krl::Krl, &["src", "dat"]),
+    ("urscript", &urscript::UrScript, &["script", "urscript"]),
+    ("gcode", &gcode::Gcode, &["ngc", "nc", "gcode", "tap"]),
+    ("mecaprol", &mecaprol::Mecaprol, &["mp"]),
+];
+
+/// The language of this name.
+pub fn language(name: &str) -> Option<(&'static str, &'static dyn Language)> {
+    LANGUAGES.iter().find(|(known, ..)| *known == name).map(|(name, language, _)| (*name, *language))
+}
+
+/// The language of programs whose file has this ending.
+pub fn language_of(ending: &str) -> Option<(&'static str, &'static dyn Language)> {
+    let ending = ending.to_ascii_lowercase();
+    let found = LANGUAGES.iter().find(|(.., endings)| endings.contains(&ending.as_str()));
+    found.map(|(name, language, _)| (*name, *language))
+}
+
+/// The numbers of a pose as they are written, with this many decimals of a length in mm.
+pub fn written(language: &dyn Language, pose: &Pose, freedoms: Freedoms, decimals: usize) -> Vec<String> {
+    let number = |(v, d): (f64, usize)| number_text(v, (d + decimals).saturating_sub(DECIMALS));
+    language.numbers(pose, freedoms).into_iter().zip(language.decimals(freedoms)).map(number).collect()
+}
+
+/// The pose that written numbers state.
+pub fn stated(language: &dyn Language, numbers: &[String], freedoms: Freedoms) -> Pose {
+    let numbers: Vec<f64> = numbers.iter().map(|text| text.parse().unwrap_or(f64::NAN)).collect();
+    language.pose(&numbers, freedoms)
+}
+
+/// A list of poses with its header.
+///
+/// # Errors
+/// A header that cannot be written.
+pub fn list(
+    language: &dyn Language,
+    given: &Given,
+    commands: &[Command],
+    freedoms: Freedoms,
+    decimals: usize,
+) -> Result<String> {
+    let cells = |command: &Command| (command.name.clone(), written(language, &command.pose, freedoms, decimals));
+    let header = given.header(language.units())?;
+    Ok(language.list(&header, &commands.iter().map(cells).collect::<Vec<_>>(), freedoms))
+}
+
+/// A program with other numbers in its targets, and nothing else changed.
+pub fn rewritten(program: &[u8], targets: &[ProgramTarget], numbers: &[Vec<String>]) -> Vec<u8> {
+    let slots = targets.iter().zip(numbers).flat_map(|(target, numbers)| target.slots.iter().zip(numbers));
+    let mut slots: Vec<(&Slot, &String)> = slots.collect();
+    slots.sort_by_key(|(slot, _)| slot.range.start);
+    let (mut out, mut at) = (Vec::with_capacity(program.len()), 0);
+    for (slot, number) in slots {
+        out.extend_from_slice(&program[at..slot.range.start]);
+        out.extend_from_slice(slot.prefix.as_bytes());
+        out.extend_from_slice(number.as_bytes());
+        at = slot.range.end;
+    }
+    out.extend_from_slice(&program[at..]);
+    out
+}
+
+/// Decimal text without an exponent, zeros at its end or a sign of zero.
+fn number_text(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    match short {
+        "-0" | "0" => "0.0".to_owned(),
+        whole if !whole.contains('.') && decimals > 0 => format!("{whole}.0"),
+        other => other.to_owned(),
+    }
+}
+
+/// Letters, digits and underscores of a name, behind a letter.
+fn identifier(name: &str, longest: usize) -> String {
+    let safe = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+    let begins = name.starts_with(|c: char| c.is_ascii_alphabetic());
+    let text: String = if begins { String::new() } else { "P".to_owned() };
+    (text + &name.chars().map(safe).collect::<String>()).chars().take(longest).collect()
+}
+
+/// A program without its texts and comments, byte by byte: they are blanks. Comments run from `comment` to the end of the line.
+fn masked(program: &[u8], comment: u8) -> Vec<u8> {
+    let (mut inside, mut out) = (None, Vec::with_capacity(program.len()));
+    for &byte in program {
+        match (inside, byte) {
+            (_, b'\n' | b'\r') => inside = None,
+            (None, b'"') => inside = Some(b'"'),
+            (None, _) if byte == comment => inside = Some(comment),
+            (Some(b'"'), b'"') => inside = None,
+            _ => {}
+        }
+        let blank = inside.is_some() || byte == b'"';
+        out.push(if blank && !matches!(byte, b'\n' | b'\r') { b' ' } else { byte });
+    }
+    out
+}
+
+/// The place behind blanks and line ends.
+fn skip_blanks(text: &[u8], mut at: usize) -> usize {
+    while text.get(at).is_some_and(u8::is_ascii_whitespace) {
+        at += 1;
+    }
+    at
+}
+
+/// A number of a program.
+#[derive(Clone, Debug)]
+struct Number {
+    range: Range<usize>,
+    value: f64,
+}
+
+/// The number that begins there, behind blanks.
+fn number(text: &[u8], at: usize) -> Option<Number> {
+    let start = skip_blanks(text, at);
+    let mut end = start;
+    while let Some(&byte) = text.get(end) {
+        let sign = matches!(byte, b'+' | b'-');
+        let exponent = end > start && matches!(text[end - 1], b'e' | b'E');
+        let letter = matches!(byte, b'e' | b'E') && text[start..end].iter().any(u8::is_ascii_digit);
+        if !(byte.is_ascii_digit() || byte == b'.' || letter || (sign && (end == start || exponent))) {
+            break;
+        }
+        end += 1;
+    }
+    let value = std::str::from_utf8(&text[start..end]).ok()?.parse::<f64>().ok()?;
+    value.is_finite().then_some(Number { range: start..end, value })
+}
+
+/// Numbers in brackets, one behind the other, and the place behind them.
+fn bracketed(text: &[u8], at: usize) -> Option<(Vec<Number>, usize)> {
+    let mut at = skip_blanks(text, at);
+    if text.get(at) != Some(&b'[') {
+        return None;
+    }
+    let mut all = Vec::new();
+    loop {
+        let next = number(text, at + 1)?;
+        at = skip_blanks(text, next.range.end);
+        all.push(next);
+        match text.get(at)? {
+            b',' => {}
+            b']' => return Some((all, at + 1)),
+            _ => return None,
+        }
+    }
+}
+
+/// Number of the line of a byte.
+fn line_of(text: &[u8], at: usize) -> usize {
+    1 + text[..at].iter().filter(|b| **b == b'\n').count()
+}
+
+/// The word that ends there, before blanks.
+fn word_before(text: &[u8], at: usize) -> &str {
+    let is_name = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'$');
+    let end = text[..at].iter().rposition(|b| !b.is_ascii_whitespace()).map_or(0, |i| i + 1);
+    let start = text[..end].iter().rposition(|b| !is_name(b)).map_or(0, |i| i + 1);
+    std::str::from_utf8(&text[start..end]).unwrap_or_default()
+}
+
+/// The name that the value which begins there is assigned to by `sign`, or the line.
+fn name_of(text: &[u8], at: usize, sign: &str) -> String {
+    let before = text[..at].trim_ascii_end();
+    let assigned = before.strip_suffix(sign.as_bytes()).map(|before| word_before(before, before.len()));
+    let name = assigned.filter(|name| !name.is_empty()).map(str::to_owned);
+    name.unwrap_or_else(|| format!("line {}", line_of(text, at)))
+}
+
+/// Slots of numbers that are there.
+fn slots(numbers: &[Number]) -> Vec<Slot> {
+    numbers.iter().map(|n| Slot { range: n.range.clone(), prefix: "" }).collect()
+}
+
+/// An error about a line of a program.
+fn at_line(line: usize, what: impl Into<String>) -> Message {
+    let place = etalon_base::message::Place { line: Some(line), ..Default::default() };
+    Message::error(what).at(place)
+}
+
+/// Nothing, or these errors.
+fn none(problems: Vec<Message>) -> Result<()> {
+    Problems(problems).check().map(|_| ())
+}

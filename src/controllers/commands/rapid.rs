@@ -1,0 +1,118 @@
+//! RAPID (ABB): `robtarget` as `[[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax ...]]`, mm and a quaternion
+//! (RAPID reference manual, data types `robtarget`, `jointtarget`, `confdata`).
+
+use super::{
+    Configuration, Freedoms, Language, Number, Program, ProgramTarget, bracketed, line_of, masked, name_of,
+    skip_blanks, slots,
+};
+use etalon_base::message::Result;
+use etalon_base::pose::Pose;
+use std::fmt::Write;
+
+pub(super) struct Rapid;
+
+/// Values of a `robtarget` beside the pose where none are known: no configuration, no external axes.
+const OTHERS: &str = "[0,0,0,0],[9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]";
+
+impl Language for Rapid {
+    fn units(&self) -> &'static str {
+        "mm, unit quaternion"
+    }
+
+    fn numbers(&self, pose: &Pose, _freedoms: Freedoms) -> Vec<f64> {
+        pose.translation_mm.into_iter().chain(pose.quaternion()).collect()
+    }
+
+    fn pose(&self, n: &[f64], _freedoms: Freedoms) -> Pose {
+        Pose { translation_mm: [n[0], n[1], n[2]], ..Pose::from_quaternion([n[3], n[4], n[5], n[6]]) }
+    }
+
+    fn decimals(&self, _freedoms: Freedoms) -> Vec<usize> {
+        vec![6, 6, 6, 10, 10, 10, 10]
+    }
+
+    fn list(&self, header: &[String], commands: &[(String, Vec<String>)], _freedoms: Freedoms) -> String {
+        let mut out: String = header.iter().map(|line| format!("! {line}\n")).collect();
+        out += "MODULE EtalonTargets\n";
+        for (name, n) in commands {
+            let name = super::identifier(name, 32);
+            let _ =
+                writeln!(out, "  CONST robtarget {name}:=[[{}],[{}],{OTHERS}];", n[..3].join(","), n[3..].join(","));
+        }
+        out + "ENDMODULE\n"
+    }
+
+    fn targets(&self, program: &[u8], _freedoms: Freedoms) -> Result<Program> {
+        let text = masked(program, b'!');
+        let (mut found, mut at, mut problems) = (Program::default(), 0, Vec::new());
+        while let Some(next) = text[at..].iter().position(|b| *b == b'[').map(|i| at + i) {
+            let Some((lists, end)) = lists(&text, next) else {
+                at = next + 1;
+                continue;
+            };
+            at = end;
+            match lists.iter().map(Vec::len).collect::<Vec<_>>()[..] {
+                [3, 4, 4, 6] => {
+                    let numbers = lists[..2].concat();
+                    let name = name_of(&text, next, ":=");
+                    let length = numbers[3..].iter().map(|n| n.value * n.value).sum::<f64>().sqrt();
+                    if (length - 1.0).abs() > 1e-3 {
+                        let what = format!("the quaternion of {name} has the length {length:.4}");
+                        problems.push(super::at_line(line_of(&text, next), what));
+                    }
+                    let cf = |i: usize| lists[2][i].value as i64;
+                    found.targets.push(ProgramTarget {
+                        name,
+                        line: line_of(&text, next),
+                        numbers: numbers.iter().map(|n| n.value).collect(),
+                        slots: slots(&numbers),
+                        configuration: Some(Configuration::Quadrants([cf(0), cf(1), cf(2)])),
+                    });
+                }
+                [6, 6] => found.joint_targets += 1,
+                _ => {}
+            }
+        }
+        moves(&text, &mut found);
+        super::none(problems)?;
+        Ok(found)
+    }
+}
+
+/// Lists of numbers in brackets in a pair of brackets, and the place behind it.
+fn lists(text: &[u8], at: usize) -> Option<(Vec<Vec<Number>>, usize)> {
+    let (mut all, mut at) = (Vec::new(), at);
+    loop {
+        let (numbers, end) = bracketed(text, at + 1)?;
+        all.push(numbers);
+        at = skip_blanks(text, end);
+        match text.get(at)? {
+            b',' => {}
+            b']' => return Some((all, at + 1)),
+            _ => return None,
+        }
+    }
+}
+
+/// Tools, work objects and functions of targets that its movements name.
+fn moves(text: &[u8], found: &mut Program) {
+    let text = String::from_utf8_lossy(text);
+    for statement in text.split(';').map(str::trim_start) {
+        let lower = statement.to_ascii_lowercase();
+        for function in ["offs", "reltool"] {
+            if lower.contains(&format!("{function}(")) || lower.contains(&format!("{function} (")) {
+                found.computed.insert(if function == "offs" { "Offs" } else { "RelTool" }.to_owned());
+            }
+        }
+        let moves = ["movej", "movel", "movec"].iter().any(|name| lower.starts_with(name));
+        let Some((_, last)) = statement.rsplit_once(',').filter(|_| moves && !lower.starts_with("moveabsj")) else {
+            continue;
+        };
+        let mut parts = last.split('\\').map(str::trim);
+        found.tools.extend(parts.next().filter(|tool| !tool.eq_ignore_ascii_case("tool0")).map(str::to_owned));
+        let object =
+            parts.find_map(|p| p.split_once(":=").filter(|(name, _)| name.trim().eq_ignore_ascii_case("wobj")));
+        let object = object.map(|(_, object)| object.trim()).filter(|object| !object.eq_ignore_ascii_case("wobj0"));
+        found.objects.extend(object.map(str::to_owned));
+    }
+}

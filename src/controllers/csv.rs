@@ -1,0 +1,55 @@
+//! Parameters as a CSV table, for spreadsheets and small scripts. Readers of tables take no comments: what other files begin with are
+//! columns behind the others.
+
+use super::{Exporter, Given, status_word};
+use etalon_base::message::{Message, Result};
+
+/// CSV, one parameter a row.
+pub(super) struct Csv;
+
+const HEADER: [&str; 10] = [
+    "name",
+    "unit",
+    "nominal",
+    "value",
+    "standard_uncertainty",
+    "status",
+    "etalon",
+    "campaign",
+    "robot",
+    "parameters_sha256",
+];
+
+impl Exporter for Csv {
+    fn file_name(&self) -> &'static str {
+        "controller.csv"
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let document = given.parameters;
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let fail = |e: &dyn std::fmt::Display| Message::error(format!("cannot write the parameters as CSV: {e}"));
+        let warning = given.warning();
+        let campaign = given.summary.map_or("", |summary| summary.name.as_str());
+        let about = [&document.provenance.version, campaign, given.robot_name()].map(text);
+        let about = [&about[..], &[given.sha256()?]].concat();
+        let header = HEADER.into_iter().chain(warning.is_some().then_some("warning"));
+        writer.write_record(header).map_err(|e| fail(&e))?;
+        for p in &document.parameters {
+            let u = p.standard_uncertainty.map_or_else(String::new, digits);
+            let row = [text(&p.name), text(&p.unit), digits(p.nominal), digits(p.value), u, status_word(p).to_owned()];
+            writer.write_record(row.iter().chain(&about).chain(&warning)).map_err(|e| fail(&e))?;
+        }
+        Ok(writer.into_inner().map_err(|e| fail(&e))?)
+    }
+}
+
+/// The shortest decimal that reads back bit for bit.
+fn digits(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// Text that no spreadsheet takes for a formula (OWASP, CSV injection).
+fn text(text: &str) -> String {
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text.to_owned() }
+}

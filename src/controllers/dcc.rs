@@ -1,0 +1,315 @@
+//! Draft of a digital calibration certificate: PTB's DCC 3.3.0 with D-SI 2.2.1 (`https://ptb.de/dcc/v3.3.0`).
+//!
+//! It is neither signed nor that of an accredited laboratory, and says so. What the schema asks for and the campaign does not state is
+//! named as not stated.
+
+use super::xml::{Element, element, leaf};
+use super::{Exporter, Given};
+use etalon_base::country::Country;
+use etalon_base::date::date;
+use etalon_base::message::{Message, Result};
+use etalon_documents::{CampaignSummary, Conditions, Issue, ParameterEntry};
+use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+
+/// XML, parameters with their covariance.
+pub(super) struct Dcc;
+
+/// Its file.
+pub const FILE: &str = "calibration_certificate_draft.xml";
+/// Coverage probability of the region of all identified parameters.
+const PROBABILITY: f64 = 0.95;
+
+/// The region that holds all parameters with a probability of 95 %.
+const REGION: &str = "The ellipsoidal region has a coverage probability of 95 % for all identified parameters together \
+                      (JCGM 102:2011, 6.5.2); their standard uncertainties are the square roots of the diagonal.";
+
+impl Exporter for Dcc {
+    fn file_name(&self) -> &'static str {
+        FILE
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let stated = Stated::new(given)?;
+        let root = element("dcc:digitalCalibrationCertificate", [stated.administration(), results(given, &stated)])
+            .with("xmlns:dcc", "https://ptb.de/dcc")
+            .with("xmlns:si", "https://ptb.de/si")
+            .with("schemaVersion", "3.3.0");
+        let header = given.header("D-SI units: mm, deg, 1")?;
+        root.document(&header).map_err(|e| Message::error(format!("cannot write the certificate: {e}")).into())
+    }
+}
+
+/// What the campaign states, and what it does not.
+struct Stated<'a> {
+    given: &'a Given<'a>,
+    conditions: Conditions,
+    identifier: String,
+    begin: String,
+    end: String,
+}
+
+const NOT_STATED: &str = "not stated";
+/// A code that ISO 3166-1 leaves to its users.
+const NO_COUNTRY: &str = "ZZ";
+
+impl<'a> Stated<'a> {
+    fn new(given: &'a Given<'a>) -> Result<Self> {
+        let summary = given.summary;
+        let dates: Vec<String> = summary
+            .and_then(|summary| summary.date.as_deref())
+            .into_iter()
+            .flat_map(str::split_whitespace)
+            .filter(|word| word.len() == 10 && date(word).is_some())
+            .map(str::to_owned)
+            .collect();
+        let missing = || {
+            let message = Message::error("a calibration certificate needs the date of the measurements");
+            message.expected("`date = \"YYYY-MM-DD\"` in campaign.toml").hint("state it and run the campaign again")
+        };
+        let begin = dates.first().ok_or_else(missing)?.clone();
+        let end = dates.get(1).unwrap_or(&begin).clone();
+        let hash = given.sha256()?;
+        let identifier = format!("draft-{}", hash.get(..32).unwrap_or_default());
+        let conditions = summary.map(|summary| summary.conditions.clone()).unwrap_or_default();
+        Ok(Self { given, conditions, identifier, begin, end })
+    }
+
+    fn summary(&self, value: impl Fn(&'a CampaignSummary) -> Option<&'a String>) -> &'a str {
+        self.given.summary.and_then(value).map_or(NOT_STATED, String::as_str)
+    }
+
+    fn issue(&self) -> Issue {
+        self.given.summary.map(|summary| summary.issue.clone()).unwrap_or_default()
+    }
+
+    fn robot(&self) -> &str {
+        self.conditions.robot.as_deref().unwrap_or(self.given.robot_name())
+    }
+
+    fn core_data(&self) -> Element {
+        let (Conditions { robot_received, place, .. }, issue) = (&self.conditions, self.issue());
+        let number =
+            issue.number.as_ref().map(|number| identification("calibrationLaboratory", number, "Report number"));
+        // the laboratory is where nothing else is stated
+        let laboratory = self.conditions.laboratory.as_ref().filter(|_| place.is_none());
+        let core = [
+            Some(leaf("dcc:countryCodeISO3166_1", issue.country.as_ref().map_or(NO_COUNTRY, Country::code))),
+            Some(leaf("dcc:usedLangCodeISO639_1", "en")),
+            Some(leaf("dcc:mandatoryLangCodeISO639_1", "en")),
+            Some(leaf("dcc:uniqueIdentifier", &self.identifier)),
+            number.map(|number| element("dcc:identifications", [number])),
+            robot_received.as_deref().and_then(day).map(|day| leaf("dcc:receiptDate", day)),
+            Some(leaf("dcc:beginPerformanceDate", &self.begin)),
+            Some(leaf("dcc:endPerformanceDate", &self.end)),
+            Some(leaf("dcc:performanceLocation", laboratory.map_or("other", |_| "laboratory"))),
+            issue.issued.as_deref().and_then(day).map(|day| leaf("dcc:issueDate", day)),
+        ];
+        element("dcc:coreData", core.into_iter().flatten())
+    }
+
+    fn administration(&self) -> Element {
+        let Conditions { robot_maker, robot_type, robot_serial_number, .. } = &self.conditions;
+        let issue = self.issue();
+        let software = [
+            text("dcc:name", "etalon"),
+            leaf("dcc:release", &self.given.parameters.provenance.version),
+            leaf("dcc:type", "application"),
+        ];
+        let serial_number = robot_serial_number.iter().map(|n| identification("manufacturer", n, "Serial number"));
+        let named = identification("other", self.robot(), "Robot as the campaign names it");
+        let identifications = serial_number.chain([named]);
+        let item = [
+            Some(text("dcc:name", self.robot())),
+            robot_maker.as_ref().map(|maker| element("dcc:manufacturer", [text("dcc:name", maker)])),
+            robot_type.as_ref().map(|model| leaf("dcc:model", model)),
+            Some(element("dcc:identifications", identifications)),
+        ];
+        let item = item.into_iter().flatten();
+        let laboratory = self.conditions.laboratory.as_deref().unwrap_or(NOT_STATED);
+        let person = |who: &str, role| {
+            let person = element("dcc:person", [text("dcc:name", who)]);
+            element("dcc:respPerson", [person, leaf("dcc:role", role)])
+        };
+        let operator = person(self.summary(|s| s.operator.as_ref()), "operator");
+        let authorised = issue.authorised_by.iter().map(|who| person(who, "authorises the report"));
+        element(
+            "dcc:administrativeData",
+            [
+                element("dcc:dccSoftware", [element("dcc:software", software)]),
+                self.core_data(),
+                element("dcc:items", [element("dcc:item", item)]),
+                element("dcc:calibrationLaboratory", [contact("dcc:contact", laboratory)]),
+                element("dcc:respPersons", [operator].into_iter().chain(authorised)),
+                contact("dcc:customer", issue.customer.as_deref().unwrap_or(NOT_STATED)),
+                element("dcc:statements", self.statements()),
+            ],
+        )
+    }
+
+    fn statements(&self) -> Vec<Element> {
+        let (issue, conditions) = (self.issue(), &self.conditions);
+        let statement =
+            |name: &str, what: &str| element("dcc:statement", [text("dcc:name", name), text("dcc:declaration", what)]);
+        let missing = [
+            ("country (ZZ)", issue.country.is_none()),
+            ("customer", issue.customer.is_none()),
+            ("laboratory", self.conditions.laboratory.is_none()),
+            ("responsible person", self.summary(|s| s.operator.as_ref()) == NOT_STATED),
+            ("instrument", self.summary(|s| s.instrument.as_ref()) == NOT_STATED),
+            ("calibration of the instrument", self.conditions.instrument_calibration.is_none()),
+            ("temperature", self.given.summary.is_none_or(|s| s.temperature_c.is_none())),
+        ];
+        let missing: Vec<&str> = missing.iter().filter(|(_, missing)| *missing).map(|(what, _)| *what).collect();
+        let mut all = vec![
+            statement("Draft", "This is a draft: it is neither signed nor a certificate of an accredited laboratory."),
+            statement("Item", "The results relate only to the item calibrated."),
+            statement("Not stated", &missing.join(", ")),
+        ];
+        let stated = [
+            ("Place", &conditions.place),
+            ("Amends", &issue.amends),
+            ("Results of external providers", &issue.external_results),
+            ("Metrological traceability", &conditions.traceability),
+            ("State of the robot", &conditions.robot_state),
+            ("Environment", &conditions.environment),
+        ];
+        all.extend(stated.into_iter().filter_map(|(name, what)| Some(statement(name, what.as_ref()?))));
+        all.extend(self.given.warning().map(|warning| statement("Failed checks", &warning)));
+        all.extend(
+            self.given.summary.and_then(|s| s.synthetic.as_deref()).map(|what| statement("Synthetic data", what)),
+        );
+        all
+    }
+}
+
+/// The date that a text begins with.
+fn day(stated: &str) -> Option<&str> {
+    date(stated).and_then(|_| stated.get(..10))
+}
+
+fn identification(issuer: &str, value: &str, name: &str) -> Element {
+    element("dcc:identification", [leaf("dcc:issuer", issuer), leaf("dcc:value", value), text("dcc:name", name)])
+}
+
+fn text(name: &'static str, content: &str) -> Element {
+    element(name, [leaf("dcc:content", content)])
+}
+
+fn contact(name: &'static str, who: &str) -> Element {
+    element(name, [text("dcc:name", who), element("dcc:location", [text("dcc:further", NOT_STATED)])])
+}
+
+fn results(given: &Given, stated: &Stated) -> Element {
+    let method = element(
+        "dcc:usedMethod",
+        [
+            text("dcc:name", "Identification of kinematic parameters by weighted least squares"),
+            leaf("dcc:norm", "JCGM 100:2008"),
+        ],
+    );
+    let equipment = element(
+        "dcc:measuringEquipment",
+        [
+            text("dcc:name", stated.summary(|s| s.instrument.as_ref())),
+            text("dcc:description", stated.conditions.instrument_calibration.as_deref().unwrap_or(NOT_STATED)),
+        ],
+    );
+    let mut parts = vec![
+        text("dcc:name", "Kinematic parameters"),
+        element("dcc:usedMethods", [method]),
+        element("dcc:measuringEquipments", [equipment]),
+    ];
+    parts.extend(given.summary.and_then(|s| s.temperature_c).map(|temperature| {
+        let real =
+            element("si:real", [leaf("si:value", format!("{temperature:?}")), leaf("si:unit", r"\degreecelsius")]);
+        let data = element("dcc:data", [element("dcc:quantity", [real])]);
+        let condition = element("dcc:influenceCondition", [text("dcc:name", "Temperature"), data]);
+        element("dcc:influenceConditions", [condition])
+    }));
+    let all = &given.parameters.parameters;
+    let in_matrix: Vec<&ParameterEntry> = match given.parameters.covariance.as_slice() {
+        [] => Vec::new(),
+        _ => given.parameters.identified().collect(),
+    };
+    let apart = |p: &&ParameterEntry| !in_matrix.iter().any(|known| known.name == p.name);
+    let (alone, held): (Vec<_>, Vec<_>) = all.iter().filter(apart).partition(|p| p.standard_uncertainty.is_some());
+    let groups = [
+        ("Identified parameters", REGION, list(&in_matrix, Some(&given.parameters.covariance))),
+        ("Identified parameters whose covariance is left out", "Standard uncertainties.", list(&alone, None)),
+        ("Parameters that are held", "Not identified: they have no uncertainty here.", list(&held, None)),
+    ];
+    let results = groups.into_iter().filter_map(|(name, description, values)| {
+        let quantity = element("dcc:quantity", [values?]);
+        let parts = [text("dcc:name", name), text("dcc:description", description), element("dcc:data", [quantity])];
+        Some(element("dcc:result", parts))
+    });
+    parts.push(element("dcc:results", results));
+    element("dcc:measurementResults", [element("dcc:measurementResult", parts)])
+}
+
+/// Values with their covariance or standard uncertainties; `None` of no parameters.
+fn list(parameters: &[&ParameterEntry], covariance: Option<&Vec<Vec<f64>>>) -> Option<Element> {
+    if parameters.is_empty() {
+        return None;
+    }
+    let join =
+        |words: &dyn Fn(&ParameterEntry) -> String| parameters.iter().map(|p| words(p)).collect::<Vec<_>>().join(" ");
+    let mut parts = vec![
+        leaf("si:labelXMLList", join(&|p| p.name.split_whitespace().collect::<Vec<_>>().join("_"))),
+        leaf("si:valueXMLList", join(&|p| format!("{:?}", p.value))),
+        leaf("si:unitXMLList", join(&|p| unit(&p.unit).to_owned())),
+    ];
+    if let Some(covariance) = covariance {
+        let columns = parameters.iter().enumerate().map(|(j, column)| {
+            let values = covariance.iter().filter_map(|row| Some(format!("{:?}", row.get(j)?)));
+            let covariance = [
+                leaf("si:valueXMLList", values.collect::<Vec<_>>().join(" ")),
+                leaf("si:unitXMLList", join(&|row| product(&row.unit, &column.unit))),
+            ];
+            element("si:columnXMLList", [element("si:covarianceXMLList", covariance)])
+        });
+        let region = [
+            element("si:covarianceMatrixXMLList", columns),
+            leaf("si:coverageFactorXMLList", format!("{:?}", factor(parameters))),
+            leaf("si:coverageProbabilityXMLList", PROBABILITY),
+        ];
+        let region = element("si:ellipsoidalRegionMUXMLList", region);
+        parts.push(element("si:measurementUncertaintyMultivariateXMLList", [region]));
+    } else if parameters.iter().all(|p| p.standard_uncertainty.is_some()) {
+        let u = join(&|p| format!("{:?}", p.standard_uncertainty.unwrap_or_default()));
+        let u = element("si:standardMUXMLList", [leaf("si:valueStandardMUXMLList", u)]);
+        parts.push(element("si:measurementUncertaintyUnivariateXMLList", [u]));
+    }
+    Some(element("si:realListXMLList", parts))
+}
+
+/// The factor of the ellipsoid that holds `m` parameters with 95 %: √χ²(m) (JCGM 102:2011, 6.5.2), or √(m F(m, ν)) where uncertainties are
+/// estimated with ν degrees of freedom.
+fn factor(parameters: &[&ParameterEntry]) -> f64 {
+    let m = parameters.len() as f64;
+    let estimated = parameters.iter().filter_map(|p| p.degrees_of_freedom).reduce(f64::min);
+    let square = match estimated {
+        Some(dof) => FisherSnedecor::new(m, dof).ok().map(|d| m * d.inverse_cdf(PROBABILITY)),
+        None => ChiSquared::new(m).ok().map(|d| d.inverse_cdf(PROBABILITY)),
+    };
+    square.map_or(1.0, |square| square.sqrt().max(1.0))
+}
+
+/// A unit as D-SI spells it.
+fn unit(unit: &str) -> &'static str {
+    match unit {
+        "mm" => r"\milli\metre",
+        "deg" => r"\degree",
+        _ => r"\one",
+    }
+}
+
+/// The unit of a covariance.
+fn product(one: &str, other: &str) -> String {
+    match (unit(one), unit(other)) {
+        (one, other) if one == other && one == r"\one" => one.to_owned(),
+        (one, other) if one == other => format!(r"{one}\tothe{{2}}"),
+        (r"\one", unit) | (unit, r"\one") => unit.to_owned(),
+        (one, other) => format!("{one}{other}"),
+    }
+}

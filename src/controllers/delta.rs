@@ -1,0 +1,224 @@
+//! Deltas in the words of controllers. Klipper and RepRapFirmware have towers that are upright and on one circle, each with its own
+//! direction, rod and end stop; LinuxCNC has three equal legs. What a format cannot hold is in its header.
+//!
+//! Any three upright towers are on a circle about a centre of their own: the frame of the controller is there, turned as its towers are.
+
+use super::{Exporter, Given, value};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::Pose;
+use etalon_robots::{Robot, Role};
+use std::fmt::Write;
+
+/// `[printer] kinematics: delta` of Klipper.
+pub(super) struct Klipper;
+/// `M665` and `M666` of RepRapFirmware.
+pub(super) struct RepRapDelta;
+/// `lineardeltakins` and `rotarydeltakins` of LinuxCNC.
+pub(super) struct DeltaHal;
+
+/// Directions of the towers of both firmwares, deg.
+const TOWERS_DEG: [f64; 3] = [210.0, 330.0, 90.0];
+/// Shift that shows where a tower is, mm.
+const STEP_MM: f64 = 1.0;
+
+/// Upright towers in the frame of a controller.
+struct Towers {
+    /// Centre of the circle in the base, mm.
+    centre_mm: [f64; 2],
+    /// The frame of the controller is turned by this in the base, deg.
+    turned_deg: f64,
+    radius_mm: f64,
+    /// What is added to [`TOWERS_DEG`].
+    corrections_deg: [f64; 3],
+    rods_mm: [f64; 3],
+    /// Height of the platform, in the middle, when a joint value is zero.
+    heights_mm: [f64; 3],
+    /// What the format has no place for.
+    lost: Vec<String>,
+}
+
+impl Towers {
+    fn new(given: &Given, format: &str) -> Result<Self> {
+        let (robot, values) = given.robot()?;
+        let arm = robot.kinematics().filter(|_| robot.model() == "delta_linear").ok_or_else(|| {
+            let message = Message::error(format!("`{}` is not a delta with towers", robot.model()));
+            message.hint(format!("`{format}` has deltas with towers only"))
+        })?;
+        let numbered = |name: &str| -> Result<[f64; 3]> {
+            Ok([
+                value(robot, &values, &format!("{name}_1"))?,
+                value(robot, &values, &format!("{name}_2"))?,
+                value(robot, &values, &format!("{name}_3"))?,
+            ])
+        };
+        let (rods_mm, offsets) = (numbered("rod")?, numbered("offset")?);
+        // squares of the level distances from towers to three places of the platform show where the towers are
+        let squares = |x: f64, y: f64| -> Result<[f64; 3]> {
+            let ways = arm.all_joints(&values, &Pose { translation_mm: [x, y, 0.0], ..Pose::identity() });
+            let joints = ways.first().ok_or_else(|| Message::error("the platform does not reach the middle"))?;
+            Ok([0, 1, 2].map(|i| rods_mm[i].powi(2) - (joints[i] + offsets[i]).powi(2)))
+        };
+        let (middle, along, across) = (squares(0.0, 0.0)?, squares(STEP_MM, 0.0)?, squares(0.0, STEP_MM)?);
+        let place = |i: usize, moved: &[f64; 3]| (middle[i] - moved[i] + STEP_MM * STEP_MM) / (2.0 * STEP_MM);
+        let at = [0, 1, 2].map(|i| [place(i, &along), place(i, &across)]);
+        let centre_mm = centre(at);
+        let from = at.map(|[x, y]| [x - centre_mm[0], y - centre_mm[1]]);
+        let radius_mm = from[0][0].hypot(from[0][1]);
+        let angles = from.map(|[x, y]| y.atan2(x).to_degrees());
+        let off = [0, 1, 2].map(|i| {
+            angles[i]
+                - TOWERS_DEG[i]
+                - ((angles[i] - TOWERS_DEG[i] - angles[0] + TOWERS_DEG[0]) / 360.0).round() * 360.0
+        });
+        let turned_deg = off.iter().sum::<f64>() / 3.0;
+        let corrections_deg = off.map(|v| v - turned_deg);
+        if corrections_deg.iter().any(|v| v.abs() > 30.0) {
+            let message = Message::error("the towers are not 120 deg from each other, counterclockwise from above");
+            return Err(message.hint(format!("number them so, `{format}` has them in this order")).into());
+        }
+        let heights_mm = [0, 1, 2].map(|i| offsets[i] - (rods_mm[i].powi(2) - radius_mm.powi(2)).sqrt());
+        let tilts = robot.parameters().iter().zip(&values).filter(|(p, v)| p.name.starts_with("tower_r") && **v != 0.0);
+        let lost = tilts.map(|(p, v)| format!("{} = {:.6} deg", p.name, v.to_degrees())).collect();
+        Ok(Self { centre_mm, turned_deg: wrap_deg(turned_deg), radius_mm, corrections_deg, rods_mm, heights_mm, lost })
+    }
+
+    /// Lines of a header, after `mark`.
+    fn header(&self, given: &Given, mark: &str) -> Result<String> {
+        let mut out = String::new();
+        for line in given.header("mm, deg")? {
+            let _ = writeln!(out, "{mark} {line}");
+        }
+        let [x, y] = self.centre_mm;
+        let _ = writeln!(
+            out,
+            "{mark} frame of this file in the base: x {x:.6} mm, y {y:.6} mm, turned by {:.6} deg about z",
+            self.turned_deg
+        );
+        if !self.lost.is_empty() {
+            let _ = writeln!(out, "{mark} not in this format, towers are upright: {}", self.lost.join(", "));
+        }
+        Ok(out)
+    }
+}
+
+/// An angle brought to (−180, 180] deg.
+fn wrap_deg(angle: f64) -> f64 {
+    angle - (angle / 360.0).round() * 360.0
+}
+
+/// Centre of the circle through three points.
+fn centre([a, b, c]: [[f64; 2]; 3]) -> [f64; 2] {
+    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+    let (uu, vv) = (u[0] * u[0] + u[1] * u[1], v[0] * v[0] + v[1] * v[1]);
+    let twice = 2.0 * (u[0] * v[1] - u[1] * v[0]);
+    [a[0] + (v[1] * uu - u[1] * vv) / twice, a[1] + (u[0] * vv - v[0] * uu) / twice]
+}
+
+impl Exporter for Klipper {
+    fn file_name(&self) -> &'static str {
+        "klipper_delta.cfg"
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let towers = Towers::new(given, "klipper")?;
+        let mut out = towers.header(given, "#")?;
+        let _ = writeln!(out, "[printer]\nkinematics: delta\ndelta_radius: {:.6}", towers.radius_mm);
+        for (i, name) in ["a", "b", "c"].into_iter().enumerate() {
+            let angle = TOWERS_DEG[i] + towers.corrections_deg[i];
+            let _ = writeln!(out, "\n[stepper_{name}]\nangle: {angle:.6}\narm_length: {:.6}", towers.rods_mm[i]);
+            let _ = writeln!(out, "# position_endstop: {:.6} + the joint value at the end stop", towers.heights_mm[i]);
+        }
+        Ok(out.into_bytes())
+    }
+}
+
+impl Exporter for RepRapDelta {
+    fn file_name(&self) -> &'static str {
+        "reprap_delta.g"
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let towers = Towers::new(given, "reprap-delta")?;
+        let mut out = towers.header(given, ";")?;
+        let mean = towers.heights_mm.iter().sum::<f64>() / 3.0;
+        let ([l1, l2, l3], [x, y, z]) = (towers.rods_mm, towers.corrections_deg);
+        let _ = writeln!(
+            out,
+            "; homed height (H): {mean:.6} + the joint value at the end stops; B is the radius to be used"
+        );
+        let _ = writeln!(out, "M665 L{l1:.6}:{l2:.6}:{l3:.6} R{:.6} X{x:.6} Y{y:.6} Z{z:.6}", towers.radius_mm);
+        let [x, y, z] = towers.heights_mm.map(|v| v - mean);
+        let _ = writeln!(out, "M666 X{x:.6} Y{y:.6} Z{z:.6}");
+        Ok(out.into_bytes())
+    }
+}
+
+impl Exporter for DeltaHal {
+    fn file_name(&self) -> &'static str {
+        "deltakins.hal"
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let (robot, values) = given.robot()?;
+        let pins: &[(&str, &[&str])] = match robot.model() {
+            "delta" => &[
+                ("rotarydeltakins.platformradius", &["base_radius"]),
+                ("rotarydeltakins.thighlength", &["upper_arm"]),
+                ("rotarydeltakins.shinlength", &["rod"]),
+                ("rotarydeltakins.footradius", &["platform_radius"]),
+            ],
+            "delta_linear" => {
+                &[("lineardeltakins.R", &["base_radius", "platform_radius"]), ("lineardeltakins.L", &["rod"])]
+            }
+            other => {
+                let message = Message::error(format!("`{other}` is not a delta"));
+                return Err(message
+                    .hint("`rotarydeltakins` and `lineardeltakins` of LinuxCNC compute deltas only")
+                    .into());
+            }
+        };
+        let mut out = String::new();
+        for line in given.header("mm, deg")? {
+            let _ = writeln!(out, "# {line}");
+        }
+        // as their sources place the legs: rotarydeltakins-common.h, lineardeltakins-common.h
+        let (first, order) = if robot.model() == "delta" { ("-y", "clockwise") } else { ("y", "counterclockwise") };
+        let _ = writeln!(
+            out,
+            "# joint 0 is in direction {first}, joints 1 and 2 are 120 and 240 deg {order} from it, seen from above\n\
+             # three equal legs: means of the parameters; not in this format:"
+        );
+        for lost in lost(robot, &values, pins) {
+            let _ = writeln!(out, "# {lost}");
+        }
+        for (pin, names) in pins {
+            let mut of = Vec::new();
+            for name in *names {
+                of.push(mean(robot, &values, name)?);
+            }
+            let _ = writeln!(out, "setp {pin} {:?}", of.into_iter().reduce(|a, b| a - b).unwrap_or_default());
+        }
+        Ok(out.into_bytes())
+    }
+}
+
+/// Mean of a parameter of all legs.
+fn mean(robot: &dyn Robot, values: &[f64], name: &str) -> Result<f64> {
+    let mut sum = 0.0;
+    for leg in 1..=3 {
+        sum += value(robot, values, &format!("{name}_{leg}"))?;
+    }
+    Ok(sum / 3.0)
+}
+
+/// By how much parameters differ from what the legs have in common.
+fn lost(robot: &dyn Robot, values: &[f64], pins: &[(&str, &[&str])]) -> Vec<String> {
+    let legs = robot.parameters().iter().zip(values).filter(|(p, _)| p.role == Role::Robot);
+    let off = legs.filter_map(|(p, &v)| {
+        let stem = p.name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
+        let has_pin = pins.iter().any(|(_, names)| names.contains(&stem));
+        let rest = v - if has_pin { mean(robot, values, stem).ok()? } else { 0.0 };
+        (rest.abs() > 1e-9).then(|| format!("{} {:+.6} {}", p.name, p.quantity.outward(rest), p.quantity.unit()))
+    });
+    off.collect()
+}

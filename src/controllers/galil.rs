@@ -1,0 +1,157 @@
+//! Galil DMC: parameters as variables of a program, in units in which the controller's fixed point is fine enough.
+//!
+//! A variable has four bytes before the point and two behind it (DMC-2x00 manual): lengths are in um, angles in 1E-6 deg, ratios in 1E-6.
+//! The inverse kinematics of a PreXYT hold what multiplies a length a thousand or a million times: a tangent in steps of 1/65536 would be
+//! off by 3 um at a lever of 400 mm.
+
+use super::{Exporter, Given, value};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_documents::ParameterEntry;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// DMC commands.
+pub(super) struct Galil;
+
+/// Steps of a variable for one.
+const STEPS: f64 = 65_536.0;
+/// Largest variable.
+const LARGEST: f64 = 2_147_483_647.0;
+/// The rounding of a value may be this much of its standard uncertainty.
+const SHARE: f64 = 0.1;
+/// Longest name of a variable.
+const LONGEST: usize = 8;
+
+impl Exporter for Galil {
+    fn file_name(&self) -> &'static str {
+        "etalon_parameters.dmc"
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let header = given.header("um, 1E-6 deg, 1E-6; a variable is a multiple of 1/65536")?;
+        let mut out: String = header.iter().map(|line| format!("REM {line}\n")).collect();
+        out += "#CALPAR\n";
+        let (mut seen, mut problems) = (BTreeMap::new(), Problems::default());
+        for p in &given.parameters.parameters {
+            let name = variable(&p.name);
+            if let Some(other) = seen.insert(name.clone(), &p.name) {
+                let what = format!("parameters `{other}` and `{}` are both `{name}` on a Galil controller", p.name);
+                problems.0.push(Message::error(what).hint("rename one of them, or use another format"));
+            }
+            match fixed_point(p) {
+                Ok(Fixed { value, rounding }) => {
+                    let unit = if p.unit == "1" { "1E-6" } else { unit(p) };
+                    let name_of = super::comment(&p.name);
+                    let _ = writeln!(out, "REM {name_of} in {unit}, rounding {rounding:.1e} {unit}\n{name}={value}");
+                }
+                Err(message) => problems.0.push(message),
+            }
+        }
+        problems.check()?;
+        out += "EN\n";
+        if given.robot.is_some_and(|robot| robot.model() == "prexyt") {
+            out += &prexyt(given)?;
+        }
+        Ok(out.into_bytes())
+    }
+}
+
+/// Inverse kinematics of a PreXYT (thesis, eq. 3.12 to 3.14), by operations from left to right. `KWTAN` is tan θ by its series, to 1E-9 within
+/// 20 degrees; KWE1 to KWE3 are what inverse ratios are more than one, and KWBETA and KWGAMMA tangents, in 1E-6.
+const PREXYT: &str = "\
+#PREXYT
+REM JS#PREXYT: joint values KWR1, KWR2, KWR3 in um of the platform at KWX, KWY in um and
+REM KWT in 1E-6 deg in the base, 20 deg at most, off by less than 0.05 um within 700 mm
+REM KWOK is 1 where it is
+KWOK=0
+IF (@ABS[KWT]<=20000000)
+KWOK=1
+ENDIF
+KWRAD=KWT/57295.779513
+KWSQ=KWRAD*KWRAD/1000
+KWTAN=KWSQ*1.455834/1000+3.592128
+KWTAN=KWTAN*KWSQ/1000+8.863236
+KWTAN=KWTAN*KWSQ/1000+21.869489
+KWTAN=KWTAN*KWSQ/1000+53.968254
+KWTAN=KWTAN*KWSQ/1000+133.333333
+KWTAN=KWTAN*KWSQ/1000+333.333333
+KWTAN=KWTAN*KWSQ/1000+1000
+KWTAN=KWTAN*KWRAD/1000
+KWR1=KWX-KWD-(KWY/1000*KWGAMMA/1000)
+KWR1=KWR1/1000*KWE1/1000+KWR1
+KWR2=KWY-(KWX/1000*KWTAN)
+KWR2=KWR2/1000*KWE2/1000+KWR2
+KWTILT=KWTAN*KWBETA/1000
+KWTILT=KWTILT*1000/(KWTILT/1000+1000)
+KWR3=KWS-KWX/1000*KWTAN+KWY-KWD3
+KWR3=KWR3-(KWR3/1000*KWTILT/1000)
+KWR3=KWR3/1000*KWE3/1000+KWR3
+EN
+";
+/// Largest angle of a rail, ratio's difference from one and length, in units of the program: products stay within a variable.
+const MOST_TILT: f64 = 1e5;
+const MOST_RATIO: f64 = 5e5;
+const MOST_LENGTH: f64 = 2e6;
+
+fn prexyt(given: &Given) -> Result<String> {
+    let (robot, values) = given.robot()?;
+    let of = |name: &str| value(robot, &values, name);
+    let (beta, d3) = (of("beta")?, of("d3")?);
+    let constants = [
+        ("KWBETA", beta.tan() * 1e6, MOST_TILT),
+        ("KWGAMMA", of("gamma")?.tan() * 1e6, MOST_TILT),
+        ("KWE1", (1.0 / of("delta")? - 1.0) * 1e6, MOST_RATIO),
+        ("KWE2", (1.0 / of("delta2")? - 1.0) * 1e6, MOST_RATIO),
+        ("KWE3", (1.0 / (of("delta3")? * beta.cos()) - 1.0) * 1e6, MOST_RATIO),
+        ("KWD", of("d")? * 1e3, MOST_LENGTH),
+        ("KWD3", d3 * 1e3, MOST_LENGTH),
+        ("KWS", (of("s")? - d3 * beta.tan()) * 1e3, MOST_LENGTH),
+    ];
+    let mut out = "REM constants of #PREXYT\n#PRXCON\n".to_owned();
+    for (name, value, most) in constants {
+        // a value that is not a number is refused too
+        if value.abs() <= most {
+            let _ = writeln!(out, "{name}={value:.6}");
+        } else {
+            let what = format!("{name} = {value:.6} is too large for the inverse kinematics on a Galil controller");
+            return Err(Message::error(what).expected(format!("{most} at most")).into());
+        }
+    }
+    Ok(out + "EN\n" + PREXYT)
+}
+
+/// A value as the controller holds it, and what is lost.
+struct Fixed {
+    value: f64,
+    rounding: f64,
+}
+
+fn unit(p: &ParameterEntry) -> &'static str {
+    if p.unit == "mm" { "um" } else { "1E-6 deg" }
+}
+
+fn fixed_point(p: &ParameterEntry) -> std::result::Result<Fixed, Message> {
+    let scale = if p.unit == "mm" { 1e3 } else { 1e6 };
+    let value = (p.value * scale * STEPS).round() / STEPS;
+    let rounding = (value - p.value * scale).abs();
+    if value.abs() > LARGEST {
+        return Err(Message::error(format!("`{}` is too large for a variable of a Galil controller", p.name)));
+    }
+    match p.standard_uncertainty {
+        Some(u) if rounding > SHARE * u * scale => {
+            let (rounding, u) = (rounding / scale, u);
+            let what = format!(
+                "`{}` loses {rounding:.1e} {} on a Galil controller, its uncertainty is {u:.1e}",
+                p.name, p.unit
+            );
+            Err(Message::error(what).hint("use a format of floating-point numbers"))
+        }
+        _ => Ok(Fixed { value, rounding }),
+    }
+}
+
+/// KV and the letters and digits of a name: no command has three letters and more.
+fn variable(name: &str) -> String {
+    let safe = name.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_uppercase());
+    "KV".chars().chain(safe).take(LONGEST).collect()
+}

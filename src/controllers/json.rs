@@ -1,0 +1,65 @@
+//! `etalon/controller/1`: parameters by name, for programs that read JSON.
+
+use super::{Exporter, Given};
+use etalon_base::message::{Message, Result};
+use etalon_documents::ParameterStatus;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// JSON, parameters by name.
+pub(super) struct Json;
+
+#[derive(Serialize)]
+struct Controller<'a> {
+    schema: &'static str,
+    etalon: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    warning: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    campaign: Option<&'a str>,
+    name: &'a str,
+    /// Its model.
+    robot: &'a str,
+    /// sha256 of parameters.json.
+    parameters_sha256: String,
+    parameters: BTreeMap<&'a str, Parameter<'a>>,
+    /// sha256 by name
+    inputs: &'a BTreeMap<String, String>,
+}
+
+#[derive(Serialize)]
+struct Parameter<'a> {
+    value: f64,
+    unit: &'a str,
+    standard_uncertainty: Option<f64>,
+    status: ParameterStatus,
+}
+
+impl Exporter for Json {
+    fn file_name(&self) -> &'static str {
+        "controller.json"
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let document = given.parameters;
+        let parameters = document.parameters.iter().map(|p| {
+            let standard_uncertainty = p.standard_uncertainty;
+            (p.name.as_str(), Parameter { value: p.value, unit: &p.unit, standard_uncertainty, status: p.status })
+        });
+        let controller = Controller {
+            schema: "etalon/controller/1",
+            etalon: &document.provenance.version,
+            warning: given.warning(),
+            campaign: given.summary.map(|summary| summary.name.as_str()),
+            name: given.robot_name(),
+            robot: &document.robot,
+            parameters_sha256: given.sha256()?,
+            parameters: parameters.collect(),
+            inputs: &document.provenance.inputs,
+        };
+        let mut bytes = serde_json::to_vec_pretty(&controller)
+            .map_err(|e| Message::error(format!("cannot write the parameters as JSON: {e}")))?;
+        bytes.push(b'\n');
+        Ok(bytes)
+    }
+}

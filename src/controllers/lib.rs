@@ -1,0 +1,281 @@
+//! Files that a controller loads: one format a file, each a pure function of what is [`Given`].
+//!
+//! All of them write numbers that read back bit for bit, and refuse what must not reach a machine: a value that is not
+//! a number, two parameters of one name, parameters of a solver that did not converge or that cannot be a robot.
+#![allow(non_snake_case)] // world_T_base: frames in names
+
+mod arrays;
+pub mod axis_tables;
+mod c_header;
+mod code;
+pub mod commands;
+mod csv;
+mod dcc;
+mod delta;
+mod galil;
+mod hexapod_hal;
+mod json;
+mod linuxcnc;
+mod linuxcnc_component;
+mod matlab;
+mod plc;
+mod python;
+mod qif;
+mod reprap_five_bar;
+mod targets;
+#[cfg(test)]
+mod tests;
+mod universal_robots;
+mod urdf;
+mod xml;
+
+pub use targets::{places, targets};
+
+pub use dcc::FILE as CERTIFICATE;
+
+pub(crate) use c_header::comment;
+use etalon_base::files;
+use etalon_base::message::{Message, Problems, Result, Severity};
+use etalon_base::pose::{Pose, Vector};
+use etalon_documents::{CampaignSummary, ParameterEntry, ParameterStatus, ParametersDocument, to_json};
+use etalon_robots::{Robot, Role};
+use std::collections::BTreeSet;
+
+/// One controller format.
+pub trait Exporter {
+    /// Name of the file in the output folder.
+    fn file_name(&self) -> &'static str;
+
+    /// The bytes of the file, of parameters that may be written.
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>>;
+
+    /// The bytes of the file.
+    ///
+    /// # Errors
+    /// Parameters that must not reach a controller ([`Given::check`]), or that the format cannot hold.
+    fn write(&self, given: &Given) -> Result<Vec<u8>> {
+        given.check()?;
+        self.bytes(given)
+    }
+}
+
+/// What is exported.
+pub struct Given<'a> {
+    /// Identified parameters.
+    pub parameters: &'a ParametersDocument,
+    /// What the campaign states about itself.
+    pub summary: Option<&'a CampaignSummary>,
+    /// Name of the robot.
+    pub name: Option<&'a str>,
+    /// The robot with nominal parameters, for formats of its kind.
+    pub robot: Option<&'a dyn Robot>,
+    /// The file that describes it, where there is one.
+    pub description: Option<Description<'a>>,
+    /// Write what failed its own checks too: the file then says so.
+    pub force: bool,
+}
+
+/// A file that describes a robot.
+#[derive(Clone, Copy, Debug)]
+pub struct Description<'a> {
+    /// Its name.
+    pub file: &'a str,
+    /// Its text.
+    pub text: &'a str,
+}
+
+impl<'a> Given<'a> {
+    /// Parameters alone.
+    pub fn parameters(parameters: &'a ParametersDocument) -> Self {
+        Self { parameters, summary: None, name: None, robot: None, description: None, force: false }
+    }
+
+    /// What the identification failed of its own checks.
+    fn failed(&self) -> Vec<Message> {
+        let mut failed = Vec::new();
+        if !self.parameters.solver.termination.is_success() {
+            let what = format!("the parameters are not fit for a controller: {}", self.parameters.solver.termination);
+            failed.push(Message::error(what).hint("identify again before exporting"));
+        }
+        failed.extend(self.parameters.messages.iter().filter(|m| m.severity == Severity::Error).cloned());
+        failed
+    }
+
+    /// What a file says of parameters that failed their checks: nothing of others.
+    fn warning(&self) -> Option<String> {
+        let failed: Vec<String> = self.failed().into_iter().map(|message| message.what).collect();
+        (!failed.is_empty()).then(|| format!("NOT FIT FOR A CONTROLLER, written by force: {}", failed.join("; ")))
+    }
+
+    /// Refuses parameters that must not reach a controller.
+    ///
+    /// # Errors
+    /// Numbers that are not finite, two parameters of one name; unless forced a solver that did not converge, or an error among the
+    /// messages of the identification.
+    pub fn check(&self) -> Result<()> {
+        let document = self.parameters;
+        let mut problems = Problems(if self.force { Vec::new() } else { self.failed() });
+        if document.covariance.iter().flatten().any(|v| !v.is_finite()) {
+            problems.0.push(Message::error("the covariance holds a number that is not finite"));
+        }
+        let mut seen = BTreeSet::new();
+        for p in &document.parameters {
+            let numbers = [Some(p.value), Some(p.nominal), p.standard_uncertainty];
+            if numbers.iter().flatten().any(|v| !v.is_finite()) {
+                let what = format!("parameter `{}` has a number that is not finite", p.name);
+                problems.0.push(Message::error(what).expected("finite value, nominal value and uncertainty"));
+            }
+            if !seen.insert(&p.name) {
+                problems.0.push(Message::error(format!("there are two parameters `{}`", p.name)));
+            }
+        }
+        problems.check().map(|_| ())
+    }
+
+    /// Name of the robot as its campaign has it; of parameters alone their model.
+    fn robot_name(&self) -> &'a str {
+        let named = self.name.or_else(|| self.summary?.robot.as_deref());
+        named.unwrap_or(&self.parameters.robot)
+    }
+
+    /// sha256 of parameters.json.
+    fn sha256(&self) -> Result<String> {
+        Ok(files::sha256(&to_json(self.parameters)?))
+    }
+
+    /// The first 128 bits of that hash as a UUID is written: the same parameters have the same identifier.
+    fn identifier(&self) -> Result<String> {
+        let hash = self.sha256()?;
+        let part = |from: usize, to: usize| hash.get(from..to).unwrap_or_default();
+        Ok([part(0, 8), part(8, 12), part(12, 16), part(16, 20), part(20, 32)].join("-"))
+    }
+
+    /// Lines that begin a file: version, campaign, robot, units and the hash of `parameters.json`, in characters that end no comment.
+    ///
+    /// # Errors
+    /// Parameters that cannot be written as JSON.
+    pub fn header(&self, units: &str) -> Result<Vec<String>> {
+        let mut lines = vec![format!("Written by etalon {}", self.parameters.provenance.version)];
+        lines.extend(self.warning());
+        lines.extend(self.summary.map(|summary| format!("campaign: {}", summary.name)));
+        lines.push(format!("robot: {}", self.robot_name()));
+        lines.push(format!("units: {units}"));
+        lines.push(format!("sha256 of parameters.json: {}", self.sha256()?));
+        Ok(lines.iter().map(|line| comment(line)).collect())
+    }
+
+    /// [`Self::header`] of a format that has joints and links alone: it names the effects that it cannot hold.
+    fn header_of_geometry(&self, units: &str) -> Result<Vec<String>> {
+        self.header_without(&["compliance_", "coupling_", "harmonic_", "backlash_"], "not in this format", units)
+    }
+
+    /// [`Self::header`] of code that computes from joint values alone: it names the backlash that it cannot follow.
+    fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
+        self.header_without(&["backlash_"], "joints are taken in the middle of their backlash, not in this code", units)
+    }
+
+    /// [`Self::header`] and the parameters, of those whose names begin with `kinds`, that are left out.
+    fn header_without(&self, kinds: &[&str], why: &str, units: &str) -> Result<Vec<String>> {
+        let of = |entry: &&ParameterEntry| entry.value != 0.0 && kinds.iter().any(|kind| entry.name.starts_with(kind));
+        let left_out: Vec<&str> =
+            self.parameters.parameters.iter().filter(of).map(|entry| entry.name.as_str()).collect();
+        let mut lines = self.header(units)?;
+        if !left_out.is_empty() {
+            lines.push(comment(&format!("{why}: {}", left_out.join(", "))));
+        }
+        Ok(lines)
+    }
+
+    /// The robot, and its parameters as they were identified.
+    fn robot(&self) -> Result<(&'a dyn Robot, Vec<f64>)> {
+        let robot = self.robot.ok_or_else(|| {
+            Message::error("this format needs the robot itself").hint("name its robot.toml: --robot FILE")
+        })?;
+        let mut values = robot.nominal();
+        for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| p.role == Role::Robot) {
+            let entry = self.parameters.parameters.iter().find(|entry| entry.name == p.name);
+            let missing = || {
+                let message = Message::error(format!("the parameters have no `{}`", p.name));
+                message.hint("name the robot.toml that they were identified with")
+            };
+            *value = p.quantity.inward(entry.ok_or_else(missing)?.value);
+        }
+        Ok((robot, values))
+    }
+}
+
+/// Formats of all robots come first: those that are written where none is named.
+const EXPORTERS: [(&str, &dyn Exporter); 25] = [
+    ("json", &json::Json),
+    ("csv", &csv::Csv),
+    ("c-header", &c_header::CHeader),
+    ("matlab", &matlab::Matlab),
+    ("python", &python::Python),
+    ("numpy", &arrays::Npz),
+    ("mat", &arrays::Mat),
+    ("dcc", &dcc::Dcc),
+    ("qif", &qif::Qif),
+    ("galil", &galil::Galil),
+    ("twincat", &plc::TwinCat),
+    ("plcopen", &plc::PlcOpen),
+    ("siemens-scl", &plc::Scl),
+    ("urdf", &urdf::Urdf),
+    ("universal-robots", &universal_robots::UniversalRobots),
+    ("linuxcnc", &linuxcnc::LinuxCnc),
+    ("linuxcnc-hexapod", &hexapod_hal::HexapodHal),
+    ("linuxcnc-component", &linuxcnc_component::LinuxCncComponent),
+    ("linuxcnc-delta", &delta::DeltaHal),
+    ("klipper-delta", &delta::Klipper),
+    ("reprap-delta", &delta::RepRapDelta),
+    ("reprap-five-bar", &reprap_five_bar::RepRapFiveBar),
+    ("c-kinematics", &code::C99),
+    ("python-kinematics", &code::PythonCode),
+    ("structured-text", &code::StructuredText),
+];
+const USUAL: usize = 3;
+
+/// Names of the formats that are written where none is named.
+pub fn usual() -> impl Iterator<Item = &'static str> {
+    EXPORTERS[..USUAL].iter().map(|(name, _)| *name)
+}
+
+/// The format of this name.
+pub fn by_name(name: &str) -> Option<&'static dyn Exporter> {
+    EXPORTERS.iter().find(|(known, _)| *known == name).map(|(_, exporter)| *exporter)
+}
+
+/// Names of the files of all formats.
+pub fn file_names() -> impl Iterator<Item = &'static str> {
+    EXPORTERS.iter().map(|(_, exporter)| exporter.file_name())
+}
+
+/// Names of all formats.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    EXPORTERS.iter().map(|(name, _)| *name)
+}
+
+/// Value of a parameter of a robot by its name.
+fn value(robot: &dyn Robot, values: &[f64], name: &str) -> Result<f64> {
+    let index = robot.index(name).ok_or_else(|| Message::error(format!("the robot has no parameter `{name}`")))?;
+    Ok(values[index])
+}
+
+/// The status as the documents spell it.
+fn status_word(parameter: &ParameterEntry) -> &'static str {
+    match parameter.status {
+        ParameterStatus::Identified => "identified",
+        ParameterStatus::Fixed => "fixed",
+        ParameterStatus::NotIdentifiable => "not_identifiable",
+    }
+}
+
+/// Roll, pitch and yaw, in rad, of Rz(yaw) Ry(pitch) Rx(roll). Where the pitch is a right angle only their sum or difference means
+/// anything: the yaw is then that of the rounding, and the others fit it.
+fn roll_pitch_yaw(pose: &Pose) -> Vector {
+    let r = &pose.rotation;
+    let yaw = r[1][0].atan2(r[0][0]);
+    let (sin, cos) = yaw.sin_cos();
+    let pitch = (-r[2][0]).atan2(cos * r[0][0] + sin * r[1][0]);
+    let roll = (sin * r[0][2] - cos * r[1][2]).atan2(cos * r[1][1] - sin * r[0][1]);
+    [roll, pitch, yaw]
+}

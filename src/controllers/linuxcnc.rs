@@ -1,0 +1,129 @@
+//! Kinematics of LinuxCNC's `genserkins`: modified Denavit-Hartenberg parameters (Craig) of six joints that turn.
+//!
+//! They follow from the axes alone, whatever convention they were identified in: `genserkins` has no Hayati angle, so that near-parallel
+//! axes have their exact, distant common normal. What is before the first joint and behind the last is a frame of its own.
+
+use super::{Exporter, Given, roll_pitch_yaw};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use etalon_robots::JointChain;
+use std::fmt::Write;
+
+/// HAL commands.
+pub(super) struct LinuxCnc;
+
+const JOINTS: usize = 6;
+/// Sine of the angle below which two axes have no common normal of their own.
+const PARALLEL: f64 = 1e-10;
+/// A link shorter than this has no direction, mm.
+const SHORT_MM: f64 = 1.0;
+
+/// A row of the table, the joint offset beside it.
+struct Row {
+    alpha_rad: f64,
+    a_mm: f64,
+    theta_rad: f64,
+    d_mm: f64,
+}
+
+impl Exporter for LinuxCnc {
+    fn file_name(&self) -> &'static str {
+        "genserkins.hal"
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let (robot, values) = given.robot()?;
+        let chain = robot.joint_chain(&values);
+        let chain = chain.filter(|c| c.joints.len() == JOINTS && c.joints.iter().all(|j| !j.prismatic));
+        let chain = chain.ok_or_else(|| {
+            let message = Message::error(format!("`{}` is not an arm of six joints that turn", robot.model()));
+            message.hint("`genserkins` of LinuxCNC computes such arms only")
+        })?;
+        let (base, rows) = table(&chain).ok_or_else(|| Message::error("two axes of the arm are one and the same"))?;
+        let mut out = String::new();
+        for line in given.header_of_geometry("mm, rad; offsets of joints in deg")? {
+            let _ = writeln!(out, "# {line}");
+        }
+        for (name, pose) in [("first frame in the base", &base), ("flange in the last frame", &chain.flange)] {
+            let ([x, y, z], turn) = (pose.translation_mm, roll_pitch_yaw(pose).map(f64::to_degrees));
+            let _ =
+                writeln!(out, "# {name}: xyz {x:?} {y:?} {z:?} mm, rpy {:?} {:?} {:?} deg", turn[0], turn[1], turn[2]);
+        }
+        for (i, (row, joint)) in rows.iter().zip(&chain.joints).enumerate() {
+            let theta = row.theta_rad.to_degrees();
+            let _ = writeln!(
+                out,
+                "# joint {i}: at its zero genserkins has {theta:?} deg; it moves {:?} times its value",
+                joint.gain
+            );
+            for (name, value) in [("A", row.a_mm), ("ALPHA", row.alpha_rad), ("D", row.d_mm)] {
+                let _ = writeln!(out, "setp genserkins.{name}-{i} {value:?}");
+            }
+        }
+        Ok(out.into_bytes())
+    }
+}
+
+/// The first frame in the base, and the parameters of each joint; `None` where two axes are the same line.
+fn table(chain: &JointChain) -> Option<(Pose, Vec<Row>)> {
+    let mut frames: Vec<Pose> = Vec::new();
+    for joint in &chain.joints {
+        frames.push(frames.last().map_or(joint.origin, |last| last.then(&joint.origin)));
+    }
+    // the first frame is the base's, brought to the first axis
+    let (point, z) = (frames[0].translation_mm, frames[0].axis(2));
+    let along = dot(point, z);
+    let origin = [0, 1, 2].map(|i| point[i] - along * z[i]);
+    let x = unit(across([1.0, 0.0, 0.0], z)).or_else(|| unit(across([0.0, 1.0, 0.0], z)))?;
+    let base = frame(origin, x, z);
+    let (mut rows, mut link, mut x, mut foot) = (Vec::new(), (0.0, 0.0), x, origin);
+    for (i, here) in frames.iter().enumerate() {
+        let z = here.axis(2);
+        // where the next common normal leaves this axis, and where it arrives at the next
+        let (next_x, leaves, arrives) = match frames.get(i + 1) {
+            Some(next) => normal(here, next, foot, x)?,
+            None => (here.axis(0), here.translation_mm, here.translation_mm),
+        };
+        let theta_rad = dot(cross(x, next_x), z).atan2(dot(x, next_x));
+        rows.push(Row { alpha_rad: link.0, a_mm: link.1, theta_rad, d_mm: dot(minus(leaves, foot), z) });
+        if let Some(next) = frames.get(i + 1) {
+            let turned = next.axis(2);
+            let alpha_rad = dot(cross(z, turned), next_x).atan2(dot(z, turned));
+            link = (alpha_rad, dot(minus(arrives, leaves), next_x));
+        }
+        (x, foot) = (next_x, arrives);
+    }
+    Some((base, rows))
+}
+
+/// Direction of the common normal of two axes, its feet on both; of parallel ones the normal through `foot`.
+fn normal(here: &Pose, next: &Pose, foot: Vector, x: Vector) -> Option<(Vector, Vector, Vector)> {
+    let (z, turned) = (here.axis(2), next.axis(2));
+    let between = minus(next.translation_mm, here.translation_mm);
+    let common = cross(z, turned);
+    if norm(common) < PARALLEL {
+        let direct = minus(next.translation_mm, foot);
+        let direct = across(direct, z);
+        return Some((unit(direct)?, foot, [0, 1, 2].map(|i| foot[i] + direct[i])));
+    }
+    let square = dot(common, common);
+    let (s, t) = (dot(cross(between, turned), common) / square, dot(cross(between, z), common) / square);
+    let leaves = [0, 1, 2].map(|i| here.translation_mm[i] + s * z[i]);
+    let arrives = [0, 1, 2].map(|i| next.translation_mm[i] + t * turned[i]);
+    let normal = unit(common)?;
+    let length = dot(minus(arrives, leaves), normal);
+    // lengths are positive; what has no length goes on as the axis before
+    let sign = if length.abs() > SHORT_MM { length } else { dot(normal, x) };
+    Some((normal.map(|v| v * 1f64.copysign(sign)), leaves, arrives))
+}
+
+/// What of a vector is across a direction.
+fn across(v: Vector, z: Vector) -> Vector {
+    let along = dot(v, z);
+    [0, 1, 2].map(|i| v[i] - along * z[i])
+}
+
+fn frame(origin: Vector, x: Vector, z: Vector) -> Pose {
+    let y = cross(z, x);
+    Pose { rotation: [0, 1, 2].map(|i| [x[i], y[i], z[i]]), translation_mm: origin }
+}

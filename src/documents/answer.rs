@@ -1,0 +1,130 @@
+//! What commands answer that make no document of a campaign: `--json` of check, formats, report, export, simulate, init.
+
+use super::Source;
+use etalon_base::message::{Message, Severity};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What `etalon check` found. Without errors the exit code is 0, with any it is 2.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CheckDocument {
+    /// `etalon/check/1`
+    pub schema: String,
+    /// The campaign as the user named it.
+    pub campaign: String,
+    /// What must be put right before the campaign can run.
+    pub errors: Vec<Finding>,
+    /// What a report would warn of.
+    pub warnings: Vec<Finding>,
+    /// Files that were read, and the rows refused by rule; empty where reading found errors.
+    pub sources: Vec<Source>,
+}
+
+/// One error or warning. What does not apply is null.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Finding {
+    /// What is wrong, in one sentence.
+    pub what: String,
+    /// In which file.
+    pub file: Option<String>,
+    /// In which line, from 1.
+    pub line: Option<usize>,
+    /// At which character of the line, from 1.
+    pub column: Option<usize>,
+    /// The line itself.
+    pub text: Option<String>,
+    /// What was expected there.
+    pub expected: Option<String>,
+    /// What to do.
+    pub hint: Option<String>,
+}
+
+impl From<&Message> for Finding {
+    fn from(message: &Message) -> Self {
+        let place = message.place.as_deref();
+        Self {
+            what: message.what.clone(),
+            file: place.map(|p| p.file.clone()),
+            line: place.and_then(|p| p.line),
+            column: place.and_then(|p| p.column),
+            text: place.and_then(|p| p.text.clone()),
+            expected: message.expected.clone(),
+            hint: message.hint.clone(),
+        }
+    }
+}
+
+impl CheckDocument {
+    /// Errors and warnings apart.
+    pub fn new(campaign: String, messages: &[Message], sources: Vec<Source>) -> Self {
+        let of = |severity| messages.iter().filter(|m| m.severity == severity).map(Finding::from).collect();
+        Self {
+            schema: "etalon/check/1".to_owned(),
+            campaign,
+            errors: of(Severity::Error),
+            warnings: of(Severity::Warning),
+            sources,
+        }
+    }
+}
+
+/// How a delimited text could be read: what `etalon formats` proposes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FormatsDocument {
+    /// `etalon/formats/1`
+    pub schema: String,
+    /// The file as the user named it.
+    pub file: String,
+    /// Name of the format, where the file states it; it needs no reading then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub format: Option<String>,
+    /// The reading that is proposed, then others that explain the file as well.
+    pub readings: Vec<Reading>,
+    /// Why the first is proposed.
+    pub reasons: Vec<String>,
+    /// Doubts about it.
+    pub doubts: Vec<String>,
+    /// What the file cannot state, and the campaign must.
+    pub questions: Vec<String>,
+    /// The proposal as lines for campaign.toml, with all that as comments.
+    pub toml: String,
+}
+
+/// One reading of a delimited text. The unit of lengths is not part of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Reading {
+    /// As `delimiter` states it in the campaign.
+    pub delimiter: String,
+    /// As `decimal` states it.
+    pub decimal: String,
+    /// As `thousands` states it, where numbers have groups of digits.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thousands: Option<String>,
+    /// Rows before the data.
+    pub header: usize,
+    /// As `columns` states them.
+    pub columns: Vec<String>,
+    /// Share of the rows looked at that have as many fields as most, two of them numbers; from 0 to 1.
+    pub share: f64,
+}
+
+/// Files that a command wrote: report, export, simulate and init.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WrittenDocument {
+    /// `etalon/written/1`
+    pub schema: String,
+    /// Files in the order in which they were written.
+    pub files: Vec<String>,
+}
+
+impl WrittenDocument {
+    /// These files.
+    pub fn new(files: Vec<String>) -> Self {
+        Self { schema: "etalon/written/1".to_owned(), files }
+    }
+}

@@ -1,0 +1,184 @@
+//! `campaign.json`: what the campaign states about itself, the conditions of a test, and the presentation of the report.
+
+use super::DecisionRule;
+use etalon_base::country::Country;
+use etalon_base::pose::Vector;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// What the campaign states about itself, for the head of a report.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CampaignSummary {
+    /// Name of the campaign.
+    pub name: String,
+    /// Name of the robot, where its file states one.
+    #[serde(default)]
+    pub robot: Option<String>,
+    /// Whether its data are synthetic, and what that means; absent for measured data.
+    pub synthetic: Option<String>,
+    /// Remarks.
+    pub notes: Option<String>,
+    /// Date as stated.
+    pub date: Option<String>,
+    /// Operator as stated.
+    pub operator: Option<String>,
+    /// Measuring instrument.
+    pub instrument: Option<String>,
+    /// Expanded uncertainty of one coordinate.
+    pub expanded_uncertainty_um: Option<f64>,
+    /// Its coverage factor.
+    pub coverage_factor: Option<f64>,
+    /// Expanded uncertainty of a position, where it is stated.
+    #[serde(default)]
+    pub expanded_position_uncertainty_um: Option<f64>,
+    /// Decision rule for limits as stated.
+    #[serde(default)]
+    pub decision_rule: Option<DecisionRule>,
+    /// How well the robot finds a measured point again, where stated.
+    pub contact: Option<ContactSummary>,
+    /// Temperature during the campaign.
+    pub temperature_c: Option<f64>,
+    /// Conditions of a test.
+    #[serde(default)]
+    pub conditions: Conditions,
+    /// What identifies the report.
+    #[serde(default)]
+    pub issue: Issue,
+    /// Presentation of the report.
+    #[serde(default)]
+    pub report: Presentation,
+}
+
+/// How well the robot finds a measured point again.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ContactSummary {
+    /// Half width of the interval within which one coordinate repeats.
+    pub repeatability_um: f64,
+    /// The half width in standard deviations.
+    pub coverage_factor: f64,
+}
+
+/// What identifies a report (ISO/IEC 17025:2017, 7.8.2.1). A report lists what is absent as "not stated".
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Issue {
+    /// Number of the report, unique in the laboratory.
+    pub number: Option<String>,
+    /// Number and date of the report that this one amends or replaces, and the reason.
+    pub amends: Option<String>,
+    /// Name and contact of the customer.
+    pub customer: Option<String>,
+    /// Country in which the calibration was made, by ISO 3166-1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub country: Option<Country>,
+    /// Date of issue.
+    pub issued: Option<String>,
+    /// Who authorises the report: name and function.
+    pub authorised_by: Option<String>,
+    /// Results that an external provider obtained, and which.
+    pub external_results: Option<String>,
+}
+
+/// Conditions of a test (ISO 9283:1998, 6 and 12). A report lists what is absent as "not stated".
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Conditions {
+    /// Name and address of the laboratory.
+    pub laboratory: Option<String>,
+    /// Where the measurements were made, if not in the laboratory.
+    pub place: Option<String>,
+    /// The robot in words.
+    pub robot: Option<String>,
+    /// Its manufacturer.
+    pub robot_maker: Option<String>,
+    /// Its type.
+    pub robot_type: Option<String>,
+    /// Its serial number.
+    pub robot_serial_number: Option<String>,
+    /// Date on which it was received for the test.
+    pub robot_received: Option<String>,
+    /// Its state: repaired, adjusted, as found.
+    pub robot_state: Option<String>,
+    /// Make, type and software version of the controller.
+    pub controller: Option<String>,
+    /// How and on what the robot is mounted.
+    pub mounting: Option<String>,
+    /// The point of robot or tool that was measured.
+    pub measurement_point: Option<String>,
+    /// Mass of the load at the mechanical interface.
+    pub load_kg: Option<f64>,
+    /// Centre of mass of the load from the mechanical interface.
+    pub load_centre_mm: Option<Vector>,
+    /// Velocities of the test in per cent of the rated velocity.
+    pub velocities_percent: Option<Vec<f64>>,
+    /// Path velocities of the test.
+    pub velocities_mm_s: Option<Vec<f64>>,
+    /// Room, air, vibrations, electromagnetic fields.
+    pub environment: Option<String>,
+    /// Relative humidity.
+    pub humidity_percent: Option<f64>,
+    /// Duration of motion before the test.
+    pub warm_up_minutes: Option<f64>,
+    /// Certificate of the instrument's calibration, and its date.
+    pub instrument_calibration: Option<String>,
+    /// To which standards the instrument's calibration is traceable, and through which laboratory.
+    pub traceability: Option<String>,
+    /// Deviations from the standard; an empty list states that there are none.
+    pub deviations: Option<Vec<String>>,
+}
+
+impl Conditions {
+    /// Keys and values of the numbers that must be positive.
+    pub fn positive(&self) -> Vec<(&'static str, f64)> {
+        let lists = [("velocities_percent", &self.velocities_percent), ("velocities_mm_s", &self.velocities_mm_s)];
+        let listed = lists.into_iter().flat_map(|(key, list)| list.iter().flatten().map(move |v| (key, *v)));
+        listed.chain(self.humidity_percent.map(|v| ("humidity_percent", v))).collect()
+    }
+
+    /// Keys and values of the numbers that may be zero, and not less.
+    pub fn not_negative(&self) -> Vec<(&'static str, f64)> {
+        let stated = [("load_kg", self.load_kg), ("warm_up_minutes", self.warm_up_minutes)];
+        stated.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
+    }
+}
+
+/// Language of a report. Texts of the campaign stay as they are, messages of the program stay English.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Language {
+    /// English.
+    #[default]
+    En,
+    /// French.
+    Fr,
+    /// German.
+    De,
+}
+
+impl Language {
+    /// As HTML and ISO 639-1 name it.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::En => "en",
+            Self::Fr => "fr",
+            Self::De => "de",
+        }
+    }
+}
+
+/// Presentation of a report, complete, so that the output folder alone is enough to write it again.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Presentation {
+    /// Its language.
+    pub language: Language,
+    /// The laboratory's logo as a data URI (SVG or PNG).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub logo: Option<String>,
+    /// Text of the laboratory's own templates by the name of the file.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub templates: BTreeMap<String, String>,
+}

@@ -1,0 +1,148 @@
+//! The document of an identification: parameters with all that is needed to trust them.
+
+use crate::*;
+use etalon_base::message::Severity;
+use etalon_identify::{
+    Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status, UncertaintySource,
+};
+use etalon_robots::Robot;
+use std::collections::BTreeMap;
+
+/// Says what `found` means: `before` is the same robot with only base and targets fitted.
+pub fn parameters_document(
+    robot: &dyn Robot,
+    settings: &Settings,
+    before: &[f64],
+    found: &Identification,
+    inputs: &BTreeMap<String, String>,
+) -> ParametersDocument {
+    let name = |i: &usize| robot.parameters()[*i].name.clone();
+    let confounded = |i: usize| {
+        let in_group = |g: &&Group| g.held == i || g.with.contains(&i);
+        let members = |g: &Group| g.with.iter().chain([&g.held]).copied().collect::<Vec<_>>();
+        let mut others: Vec<usize> =
+            found.groups.iter().filter(in_group).flat_map(members).filter(|&j| j != i).collect();
+        others.sort_unstable();
+        others.dedup();
+        others.iter().map(name).collect()
+    };
+    let parameters = robot.parameters().iter().enumerate().map(|(i, p)| ParameterEntry {
+        name: p.name.clone(),
+        unit: p.quantity.unit().to_owned(),
+        role: p.role,
+        meaning: p.meaning.to_owned(),
+        nominal: p.quantity.outward(p.nominal),
+        tolerance: p.tolerance_is_stated.then(|| p.quantity.outward(p.tolerance)),
+        before: p.quantity.outward(before[i]),
+        value: p.quantity.outward(found.values[i]),
+        standard_uncertainty: found.standard_uncertainty(i).map(|u| p.quantity.outward(u)),
+        degrees_of_freedom: found.degrees_of_freedom(i),
+        status: match found.status[i] {
+            Status::Identified => ParameterStatus::Identified,
+            Status::Fixed => ParameterStatus::Fixed,
+            Status::NotIdentifiable => ParameterStatus::NotIdentifiable,
+        },
+        confounded_with: confounded(i),
+    });
+    let n = found.free.len();
+    let factor = |k: usize| robot.parameters()[found.free[k]].quantity.outward(1.0);
+    let written: Vec<usize> = (0..n).filter(|&k| !found.eliminated.contains(&found.free[k])).collect();
+    let outward = |c: &Vec<f64>| {
+        let row = |&i: &usize| written.iter().map(|&j| c[i * n + j] * factor(i) * factor(j)).collect();
+        written.iter().map(row).collect()
+    };
+    let covariance = found.covariance.as_ref().map(outward).unwrap_or_default();
+    ParametersDocument {
+        schema: ParametersDocument::SCHEMA.to_owned(),
+        robot: robot.model().to_owned(),
+        parameters: parameters.collect(),
+        sketches: robot.sketches(),
+        covariance,
+        covariance_without: found.eliminated.iter().map(name).collect(),
+        budget: budget(found, &written, &factor),
+        residuals: ResidualSummary {
+            kind: settings.kind,
+            count: found.degrees_of_freedom + n,
+            rms: found.rms,
+            max: found.max,
+            degrees_of_freedom: found.degrees_of_freedom,
+            stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
+            common_standard_uncertainty_mm: settings.common_uncertainty_mm,
+            chi_square: found.chi_square,
+            chi_square_rejected: found
+                .chi_square
+                .is_some_and(|c| etalon_identify::chi_square_exceeds(c, found.degrees_of_freedom)),
+            repeats: found.replicates,
+            uncertainties_from: found.uncertainty_from,
+            uncertainties_enlarged_by: found.inflation_factor,
+        },
+        reliability: None,
+        robust: None,
+        observability: found.observability.as_ref().map(|o| observability_summary(robot, o)),
+        solver: SolverSummary {
+            method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),
+            iterations: found.iterations,
+            termination: found.termination,
+            meaning: found.termination.to_string(),
+        },
+        messages: found.warnings.clone(),
+        provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs: inputs.clone(), seed: None },
+    }
+}
+
+/// What each source contributes to the standard uncertainties of the `written` parameters, in their units.
+fn budget(found: &Identification, written: &[usize], factor: &dyn Fn(usize) -> f64) -> Vec<BudgetSource> {
+    let mut by_source: BTreeMap<UncertaintySource, Vec<f64>> = BTreeMap::new();
+    for (row, &k) in written.iter().enumerate().filter(|_| found.covariance.is_some()) {
+        for (source, variance) in found.budget.of_parameter(k) {
+            by_source.entry(source).or_insert_with(|| vec![0.0; written.len()])[row] = variance.sqrt() * factor(k);
+        }
+    }
+    let entry = |(source, standard_uncertainties)| BudgetSource { source, standard_uncertainties };
+    by_source.into_iter().map(entry).collect()
+}
+
+/// The indices with their scaling, and the singular values with the names of their parameters.
+pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> ObservabilitySummary {
+    let [o1, o2, o3, o4, o5] = o.indices;
+    let named = |s: &SingularValue| SingularValueEntry {
+        value: s.value,
+        parameters: s.parameters.iter().map(|&i| robot.parameters()[i].name.clone()).collect(),
+    };
+    let mut scaling =
+        "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms".to_owned();
+    if o.eliminated > 0 {
+        scaling += &format!(
+            "; of {} parameters, after elimination of the {} coordinates of unknown points",
+            o.rank - o.eliminated,
+            o.eliminated
+        );
+    }
+    ObservabilitySummary {
+        o1,
+        o2,
+        o3,
+        o4,
+        o5,
+        condition: o.condition,
+        rank: o.rank,
+        scaling,
+        singular_values: o.singular_values.iter().map(named).collect(),
+        held_singular_values: o.held_singular_values.iter().map(named).collect(),
+        rank_cut: RANK_TOLERANCE,
+    }
+}
+
+impl ParametersDocument {
+    /// Whether they may reach a controller: no error is among the messages.
+    pub fn is_plausible(&self) -> bool {
+        self.messages.iter().all(|m| m.severity != Severity::Error)
+    }
+}
+
+impl ImportDocument {
+    /// SHA-256 of every input by its name.
+    pub fn inputs(&self) -> BTreeMap<String, String> {
+        self.sources.iter().map(|s| (s.file.clone(), s.sha256.clone())).collect()
+    }
+}

@@ -1,0 +1,77 @@
+//! The types behind every JSON document. A report can be made again from these alone.
+//!
+//! Angles are in degrees, lengths in millimetres; every name carries its unit, every parameter its own.
+#![allow(non_snake_case)] // world_T_base: frames in names
+
+mod accuracy;
+mod answer;
+mod axis;
+mod batch;
+mod campaign;
+mod compare;
+mod compensation;
+mod fit;
+mod frames;
+mod geometric;
+mod identification;
+mod import;
+mod iso9283;
+mod kinematics;
+mod limits;
+mod manifest;
+mod parameters;
+mod plan;
+mod recommendation;
+pub mod schema;
+mod study;
+mod uncertainty;
+mod verification;
+
+pub use accuracy::*;
+pub use answer::*;
+pub use axis::*;
+pub use batch::*;
+pub use campaign::*;
+pub use compare::*;
+pub use compensation::*;
+pub use fit::*;
+pub use frames::*;
+pub use geometric::*;
+pub use identification::{observability_summary, parameters_document};
+pub use import::*;
+pub use iso9283::*;
+pub use kinematics::*;
+pub use limits::*;
+pub use manifest::*;
+pub use parameters::*;
+pub use plan::*;
+pub use recommendation::*;
+pub use study::*;
+pub use uncertainty::*;
+pub use verification::*;
+
+use etalon_base::message::{Message, Result};
+pub use etalon_identify::{Figure, Replicates, ResidualKind, UncertaintyFrom, UncertaintySource};
+pub use etalon_math::Termination;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Where numbers come from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Provenance {
+    /// Version of etalon.
+    pub version: String,
+    /// SHA-256 of every input, by name.
+    pub inputs: std::collections::BTreeMap<String, String>,
+    /// Seed of random numbers, where any were drawn.
+    pub seed: Option<u64>,
+}
+
+/// A document as JSON text with a line end.
+pub fn to_json<T: Serialize>(document: &T) -> Result<Vec<u8>> {
+    let mut bytes = serde_json::to_vec_pretty(document)
+        .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
+    bytes.push(b'\n');
+    Ok(bytes)
+}

@@ -1,0 +1,44 @@
+//! JSON Schema of every document, generated from its type.
+
+use crate::*;
+use schemars::JsonSchema;
+
+/// Name and schema of every document, as in `schemas/`.
+pub fn all() -> Vec<(&'static str, String)> {
+    vec![
+        ("accuracy", schema::<AccuracyDocument>()),
+        ("batch", schema::<BatchDocument>()),
+        ("campaign", schema::<CampaignSummary>()),
+        ("check", schema::<CheckDocument>()),
+        ("compare", schema::<CompareDocument>()),
+        ("compensation", schema::<CompensationDocument>()),
+        ("fit", schema::<FitDocument>()),
+        ("features", schema::<FeaturesDocument>()),
+        ("formats", schema::<FormatsDocument>()),
+        ("frames", schema::<FramesDocument>()),
+        ("geometric", schema::<GeometricDocument>()),
+        ("import", schema::<ImportDocument>()),
+        ("iso230", schema::<AxisDocument>()),
+        ("iso9283", schema::<Iso9283Document>()),
+        ("iso9283-compliance", schema::<Iso9283ComplianceDocument>()),
+        ("iso9283-plan", schema::<Iso9283PlanDocument>()),
+        ("iso9283-stream", schema::<Iso9283StreamDocument>()),
+        ("iso9283-streams", schema::<Iso9283StreamsDocument>()),
+        ("kinematics", schema::<KinematicsDocument>()),
+        ("manifest", schema::<ManifestDocument>()),
+        ("parameters", schema::<ParametersDocument>()),
+        ("plan", schema::<PlanDocument>()),
+        ("recommendation", schema::<RecommendationDocument>()),
+        ("study", schema::<StudiesDocument>()),
+        ("uncertainty", schema::<UncertaintyDocument>()),
+        ("verification", schema::<VerificationDocument>()),
+        ("verification-plan", schema::<VerificationPlanDocument>()),
+        ("written", schema::<WrittenDocument>()),
+    ]
+}
+
+/// The schema of a type as text.
+pub fn schema<T: JsonSchema>() -> String {
+    // a schema is plain JSON: writing it cannot fail
+    serde_json::to_string_pretty(&schemars::schema_for!(T)).unwrap_or_default() + "\n"
+}

@@ -1,0 +1,291 @@
+//! The linear Chebyshev problem: a and b that make z + a x + b y of all rows vary least.
+//!
+//! It is solved on few rows, those farthest out join, and the rows that hold the level stay (exchange: Stiefel 1959).
+//! The level of few rows is never above that of all, so it is a bound at every step. The same of points in the
+//! plane, along a line, is the narrowest strip that holds them; it lies along an edge of their convex hull.
+
+/// The least variation, where it is and what holds it.
+pub(super) struct Level {
+    /// a and b.
+    pub slope: [f64; 2],
+    /// Largest less smallest value of the rows looked at: not above that of all rows, and equal to it at the end.
+    pub spread: f64,
+}
+
+/// Exchanges allowed: tens are used.
+const EXCHANGES: usize = 300;
+/// Rows solved together at most.
+const TOGETHER: usize = 10;
+
+/// Solves for rows (x, y, z); stops as soon as the spread is known to be at least `enough`. `None` where all (x, y) lie
+/// on one line.
+pub(super) fn least_spread(rows: &[[f64; 3]], enough: f64) -> Option<Level> {
+    let mut set = first_rows(rows)?;
+    let mut reached = f64::NEG_INFINITY;
+    let size = |k: usize| rows.iter().fold(0.0f64, |m, row| m.max(row[k].abs()));
+    let sizes = [size(0), size(1), size(2)];
+    for _ in 0..EXCHANGES {
+        let (level, holding) = of_few(rows, &set)?;
+        if level.spread >= enough {
+            return Some(level);
+        }
+        let [a, b] = level.slope;
+        let rounding = 4.0 * f64::EPSILON * (sizes[2] + a.abs() * sizes[0] + b.abs() * sizes[1]);
+        let (low, high) = extremes(rows, level.slope);
+        let spread = value(&rows[high], level.slope) - value(&rows[low], level.slope);
+        if spread <= level.spread + rounding || (set.contains(&low) && set.contains(&high)) {
+            return Some(level);
+        }
+        // where the level does not rise a row may come back: then none is let go
+        if level.spread > reached || set.len() > TOGETHER {
+            set = holding.to_vec();
+        }
+        reached = reached.max(level.spread);
+        set.extend([low, high]);
+        set.sort_unstable();
+        set.dedup();
+    }
+    of_few(rows, &set).map(|(level, _)| level)
+}
+
+/// Four rows that lie between the extremes as long as |a| and |b| are at most `reach`, and leave them beyond: with them
+/// the least spread is that of slopes near zero. None where the extremes can change places within reach.
+pub(super) fn fence(rows: &[[f64; 3]], reach: f64) -> Vec<[f64; 3]> {
+    let (low, high) = extremes(rows, [0.0; 2]);
+    let [x, y, z] = rows[high];
+    // seen from the highest row, which stays where it is
+    let rise = 2f64.sqrt() * reach * (rows[low][0] - x).hypot(rows[low][1] - y);
+    let steep = (z - rows[low][2] - rise) / (2.0 * reach);
+    let aside = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].into_iter().filter(|_| steep > 0.0);
+    aside.map(|[i, j]| [x + i * steep, y + j * steep, z - reach * steep]).collect()
+}
+
+pub(super) fn value(row: &[f64; 3], slope: [f64; 2]) -> f64 {
+    row[2] + slope[0] * row[0] + slope[1] * row[1]
+}
+
+/// Rows of the smallest and the largest value.
+pub(super) fn extremes(rows: &[[f64; 3]], slope: [f64; 2]) -> (usize, usize) {
+    let mut low = (0, f64::INFINITY);
+    let mut high = (0, f64::NEG_INFINITY);
+    for (i, row) in rows.iter().enumerate() {
+        let v = value(row, slope);
+        if v < low.1 {
+            low = (i, v);
+        }
+        if v > high.1 {
+            high = (i, v);
+        }
+    }
+    (low.0, high.0)
+}
+
+/// Three rows that span a triangle and the two of extreme z.
+fn first_rows(rows: &[[f64; 3]]) -> Option<Vec<usize>> {
+    let flat = |i: usize| [rows[i][0], rows[i][1]];
+    let largest = |f: &dyn Fn(usize) -> f64| (0..rows.len()).max_by(|&i, &j| f(i).total_cmp(&f(j)));
+    let distance = |i: usize, j: usize| {
+        let [x, y] = between(flat(i), flat(j));
+        x.hypot(y)
+    };
+    let one = largest(&|i| flat(i)[0])?;
+    let two = largest(&|i| distance(one, i))?;
+    let edge = between(flat(one), flat(two));
+    let area = |i: usize| cross(edge, between(flat(one), flat(i))).abs();
+    let three = largest(&area)?;
+    if area(three) <= 0.0 {
+        return None;
+    }
+    let (low, high) = extremes(rows, [0.0; 2]);
+    let mut set = vec![one, two, three, low, high];
+    set.sort_unstable();
+    set.dedup();
+    Some(set)
+}
+
+/// The solution of the rows in `set` and the four that hold it (fewer where there are only three).
+///
+/// At the minimum four rows lie at the level, above or below: each choice of four and of their sides gives a slope, and
+/// every slope is measured by what it does to the whole set.
+fn of_few(rows: &[[f64; 3]], set: &[usize]) -> Option<(Level, Vec<usize>)> {
+    let mut best: Option<(Level, Vec<usize>)> = None;
+    let mut consider = |slope: [f64; 2], holding: &[usize]| {
+        let (low, high) = set.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &i| {
+            let v = value(&rows[i], slope);
+            (low.min(v), high.max(v))
+        });
+        let spread = high - low;
+        if spread.is_finite() && best.as_ref().is_none_or(|b| spread < b.0.spread) {
+            best = Some((Level { slope, spread }, holding.to_vec()));
+        }
+    };
+    let less = |i: usize, j: usize| [0, 1, 2].map(|k| rows[i][k] - rows[j][k]);
+    if let [i, j, k] = *set {
+        let (u, v) = (less(j, i), less(k, i));
+        let area = u[0] * v[1] - u[1] * v[0];
+        consider([(v[2] * u[1] - u[2] * v[1]) / area, (u[2] * v[0] - v[2] * u[0]) / area], set);
+    }
+    for (p, &i) in set.iter().enumerate() {
+        for (q, &j) in set.iter().enumerate().skip(p + 1) {
+            for (r, &k) in set.iter().enumerate().skip(q + 1) {
+                for &l in &set[r + 1..] {
+                    let edges = [less(j, i), less(k, i), less(l, i)];
+                    // bit by bit whether the row lies on the other side than row i
+                    for sides in 1..8u8 {
+                        if let Some(slope) = level_slope(&edges, sides) {
+                            consider(slope, &[i, j, k, l]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    best
+}
+
+/// a and b with dz + a dx + b dy + s w = 0 for three edges, s = 1 where the bit is set (Cramer's rule).
+fn level_slope(edges: &[[f64; 3]; 3], sides: u8) -> Option<[f64; 2]> {
+    let s = [0, 1, 2].map(|k| f64::from(sides >> k & 1));
+    let minor = |k: usize, l: usize, m: usize, n: usize| edges[k][m] * edges[l][n] - edges[l][m] * edges[k][n];
+    let by_sides = |m: usize, n: usize| s[0] * minor(1, 2, m, n) - s[1] * minor(0, 2, m, n) + s[2] * minor(0, 1, m, n);
+    let determinant = by_sides(0, 1);
+    let slope = [by_sides(1, 2) / determinant, -by_sides(0, 2) / determinant];
+    slope.iter().all(|x| x.is_finite()).then_some(slope)
+}
+
+/// How fast the spread grows with the length of the slope from here, at least, in any direction; negative where it
+/// falls. `upper` and `lower` are the (x, y) of the rows at either level.
+///
+/// It is the distance from zero to the edge of the polygon upper − lower; its edges are those of the two hulls.
+pub(super) fn growth(upper: &[[f64; 2]], lower: &[[f64; 2]]) -> f64 {
+    let mut least = f64::NEG_INFINITY;
+    let farthest = |points: &[[f64; 2]], n: [f64; 2]| {
+        points.iter().fold(f64::NEG_INFINITY, |m, p| m.max(n[0] * p[0] + n[1] * p[1]))
+    };
+    for (points, sign) in [(upper, 1.0), (lower, -1.0)] {
+        let corners = hull(points);
+        let count = corners.len();
+        for k in 0..if count < 2 { 0 } else { count } {
+            let [x, y] = between(points[corners[k]], points[corners[(k + 1) % count]]);
+            let length = sign * x.hypot(y);
+            let outward = [y / length, -x / length];
+            let reach = farthest(upper, outward) + farthest(lower, outward.map(|x| -x));
+            least = if least == f64::NEG_INFINITY { reach } else { least.min(reach) };
+        }
+    }
+    least
+}
+
+/// Corners of the convex hull, anticlockwise, as indices; two for points on a line, one for identical points.
+///
+/// Andrew's monotone chain (1979).
+pub(super) fn hull(points: &[[f64; 2]]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&i, &j| points[i][0].total_cmp(&points[j][0]).then(points[i][1].total_cmp(&points[j][1])));
+    order.dedup_by(|i, j| points[*i] == points[*j]);
+    if order.len() < 3 {
+        return order;
+    }
+    let mut corners = half(points, order.iter().copied());
+    corners.extend(half(points, order.into_iter().rev()));
+    corners
+}
+
+/// One side of the hull without its last corner.
+fn half(points: &[[f64; 2]], order: impl Iterator<Item = usize>) -> Vec<usize> {
+    let mut chain: Vec<usize> = Vec::new();
+    for i in order {
+        while let [.., a, b] = chain[..]
+            && cross(between(points[a], points[b]), between(points[a], points[i])) <= 0.0
+        {
+            chain.pop();
+        }
+        chain.push(i);
+    }
+    chain.pop();
+    chain
+}
+
+/// The narrowest strip that holds the points.
+pub(super) struct Strip {
+    /// Ends of the edge on one side.
+    pub edge: [usize; 2],
+    pub width: f64,
+}
+
+/// One side of the narrowest strip is an edge of the hull (Houle & Toussaint 1988): every edge is tried, the corner
+/// opposite moving on with it. `None` for identical points.
+pub(super) fn narrowest_strip(points: &[[f64; 2]]) -> Option<Strip> {
+    let corners = hull(points);
+    let count = corners.len();
+    let corner = |k: usize| points[corners[k % count]];
+    let mut best: Option<Strip> = None;
+    let mut far = 1;
+    for k in 0..if count < 2 { 0 } else { count } {
+        let edge = between(corner(k), corner(k + 1));
+        far = far.max(k + 1);
+        while far < k + count && cross(edge, between(corner(far), corner(far + 1))) > 0.0 {
+            far += 1;
+        }
+        let width = cross(edge, between(corner(k), corner(far))) / edge[0].hypot(edge[1]);
+        if best.as_ref().is_none_or(|b| width < b.width) {
+            let index = |k: usize| corners[k % count];
+            best = Some(Strip { edge: [index(k), index(k + 1)], width });
+        }
+    }
+    best
+}
+
+pub(super) fn between(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [b[0] - a[0], b[1] - a[1]]
+}
+
+pub(super) fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_base::noise::Noise;
+
+    #[test]
+    fn the_level_is_the_largest_of_all_fours() {
+        // de la Vallée Poussin: the least spread is the largest of the least spreads of four rows
+        for trial in 0..200 {
+            let mut noise = Noise::new(3, trial);
+            let rows: Vec<[f64; 3]> = (0..11).map(|_| [0; 3].map(|_| noise.gaussian(1.0))).collect();
+            let mut largest = 0.0f64;
+            for l in 3..rows.len() {
+                for k in 2..l {
+                    for j in 1..k {
+                        for i in 0..j {
+                            // the one dependence of (1, x, y): sum c = sum c x = sum c y = 0
+                            let four = [i, j, k, l].map(|i| rows[i]);
+                            let c = [0, 1, 2, 3].map(|m| {
+                                let o: Vec<[f64; 3]> = (0..4).filter(|n| *n != m).map(|n| four[n]).collect();
+                                let area = (o[1][0] - o[0][0]) * (o[2][1] - o[0][1])
+                                    - (o[2][0] - o[0][0]) * (o[1][1] - o[0][1]);
+                                if m % 2 == 0 { area } else { -area }
+                            });
+                            let z: f64 = c.iter().zip(four).map(|(c, row)| c * row[2]).sum();
+                            let size: f64 = c.iter().map(|c| c.abs()).sum();
+                            largest = largest.max(2.0 * z.abs() / size);
+                        }
+                    }
+                }
+            }
+            let level = least_spread(&rows, f64::INFINITY).unwrap();
+            assert!((level.spread / largest - 1.0).abs() < 1e-12, "{} {largest}", level.spread);
+        }
+    }
+
+    #[test]
+    fn the_growth_of_crossing_segments() {
+        // upper (±1, 0), lower (0, ±1): upper - lower is the square with corners (±1, ±1)
+        let found = growth(&[[1.0, 0.0], [-1.0, 0.0]], &[[0.0, 1.0], [0.0, -1.0]]);
+        assert!((found - 1.0).abs() < 1e-15, "{found}");
+        assert!(growth(&[[1.0, 0.0], [2.0, 0.0]], &[[0.0, 1.0], [0.0, -1.0]]) < 0.0);
+        assert_eq!(growth(&[[1.0, 0.0]], &[[0.0, 0.0]]), f64::NEG_INFINITY);
+    }
+}

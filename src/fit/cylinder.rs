@@ -1,0 +1,125 @@
+//! Circular cylinder.
+
+use super::chart::Chart;
+use super::circle_and_sphere::taubin;
+use super::cloud::{Cloud, Gather, Source};
+use super::coverage::Arc;
+use super::element::{Element, Settings};
+use super::f64x8::{F64x8, Points};
+use super::result::{Fit, QUANTITIES, largest_component_positive};
+use super::search::{Axial, no_start, rival_warning, search};
+use super::solver::{Surface, refine};
+use etalon_base::message::Result;
+use etalon_base::pose::Vector;
+
+/// Fits a cylinder to at least five points that are not in one plane.
+///
+/// Orthogonal distance to the axis (Shakarji 1998, 3.4). The start is searched over the hemisphere of axes with a
+/// circle for each (after Eberly, "Fitting 3D data with a cylinder", Geometric Tools 2019), the best are followed.
+pub fn cylinder(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    cylinder_of(points.into(), settings)
+}
+
+pub(super) fn cylinder_of(points: Source, settings: &Settings) -> Result<Fit> {
+    let held = settings.check(Element::Cylinder)?;
+    let cloud = Cloud::new(Element::Cylinder, points, settings)?;
+    let radius = settings.held_radius_mm().map(|r| r / cloud.scale_mm);
+    let free = [true, true, false, held.is_none(), held.is_none(), radius.is_none()];
+    let found = search(
+        &cloud,
+        held,
+        free,
+        |few, chart| {
+            let (cost, mut start) = circle_along(few, &chart);
+            start[5] = radius.unwrap_or(start[5]);
+            vec![(cost, start)]
+        },
+        |tube, x| (x[5] > 0.0).then_some((tube, x)),
+        |chart| Tube { chart },
+    );
+    let found = found.ok_or_else(|| no_start(Element::Cylinder))?;
+    let refined = refine(found.surface, &cloud, found.start, free);
+    let chart = refined.surface.chart;
+    let [a, b, h, _, _, radius] = refined.x;
+    let foot = chart.point(a, b, h);
+    let mut fit = refined.to_fit(Element::Cylinder, &cloud, foot, Arc::about(&chart, foot))?;
+    fit.point_along(chart.d0, largest_component_positive(chart.d0));
+    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cylinder)));
+    fit.finished(settings)
+}
+
+/// The circle that the points make seen along the axis.
+fn circle_along(points: &[Vector], chart: &Chart) -> (f64, [f64; 6]) {
+    let flat: Vec<Vector> = points.iter().map(|&q| chart.flat(q)).collect();
+    let (centre, radius) = taubin::<3>(&flat);
+    let cost = Cloud::about(centre, &flat).gather(OffCircle { radius, squares: F64x8::default() });
+    (cost, [centre[0], centre[1], 0.0, 0.0, 0.0, radius])
+}
+
+/// Sum of squared distances from a circle about the origin.
+#[derive(Clone)]
+struct OffCircle {
+    radius: f64,
+    squares: F64x8,
+}
+
+impl Gather for OffCircle {
+    type Sum = f64;
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: F64x8) {
+        let [x, y, _] = q;
+        let off = (x * x).plus(y, y).sqrt() - self.radius;
+        self.squares = self.squares.plus(w * off, off);
+    }
+
+    fn close(self) -> f64 {
+        self.squares.sum()
+    }
+
+    fn join(a: f64, b: f64) -> f64 {
+        a + b
+    }
+}
+
+/// Parameters a, b, h, u, v of the axis (h held at the foot of the centroid) and the radius.
+#[derive(Clone, Copy)]
+pub(super) struct Tube {
+    pub(super) chart: Chart,
+}
+
+impl Surface<6, 1> for Tube {
+    const IDLE: usize = 2;
+
+    #[inline(always)]
+    fn distances(&self, x: &[f64; 6], q: Points) -> [(F64x8, [F64x8; 6]); 1] {
+        let at = self.chart.cylindrical([x[0], x[1], x[2]], x[5], q);
+        let d = at.d_rho;
+        [(at.rho - x[5], [d[0], d[1], d[2], d[3], d[4], F64x8::all(-1.0)])]
+    }
+
+    fn recharted(&self, x: &[f64; 6]) -> (Self, [f64; 6]) {
+        let (chart, mut x) = self.chart.moved(x);
+        x[2] = 0.0;
+        (Self { chart }, x)
+    }
+
+    fn quantities(&self, x: &[f64; 6]) -> [[f64; QUANTITIES]; 6] {
+        let mut by_parameter = self.chart.quantities::<6>();
+        by_parameter[5][6] = 1.0;
+        // the foot of the centroid stays square to the axis
+        for (row, along) in [(3, x[0]), (4, x[1])] {
+            for (quantity, d) in by_parameter[row].iter_mut().zip(self.chart.d0) {
+                *quantity -= along * d;
+            }
+        }
+        by_parameter
+    }
+}
+
+impl Axial<6, 1> for Tube {
+    fn chart(&self) -> &Chart {
+        &self.chart
+    }
+}

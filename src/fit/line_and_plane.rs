@@ -1,0 +1,119 @@
+//! Straight line, in space and in the plane, and plane: through the centroid, along the principal directions of the points.
+
+use super::chart::Chart;
+use super::cloud::{Cloud, Source};
+use super::element::{Element, Settings};
+use super::f64x8::along;
+use super::result::{Fit, Residuals, largest_component_positive, propagate};
+use etalon_base::message::Result;
+use etalon_base::pose::{Vector, cross, dot, minus};
+
+/// Fits a straight line in space to at least two different points; it runs from the first point to the last.
+///
+/// The direction is the principal direction of largest spread of the centred points (Shakarji 1998, 3.1).
+pub fn line(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    fit(Element::Line, points.into(), settings)
+}
+
+/// Fits a straight line in the plane; z of its point and direction is zero.
+pub fn line2d(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
+    fit(Element::Line2d, Source::Plane(points), settings)
+}
+
+pub(super) fn fit(element: Element, points: Source, settings: &Settings) -> Result<Fit> {
+    let held = settings.check(element)?;
+    let cloud = Cloud::new(element, points, settings)?;
+    let direction = from_first_to_last(&cloud, held.unwrap_or(cloud.axes[0]));
+    let flat = element == Element::Line2d;
+    // right-handed with z up in the plane: e2 points to the left of the line
+    let chart = if flat {
+        Chart { d0: direction, e1: [0.0, 0.0, 1.0], e2: [-direction[1], direction[0], 0.0] }
+    } else {
+        Chart::new(direction)
+    };
+    let residuals = Residuals::of(&cloud, |q| {
+        let [x, y, _] = chart.seen(q, [0.0; 3]);
+        [if flat { y } else { (x * x + y * y).sqrt() }]
+    });
+    let (n, squares) = (cloud.len(), residuals.squares);
+    let equations = if flat { n } else { 2 * n };
+    let parameters = (if flat { 1 } else { 2 }) * (if held.is_some() { 1 } else { 2 });
+    let degrees_of_freedom = equations - parameters;
+    let mut fit = Fit::new(element, &cloud, [0.0; 3], residuals);
+    fit.direction = Some(direction);
+    fit.degrees_of_freedom = degrees_of_freedom;
+    if degrees_of_freedom > 0 {
+        let variance = squares / degrees_of_freedom as f64;
+        let place = variance / n as f64;
+        let tilt = if held.is_some() { 0.0 } else { variance / (cloud.spread[0] * cloud.spread[0]) };
+        // in the plane nothing moves along e1 = z
+        let diagonal = if flat { [0.0, place, 0.0, 0.0, tilt] } else { [place, place, 0.0, tilt, tilt] };
+        fit.covariance = Some(propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm));
+    }
+    fit.finished(settings)
+}
+
+/// `d` or its opposite, so that it runs from the first point to the last.
+pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
+    let along = dot(minus(cloud.point(cloud.len() - 1), cloud.point(0)), d);
+    // a closed walk has no direction
+    if along.abs() < 1e-9 {
+        largest_component_positive(d)
+    } else if along < 0.0 {
+        d.map(|x| -x)
+    } else {
+        d
+    }
+}
+
+/// Fits a plane to at least three points that are not on one line.
+///
+/// The normal is the principal direction of least spread of the centred points (Shakarji 1998, 3.2).
+pub fn plane(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    plane_of(points.into(), settings)
+}
+
+pub(super) fn plane_of(points: Source, settings: &Settings) -> Result<Fit> {
+    let held = settings.check(Element::Plane)?;
+    let cloud = Cloud::new(Element::Plane, points, settings)?;
+    let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
+    let residuals = Residuals::of(&cloud, |q| [along(q, normal)]);
+    let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), residuals.squares);
+    let degrees_of_freedom = cloud.len() - if held.is_some() { 1 } else { 3 };
+    let mut fit = Fit::new(Element::Plane, &cloud, [0.0; 3], residuals);
+    fit.direction = Some(normal);
+    fit.degrees_of_freedom = degrees_of_freedom;
+    fit.condition = if held.is_some() { 1.0 } else { cloud.spread[0] / cloud.spread[1] };
+    fit.covariance = variances.map(|diagonal| {
+        // only the height moves the plane: sideways its point may slide
+        propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm)
+    });
+    fit.finished(settings)
+}
+
+/// Variances of (a, b, h, u, v) of the plane, in a chart along the principal axes of the points: with uncorrelated
+/// columns (1, x, y) they are σ²/n, σ²/Σx² and σ²/Σy². `None` without redundancy. `squares` is the weighted sum of
+/// squares of the distances.
+pub(super) fn plane_variances(cloud: &Cloud, normal: Vector, held: bool, squares: f64) -> (Chart, Option<[f64; 5]>) {
+    let free = if held { 1 } else { 3 };
+    let n = cloud.len();
+    let chart = if held {
+        Chart::new(normal)
+    } else {
+        Chart { d0: normal, e1: cloud.axes[0], e2: cross(normal, cloud.axes[0]) }
+    };
+    let variances = (n > free).then(|| {
+        let variance = squares / (n - free) as f64;
+        let tilt = |spread: f64| if held { 0.0 } else { variance / (spread * spread) };
+        [0.0, 0.0, variance / n as f64, tilt(cloud.spread[0]), tilt(cloud.spread[1])]
+    });
+    (chart, variances)
+}
+
+pub(super) fn diagonal_matrix<const N: usize>(diagonal: [f64; N]) -> [[f64; N]; N] {
+    let mut matrix = [[0.0; N]; N];
+    for (i, (row, d)) in matrix.iter_mut().zip(diagonal).enumerate() {
+        row[i] = d;
+    }
+    matrix
+}

@@ -1,0 +1,427 @@
+//! Minimum zone: the line, plane or circle between whose two parallels all points lie closest together (ISO 1101 form); those of
+//! sphere, cylinder and cone are found in [`super::round_zone`].
+//!
+//! Not least squares: four points at most hold the zone, and a single wrong point moves it. Each answer is held by its
+//! contact points, and states whether it was proved that no other place is narrower.
+
+use super::chart::Chart;
+use super::chebyshev::{extremes, fence, growth, least_spread, narrowest_strip};
+use super::cloud::{Cloud, Source};
+use super::element::{Element, Settings, refuse};
+use super::line_and_plane::from_first_to_last;
+use super::result::largest_component_positive;
+use super::round_zone::{cone_zone, cylinder_zone, sphere, too_flat};
+use super::zone::{FARTHEST, MinimumZone, SLACK, sides};
+use etalon_base::message::Result;
+use etalon_base::pose::{Vector, dot, minus, norm, unit};
+use std::collections::VecDeque;
+use std::rc::Rc;
+
+/// The minimum zone of an element; of a line or circle in the plane, z of the points is not looked at.
+///
+/// An error for a line in space and a torus, and for points that do not determine the element, or another as well.
+pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> {
+    let flat = || points.iter().map(|p| [p[0], p[1]]).collect::<Vec<_>>();
+    match element {
+        Element::Line2d => line2d(&flat()),
+        Element::Plane => plane(points),
+        Element::Circle2d => circle2d(&flat()),
+        Element::Circle3d => circle3d(points),
+        Element::Sphere => narrower_than_a_plane(sphere(points)?, points),
+        Element::Cylinder => narrower_than_a_plane(cylinder_zone(points)?, points),
+        Element::Cone => narrower_than_a_plane(cone_zone(points)?, points),
+        Element::Line | Element::Torus => Err(refuse(
+            format!("there is no minimum zone of a {element}"),
+            "line2d, plane, circle2d, circle3d, sphere, cylinder or cone",
+            "leave --minimum-zone out: the fit is by least squares then",
+        )),
+    }
+}
+
+/// Refuses a zone as wide as the minimum zone of a plane: the points do not determine the element.
+fn narrower_than_a_plane(zone: MinimumZone, points: &[Vector]) -> Result<MinimumZone> {
+    let cloud = Cloud::new(zone.element, Source::Space(points.into()), &Settings::default())?;
+    let normalised: Vec<Vector> = cloud.points().collect();
+    let flat = narrow_slab(&normalised, cloud.axes[2]).width;
+    if zone.form_mm >= (flat - SLACK) * cloud.scale_mm && flat > SLACK { Err(too_flat(zone.element)) } else { Ok(zone) }
+}
+
+/// Minimum zone of a circle in space, of at least three points that are not on one line: that of the plane, and in it that
+/// of the circle, of the points projected onto it square to it.
+///
+/// Roundness is a form in a plane section (ISO 1101:2017, 17.4; ISO 12181-1), so the width is that in the plane, and the
+/// plane has its own: its flatness.
+fn circle3d(points: &[Vector]) -> Result<MinimumZone> {
+    let cloud = Cloud::new(Element::Circle3d, Source::Space(points.into()), &Settings::default())?;
+    let flat = plane(points)?;
+    let normal = flat.direction.unwrap_or(cloud.axes[2]);
+    let chart = Chart::new(normal);
+    let projected: Vec<[f64; 2]> = points
+        .iter()
+        .map(|&p| {
+            let [x, y, _] = chart.coordinates(minus(p, flat.point_mm));
+            [x, y]
+        })
+        .collect();
+    let round = circle2d(&projected)?;
+    let [a, b, _] = round.point_mm;
+    let from_plane = chart.point(a, b, 0.0);
+    Ok(MinimumZone {
+        element: Element::Circle3d,
+        point_mm: [0, 1, 2].map(|k| flat.point_mm[k] + from_plane[k]),
+        direction: Some(normal),
+        verified: round.verified && flat.verified,
+        iterations: round.iterations + flat.iterations,
+        plane: Some(Box::new(flat)),
+        ..round
+    })
+}
+
+/// Parts of all places, and points seen from one, that are looked at before a proof is given up.
+const PARTS: usize = 20_000;
+const LOOKS: usize = 10_000_000;
+
+/// Minimum zone of a line in the plane, of at least two different points; it runs from the first point to the last.
+///
+/// Two points hold one side and a third between them the other. Every edge of the convex hull was tried.
+fn line2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
+    let cloud = Cloud::new(Element::Line2d, Source::Plane(points), &Settings::default())?;
+    let flat: Vec<[f64; 2]> = cloud.points().map(|q| [q[0], q[1]]).collect();
+    let strip = narrowest_strip(&flat);
+    let (along, width) = match &strip {
+        Some(strip) => (minus(cloud.point(strip.edge[1]), cloud.point(strip.edge[0])), strip.width),
+        None => (cloud.axes[0], 0.0),
+    };
+    let direction = from_first_to_last(&cloud, unit(along).unwrap_or(cloud.axes[0]));
+    let left = [-direction[1], direction[0], 0.0];
+    let heights: Vec<f64> = cloud.points().map(|q| dot(q, left)).collect();
+    let (zone, middle) = MinimumZone::between(Element::Line2d, &heights, cloud.scale_mm);
+    // the scale is a power of two
+    let found = zone.form_mm / cloud.scale_mm;
+    let holds = || alternate(&cloud, direction, &zone.lower, &zone.upper);
+    Ok(MinimumZone {
+        point_mm: cloud.to_mm(left.map(|x| x * middle)),
+        direction: Some(direction),
+        verified: found <= width + SLACK && (found <= SLACK || holds()),
+        ..zone
+    })
+}
+
+/// Whether the points of one side lie on both sides, along the line, of one of the other: no turn makes it narrower.
+fn alternate(cloud: &Cloud, direction: Vector, lower: &[usize], upper: &[usize]) -> bool {
+    let range = |side: &[usize]| {
+        let along = side.iter().map(|&i| dot(cloud.point(i), direction));
+        along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), t| (l.min(t), h.max(t)))
+    };
+    let (lower, upper) = (range(lower), range(upper));
+    lower.0.max(upper.0) <= lower.1.min(upper.1) + SLACK
+}
+
+/// Minimum zone of a plane, of at least three points that are not on one line.
+///
+/// Three points hold one side and one between them the other, or two and two that cross (Houle & Toussaint 1988).
+///
+/// Seen from a direction d, every direction is d + a e1 + b e2, and the heights of the points over the plane square to
+/// it vary by g(a, b) / √(1 + a² + b²), where g is that of a linear Chebyshev problem. Its minimum is narrower still,
+/// until it is where it was sought. There g ≥ w + κ r at a distance r, so that nothing within 2 κ w / (w² − κ²) is
+/// narrower, and nothing at all where κ ≥ w: the points are flat. Otherwise the other directions are proved wider part by
+/// part: in a triangle of directions within ρ of its middle the width is at least that of the linear problem times cos ρ.
+fn plane(points: &[Vector]) -> Result<MinimumZone> {
+    let cloud = Cloud::new(Element::Plane, Source::Space(points.into()), &Settings::default())?;
+    let normalised: Vec<Vector> = cloud.points().collect();
+    let start = narrow_slab(&normalised, cloud.axes[2]);
+    let (best, verified, iterations) = narrowest_slab(&normalised, start);
+    let normal = largest_component_positive(best.normal);
+    let heights: Vec<f64> = normalised.iter().map(|&q| dot(q, normal)).collect();
+    let (zone, middle) = MinimumZone::between(Element::Plane, &heights, cloud.scale_mm);
+    Ok(MinimumZone {
+        point_mm: cloud.to_mm(normal.map(|x| x * middle)),
+        direction: Some(normal),
+        verified,
+        iterations,
+        ..zone
+    })
+}
+
+/// A direction that no other near it is narrower than.
+#[derive(Clone, Copy)]
+struct Slab {
+    normal: Vector,
+    width: f64,
+    /// Least growth of the variation with the tangent of the angle from here.
+    growth: f64,
+}
+
+impl Slab {
+    /// Cosine of the angle within which no direction is narrower than this one.
+    fn cosine_of_hold(&self) -> f64 {
+        let (w, k) = (self.width, self.growth);
+        if k >= w {
+            return 0.0;
+        }
+        if k <= 0.0 {
+            return 1.0;
+        }
+        let tangent = 2.0 * k * w / ((w - k) * (w + k));
+        1.0 / tangent.hypot(1.0)
+    }
+
+    fn holds(&self, direction: Vector) -> bool {
+        dot(self.normal, direction).abs() >= self.cosine_of_hold()
+    }
+}
+
+fn seen_from(points: &[Vector], chart: &Chart) -> Vec<[f64; 3]> {
+    points.iter().map(|&q| chart.coordinates(q)).collect()
+}
+
+/// From one linear problem to the next until the direction stays.
+fn narrow_slab(points: &[Vector], from: Vector) -> Slab {
+    let mut chart = Chart::new(from);
+    for _ in 0..100 {
+        let Some(level) = least_spread(&seen_from(points, &chart), f64::INFINITY) else { break };
+        let [a, b] = level.slope;
+        chart = Chart::new(chart.point(a, b, 1.0));
+        if a.hypot(b) < 1e-15 {
+            break;
+        }
+    }
+    let rows = seen_from(points, &chart);
+    let heights: Vec<f64> = rows.iter().map(|row| row[2]).collect();
+    let (low, high, lower, upper) = sides(&heights);
+    let flat = |side: &[usize]| side.iter().map(|&i| [rows[i][0], rows[i][1]]).collect::<Vec<_>>();
+    Slab { normal: chart.d0, width: high - low, growth: growth(&flat(&upper), &flat(&lower)) }
+}
+
+/// The narrowest place, whether it was proved to be, and how many directions were looked at.
+fn narrowest_slab(points: &[Vector], start: Slab) -> (Slab, bool, usize) {
+    let mut best = start;
+    if best.width <= SLACK || best.growth >= best.width {
+        return (best, true, 1);
+    }
+    let mut places = vec![best];
+    let pole = [0.0, 0.0, 1.0];
+    let around = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]];
+    let all = Rc::new(points.to_vec());
+    // opposite directions are the same plane: half the octahedron is all
+    let octants = (0..4).map(|k| ([pole, around[k], around[(k + 1) % 4]], Rc::clone(&all)));
+    let mut queue: VecDeque<([Vector; 3], Rc<Vec<Vector>>)> = octants.collect();
+    let (mut looked_at, mut looks) = (1, 0);
+    while let Some((corners, points_here)) = queue.pop_front() {
+        if places.iter().any(|place| corners.iter().all(|&c| place.holds(c))) {
+            continue;
+        }
+        if looked_at == PARTS || looks > LOOKS {
+            return (best, false, looked_at);
+        }
+        looked_at += 1;
+        looks += points_here.len();
+        let [p, q, r] = corners;
+        let Some(middle) = unit(sum(sum(p, q), r)) else { continue };
+        let cosine = corners.iter().fold(1.0f64, |m, &c| m.min(dot(c, middle)));
+        let tangent = (1.0 / (cosine * cosine) - 1.0).max(0.0).sqrt();
+        let chart = Chart::new(middle);
+        let mut rows = seen_from(&points_here, &chart);
+        let within = Rc::new(extreme_within(&points_here, &rows, tangent));
+        rows.extend(fence(&rows, tangent));
+        let enough = (best.width - SLACK) / cosine;
+        if let Some(level) = least_spread(&rows, enough) {
+            if level.spread >= enough {
+                continue;
+            }
+            let [a, b] = level.slope;
+            let width_there = level.spread / a.hypot(b).hypot(1.0);
+            if a.hypot(b) <= 2.0 * tangent && width_there <= best.width + SLACK {
+                let found = narrow_slab(points, chart.point(a, b, 1.0));
+                if found.width < best.width {
+                    best = found;
+                }
+                if !places.iter().any(|place| dot(place.normal, found.normal).abs() > 1.0 - 1e-12) {
+                    places.push(found);
+                }
+            }
+        }
+        let half = |a: Vector, b: Vector| unit(sum(a, b)).unwrap_or(a);
+        let (pq, qr, rp) = (half(p, q), half(q, r), half(r, p));
+        queue.extend([[p, pq, rp], [pq, q, qr], [rp, qr, r], [pq, qr, rp]].map(|part| (part, Rc::clone(&within))));
+    }
+    (best, true, looked_at)
+}
+
+/// The points that can be highest or lowest seen from a direction whose angle to that of `rows` has at most this
+/// tangent: no farther below the highest than their distance from it times the tangent.
+fn extreme_within(points: &[Vector], rows: &[[f64; 3]], tangent: f64) -> Vec<Vector> {
+    let (low, high) = extremes(rows, [0.0; 2]);
+    let may_reach = |i: usize, end: usize| {
+        (rows[i][2] - rows[end][2]).abs() <= tangent * norm(minus(points[i], points[end])) + SLACK
+    };
+    (0..points.len()).filter(|&i| may_reach(i, low) || may_reach(i, high)).map(|i| points[i]).collect()
+}
+
+fn sum(a: Vector, b: Vector) -> Vector {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// Minimum zone of a circle in the plane, of at least three points that are not on one line.
+///
+/// Two points hold the outer circle and two the inner, in turns around it (Rivlin 1979). An error where a line is as
+/// good: the centre would be at infinity.
+///
+/// R² − r² = max(|p|² − 2 c·p) − min(|p|² − 2 c·p) is a linear Chebyshev problem in the centre c. It grows from its
+/// minimum by at least κ a length, and R + r by at most 2: where κ ≥ 2 (R − r) the ring of least area is the narrowest of
+/// all, which holds for whatever is round. Otherwise the plane is searched square by square. Far away a ring is a strip,
+/// so that the narrowest strip bounds the search.
+fn circle2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
+    let cloud = Cloud::new(Element::Circle2d, Source::Plane(points), &Settings::default())?;
+    let flat: Vec<[f64; 2]> = cloud.points().map(|q| [q[0], q[1]]).collect();
+    let Some((best, verified, iterations)) = narrowest_ring(&flat) else {
+        return Err(refuse(
+            "no minimum zone of a circle: the points lie as close to a line as to any circle",
+            "points on an arc that is higher than its form deviation",
+            "measure a longer arc, or look for the minimum zone of a line",
+        ));
+    };
+    let distances = distances(&flat, best.center);
+    let (zone, middle) = MinimumZone::between(Element::Circle2d, &distances, cloud.scale_mm);
+    Ok(MinimumZone {
+        point_mm: cloud.to_mm([best.center[0], best.center[1], 0.0]).map(|x| x + 0.0),
+        radius_mm: Some(middle * cloud.scale_mm),
+        verified,
+        iterations,
+        ..zone
+    })
+}
+
+/// A centre that no other near it is narrower than.
+#[derive(Clone, Copy)]
+struct Ring {
+    center: [f64; 2],
+    width: f64,
+    /// Distance within which no centre is narrower.
+    hold: f64,
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+fn distances(points: &[[f64; 2]], center: [f64; 2]) -> Vec<f64> {
+    points.iter().map(|&p| distance(p, center)).collect()
+}
+
+/// Rows of the linear problem about `center`: the distance of a point is d − u·δ to first order and never less.
+fn rows_about(points: &[[f64; 2]], center: [f64; 2]) -> Vec<[f64; 3]> {
+    let row = |p: &[f64; 2]| {
+        let d = distance(*p, center);
+        let back = |k: usize| if d > 0.0 { (center[k] - p[k]) / d } else { 0.0 };
+        [back(0), back(1), d]
+    };
+    points.iter().map(row).collect()
+}
+
+fn width_of(rows: &[[f64; 3]]) -> (f64, f64) {
+    let (low, high) = rows.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), r| (l.min(r[2]), h.max(r[2])));
+    (high - low, low)
+}
+
+/// From one linear problem to the next, with steps halved until the ring is narrower, until the centre stays.
+fn narrow_ring(points: &[[f64; 2]], from: [f64; 2]) -> Ring {
+    let mut center = from;
+    let mut rows = rows_about(points, center);
+    for _ in 0..100 {
+        let (width, _) = width_of(&rows);
+        let Some(level) = least_spread(&rows, f64::INFINITY) else { break };
+        let halved = (0..40).map(|k| level.slope.map(|s| s * 0.5f64.powi(k)));
+        let mut tried = halved.map(|step| {
+            let center = [center[0] + step[0], center[1] + step[1]];
+            (center, rows_about(points, center))
+        });
+        let Some(next) = tried.find(|(c, rows)| c[0].hypot(c[1]) < FARTHEST && width_of(rows).0 < width) else { break };
+        (center, rows) = next;
+    }
+    let (low, high, lower, upper) = sides(&rows.iter().map(|row| row[2]).collect::<Vec<_>>());
+    let flat = |side: &[usize]| side.iter().map(|&i| [rows[i][0], rows[i][1]]).collect::<Vec<_>>();
+    // a distance is bent by at most e²/2 (r − e) at e from here
+    let k = growth(&flat(&upper), &flat(&lower)).max(0.0);
+    Ring { center, width: high - low, hold: 2.0 * k * low / (1.0 + 2.0 * k) }
+}
+
+/// The narrowest place, whether it was proved to be, and how many centres were looked at; `None` where a strip is as
+/// narrow, or the arc too flat.
+fn narrowest_ring(points: &[[f64; 2]]) -> Option<(Ring, bool, usize)> {
+    let squared: Vec<[f64; 3]> = points.iter().map(|p| [-2.0 * p[0], -2.0 * p[1], p[0] * p[0] + p[1] * p[1]]).collect();
+    let level = least_spread(&squared, f64::INFINITY)?;
+    if level.slope[0].hypot(level.slope[1]) >= FARTHEST {
+        return None;
+    }
+    let best = narrow_ring(points, level.slope);
+    let (_, _, lower, upper) = sides(&distances(points, best.center));
+    let flat = |side: &[usize]| side.iter().map(|&i| [squared[i][0], squared[i][1]]).collect::<Vec<_>>();
+    if best.width <= SLACK || growth(&flat(&upper), &flat(&lower)) >= 2.0 * best.width {
+        return Some((best, true, 1));
+    }
+    search_rings(points, best)
+}
+
+fn search_rings(points: &[[f64; 2]], mut best: Ring) -> Option<(Ring, bool, usize)> {
+    let strip = narrowest_strip(points)?.width;
+    let size = distances(points, [0.0; 2]).into_iter().fold(0.0, f64::max);
+    // at a distance t from the origin a ring is at most this much narrower than the strip across
+    let bend = |t: f64| if t > size { size * size / (2.0 * (t - size)) } else { f64::INFINITY };
+    let margin = (strip - best.width).max(1e-3 * size);
+    let mut places = vec![best];
+    let all = Rc::new(points.to_vec());
+    let mut queue = VecDeque::from([([0.0; 2], size + size * size / (2.0 * margin), all)]);
+    let (mut looked_at, mut looks) = (1, 0);
+    let mut verified = true;
+    while let Some((middle, half, points_here)) = queue.pop_front() {
+        let radius = half * 2f64.sqrt();
+        let inside = |place: &Ring| distance(place.center, middle) + radius <= place.hold;
+        let goal = best.width.min(strip) - SLACK;
+        let nearest = distance(middle, [0.0; 2]) - radius;
+        if places.iter().any(inside) || strip - bend(nearest) >= goal {
+            continue;
+        }
+        if looked_at == PARTS || looks > LOOKS {
+            verified = false;
+            break;
+        }
+        looked_at += 1;
+        looks += points_here.len();
+        let mut rows = rows_about(&points_here, middle);
+        let (width, inner) = width_of(&rows);
+        // two unit vectors to points of the cloud differ by what it subtends: so much a width changes with a length
+        let change = radius * if nearest > size { 2.0 * size / nearest } else { 2.0 };
+        if width - change >= goal {
+            continue;
+        }
+        // only these can be the farthest or nearest from a centre in the square
+        let reach = |row: &[f64; 3]| row[2] <= inner + change + SLACK || row[2] >= inner + width - change - SLACK;
+        let within: Vec<[f64; 2]> = points_here.iter().zip(&rows).filter(|(_, r)| reach(r)).map(|(p, _)| *p).collect();
+        let within = Rc::new(within);
+        rows.extend(fence(&rows, radius));
+        let bent = if inner > radius { radius * radius / (2.0 * (inner - radius)) } else { f64::INFINITY };
+        let enough = goal + bent;
+        if let Some(level) = least_spread(&rows, enough) {
+            if level.spread >= enough {
+                continue;
+            }
+            let there = [middle[0] + level.slope[0], middle[1] + level.slope[1]];
+            let near = distance(there, middle) <= 2.0 * radius;
+            if near && width_of(&rows_about(&points_here, there)).0 <= best.width + SLACK {
+                let found = narrow_ring(points, there);
+                if found.width < best.width {
+                    best = found;
+                }
+                if !places.iter().any(|place| distance(place.center, found.center) < 1e-9) {
+                    places.push(found);
+                }
+            }
+        }
+        let quarter = 0.5 * half;
+        for (i, j) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+            queue.push_back(([middle[0] + i * quarter, middle[1] + j * quarter], quarter, Rc::clone(&within)));
+        }
+    }
+    (best.width < strip - SLACK).then_some((best, verified, looked_at))
+}

@@ -1,0 +1,463 @@
+//! What every fit answers: the element, its residuals, how well it is known and how the solver ended; and the element
+//! that a probe touched, where the points are the centres of its ball.
+//!
+//! The centres of a probe that touches a surface lie on its parallel surface x + r n (do Carmo 1976, "Differential
+//! geometry of curves and surfaces", section 3.5, exercise 11), and orthogonal distances to parallel surfaces differ
+//! by the constant r. So the element is fitted to the centres as they are, and then moved by r: no point is moved,
+//! residuals and their variance stay, and the answer is that of a fit to the contact points.
+
+use super::cloud::{Cloud, Gather};
+use super::element::{Element, Probe, Settings, Side, refuse};
+use super::f64x8::{F64x8, Points};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
+use etalon_math::{Termination, symmetric_eigen};
+
+/// Number of quantities in a [`Covariance`].
+pub const QUANTITIES: usize = 9;
+
+/// Covariance of point (x, y, z, mm), direction (x, y, z), radius (mm), minor radius (mm) and apex angle (rad), in
+/// this order; rows and columns of what an element does not have, or what was held, are zero.
+///
+/// It is propagated to first order from σ² (JᵀJ)⁻¹, with σ² the variance of the residuals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Covariance(pub [[f64; QUANTITIES]; QUANTITIES]);
+
+/// G C Gᵀ, with lengths brought from normalised units to mm (JCGM 102:2011, 6.2.1.3).
+pub(super) fn propagate<const N: usize>(
+    local: &[[f64; N]; N],
+    by_parameter: &[[f64; QUANTITIES]; N],
+    scale_mm: f64,
+) -> Covariance {
+    let unit = |q: usize| if q < 3 || q == 6 || q == 7 { scale_mm } else { 1.0 };
+    let mut covariance = [[0.0; QUANTITIES]; QUANTITIES];
+    for (i, gi) in by_parameter.iter().enumerate() {
+        for (j, gj) in by_parameter.iter().enumerate() {
+            for (p, row) in covariance.iter_mut().enumerate() {
+                for (q, c) in row.iter_mut().enumerate() {
+                    *c += gi[p] * unit(p) * local[i][j] * gj[q] * unit(q);
+                }
+            }
+        }
+    }
+    Covariance(covariance)
+}
+
+/// Standard uncertainties, the square roots of the diagonal of a [`Covariance`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StandardUncertainty {
+    /// Of each coordinate of the point.
+    pub point_mm: Vector,
+    /// Of the point in its most uncertain direction.
+    pub point_largest_mm: f64,
+    /// Of the direction, the angle about its most uncertain axis.
+    pub direction_rad: Option<f64>,
+    /// Of the radius.
+    pub radius_mm: Option<f64>,
+    /// Of the minor radius of a torus.
+    pub minor_radius_mm: Option<f64>,
+    /// Of the full apex angle of a cone.
+    pub apex_angle_rad: Option<f64>,
+}
+
+/// What is left of the points, in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residuals {
+    /// Root of the mean square.
+    pub rms: f64,
+    /// Smallest.
+    pub least: f64,
+    /// Largest.
+    pub most: f64,
+    /// Weighted sum of squares, over all equations.
+    pub squares: f64,
+}
+
+impl Residuals {
+    /// Of all points, by their `K` distances; the first of these is the residual.
+    pub(super) fn of<const K: usize>(cloud: &Cloud, distances: impl Fn(Points) -> [F64x8; K] + Sync) -> Self {
+        Self::and(cloud, distances, ()).0
+    }
+
+    /// [`Residuals::of`], and in the same look at the points something else.
+    pub(super) fn and<const K: usize, G: Gather>(
+        cloud: &Cloud,
+        distances: impl Fn(Points) -> [F64x8; K] + Sync,
+        other: G,
+    ) -> (Self, G::Sum) {
+        let (zero, least, most) = (F64x8::default(), F64x8::all(f64::INFINITY), F64x8::all(f64::NEG_INFINITY));
+        let remaining = Remaining { distances: &distances, squares: zero, plain: zero, least, most };
+        let ([squares, plain, least, most], other) = cloud.gather((remaining, other));
+        (Self { rms: (plain / cloud.len() as f64).sqrt(), least, most, squares }, other)
+    }
+
+    fn scaled(self, scale: f64) -> Self {
+        Self {
+            rms: self.rms * scale,
+            least: self.least * scale,
+            most: self.most * scale,
+            squares: self.squares * scale * scale,
+        }
+    }
+}
+
+/// Weighted squares of all distances of a point, and squares, smallest and largest of the first.
+struct Remaining<'a, F> {
+    distances: &'a F,
+    squares: F64x8,
+    plain: F64x8,
+    least: F64x8,
+    most: F64x8,
+}
+
+impl<F> Clone for Remaining<'_, F> {
+    fn clone(&self) -> Self {
+        Self { ..*self }
+    }
+}
+
+impl<const K: usize, F: Fn(Points) -> [F64x8; K] + Sync> Gather for Remaining<'_, F> {
+    type Sum = [f64; 4];
+
+    #[inline(always)]
+    fn take(&mut self, q: Points, w: F64x8) {
+        let distances = (self.distances)(q);
+        for d in distances {
+            self.squares = self.squares.plus(w * d, d);
+        }
+        self.plain = self.plain.plus(w.presence() * distances[0], distances[0]);
+        self.least = self.least.min(distances[0]);
+        self.most = self.most.max(distances[0]);
+    }
+
+    fn close(self) -> [f64; 4] {
+        [self.squares.sum(), self.plain.sum(), self.least.least(), self.most.most()]
+    }
+
+    fn join(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        [a[0] + b[0], a[1] + b[1], a[2].min(b[2]), a[3].max(b[3])]
+    }
+}
+
+/// An element fitted to points by least squares of orthogonal distances.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit {
+    /// Which element.
+    pub element: Element,
+    /// Centre of a circle, sphere or torus; for a plane or line the centroid of the points; for a cylinder or cone
+    /// the foot of that centroid on the axis.
+    pub point_mm: Vector,
+    /// Unit normal of a plane, circle or torus (its largest component is positive); unit direction of a line (from
+    /// the first point to the last); unit axis of a cylinder (largest component positive) or cone (to larger radii).
+    pub direction: Option<Vector>,
+    /// Radius of a circle, sphere or cylinder; of a cone the radius of its section at `point_mm` (square to the
+    /// axis); of a torus the radius of the circle that its tube is bent along.
+    pub radius_mm: Option<f64>,
+    /// Radius of the tube of a torus.
+    pub minor_radius_mm: Option<f64>,
+    /// Full apex angle of a cone.
+    pub apex_angle_rad: Option<f64>,
+    /// Number of points.
+    pub points: usize,
+    /// What is left: the orthogonal distances of the points ([`Fit::residual_mm`] gives that of one).
+    pub residuals: Residuals,
+    /// For a circle in space the root of the mean square of the distances from its plane.
+    pub out_of_plane_rms_mm: Option<f64>,
+    /// Equations less parameters.
+    pub degrees_of_freedom: usize,
+    /// How well the quantities are known; `None` without redundancy.
+    pub covariance: Option<Covariance>,
+    /// How much of the circumference has points: the full turn less the largest gap; for a sphere the full angle of
+    /// the cap that holds the points.
+    pub coverage_rad: Option<f64>,
+    /// Largest over smallest singular value of the Jacobian with columns of length one.
+    pub condition: f64,
+    /// Where the points are probe centres: what was fitted to them, before it was moved to what the probe touched.
+    pub compensation: Option<Compensation>,
+    /// Name of the method.
+    pub method: &'static str,
+    /// Steps of the solver; zero where the solution is closed.
+    pub iterations: usize,
+    /// Why the solver stopped.
+    pub termination: Termination,
+    /// What a person must know before using the numbers.
+    pub warnings: Vec<Message>,
+}
+
+impl Fit {
+    /// A fit with closed solution and nothing but its point; `residuals` in normalised units.
+    pub(super) fn new(element: Element, cloud: &Cloud, point: Vector, residuals: Residuals) -> Self {
+        Self {
+            element,
+            point_mm: cloud.to_mm(point),
+            direction: None,
+            radius_mm: None,
+            minor_radius_mm: None,
+            apex_angle_rad: None,
+            points: cloud.len(),
+            residuals: residuals.scaled(cloud.scale_mm),
+            out_of_plane_rms_mm: None,
+            degrees_of_freedom: 0,
+            covariance: None,
+            coverage_rad: None,
+            condition: 1.0,
+            compensation: None,
+            method: "principal directions of the centred points",
+            iterations: 0,
+            termination: Termination::StepVanished,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Orthogonal distance of a point, positive outside (circle, sphere, cylinder, cone, torus), on the side of
+    /// the normal (plane) or to the left (line in the plane); a line in space has distances without sign. For a
+    /// circle in space the distance from the circle within its plane; in the plane z is not looked at. Of a
+    /// compensated fit it is the distance from what the probe touched.
+    pub fn residual_mm(&self, point_mm: Vector) -> f64 {
+        let mut w = minus(point_mm, self.point_mm);
+        if matches!(self.element, Element::Line2d | Element::Circle2d) {
+            w[2] = 0.0;
+        }
+        let d = self.direction.unwrap_or([0.0, 0.0, 1.0]);
+        let (rho, t) = (norm(cross(d, w)), dot(w, d));
+        let radius = self.radius_mm.unwrap_or(0.0);
+        match self.element {
+            Element::Line2d => d[0] * w[1] - d[1] * w[0],
+            Element::Plane => t,
+            Element::Sphere => norm(w) - radius,
+            Element::Line | Element::Circle2d | Element::Circle3d | Element::Cylinder => rho - radius,
+            Element::Cone => {
+                let (sin, cos) = (self.apex_angle_rad.unwrap_or(0.0) / 2.0).sin_cos();
+                (rho - radius) * cos - t * sin
+            }
+            Element::Torus => (rho - radius).hypot(t) - self.minor_radius_mm.unwrap_or(0.0),
+        }
+    }
+
+    /// Root of the mean square of the residuals.
+    pub fn rms_mm(&self) -> f64 {
+        self.residuals.rms
+    }
+
+    /// Largest residual without its sign.
+    pub fn max_mm(&self) -> f64 {
+        self.residuals.most.max(-self.residuals.least)
+    }
+
+    /// Form deviation, peak to valley: largest less smallest residual; for a line in space the diameter about it.
+    pub fn form_mm(&self) -> f64 {
+        if self.element == Element::Line {
+            return 2.0 * self.max_mm();
+        }
+        self.residuals.most - self.residuals.least
+    }
+
+    /// How much of the circumference has points, in degrees.
+    pub fn coverage_deg(&self) -> Option<f64> {
+        self.coverage_rad.map(f64::to_degrees)
+    }
+
+    /// Apex of a cone; `None` for other elements.
+    pub fn apex_mm(&self) -> Option<Vector> {
+        let (d, r, angle) = (self.direction?, self.radius_mm?, self.apex_angle_rad?);
+        let back = r / (angle / 2.0).tan();
+        let p = self.point_mm;
+        back.is_finite().then(|| [p[0] - back * d[0], p[1] - back * d[1], p[2] - back * d[2]])
+    }
+
+    /// Standard uncertainties; `None` without redundancy.
+    pub fn standard_uncertainty(&self) -> Option<StandardUncertainty> {
+        let c = &self.covariance?.0;
+        let root = |i: usize| c.get(i).and_then(|row| row.get(i)).map_or(0.0, |v| v.max(0.0).sqrt());
+        let block = |k: usize| {
+            let block = [0, 1, 2].map(|i| [0, 1, 2].map(|j| c[k + i][k + j]));
+            let (values, _) = symmetric_eigen(block);
+            values.iter().fold(0.0f64, |m, v| m.max(*v)).sqrt()
+        };
+        Some(StandardUncertainty {
+            point_mm: [root(0), root(1), root(2)],
+            point_largest_mm: block(0),
+            direction_rad: self.direction.map(|_| block(3)),
+            radius_mm: self.radius_mm.map(|_| root(6)),
+            minor_radius_mm: self.minor_radius_mm.map(|_| root(7)),
+            apex_angle_rad: self.apex_angle_rad.map(|_| root(8)),
+        })
+    }
+
+    /// Sets the direction to `wanted`, which is `axis` or its opposite; the covariance was found for `axis`.
+    pub(super) fn point_along(&mut self, axis: Vector, wanted: Vector) {
+        self.direction = Some(wanted);
+        let turned = self.covariance.iter_mut().filter(|_| dot(axis, wanted) < 0.0);
+        for (i, row) in turned.flat_map(|c| c.0.iter_mut().enumerate()) {
+            for (j, v) in row.iter_mut().enumerate() {
+                if (3..6).contains(&i) != (3..6).contains(&j) {
+                    *v = -*v;
+                }
+            }
+        }
+    }
+
+    /// The answer: of what a probe touched, where there is one, and with its warnings.
+    pub(super) fn finished(self, settings: &Settings) -> Result<Self> {
+        Ok(self.compensated(settings.probe)?.with_warnings())
+    }
+
+    /// Adds the warnings that follow from redundancy and from how well the radius is known.
+    fn with_warnings(mut self) -> Self {
+        if self.degrees_of_freedom == 0 {
+            let what = format!(
+                "the {} has no redundant point: residuals are zero and no uncertainty can be stated",
+                self.element
+            );
+            self.warnings.push(Message::warning(what).hint("measure more points than the minimum"));
+        }
+        let uncertain = self.standard_uncertainty().and_then(|u| Some((u.radius_mm?, self.radius_mm?)));
+        // k = 2 (95 %) above a tenth of the radius: the size is a guess
+        if let Some((u, radius)) = uncertain.filter(|(u, radius)| 2.0 * u > 0.1 * radius) {
+            let covered = self.coverage_deg().map_or(String::new(), |d| format!(" over {d:.0} degrees"));
+            let what = format!(
+                "the radius {radius:.6} mm of the {} has an expanded uncertainty of {:.2e} mm (k = 2){covered}",
+                self.element,
+                2.0 * u
+            );
+            let hint = "measure a longer arc, or hold the radius at its nominal value";
+            self.warnings.push(Message::warning(what).hint(hint));
+        }
+        self
+    }
+}
+
+/// `d` or its opposite, so that its largest component is positive.
+pub(super) fn largest_component_positive(d: Vector) -> Vector {
+    let largest = d.iter().fold(0.0f64, |m, x| if x.abs() > m.abs() + 1e-9 { *x } else { m });
+    if largest < 0.0 { d.map(|x| -x) } else { d }
+}
+
+/// What was fitted to the probe centres before compensation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compensation {
+    /// The probe.
+    pub probe: Probe,
+    /// Point of the uncompensated fit.
+    pub point_mm: Vector,
+    /// Radius of the uncompensated fit.
+    pub radius_mm: Option<f64>,
+    /// Minor radius of the uncompensated fit.
+    pub minor_radius_mm: Option<f64>,
+}
+
+/// A direction that makes less than 5 degrees with a plane (or with a line) does not say on which side of it a probe was.
+const LEAST_SINE: f64 = 0.087;
+
+impl Fit {
+    /// The element that was touched, from the fit to the centres of the probe; the same fit without a probe.
+    ///
+    /// # Errors
+    /// If the side does not fit the element, or the probe would not fit on it.
+    pub fn compensated(mut self, probe: Option<Probe>) -> Result<Self> {
+        let Some(probe) = probe else { return Ok(self) };
+        probe.check(self.element)?;
+        if self.compensation.is_some() {
+            return Err(refuse("the fit is compensated already", "a fit to probe centres", "compensate once"));
+        }
+        let (point_mm, radius_mm, minor_radius_mm) = (self.point_mm, self.radius_mm, self.minor_radius_mm);
+        let moves = self.moves(&probe)?;
+        if let Some(Covariance(c)) = &mut self.covariance {
+            *c = product(&moves, &product(c, &transposed(&moves)));
+        }
+        self.compensation = Some(Compensation { probe, point_mm, radius_mm, minor_radius_mm });
+        Ok(self)
+    }
+
+    /// Moves the element by the probe, and gives the derivative of its quantities by those of the uncompensated one.
+    fn moves(&mut self, probe: &Probe) -> Result<[[f64; QUANTITIES]; QUANTITIES]> {
+        let mut derivative = identity();
+        let outwards = probe.outwards_mm();
+        match (self.element, probe.side, self.direction) {
+            (Element::Plane, Side::Towards(to), Some(normal)) => {
+                let along = unit(to).map_or(0.0, |to| dot(to, normal));
+                if along.abs() < LEAST_SINE {
+                    return Err(no_side(self.element, to));
+                }
+                // p' = p - r n, the normal towards the probe
+                let back = -probe.radius_mm.copysign(along);
+                for k in 0..3 {
+                    self.point_mm[k] += back * normal[k];
+                    derivative[k][3 + k] += back;
+                }
+            }
+            (Element::Line | Element::Line2d, Side::Towards(to), Some(d)) => {
+                let to = if self.element == Element::Line2d { [to[0], to[1], 0.0] } else { to };
+                let to = unit(to).unwrap_or_default();
+                let along = dot(to, d);
+                let across: Vector = std::array::from_fn(|k| to[k] - along * d[k]);
+                let sine = norm(across);
+                if sine < LEAST_SINE {
+                    return Err(no_side(self.element, to));
+                }
+                // p' = p - r w, w the part of the direction that is square to the line:
+                // dw = -(1 - w wᵀ)((d to) dd + d (to dd)) / |across|
+                let w = across.map(|x| x / sine);
+                for k in 0..3 {
+                    self.point_mm[k] -= probe.radius_mm * w[k];
+                    for (j, column) in (3..6).enumerate() {
+                        let square = f64::from(k == j) - w[k] * w[j];
+                        derivative[k][column] += probe.radius_mm * (along * square + d[k] * to[j]) / sine;
+                    }
+                }
+            }
+            (Element::Cone, _, Some(d)) => {
+                // the apex moves by r / sin ψ; the point to the foot of the contact points, where the radius is R - r cos ψ
+                let (sin, cos) = (self.apex_angle_rad.unwrap_or_default() / 2.0).sin_cos();
+                for k in 0..3 {
+                    self.point_mm[k] += outwards * sin * d[k];
+                    derivative[k][3 + k] += outwards * sin;
+                    derivative[k][8] += 0.5 * outwards * cos * d[k];
+                }
+                self.radius_mm = Some(larger_than_nothing(self.element, probe, self.radius_mm, outwards * cos)?);
+                derivative[6][8] += 0.5 * outwards * sin;
+            }
+            (Element::Torus, ..) => {
+                self.minor_radius_mm = Some(larger_than_nothing(self.element, probe, self.minor_radius_mm, outwards)?);
+            }
+            _ => self.radius_mm = Some(larger_than_nothing(self.element, probe, self.radius_mm, outwards)?),
+        }
+        Ok(derivative)
+    }
+}
+
+/// The radius less what the probe adds, which must leave something.
+fn larger_than_nothing(element: Element, probe: &Probe, radius_mm: Option<f64>, less_mm: f64) -> Result<f64> {
+    let centres = radius_mm.unwrap_or_default();
+    let radius = centres - less_mm;
+    if radius > 0.0 {
+        return Ok(radius);
+    }
+    Err(refuse(
+        format!("a probe of radius {} mm cannot have touched the {element} from outside", probe.radius_mm),
+        format!("centres farther out than the probe radius; theirs is {centres:.6} mm"),
+        "state the other side: the probe was inside",
+    ))
+}
+
+fn no_side(element: Element, to: Vector) -> Problems {
+    refuse(
+        format!("the direction {to:?} to the probe runs along the {element} and does not give a side"),
+        format!("a direction away from the {element}"),
+        "state the direction from what was touched to the probe",
+    )
+}
+
+type Matrix = [[f64; QUANTITIES]; QUANTITIES];
+
+fn identity() -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)))
+}
+
+fn transposed(a: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
+fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..QUANTITIES).map(|k| a[i][k] * b[k][j]).sum()))
+}

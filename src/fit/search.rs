@@ -1,0 +1,139 @@
+//! A start for cylinder, cone and torus from the points alone: axes over the hemisphere, each with the element that
+//! a closed solution gives about it; the most promising are followed to their minimum.
+//!
+//! One start is not enough: on an arc of 90 degrees the sum of squares has several minima over the axes, and a
+//! method that trusts the plane's normal or the longest spread ends in the wrong one.
+
+use super::chart::Chart;
+use super::cloud::Cloud;
+use super::element::{Element, refuse};
+use super::solver::{Refined, Surface, descend};
+use etalon_base::message::{Message, Problems};
+use etalon_base::pose::{Vector, dot};
+
+/// Directions tried over the hemisphere, 8 degrees apart.
+const DIRECTIONS: usize = 300;
+/// Points that the directions are judged by, and that the starts are followed with.
+const JUDGED: usize = 64;
+const SEARCHED: usize = 120;
+/// Iterations of the first look.
+const GLANCE: usize = 6;
+/// Residuals this many times those of the best are not followed further.
+const HOPELESS: f64 = 100.0;
+/// An axis or radius beyond this, in sizes of the cloud, leaves distances less than eight digits.
+const FARTHEST: f64 = 1e8;
+/// Iterations of those that are.
+const PATIENCE: usize = 80;
+
+/// A surface about an axis, its first parameters (a, b, h, u, v).
+pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> {
+    /// The chart that the parameters are in.
+    fn chart(&self) -> &Chart;
+
+    /// Starts that are looked at in the search.
+    const STARTS: usize = 8;
+}
+
+/// Where the search ended.
+pub(super) struct Found<S, const N: usize> {
+    pub surface: S,
+    pub start: [f64; N],
+    /// Whether a different element of this kind fits the points as well.
+    pub rival: bool,
+}
+
+/// Searches over the axes. `about` gives elements about an axis with their sums of squares, and `upright` brings a solution to its one proper form, or refuses it.
+pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
+    cloud: &Cloud,
+    held: Option<Vector>,
+    free: [bool; N],
+    about: impl Fn(&[Vector], Chart) -> Vec<(f64, [f64; N])>,
+    upright: impl Fn(S, [f64; N]) -> Option<(S, [f64; N])>,
+    element: impl Fn(Chart) -> S,
+) -> Option<Found<S, N>> {
+    let few = cloud.thinned(SEARCHED);
+    let judged: Vec<Vector> = cloud.thinned(JUDGED).points().collect();
+    let about =
+        |axis: Vector| about(&judged, Chart::new(axis)).into_iter().map(move |(cost, start)| (cost, axis, start));
+    let starts: Vec<(f64, Vector, [f64; N])> = match held {
+        Some(axis) => about(axis).collect(),
+        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).flat_map(about).collect(), S::STARTS),
+    };
+    // below this, sums of squares of normalised coordinates are rounding: the more promising start decides
+    let rounding = 1e-28 * few.len() as f64;
+    let walk = |iterations: usize, surface: S, start: [f64; N]| {
+        let refined = descend(surface, &few, start, free, iterations);
+        ((rank(&refined) - rounding).max(0.0), refined.surface, refined.x)
+    };
+    let settled = |walks: Vec<(f64, S, [f64; N])>| {
+        let proper = walks.into_iter().filter_map(|(cost, surface, x)| upright(surface, x).map(|(s, x)| (cost, s, x)));
+        let mut proper: Vec<_> = proper.filter(|end| end.0.is_finite()).collect();
+        proper.sort_by(|a, b| a.0.total_cmp(&b.0));
+        proper
+    };
+    // a short walk from each start, and only those that may still win go on to their minimum
+    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, element(Chart::new(axis)), start));
+    let mut walked = settled(starts.collect());
+    let best = walked.first().map_or(0.0, |w| w.0);
+    walked.retain(|w| w.0 <= HOPELESS * HOPELESS * best);
+    let ends = settled(walked.into_iter().map(|(_, surface, x)| walk(PATIENCE, surface, x)).collect());
+    let mut ends = ends.into_iter();
+    let (cost, surface, x) = ends.next()?;
+    let rival = ends.any(|(other_cost, other, y)| {
+        other_cost <= 1.02 * cost + rounding && differ((&surface.chart().d0, &x), (&other.chart().d0, &y))
+    });
+    Some(Found { surface, start: x, rival })
+}
+
+/// Whether two solutions are different elements and not two roads to the same.
+fn differ<const N: usize>(a: (&Vector, &[f64; N]), b: (&Vector, &[f64; N])) -> bool {
+    let sizes = a.1.iter().zip(b.1).skip(5).any(|(x, y)| (x.abs() - y.abs()).abs() > 1e-4 * (x.abs() + y.abs()));
+    sizes || dot(*a.0, *b.0).abs() < 1.0 - 1e-6
+}
+
+/// What to say where no start led to an element.
+pub(super) fn no_start(element: Element) -> Problems {
+    refuse(
+        format!("no {element} could be found through the points"),
+        format!("points on a {element}"),
+        "check that the points belong to this feature; else hold the axis",
+    )
+}
+
+/// What to say where a rival was found.
+pub(super) fn rival_warning(element: Element) -> Message {
+    Message::warning(format!("a different {element} fits the points about as well"))
+        .hint("measure more points where the element is not yet covered, or hold the axis")
+}
+
+/// `count` directions spread evenly over a hemisphere (Fibonacci lattice: Swinbank & Purser 2006, Q. J. R. Meteorol. Soc. 132, 1769).
+fn hemisphere(count: usize) -> impl Iterator<Item = Vector> {
+    let golden_rad = std::f64::consts::PI * (3.0 - 5f64.sqrt());
+    (0..count).map(move |i| {
+        let z = (i as f64 + 0.5) / count as f64;
+        let (sin, cos) = (i as f64 * golden_rad).sin_cos();
+        let r = (1.0 - z * z).sqrt();
+        [r * cos, r * sin, z]
+    })
+}
+
+/// The best of scored starts, lowest first, no two axes of them closer than 15 degrees.
+fn best_apart<const N: usize>(mut scored: Vec<(f64, Vector, [f64; N])>, count: usize) -> Vec<(f64, Vector, [f64; N])> {
+    scored.retain(|s| s.0.is_finite());
+    scored.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut chosen: Vec<(f64, Vector, [f64; N])> = Vec::new();
+    for start in scored {
+        let apart = chosen.iter().all(|c| dot(c.1, start.1).abs() < 15f64.to_radians().cos());
+        if chosen.len() < count && apart {
+            chosen.push(start);
+        }
+    }
+    chosen
+}
+
+/// Cost of a start that led somewhere; infinite of one that did not, or that went off until rounding took its cost away.
+fn rank<S, const N: usize>(refined: &Refined<S, N>) -> f64 {
+    let near = refined.x.iter().all(|x| x.abs() < FARTHEST);
+    let usable = near && refined.cost.is_finite() && refined.condition().is_finite();
+    if usable { refined.cost } else { f64::INFINITY }
+}

@@ -1,0 +1,111 @@
+//! Torus: a tube bent along a circle, whole or a piece of it.
+
+use super::chart::{Chart, length};
+use super::circle_and_sphere::taubin;
+use super::cloud::{Cloud, Source};
+use super::coverage::Arc;
+use super::element::{Element, Settings};
+use super::f64x8::{F64x8, Points};
+use super::result::{Fit, QUANTITIES, largest_component_positive};
+use super::search::{Axial, no_start, rival_warning, search};
+use super::solver::{Surface, refine};
+use etalon_base::message::Result;
+use etalon_base::pose::Vector;
+use etalon_math::symmetric_eigen;
+
+/// Fits a torus to at least seven points that are not in one plane.
+///
+/// Orthogonal distance (ISO 10360-6:2001 tests it so). The start is searched over the hemisphere of axes, for each a
+/// circle through the points seen along the axis, and a circle through them seen along the tube.
+pub fn torus(points: &[Vector], settings: &Settings) -> Result<Fit> {
+    torus_of(points.into(), settings)
+}
+
+pub(super) fn torus_of(points: Source, settings: &Settings) -> Result<Fit> {
+    let held = settings.check(Element::Torus)?;
+    let cloud = Cloud::new(Element::Torus, points, settings)?;
+    let free = [true, true, true, held.is_none(), held.is_none(), true, true];
+    let upright = |bend, x: [f64; 7]| (x[5] > 0.0 && x[6] > 0.0).then_some((bend, x));
+    let found = search(&cloud, held, free, torus_along, upright, |chart| Bend { chart });
+    let found = found.ok_or_else(|| no_start(Element::Torus))?;
+    let refined = refine(found.surface, &cloud, found.start, free);
+    let chart = refined.surface.chart;
+    let [a, b, h, _, _, radius, minor] = refined.x;
+    let centre = chart.point(a, b, h);
+    let mut fit = refined.to_fit(Element::Torus, &cloud, centre, Arc::about(&chart, centre))?;
+    fit.point_along(chart.d0, largest_component_positive(chart.d0));
+    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.minor_radius_mm = Some(minor * cloud.scale_mm);
+    fit.warnings.extend(found.rival.then(|| rival_warning(Element::Torus)));
+    fit.finished(settings)
+}
+
+/// Distances of the centre from the middle of the points that are tried, to all four sides, in units of the length
+/// of the piece (root mean square): seen along the axis, a short piece of a thick tube is not an arc.
+const REACHES: [f64; 10] = [0.7, -0.7, 1.2, -1.2, 2.0, -2.0, 4.0, -4.0, 8.0, -8.0];
+
+/// A circle through the points seen along the axis, or a step square to the tube, gives the centre; a circle through
+/// them seen along the tube then gives both radii.
+fn torus_along(points: &[Vector], chart: Chart) -> Vec<(f64, [f64; 7])> {
+    let points: Vec<[f64; 3]> = points.iter().map(|&q| chart.coordinates(q)).collect();
+    let (suggested, _) = taubin::<3>(&points.iter().map(|&[x, y, _]| [x, y, 0.0]).collect::<Vec<_>>());
+    let sums = points.iter().fold([0.0; 3], |s, [x, y, _]| [s[0] + x * x, s[1] + x * y, s[2] + y * y]);
+    let (values, directions) = symmetric_eigen([[sums[0], sums[1]], [sums[1], sums[2]]]);
+    let extent = (values[1] / points.len().max(1) as f64).sqrt();
+    // a piece shorter than it is thick lies across its own length
+    let stepped = directions.into_iter().flat_map(|d| REACHES.map(|reach| d.map(|x| x * reach * extent)));
+    let about = |centre: [f64; 2]| {
+        let section = points.iter().map(|&[x, y, t]| [length(x - centre[0], y - centre[1]), t, 0.0]);
+        let section: Vec<Vector> = section.collect();
+        let ([radius, height, _], minor) = taubin::<3>(&section);
+        let off = |q: &Vector| (length(q[0] - radius, q[1] - height) - minor).powi(2);
+        let cost: f64 = section.iter().map(off).sum();
+        (cost, [centre[0], centre[1], height, 0.0, 0.0, radius, minor])
+    };
+    std::iter::once([suggested[0], suggested[1]]).chain(stepped).map(about).collect()
+}
+
+/// Parameters a, b, h, u, v of the axis through the centre, the radius R and the radius r of the tube: a point has
+/// the distance √((ρ - R)² + t²) - r.
+#[derive(Clone, Copy)]
+pub(super) struct Bend {
+    pub(super) chart: Chart,
+}
+
+impl Surface<7, 1> for Bend {
+    #[inline(always)]
+    fn distances(&self, x: &[f64; 7], q: Points) -> [(F64x8, [F64x8; 7]); 1] {
+        let at = self.chart.cylindrical([x[0], x[1], x[2]], 0.0, q);
+        let outward = at.rho - x[5];
+        let from_core = (outward * outward + at.t * at.t).sqrt();
+        let inverse = from_core.inverse_or_zero();
+        let (g_rho, g_t) = (outward * inverse, at.t * inverse);
+        let mut d = at.d_rho;
+        for (rho, t) in d.iter_mut().zip(at.d_t) {
+            *rho = g_rho * *rho + g_t * t;
+        }
+        let [a, b, h, u, v] = d;
+        [(from_core - x[6], [a, b, h, u, v, -g_rho, F64x8::all(-1.0)])]
+    }
+
+    fn recharted(&self, x: &[f64; 7]) -> (Self, [f64; 7]) {
+        let (chart, x) = self.chart.moved(x);
+        (Self { chart }, x)
+    }
+
+    fn quantities(&self, _x: &[f64; 7]) -> [[f64; QUANTITIES]; 7] {
+        let mut by_parameter = self.chart.quantities::<7>();
+        by_parameter[5][6] = 1.0;
+        by_parameter[6][7] = 1.0;
+        by_parameter
+    }
+}
+
+impl Axial<7, 1> for Bend {
+    // a dozen points on a tube look like many things
+    const STARTS: usize = 24;
+
+    fn chart(&self) -> &Chart {
+        &self.chart
+    }
+}

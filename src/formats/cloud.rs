@@ -1,0 +1,349 @@
+//! Points of plain tables at the speed of the disk: rows of an optional label and x, y, z, and nothing else. What is not
+//! plain is left to the strict reader, which reports where and why.
+
+use super::exports::{Format, Plain};
+use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
+use crate::dialect::Unit;
+use etalon_base::files;
+use etalon_base::message::{Message, Problems, Result};
+use etalon_fit::PackedPoints;
+use indexmap::IndexSet;
+use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
+use rayon::prelude::*;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::Path;
+
+/// Bytes whose lines are read together; fewer in tests, for more of them.
+const BLOCK: u64 = if cfg!(test) { 64 << 10 } else { 8 << 20 };
+
+/// Points of a plain table.
+#[derive(Clone, Debug)]
+pub struct Cloud {
+    /// Labels, each once, in the order of their first rows.
+    pub labels: Vec<String>,
+    /// A row each point: `label`, its place in the labels (0 where rows have none), and `x_mm`, `y_mm`, `z_mm`.
+    pub table: DataFrame,
+}
+
+/// Rows of one block.
+#[derive(Default)]
+struct Part {
+    /// Each once, ended by a line feed.
+    labels: String,
+    label: Vec<u32>,
+    /// In the unit of the file.
+    xyz: [Vec<f64>; 3],
+    /// All rows look like two angles and a distance.
+    angles: bool,
+}
+
+/// Reads a table of plain rows on all threads; `None` if it, or its format, has anything that only the strict reader
+/// understands or refuses. Every number is rounded correctly, and the same bits on any number of threads.
+///
+/// # Errors
+/// If the file cannot be read.
+pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> {
+    let in_mm = |mut part: Part| {
+        part.xyz.iter_mut().flatten().for_each(|value| *value *= unit.in_mm());
+        part
+    };
+    read(path, format, unit, in_mm)?.map(together).transpose()
+}
+
+/// The same without labels, in half the memory.
+///
+/// # Errors
+/// If the file cannot be read.
+pub fn packed_points(path: &Path, format: &Format, unit: Unit) -> Result<Option<PackedPoints>> {
+    let parts = read(path, format, unit, |part| PackedPoints::of(&part.xyz, unit.in_mm()))?;
+    Ok(parts.map(|parts| {
+        let mut all = PackedPoints::default();
+        parts.into_iter().for_each(|part| all.append(part));
+        all
+    }))
+}
+
+/// What `made` makes of the rows of each block.
+fn read<T: Send>(path: &Path, format: &Format, unit: Unit, made: impl Fn(Part) -> T + Sync) -> Result<Option<Vec<T>>> {
+    let fail = |e: std::io::Error| Problems::from(Message::error(format!("cannot read `{}`: {e}", path.display())));
+    let size = files::open(path).and_then(|file| file.metadata()).map_err(fail)?.len();
+    let mut start = Vec::new();
+    files::open(path).and_then(|file| file.take(LONGEST_LINE as u64).read_to_end(&mut start)).map_err(fail)?;
+    let Some(plain) = format.plain(&start) else { return Ok(None) };
+    let part = |bytes: &mut Vec<u8>, k: u64| {
+        let part = plain.part(path, unit.in_mm(), k * BLOCK, size, bytes)?;
+        Ok(part.map(|part| (part.angles, made(part))))
+    };
+    let parts: std::io::Result<Vec<Option<(bool, T)>>> =
+        (0..size.div_ceil(BLOCK)).into_par_iter().map_init(Vec::new, part).collect();
+    let Some(parts) = parts.map_err(fail)?.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
+    if plain.may_be_angles && parts.iter().all(|(angles, _)| *angles) {
+        return Ok(None);
+    }
+    Ok(Some(parts.into_iter().map(|(_, made)| made).collect()))
+}
+
+/// The parts one after the other, without copying their coordinates.
+fn together(mut parts: Vec<Part>) -> Result<Cloud> {
+    let texts: Vec<String> = parts.iter_mut().map(|part| std::mem::take(&mut part.labels)).collect();
+    let mut known = Names::default();
+    let mut of_file: Vec<Vec<u32>> = Vec::with_capacity(texts.len());
+    for texts in &texts {
+        of_file.push(texts.split_terminator('\n').map(|label| known.place(label.as_bytes()).0).collect());
+    }
+    parts.par_iter_mut().zip(&of_file).filter(|(_, of_file)| !of_file.is_empty()).for_each(|(part, of_file)| {
+        part.label.iter_mut().for_each(|label| *label = of_file[*label as usize]);
+    });
+    let mut columns: [Option<Column>; 4] = [const { None }; 4];
+    for part in parts {
+        let [x, y, z] = part.xyz;
+        let pieces = [
+            UInt32Chunked::from_vec("label".into(), part.label).into_column(),
+            Float64Chunked::from_vec("x_mm".into(), x).into_column(),
+            Float64Chunked::from_vec("y_mm".into(), y).into_column(),
+            Float64Chunked::from_vec("z_mm".into(), z).into_column(),
+        ];
+        for (all, piece) in columns.iter_mut().zip(pieces) {
+            match all {
+                Some(all) => {
+                    all.append(&piece)?;
+                }
+                None => *all = Some(piece),
+            }
+        }
+    }
+    let columns: Vec<Column> = columns.into_iter().flatten().collect();
+    let height = columns.first().map_or(0, Column::len);
+    let labels = known.all.iter().map(|label| String::from_utf8_lossy(label).into_owned()).collect();
+    Ok(Cloud { labels, table: DataFrame::new(height, columns)? })
+}
+
+impl Plain {
+    /// Points of the lines that begin in a block, which is read into `bytes`; none if one of them is not plain.
+    fn part(
+        self,
+        path: &Path,
+        in_mm: f64,
+        start: u64,
+        size: u64,
+        bytes: &mut Vec<u8>,
+    ) -> std::io::Result<Option<Part>> {
+        // one byte before shows whether a line begins with the block
+        let from = start.saturating_sub(1);
+        bytes.clear();
+        bytes.reserve_exact(BLOCK as usize + LONGEST_LINE + 2);
+        let mut file = File::open(path)?;
+        file.seek(SeekFrom::Start(from))?;
+        file.take(BLOCK + LONGEST_LINE as u64 + 1).read_to_end(bytes)?;
+        let last = from + bytes.len() as u64 == size;
+        let mut at = match start {
+            0 => 0,
+            _ => bytes.iter().position(|b| *b == b'\n').map_or(bytes.len(), |i| i + 1),
+        };
+        let end = (start + BLOCK - from) as usize;
+        let rows = line_feeds(&bytes[at..]) + 1;
+        let mut part = Part { xyz: std::array::from_fn(|_| Vec::with_capacity(rows)), angles: true, ..Part::default() };
+        part.label.reserve_exact(rows);
+        let mut known = Names::default();
+        let mut before: (&[u8], u32) = (b"", u32::MAX);
+        while at < end.min(bytes.len()) {
+            let mut line = Scanner { bytes, at, delimiter: self.delimiter };
+            let label = if self.labelled { line.label() } else { Some(&b""[..]) };
+            let row = label.and_then(|label| Some((label, [line.number()?, line.number()?, line.number()?])));
+            let Some((label, xyz)) = row.filter(|_| line.end(last)) else {
+                // an empty line
+                let mut line = Scanner { bytes, at, delimiter: self.delimiter };
+                if !line.end(true) {
+                    return Ok(None);
+                }
+                at = line.at;
+                continue;
+            };
+            if self.labelled && label != before.0 || before.1 == u32::MAX {
+                let (id, new) = known.place(label);
+                if new && self.labelled {
+                    let Ok(text) = std::str::from_utf8(label) else { return Ok(None) };
+                    part.labels.push_str(text);
+                    part.labels.push('\n');
+                }
+                before = (label, id);
+            }
+            part.label.push(before.1);
+            part.angles &= xyz[0].abs() <= std::f64::consts::TAU && xyz[2] * in_mm > 100.0;
+            for (column, value) in part.xyz.iter_mut().zip(xyz) {
+                column.push(value);
+            }
+            at = line.at;
+        }
+        Ok(Some(part))
+    }
+}
+
+/// Names, each once.
+#[derive(Default)]
+struct Names<'a> {
+    /// In the order of their first time.
+    all: IndexSet<&'a [u8]>,
+    /// The place of the last name asked for, and of each name the one that came behind it: rows repeat.
+    last: usize,
+    next: Vec<usize>,
+}
+
+impl<'a> Names<'a> {
+    /// The place of a name, and whether it is new.
+    fn place(&mut self, name: &'a [u8]) -> (u32, bool) {
+        let guess = self.next.get(self.last).copied().unwrap_or_default();
+        let known = self.all.get_index(guess).is_some_and(|known| same(known, name));
+        let (place, new) = if known { (guess, false) } else { self.all.insert_full(name) };
+        if new {
+            self.next.push(0);
+        }
+        if !known && let Some(next) = self.next.get_mut(self.last) {
+            *next = place;
+        }
+        self.last = place;
+        (place as u32, new)
+    }
+}
+
+/// Whether two names are the same; they are short, and a loop is quicker than a call.
+#[inline]
+fn same(a: &[u8], b: &[u8]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a == b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dialect::{Delimiter, Dialect, Role};
+    use etalon_base::table;
+
+    type Rows = Option<Vec<(String, [u64; 3])>>;
+
+    /// Labels and the bits of the coordinates, as the fast and the strict reader see them.
+    fn both(text: &str, format: &Format, unit: Unit) -> (Rows, Rows) {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), text).unwrap();
+        let bits = |xyz: [f64; 3]| xyz.map(f64::to_bits);
+        let fast = cloud(file.path(), format, unit).unwrap().map(|cloud| {
+            let labels = table::integers(&cloud.table, "label").unwrap();
+            let xyz = ["x_mm", "y_mm", "z_mm"].map(|name| table::numbers(&cloud.table, name).unwrap());
+            let label = |i: usize| cloud.labels.get(labels[i] as usize).cloned().unwrap_or_default();
+            (0..labels.len()).map(|i| (label(i), bits([xyz[0][i], xyz[1][i], xyz[2][i]]))).collect()
+        });
+        let strict = crate::read_file(file.path(), None, format, unit).ok();
+        let plain = strict.filter(|points| points.iter().all(|p| p.refused.is_none()));
+        (fast, plain.map(|points| points.into_iter().map(|p| (p.label.to_string(), bits(p.xyz_mm))).collect()))
+    }
+
+    fn formats() -> Vec<Format> {
+        let stated = |delimiter, roles: &[Role]| {
+            Format::from(Dialect { delimiter: Some(delimiter), columns: roles.to_vec().into(), ..Dialect::default() })
+        };
+        use Role::*;
+        vec![
+            Format::default(),
+            stated(Delimiter::Blank, &[Label, X, Y, Z]),
+            stated(Delimiter::Blank, &[X, Y, Z]),
+            stated(Delimiter::Comma, &[Label, X, Y, Z]),
+            stated(Delimiter::Tab, &[Label, X, Y, Z]),
+            stated(Delimiter::Semicolon, &[X, Y, Z]),
+        ]
+    }
+
+    #[test]
+    fn many_blocks_give_the_same_bits_as_the_strict_reader() {
+        let mut noise = etalon_base::noise::Noise::new(3, 1);
+        for (format, separator, labelled) in formats()
+            .iter()
+            .zip([" ", "  ", "\t ", ",", "\t", ";"])
+            .zip([true, true, false, true, true, false])
+            .map(|((f, s), l)| (f, s, l))
+        {
+            let mut text = String::new();
+            let mut i = 0;
+            while text.len() < (9 * BLOCK) as usize + 999 {
+                let mut number = |n: i32| {
+                    let value = noise.gaussian(1.0) * 10f64.powi((i + n) % 9 - 3);
+                    if i % 5 == 0 { format!("{value:e}") } else { format!("{value:.*}", ((i + n) % 19) as usize) }
+                };
+                let row = [number(0), number(1), number(2)].join(separator);
+                let label = if labelled { format!("ball_{}{separator}", i % 137) } else { String::new() };
+                text += &format!("{label}{row}{}", if i % 7 == 0 { "\r\n" } else { "\n" });
+                i += 1;
+            }
+            let (fast, strict) = both(text.trim_end(), format, Unit::Inch);
+            assert_eq!(fast.as_ref().map(Vec::len), Some(i as usize), "{format}");
+            assert!(fast == strict, "{format}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_plain_is_left_to_the_strict_reader_and_nothing_is_read_otherwise() {
+        let rows = [
+            "",
+            "\n",
+            " ",
+            "a",
+            "a b",
+            "1 2 3",
+            "a 1 2 3",
+            "a,1,2,3",
+            "a;1;2;3",
+            "1;2;3",
+            "\"a b\" 1 2 3",
+            "a\t1\t2\t3",
+            "1,5 2 3",
+            "a 1 2 nan",
+            "a 1 2 inf",
+            "a 1 2 3 4",
+            "a 1 2",
+            "a 1 2 3\r",
+            "a 1\r2 3",
+            "a 1 2 1e400",
+            "-.5 +1 2.",
+            "- 1 2",
+            ". 1 2",
+            "1e5 1E-3 0x1",
+            "a 1 2 123456789012345678901234567890.5",
+            "0.1 9007199254740993 -0.0",
+            "a 1 2 --3",
+            "\u{feff}a 1 2 3",
+            "a 1 2 \u{2212}3",
+            "a 1.5D+01 2 3",
+            "K\u{fc} 1 2 3",
+            "a\0 1 2 3",
+            "a, 1 ,2 , 3",
+            ",1,2,3",
+            "a,,2,3",
+            "a 1 2 1.2.3",
+            "1 1 500",
+            "a 1 2 0.30000000000000004",
+        ];
+        let mut read = 0;
+        for first in rows {
+            for second in rows {
+                for format in formats() {
+                    let text = format!("{first}\n{second}\n{first}");
+                    let (fast, strict) = both(&text, &format, Unit::Millimetre);
+                    if let Some(fast) = fast {
+                        read += usize::from(!fast.is_empty());
+                        assert_eq!(Some(fast), strict, "{format}: {text:?}");
+                    }
+                }
+            }
+        }
+        assert!(read > 50, "{read}");
+    }
+
+    #[test]
+    fn a_name_has_one_place_however_many_there_are() {
+        let texts: Vec<String> = (0..5000).map(|i| format!("ball_{}", i % 1700)).collect();
+        let mut names = Names::default();
+        for (i, text) in texts.iter().enumerate() {
+            assert_eq!(names.place(text.as_bytes()), ((i % 1700) as u32, i < 1700), "{text}");
+        }
+        assert_eq!(names.all.len(), 1700);
+    }
+}

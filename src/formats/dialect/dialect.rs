@@ -1,0 +1,474 @@
+//! How a delimited text is to be read: stated by the campaign, never guessed in silence.
+
+use super::columns::{ColumnAt, Columns, Role};
+use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
+use etalon_base::message::Message;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// A table of text, or a sheet of a workbook. Exactly one of `delimiter`, `widths` and `sheet` states what separates the columns.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Dialect {
+    /// What separates columns.
+    pub delimiter: Option<Delimiter>,
+    /// Width of each column in characters, where nothing separates the columns.
+    pub widths: Vec<usize>,
+    /// Name of the sheet of an Excel workbook.
+    pub sheet: Option<String>,
+    /// Decimal mark.
+    pub decimal: Decimal,
+    /// Mark between groups of three digits.
+    pub thousands: Option<Thousands>,
+    /// What each column contains: from the left, or by the names of the header.
+    pub columns: Columns,
+    /// For files of several coordinate types: what `c1`, `c2`, `c3` are, by the content of the column `type`.
+    pub types: BTreeMap<String, Vec<Role>>,
+    /// Unit of azimuth, zenith and elevation; required with them.
+    pub angle_unit: Option<AngleUnit>,
+    /// Confirms the coordinate type of `columns` where the values look like another one.
+    pub coordinates: Option<CoordinateType>,
+    /// Number of rows before the data, or words of the row before the data.
+    pub header: Header,
+    /// Beginning of lines that are skipped.
+    pub comment: Option<String>,
+    /// Cells that mean "not measured".
+    pub missing: Missing,
+    /// Row that ends the data.
+    pub end: Option<String>,
+}
+
+/// What separates columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(transform = super::accept_aliases)]
+pub enum Delimiter {
+    /// Any number of blanks or tabs.
+    #[serde(rename = "blank", alias = " ")]
+    #[schemars(extend("aliases" = [" "]))]
+    Blank,
+    /// A tab.
+    #[serde(rename = "tab", alias = "\t")]
+    #[schemars(extend("aliases" = ["\t"]))]
+    Tab,
+    /// A comma.
+    #[serde(rename = ",", alias = "comma")]
+    #[schemars(extend("aliases" = ["comma"]))]
+    Comma,
+    /// A semicolon.
+    #[serde(rename = ";", alias = "semicolon")]
+    #[schemars(extend("aliases" = ["semicolon"]))]
+    Semicolon,
+    /// A vertical bar.
+    #[serde(rename = "|", alias = "bar")]
+    #[schemars(extend("aliases" = ["bar"]))]
+    Bar,
+}
+
+impl Delimiter {
+    /// The byte, for delimiters that are one.
+    pub fn byte(self) -> Option<u8> {
+        match self {
+            Self::Blank => None,
+            Self::Tab => Some(b'\t'),
+            Self::Comma => Some(b','),
+            Self::Semicolon => Some(b';'),
+            Self::Bar => Some(b'|'),
+        }
+    }
+
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Blank => "blank",
+            Self::Tab => "tab",
+            Self::Comma => ",",
+            Self::Semicolon => ";",
+            Self::Bar => "|",
+        }
+    }
+}
+
+/// Decimal mark.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[schemars(transform = super::accept_aliases)]
+pub enum Decimal {
+    /// `1.5`
+    #[default]
+    #[serde(rename = ".", alias = "point")]
+    #[schemars(extend("aliases" = ["point"]))]
+    Point,
+    /// `1,5`
+    #[serde(rename = ",", alias = "comma")]
+    #[schemars(extend("aliases" = ["comma"]))]
+    Comma,
+}
+
+impl Decimal {
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        if self == Self::Point { "." } else { "," }
+    }
+}
+
+/// Length unit of an export.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(transform = super::accept_aliases)]
+pub enum Unit {
+    /// Millimetre.
+    #[serde(rename = "mm")]
+    Millimetre,
+    /// Metre.
+    #[serde(rename = "m")]
+    Metre,
+    /// Micrometre.
+    #[serde(rename = "um")]
+    Micrometre,
+    /// Inch: 25.4 mm exactly.
+    #[serde(rename = "inch", alias = "in")]
+    #[schemars(extend("aliases" = ["in"]))]
+    Inch,
+}
+
+impl Unit {
+    /// Millimetres in one of the unit.
+    pub fn in_mm(self) -> f64 {
+        match self {
+            Self::Millimetre => 1.0,
+            Self::Metre => 1000.0,
+            Self::Micrometre => 0.001,
+            Self::Inch => 25.4,
+        }
+    }
+
+    /// As the campaign states it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Millimetre => "mm",
+            Self::Metre => "m",
+            Self::Micrometre => "um",
+            Self::Inch => "inch",
+        }
+    }
+
+    /// The unit of a heading, in brackets or behind the name: `X [mm]`, `y (in)`, `z_um`. A bare `_m` may mean "measured" and
+    /// is none.
+    pub fn of_heading(name: &str) -> Option<Self> {
+        let bracketed = name.split_once(['[', '(']).and_then(|(_, rest)| rest.split([']', ')']).next());
+        let behind = || name.rsplit_once(['_', ' ']).and_then(|(_, last)| unit(last)).filter(|u| *u != Self::Metre);
+        bracketed.and_then(unit).or_else(behind)
+    }
+}
+
+fn unit(word: &str) -> Option<Unit> {
+    let word = word.trim();
+    match word.to_lowercase().as_str() {
+        // M may be "measured"
+        "m" if word == "M" => None,
+        "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => Some(Unit::Millimetre),
+        "m" | "metre" | "metres" | "meter" | "meters" => Some(Unit::Metre),
+        // micro sign, Greek mu
+        "um" | "\u{b5}m" | "\u{3bc}m" | "micron" | "microns" => Some(Unit::Micrometre),
+        "in" | "inch" | "inches" | "\"" => Some(Unit::Inch),
+        _ => None,
+    }
+}
+
+impl Dialect {
+    /// Everything that is wrong with the dialect itself, whatever the file holds.
+    pub fn check(&self) -> Vec<Message> {
+        let mut wrong = self.separation();
+        wrong.extend(self.marks());
+        wrong.extend(self.roles());
+        wrong.extend(self.header());
+        wrong
+    }
+
+    fn separation(&self) -> Vec<Message> {
+        let stated = [self.delimiter.is_some(), !self.widths.is_empty(), self.sheet.is_some()];
+        let mut wrong = Vec::new();
+        if stated.iter().filter(|s| **s).count() != 1 {
+            wrong.push(
+                Message::error("the format does not state what separates columns, or states it twice")
+                    .expected("one of `delimiter`, `widths` and `sheet`")
+                    .hint("`etalon formats FILE` proposes how to read the file"),
+            );
+        }
+        if self.widths.contains(&0) {
+            wrong.push(Message::error("a column of `widths` is 0 characters wide"));
+        }
+        let columns = self.columns.roles().len();
+        if !self.widths.is_empty() && matches!(self.columns, Columns::InOrder(_)) && columns > self.widths.len() {
+            let what = format!("`columns` names {columns} columns, and `widths` has {}", self.widths.len());
+            wrong.push(Message::error(what));
+        }
+        wrong
+    }
+
+    fn marks(&self) -> Vec<Message> {
+        let mut wrong = Vec::new();
+        if self.delimiter == Some(Delimiter::Comma) && self.decimal == Decimal::Comma {
+            wrong.push(two_commas());
+        }
+        let Some(thousands) = self.thousands else { return wrong };
+        let decimal = thousands.name() == self.decimal.name();
+        let delimiter = self.delimiter.is_some_and(|d| d.name() == thousands.name())
+            || (thousands == Thousands::Blank && self.delimiter == Some(Delimiter::Blank));
+        if decimal || delimiter {
+            let other = if decimal { "decimal mark" } else { "delimiter" };
+            let what =
+                format!("the thousands mark `{}` is the {other} as well: no number has one meaning", thousands.name());
+            wrong.push(Message::error(what).hint("export the file with other marks"));
+        }
+        wrong
+    }
+
+    fn roles(&self) -> Vec<Message> {
+        let roles = self.columns.roles();
+        let mut wrong = Vec::new();
+        for (n, role) in roles.iter().enumerate().filter(|(_, r)| !matches!(r, Role::Label | Role::Skip)) {
+            if roles[..n].contains(role) {
+                wrong.push(Message::error(format!("`columns` names `{}` twice", role.name())));
+            }
+        }
+        let typed = roles.iter().any(|r| r.is_typed());
+        let coordinates: Vec<Role> = roles.iter().copied().filter(|r| r.is_coordinate()).collect();
+        match (typed, coordinates.is_empty()) {
+            (true, false) => wrong.push(
+                Message::error("`columns` names coordinates, and others whose kind each row states")
+                    .expected("either x, y, z and the like, or c1, c2, c3"),
+            ),
+            (true, true) => wrong.extend(self.row_types(&roles)),
+            _ => wrong.extend(self.coordinates_of("`columns`", &coordinates)),
+        }
+        if !typed && (!self.types.is_empty() || roles.contains(&Role::Type)) {
+            let message = Message::error("`type` and `types` mean nothing without columns c1, c2, c3");
+            wrong.push(message.hint("name the columns whose meaning they state `c1`, `c2`, `c3`"));
+        }
+        let of = |set: [Role; 3]| set.into_iter().filter(|r| roles.contains(r)).count();
+        if !matches!(of([Role::I, Role::J, Role::K]), 0 | 3) {
+            wrong.push(Message::error("`columns` names a part of a direction").expected("i, j and k, or none of them"));
+        }
+        let uncertain = of([Role::U1, Role::U2, Role::U3]);
+        let axes = if typed { 3 } else { coordinates.len() };
+        if uncertain != 0 && uncertain != axes {
+            let what = format!("`columns` names {uncertain} standard uncertainties of {axes} coordinates");
+            wrong.push(Message::error(what).expected("one each, u1, u2, u3 in the order of the coordinates, or none"));
+        }
+        wrong
+    }
+
+    fn row_types(&self, roles: &[Role]) -> Vec<Message> {
+        let mut wrong = Vec::new();
+        if !roles.contains(&Role::Type) || self.types.is_empty() {
+            let message =
+                Message::error("columns c1, c2, c3 need a column `type`, and `types` that state what they are");
+            wrong.push(
+                message.hint("e.g. types = { 0 = [\"x\", \"y\", \"z\"], 7 = [\"azimuth\", \"zenith\", \"distance\"] }"),
+            );
+        }
+        for (name, meant) in &self.types {
+            let place = format!("type `{name}`");
+            if meant.len() != 3 || roles.iter().filter(|r| r.is_typed()).count() != 3 {
+                wrong.push(Message::error(format!("{place} needs three coordinates: what c1, c2 and c3 are")));
+            }
+            wrong.extend(self.coordinates_of(&place, meant));
+        }
+        wrong
+    }
+
+    /// What is wrong with coordinates that are stated together.
+    fn coordinates_of(&self, place: &str, roles: &[Role]) -> Vec<Message> {
+        let mut wrong = Vec::new();
+        let kind = coordinate_type(roles);
+        if kind.is_none() {
+            let names: Vec<&str> = roles.iter().map(|r| r.name()).collect();
+            let what = match names.is_empty() {
+                true => format!("{place} names no coordinates"),
+                false => format!("{place}: {} are not the coordinates of one point", names.join(", ")),
+            };
+            wrong.push(Message::error(what).expected(
+                "x and y, and z in space; radius, azimuth, and z; or azimuth, zenith or elevation, and distance",
+            ));
+        }
+        if roles.iter().any(|r| r.is_angle()) && self.angle_unit.is_none() {
+            let message = Message::error(format!("{place} names angles, and the format does not state their unit"));
+            wrong.push(message.expected("`angle_unit`: deg, rad or gon").hint("it is never guessed"));
+        }
+        if let (Some(stated), Some(kind), true) = (self.coordinates, kind, self.types.is_empty())
+            && stated != kind
+        {
+            let what = format!("`coordinates` states {}, and {place} names {} ones", stated.name(), kind.name());
+            wrong.push(Message::error(what));
+        }
+        wrong
+    }
+
+    fn header(&self) -> Vec<Message> {
+        let Columns::Named(named) = &self.columns else { return Vec::new() };
+        let by_name = named.iter().any(|(_, column)| matches!(column, ColumnAt::Name(_)));
+        match by_name && self.header == Header::Rows(0) {
+            true => vec![
+                Message::error("`columns` names columns of a header, and the format states none")
+                    .hint("state `header = 1`, or words of the header's row"),
+            ],
+            false => Vec::new(),
+        }
+    }
+}
+
+/// A comma that separates columns and marks decimals.
+pub fn two_commas() -> Message {
+    Message::error("a comma cannot both separate columns and mark decimals: `1,25` would be one number or two")
+        .hint("export the file with semicolons or tabs, or with a decimal point")
+}
+
+/// What coordinates of these kinds are, if they are those of a point.
+pub fn coordinate_type(roles: &[Role]) -> Option<CoordinateType> {
+    let only = |allowed: &[Role], needed: &[Role]| {
+        roles.iter().all(|r| allowed.contains(r)) && needed.iter().all(|r| roles.contains(r))
+    };
+    let count = |set: &[Role]| roles.iter().filter(|r| set.contains(r)).count();
+    let azimuth = count(&[Role::Azimuth, Role::AzimuthClockwise]) == 1;
+    let (clockwise, counter) = (Role::AzimuthClockwise, Role::Azimuth);
+    if only(&[Role::X, Role::Y, Role::Z], &[Role::X, Role::Y]) {
+        Some(CoordinateType::Cartesian)
+    } else if only(&[Role::Radius, clockwise, counter, Role::Z], &[Role::Radius]) && azimuth {
+        Some(CoordinateType::Cylindrical)
+    } else if only(&[Role::Distance, clockwise, counter, Role::Zenith, Role::Elevation], &[Role::Distance])
+        && azimuth
+        && count(&[Role::Zenith, Role::Elevation]) == 1
+    {
+        Some(CoordinateType::Spherical)
+    } else {
+        None
+    }
+}
+
+/// Names in quotes between brackets.
+fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    format!("[{}]", names.map(quoted).collect::<Vec<_>>().join(", "))
+}
+
+/// Text as TOML reads it.
+fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}
+
+fn column(column: &ColumnAt) -> String {
+    match column {
+        ColumnAt::Name(name) => quoted(name),
+        ColumnAt::Number(number) => number.to_string(),
+    }
+}
+
+fn columns(columns: &Columns) -> String {
+    match columns {
+        Columns::InOrder(roles) => list(roles.iter().map(|r| r.name())),
+        Columns::Named(named) => {
+            let mut keys: Vec<(Role, Vec<String>)> = Vec::new();
+            for (role, stated) in named {
+                match keys.iter_mut().find(|(known, _)| known == role) {
+                    Some((_, of)) => of.push(column(stated)),
+                    None => keys.push((*role, vec![column(stated)])),
+                }
+            }
+            let entry = |(role, of): (Role, Vec<String>)| match &of[..] {
+                [one] => format!("{} = {one}", role.name()),
+                more => format!("{} = [{}]", role.name(), more.join(", ")),
+            };
+            format!("{{ {} }}", keys.into_iter().map(entry).collect::<Vec<_>>().join(", "))
+        }
+    }
+}
+
+/// As TOML: `{ delimiter = ";", decimal = ",", columns = ["label", "x", "y", "z"] }`. What has its default is left out,
+/// but for the decimal mark.
+impl fmt::Display for Dialect {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let mut keys: Vec<(&str, String)> = Vec::new();
+        if let Some(delimiter) = self.delimiter {
+            keys.push(("delimiter", quoted(delimiter.name())));
+        }
+        if !self.widths.is_empty() {
+            let widths: Vec<String> = self.widths.iter().map(usize::to_string).collect();
+            keys.push(("widths", format!("[{}]", widths.join(", "))));
+        }
+        if let Some(sheet) = &self.sheet {
+            keys.push(("sheet", quoted(sheet)));
+        }
+        if self.sheet.is_none() || self.decimal != Decimal::default() {
+            keys.push(("decimal", quoted(self.decimal.name())));
+        }
+        if let Some(thousands) = self.thousands {
+            keys.push(("thousands", quoted(thousands.name())));
+        }
+        match &self.header {
+            Header::Rows(0) => {}
+            Header::Rows(rows) => keys.push(("header", rows.to_string())),
+            Header::Words(words) => keys.push(("header", list(words.iter().map(String::as_str)))),
+        }
+        if let Some(comment) = &self.comment {
+            keys.push(("comment", quoted(comment)));
+        }
+        keys.push(("columns", columns(&self.columns)));
+        if !self.types.is_empty() {
+            let types =
+                self.types.iter().map(|(name, of)| format!("{} = {}", quoted(name), list(of.iter().map(|r| r.name()))));
+            keys.push(("types", format!("{{ {} }}", types.collect::<Vec<_>>().join(", "))));
+        }
+        if let Some(unit) = self.angle_unit {
+            keys.push(("angle_unit", quoted(unit.name())));
+        }
+        if let Some(coordinates) = self.coordinates {
+            keys.push(("coordinates", quoted(coordinates.name())));
+        }
+        if self.missing != Missing::default() {
+            keys.push(("missing", list(self.missing.markers().iter().map(String::as_str))));
+        }
+        if let Some(end) = &self.end {
+            keys.push(("end", quoted(end)));
+        }
+        let keys: Vec<String> = keys.into_iter().map(|(key, value)| format!("{key} = {value}")).collect();
+        write!(f, "{{ {} }}", keys.join(", "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(serde::Deserialize)]
+    struct Stated {
+        format: Dialect,
+    }
+
+    fn read(text: &str) -> Dialect {
+        toml::from_str::<Stated>(&format!("format = {text}\n")).unwrap().format
+    }
+
+    #[test]
+    fn a_printed_dialect_reads_as_itself() {
+        for preset in ["xyz", "xyzijk", "name-xyz-csv", "tracker-semicolon", "leica-emscon", "sdss-plate"] {
+            let dialect = *crate::Format::named(preset).unwrap().dialect;
+            assert_eq!(read(&dialect.to_string()), dialect, "{dialect}");
+            assert!(dialect.check().is_empty(), "{preset}: {:?}", dialect.check());
+        }
+        let text = "{ sheet = 'A \"1\"', decimal = \",\", thousands = \" \", header = [\"X\", \"Y\"], comment = \"//\", \
+                    columns = { label = [\"g\", 2], x = 3, y = \"Y\" }, coordinates = \"cartesian\", missing = [], end = \"END\" }";
+        assert_eq!(read(text).to_string(), text);
+        let text = "{ widths = [8, 10], decimal = \".\", columns = [\"azimuth\", \"elevation\", \"distance\"], angle_unit = \"gon\" }";
+        assert_eq!(read(text).to_string(), text);
+    }
+
+    #[test]
+    fn units_of_headings_are_in_brackets_or_behind_the_name() {
+        let of = |name: &str| Unit::of_heading(name).map(Unit::name);
+        assert_eq!(
+            ["X [mm]", "y (in)", "z_um", "X Inch", "x [m]", "\u{b5} [\u{b5}m]"].map(of),
+            ["mm", "inch", "um", "inch", "m", "um"].map(Some)
+        );
+        assert_eq!(["X", "x_m", "x [rad]", "", "[", "X (M)"].map(of), [None; 6]);
+    }
+}

@@ -1,0 +1,178 @@
+//! `[[export]]`: a file of a measuring system, how it is to be read, and what its labels name: `{target}_{pose}_{cycle}`.
+
+use super::dialect::{Column, Encoding, FromRow, Unit};
+use super::exports::Format;
+use etalon_base::message::Message;
+use etalon_base::pose_name::PoseName;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use toml::Spanned;
+
+/// A file of a measuring system.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Export {
+    /// Name of the file.
+    #[schemars(with = "String")]
+    pub file: Spanned<String>,
+    /// Format of the file: a name, or a table of text key by key.
+    pub format: Format,
+    /// Encoding of its characters, where no byte-order mark states it.
+    #[schemars(extend("default" = "utf-8"))]
+    pub encoding: Option<Encoding>,
+    /// Length unit of the file.
+    pub unit: Unit,
+    /// Pattern of the labels, with `{target}`, `{pose}` and `{cycle}`.
+    #[schemars(with = "Option<String>")]
+    pub label: Option<Spanned<String>>,
+    /// Columns of the joints, of a file that carries them beside the points: by the joint with its unit, as in a log. Its rows are joined
+    /// with themselves, and no `[log]` is needed.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, Column>")]
+    pub joints: BTreeMap<Spanned<String>, Column>,
+    /// Target of all rows, where the file does not name it.
+    pub target: Option<String>,
+    /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for a second file of the same targets.
+    pub pose: Option<FromRow>,
+}
+
+/// What a label names.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Named {
+    pub target: Option<String>,
+    pub pose: Option<PoseName>,
+    pub cycle: Option<i64>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Part {
+    Text(String),
+    Target,
+    Pose,
+    Cycle,
+}
+
+/// Longer labels name no pose by a text.
+const LONGEST: usize = 300;
+
+/// A pattern of labels.
+#[derive(Clone, Debug)]
+pub struct Pattern(Vec<Part>);
+
+impl Pattern {
+    /// Reads a pattern.
+    pub fn parse(pattern: &str) -> Result<Self, Message> {
+        let wrong = |what: String| {
+            Err(Message::error(what).expected("text with {target}, {pose} and {cycle}, each at most once"))
+        };
+        let mut parts = Vec::new();
+        let mut rest = pattern;
+        while let Some((text, after)) = rest.split_once('{') {
+            if !text.is_empty() {
+                parts.push(Part::Text(text.to_owned()));
+            }
+            let Some((name, after)) = after.split_once('}') else {
+                return wrong(format!("`{pattern}` has a `{{` without `}}`"));
+            };
+            let part = match name {
+                "target" => Part::Target,
+                "pose" => Part::Pose,
+                "cycle" => Part::Cycle,
+                _ => return wrong(format!("`{{{name}}}` means nothing in a label")),
+            };
+            if parts.contains(&part) {
+                return wrong(format!("`{pattern}` names `{{{name}}}` twice"));
+            }
+            parts.push(part);
+            rest = after;
+        }
+        if !rest.is_empty() {
+            parts.push(Part::Text(rest.to_owned()));
+        }
+        Ok(Self(parts))
+    }
+
+    /// What `label` names; `None` if it does not have this form.
+    ///
+    /// Of several readings counts the first that is `known` in which the pose is a number, then that of the longest target in which
+    /// it is a text; otherwise a pose that is a text does not read.
+    pub fn read(&self, label: &str, known: impl Fn(&Named) -> bool) -> Option<Named> {
+        let numbers = readings(&self.0, label, false);
+        let first = || numbers.first().cloned();
+        let by_number = numbers.iter().find(|named| known(named)).cloned();
+        let by_text = || readings(&self.0, label, true).into_iter().rev().find(|named| known(named));
+        by_number.or_else(|| by_text().filter(|_| label.len() <= LONGEST)).or_else(first)
+    }
+}
+
+/// Every way to read a label, those of the shortest target first; `texts`: a pose is any text, not a number.
+fn readings(parts: &[Part], label: &str, texts: bool) -> Vec<Named> {
+    let Some((first, rest)) = parts.split_first() else {
+        return if label.is_empty() { vec![Named::default()] } else { Vec::new() };
+    };
+    let digits = label.bytes().take_while(u8::is_ascii_digit).count();
+    // every part up to one of these places
+    let parted = |ends: &mut dyn Iterator<Item = usize>, set: &dyn Fn(&mut Named, &str) -> Option<()>| {
+        let read = |end: usize| {
+            let all = label.get(end..).map_or_else(Vec::new, |after| readings(rest, after, texts));
+            all.into_iter().filter_map(move |mut named| set(&mut named, &label[..end]).map(|()| named))
+        };
+        ends.flat_map(read).collect()
+    };
+    let anywhere = || label.char_indices().skip(1).map(|(i, _)| i).chain([label.len()]).filter(|end| *end > 0);
+    let number = |text: &str| text.parse::<i64>().ok();
+    match first {
+        Part::Text(text) => {
+            label.strip_prefix(text.as_str()).map_or_else(Vec::new, |after| readings(rest, after, texts))
+        }
+        Part::Pose if texts => {
+            let pose = |text: &str| PoseName::new(text).ok().filter(|pose| pose.number().is_none());
+            parted(&mut anywhere(), &|named, text| pose(text).map(|pose| named.pose = Some(pose)))
+        }
+        Part::Pose => {
+            parted(&mut [digits].into_iter(), &|named, text| number(text).map(|n| named.pose = Some(n.into())))
+        }
+        Part::Cycle => parted(&mut [digits].into_iter(), &|named, text| number(text).map(|n| named.cycle = Some(n))),
+        Part::Target => parted(&mut anywhere(), &|named, text| {
+            named.target = Some(text.to_owned());
+            Some(())
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_are_taken_apart() {
+        let pattern = Pattern::parse("{target}_{pose}_{cycle}").unwrap();
+        let named =
+            |t: &str, p, c| Some(Named { target: Some(t.to_owned()), pose: PoseName::new(p).ok(), cycle: Some(c) });
+        let read =
+            |label: &str| pattern.read(label, |named| matches!(named.target.as_deref(), Some("K" | "K_1" | "SMR_1")));
+        assert_eq!(read("K_12_3"), named("K", "12", 3));
+        assert_eq!(read("SMR_1_12_3"), named("SMR_1", "12", 3));
+        assert_eq!(read("M_12_3"), named("M", "12", 3));
+        assert_eq!(read("K_home_3"), named("K", "home", 3));
+        assert_eq!(read("SMR_1_P_home_3"), named("SMR_1", "P_home", 3));
+        assert_eq!(read("K_A-3_1"), named("K", "A-3", 1));
+        // a number before a text, and the longest target
+        assert_eq!(read("K_1_2_3"), named("K_1", "2", 3));
+        assert_eq!(read("K_1_10b_3"), named("K_1", "10b", 3));
+        for other in ["K_12", "M_home_3", "_1_2", "R_home", "R_home_1", "K_=1_1", ""] {
+            assert_eq!(read(other), None, "{other}");
+        }
+        let pattern = Pattern::parse("P{pose}-{target}").unwrap();
+        let ball = Named { target: Some("ball".into()), pose: Some(7.into()), cycle: None };
+        assert_eq!(pattern.read("P7-ball", |_| false), Some(ball));
+    }
+
+    #[test]
+    fn wrong_patterns_are_errors() {
+        for wrong in ["{target", "{x}", "{pose}{pose}"] {
+            assert!(Pattern::parse(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,384 @@
+//! Q-DAS ASCII transfer format (AQDEF), `.dfq`: K fields `Knnnn/characteristic value`, one a line.
+//!
+//! Every coordinate is a characteristic of its own. A point is what the coordinates X, Y and Z of one name have measured on one
+//! piece: the n-th values of `Ball 1.X`, `Ball 1.Y`, `Ball 1.Z`, or of the elements of a group (`K2030` and `K2031`, or nodes
+//! `K5112` with `K5102` and `K5103`), whose point is called as the group and whose axes their names state. Values are K fields
+//! (`K0001/n`) or rows of pieces without keys: characteristics separated by the character 15, fields of a value (value,
+//! attribute, time, ..) by the character 20. A value counts where its attribute `K0002` is 0. Index 0 means all
+//! characteristics, and none the first. Source: defined contents of K fields, Q-DAS data format (Hexagon), and ISO/TR 11462-5.
+
+use super::pivot::{Pivot, Said};
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
+use crate::Point;
+use crate::dialect::{Decimal, Dialect, Unit};
+use crate::lexer::number;
+use etalon_base::message::{Message, Problems};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Files `.dfq` of measuring systems with a Q-DAS interface.
+pub(super) struct Aqdef;
+
+const CHARACTERISTICS: char = '\u{f}';
+const FIELDS: char = '\u{14}';
+
+impl ExportFormat for Aqdef {
+    fn about(&self) -> About {
+        About { name: "aqdef", title: "Q-DAS ASCII transfer format", decimal_comma: true, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        let what = "a file in the Q-DAS ASCII transfer format, by its first field";
+        Recognised::by(text.starts_with("K0100 "), 1.0, what)
+    }
+
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        let mut problems = Problems::default();
+        let mut file = File { decimal: dialect.decimal, ..File::default() };
+        for (i, line) in text.lines.iter().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+            problems.0.extend(file.line(i + 1, line).err().map(|message| message.at(text.place(i + 1))));
+        }
+        let points = file.points(text, unit, &mut problems);
+        (points, problems)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        let mut all = format!("K0100 {}\nK1001 simulated\nK2004/0 0\nK2142/0 {}\n", 3 * rows.len(), how.unit.name());
+        let coordinates =
+            || rows.iter().flat_map(|row| ["X", "Y", "Z"].into_iter().zip(row.xyz).map(move |c| (row, c)));
+        for (i, (row, (axis, _))) in coordinates().enumerate() {
+            all += &format!("K2002/{} {}.{axis}\n", i + 1, row.label);
+        }
+        for (i, (_, (_, value))) in coordinates().enumerate() {
+            all += &format!("K0001/{} {}\n", i + 1, how.number(value));
+        }
+        Ok(all)
+    }
+}
+
+/// What a file states, as it is read.
+#[derive(Default)]
+struct File<'a> {
+    decimal: Decimal,
+    /// How many characteristics `K0100` states.
+    stated: Option<usize>,
+    /// The part that characteristics belong to which follow.
+    part: usize,
+    characteristics: BTreeMap<usize, Characteristic<'a>>,
+    /// What index 0 states, of all.
+    common: Characteristic<'a>,
+    groups: Groups<'a>,
+    order: Order,
+}
+
+/// The order of values in the file.
+#[derive(Default)]
+struct Order {
+    /// Of the piece that is being read, from 0, and the characteristics that it has values of.
+    piece: usize,
+    of_piece: BTreeSet<usize>,
+    last: usize,
+    /// Whether values of one characteristic are apart from each other: then the file goes piece by piece.
+    by_piece: bool,
+}
+
+/// A characteristic, and what was measured of it.
+#[derive(Default)]
+struct Characteristic<'a> {
+    line: usize,
+    part: usize,
+    number: &'a str,
+    name: &'a str,
+    /// Line and words.
+    unit: Option<(usize, &'a str)>,
+    /// Of its values: 0 variable, 1 attributive, 5 and 6 lists of errors.
+    kind: &'a str,
+    values: Vec<Value>,
+}
+
+impl<'a> Characteristic<'a> {
+    fn called(&self) -> &'a str {
+        if self.name.is_empty() { self.number } else { self.name }
+    }
+}
+
+/// What was measured of a characteristic on a piece.
+struct Value {
+    line: usize,
+    /// That it belongs to where the file goes piece by piece.
+    piece: usize,
+    /// None: the row has no value of this characteristic.
+    value: Option<f64>,
+    /// 0: valid; 129 invalid, 255 placeholder, 256 deleted, 290 not plausible.
+    attribute: u64,
+}
+
+/// Which characteristics are elements of which group.
+#[derive(Default)]
+struct Groups<'a> {
+    /// `K2030`: the characteristic that is a group, by the number of the group.
+    simple: BTreeMap<usize, usize>,
+    /// `K2031`: the number of the group that a characteristic is an element of.
+    elements: BTreeMap<usize, usize>,
+    /// `K5002`: names of logical groups.
+    names: BTreeMap<usize, &'a str>,
+    /// `K5112` and `K5113`: nodes that are characteristics or logical groups.
+    nodes: BTreeMap<usize, Node>,
+    /// `K5102`: the node that a characteristic is below; `K5103`: that a node is below.
+    above: BTreeMap<usize, usize>,
+    nodes_above: BTreeMap<usize, usize>,
+}
+
+#[derive(Clone, Copy)]
+enum Node {
+    Characteristic(usize),
+    Logical(usize),
+}
+
+impl<'a> File<'a> {
+    fn line(&mut self, line: usize, text: &'a str) -> Result<(), Message> {
+        let Some((key, index, content)) = field(text) else { return self.piece(line, text) };
+        if self.stated.is_none() && key != 100 {
+            return Err(Message::error(format!("the first field is K{key:04}, not K0100"))
+                .hint("a .dfd file has no values and a .dfx file no names: export both in one .dfq"));
+        }
+        let all = index == Some(0);
+        let index = index.unwrap_or(1);
+        match key {
+            100 if self.stated.is_some() => {
+                return Err(Message::error("a second K0100: the file has several data sets")
+                    .hint("divide it into one file for each, with an `[[export]]` of its own"));
+            }
+            100 => self.stated = Some(whole(content)?),
+            1 => self.value(line, self.known(index)?, content, None)?,
+            2 => {
+                let attribute = whole(content)? as u64;
+                let ones: Vec<usize> = if all { self.characteristics.keys().copied().collect() } else { vec![index] };
+                for one in ones {
+                    let last = self.characteristics.get_mut(&one).and_then(|known| known.values.last_mut());
+                    last.ok_or_else(|| Message::error("K0002 before a value of the characteristic"))?.attribute =
+                        attribute;
+                }
+            }
+            1001 => self.part = index,
+            2000..3000 if all => self.common.state(line, key, content),
+            2030 => drop(self.groups.simple.insert(whole(content)?, index)),
+            2031 => drop(self.groups.elements.insert(index, whole(content)?)),
+            2000..3000 => {
+                let (part, known) = (self.part, self.known(index)?);
+                let one = self.characteristics.entry(known).or_insert_with(|| Characteristic {
+                    line,
+                    part,
+                    ..Default::default()
+                });
+                one.state(line, key, content);
+            }
+            5002 => drop(self.groups.names.insert(index, content)),
+            5112 => drop(self.groups.nodes.insert(index, Node::Characteristic(whole(content)?))),
+            5113 => drop(self.groups.nodes.insert(index, Node::Logical(whole(content)?))),
+            5102 => drop(self.groups.above.insert(whole(content)?, index)),
+            5103 => drop(self.groups.nodes_above.insert(whole(content)?, index)),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// An index that is a characteristic of the file.
+    fn known(&self, index: usize) -> Result<usize, Message> {
+        let most = self.stated.unwrap_or(0);
+        let what =
+            || Message::error(format!("the field is of characteristic {index}, and K0100 states {most} of them"));
+        if (1..=most).contains(&index) { Ok(index) } else { Err(what().hint("was the file cut off or put together?")) }
+    }
+
+    fn value(&mut self, line: usize, index: usize, value: &str, attribute: Option<&str>) -> Result<(), Message> {
+        let decimal = self.decimal;
+        let Some(one) = self.characteristics.get_mut(&index) else {
+            return Err(Message::error(format!("characteristic {index} has a value and no name"))
+                .expected(format!("K2001/{index} or K2002/{index} before it")));
+        };
+        let value =
+            match value.trim() {
+                "" => None,
+                value => Some(number(value, decimal).map_err(|message| {
+                    message.hint("a decimal comma? Then state `format = \"aqdef, decimal comma\"`")
+                })?),
+            };
+        let attribute = attribute.map(str::trim).filter(|words| !words.is_empty()).map_or(Ok(0), whole)? as u64;
+        let order = &mut self.order;
+        order.by_piece |= order.last != index && !one.values.is_empty();
+        order.last = index;
+        if !order.of_piece.insert(index) {
+            order.piece += 1;
+            order.of_piece = BTreeSet::from([index]);
+        }
+        one.values.push(Value { line, piece: order.piece, value, attribute });
+        Ok(())
+    }
+
+    /// A row of values without keys: one of each characteristic, in their order.
+    fn piece(&mut self, line: usize, text: &str) -> Result<(), Message> {
+        if self.stated.is_none() {
+            return Err(Message::error("the file does not begin with K0100"));
+        }
+        let is_value = |c: char| c.is_ascii_digit() || "+-.,eE \t".contains(c);
+        if !text.contains([CHARACTERISTICS, FIELDS]) && !text.chars().all(is_value) {
+            return Err(Message::error("the line is neither a K field nor a row of values"));
+        }
+        if !self.order.of_piece.is_empty() {
+            self.order.piece += 1;
+            self.order.of_piece.clear();
+        }
+        for (i, value) in text.split(CHARACTERISTICS).enumerate() {
+            let mut fields = value.split(FIELDS);
+            let (first, attribute) = (fields.next().unwrap_or_default(), fields.next());
+            self.value(line, self.known(i + 1)?, first, attribute)?;
+        }
+        Ok(())
+    }
+
+    /// The name of the point and the axis that a characteristic is a coordinate of.
+    fn coordinate(&self, index: usize, one: &Characteristic<'a>) -> Option<(&'a str, usize)> {
+        let name = one.called();
+        let kind = if one.kind.is_empty() { self.common.kind } else { one.kind };
+        if !matches!(kind, "" | "0") {
+            return None;
+        }
+        let words = || name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+        let mut axes = words().filter_map(axis);
+        if let Some(group) = self.group(index).filter(|group| !group.is_empty()) {
+            return axes.next().filter(|_| axes.next().is_none()).map(|axis| (group, axis));
+        }
+        let axis = words().last().and_then(axis)?;
+        let label = name.trim_end().strip_suffix(|c: char| c.is_alphanumeric())?;
+        let label = label.trim_end_matches(['.', '_', '-', ':', '/', ',', ' ', '\t']);
+        (!label.is_empty() && words().count() > 1).then_some((label, axis))
+    }
+
+    /// The name of the group that a characteristic is an element of.
+    fn group(&self, index: usize) -> Option<&'a str> {
+        let groups = &self.groups;
+        let called = |index: &usize| self.characteristics.get(index).map(Characteristic::called);
+        if let Some(number) = groups.elements.get(&index) {
+            return groups.simple.get(number).and_then(called);
+        }
+        match groups.nodes.get(groups.above.get(&index)?)? {
+            Node::Characteristic(above) if *above != index => called(above),
+            // the node of the characteristic itself: what is above it
+            Node::Characteristic(_) => match groups.nodes.get(groups.nodes_above.get(groups.above.get(&index)?)?)? {
+                Node::Characteristic(above) => called(above),
+                Node::Logical(number) => groups.names.get(number).copied(),
+            },
+            Node::Logical(number) => groups.names.get(number).copied(),
+        }
+    }
+
+    /// Whether other characteristics are elements of this one.
+    fn is_group(&self, index: usize) -> bool {
+        let groups = &self.groups;
+        let below =
+            |node: &usize| matches!(groups.nodes.get(node), Some(Node::Characteristic(above)) if *above == index);
+        groups.simple.values().any(|group| *group == index)
+            || groups.above.iter().any(|(element, node)| *element != index && below(node))
+    }
+
+    fn points(self, text: &Text, unit: Unit, problems: &mut Problems) -> Vec<Point> {
+        let mut pivot = Pivot::default();
+        let mut others = Vec::new();
+        let values = self.characteristics.values().map(|one| one.values.len()).sum::<usize>();
+        if values == 0 && problems.0.is_empty() {
+            let what = "the file has no values: it describes characteristics alone";
+            problems.0.push(Message::error(what).at(text.place(1)).hint("export description and values in one .dfq"));
+        }
+        let mut coordinates = Vec::new();
+        let mut counts = BTreeMap::new();
+        for (index, one) in &self.characteristics {
+            match self.coordinate(*index, one) {
+                Some((label, axis)) => {
+                    problems.0.extend(self.unit(one, text, unit).err());
+                    let count = *counts.entry((one.part, label)).or_insert(one.values.len());
+                    problems.0.extend(self.missing(one, count).map(|(line, message)| message.at(text.place(line))));
+                    let values = one.values.iter().enumerate();
+                    coordinates.extend(values.map(|(piece, value)| (piece, *index, one.part, label, axis, value)));
+                }
+                None if self.is_group(*index) => {}
+                None => {
+                    let line = one.values.first().map_or(one.line, |value| value.line);
+                    let reason = "no coordinate: the name of the characteristic does not end in X, Y or Z";
+                    others.push(text.no_point(line, one.called(), reason));
+                }
+            }
+        }
+        coordinates.sort_by_key(|(piece, index, ..)| (*piece, *index));
+        for (piece, _, part, label, axis, value) in coordinates {
+            let said = match value.value.filter(|_| value.attribute == 0) {
+                Some(coordinate) => Said::Coordinate(axis, coordinate),
+                None => Said::Other(format!("K0002 = {}", value.attribute)),
+            };
+            pivot.add(value.line, label, &format!("{part}/{piece}"), said);
+        }
+        let mut points = pivot.rows(text, unit);
+        points.extend(others);
+        points
+    }
+
+    /// An error where values of the characteristic do not belong to the pieces that those of the point's other axes belong to.
+    fn missing(&self, one: &Characteristic, count: usize) -> Option<(usize, Message)> {
+        let hint = "a value that was not measured keeps its place with the attribute 255 (K0002)";
+        let name = one.called();
+        if let Some((i, value)) =
+            one.values.iter().enumerate().find(|(i, value)| self.order.by_piece && value.piece != *i)
+        {
+            let what =
+                format!("the value {} of `{name}` is of piece {}: one before it is missing", i + 1, value.piece + 1);
+            return Some((value.line, Message::error(what).hint(hint)));
+        }
+        let what = || format!("`{name}` has {} values, and another coordinate of the point {count}", one.values.len());
+        (one.values.len() != count).then(|| (one.line, Message::error(what()).hint(hint)))
+    }
+
+    /// An error where the characteristic is in another unit than the campaign.
+    fn unit(&self, one: &Characteristic, text: &Text, stated: Unit) -> Result<(), Message> {
+        let Some((line, words)) = one.unit.or(self.common.unit).filter(|(_, words)| !words.is_empty()) else {
+            return Ok(());
+        };
+        let Some(unit) = Unit::of_heading(&format!("[{words}]")) else {
+            let message = Message::error(format!("`{words}` is not a unit of a coordinate")).at(text.place(line));
+            return Err(message.expected("mm, m, um or inch"));
+        };
+        unit_agrees(stated, unit, "K2142", text.place(line))
+    }
+}
+
+impl<'a> Characteristic<'a> {
+    fn state(&mut self, line: usize, key: usize, content: &'a str) {
+        match key {
+            2001 => self.number = content,
+            2002 => self.name = content,
+            2004 => self.kind = content,
+            2142 => self.unit = Some((line, content)),
+            _ => {}
+        }
+    }
+}
+
+/// Key, index and content of a K field: `K2002/1 Ball 1.X`.
+fn field(text: &str) -> Option<(usize, Option<usize>, &str)> {
+    let (key, content) = text.trim().split_once([' ', '\t']).unwrap_or((text.trim(), ""));
+    let digits = |words: &str| !words.is_empty() && words.bytes().all(|b| b.is_ascii_digit());
+    let mut parts = key.strip_prefix('K')?.split('/');
+    let key = parts.next().filter(|key| key.len() == 4 && digits(key))?;
+    // a second index is that of the value
+    let index = parts.next();
+    if !index.is_none_or(digits) || !parts.all(digits) {
+        return None;
+    }
+    Some((key.parse().ok()?, index.map(str::parse).transpose().ok()?, content.trim()))
+}
+
+fn whole(content: &str) -> Result<usize, Message> {
+    content.parse().map_err(|_| Message::error(format!("`{content}` is not a whole number")))
+}
+
+fn axis(word: &str) -> Option<usize> {
+    ["X", "Y", "Z"].iter().position(|axis| axis.eq_ignore_ascii_case(word))
+}

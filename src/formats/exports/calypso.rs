@@ -1,0 +1,213 @@
+//! Zeiss Calypso table files, separated by tabs: characteristics (`_chr`), features (`_fet`), and the head of a run (`_hdr`).
+//!
+//! Columns are found by their names, whose order and number change with the version. Rows are ragged: a row may end where
+//! its last value is, though the header goes on. The last row is the word `END`. Of characteristics a point is what
+//! `xValue`, `yValue` and `zValue` of one feature in one run state. The names of a `_fet` file are not documented: `x`, `y`,
+//! `z` and `featureid` or `id` are taken.
+
+use super::pivot::{Pivot, Said};
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
+use crate::Point;
+use crate::dialect::{Decimal, Dialect, Unit};
+use crate::lexer::{Row as Fields, number};
+use etalon_base::message::{Message, Place, Problems};
+use std::borrow::Cow;
+
+/// Table files of Zeiss Calypso.
+pub(super) struct Calypso;
+
+impl ExportFormat for Calypso {
+    fn about(&self) -> About {
+        About { name: "calypso", title: "Zeiss Calypso table", decimal_comma: true, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(text.starts_with("planid\tpartnb"), 1.0, "a table of Zeiss Calypso, by its header")
+    }
+
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, dialect.decimal, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        let unit = how.unit.name();
+        let mut all = "planid\tpartnb\tid\tidsymbol\tactual\tfeatureid\tunit\tgroup1\t\n".to_owned();
+        for Row { label, xyz, .. } in rows {
+            for (axis, value) in ["x", "y", "z"].into_iter().zip(xyz) {
+                let value = how.number(*value);
+                all += &format!("simulated\t1\t{label}_{axis}\t{axis}Value\t{value}\t{label}\t{unit}\n");
+            }
+        }
+        Ok(all + "END\n")
+    }
+}
+
+/// A table with a header.
+struct Table<'a> {
+    text: &'a Text<'a>,
+    names: Fields<'a>,
+    rows: Vec<Fields<'a>>,
+}
+
+impl<'a> Table<'a> {
+    fn column(&self, name: &str) -> Option<usize> {
+        self.names.fields.iter().position(|n| n == name)
+    }
+
+    /// The cell of a row; empty where there is no such column.
+    fn cell<'r>(&self, row: Option<&'r Fields>, column: Option<usize>) -> &'r str {
+        row.zip(column).map_or("", |(row, at)| row.field(at))
+    }
+
+    fn place(&self, row: &Fields, at: usize) -> Place {
+        row.cell(self.text.file, at)
+    }
+}
+
+/// The points of a table.
+fn rows(text: &Text, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
+    let mut problems = Problems::default();
+    let table = table(text, &mut problems);
+    let has = |names: &[&str]| names.iter().all(|name| table.column(name).is_some());
+    if has(&["featureid", "idsymbol", "actual"]) {
+        (characteristics(&table, decimal, unit, &mut problems), problems)
+    } else if has(&["x", "y", "z"]) && (has(&["featureid"]) || has(&["id"])) {
+        (features(&table, decimal, unit, &mut problems), problems)
+    } else {
+        problems.0.push(no_table(&table).at(text.place(1)));
+        (Vec::new(), problems)
+    }
+}
+
+/// What is wrong with a file that has no points.
+fn no_table(table: &Table) -> Message {
+    let head = ["planid", "lengthunit", "temperatureworkpiece"];
+    if head.iter().any(|name| table.column(name).is_none()) {
+        return Message::error("the first row names no columns of a Calypso table")
+            .expected("`featureid`, `idsymbol` and `actual`, or `x`, `y`, `z` and `featureid`, separated by tabs");
+    }
+    let said = |name: &str| match table.cell(table.rows.first(), table.column(name)) {
+        "" => "not stated".to_owned(),
+        value => value.to_owned(),
+    };
+    let (unit, temperature) = (said("lengthunit"), said("temperatureworkpiece"));
+    Message::error("this is the head of a run: it holds no points")
+        .expected("the `_chr` or `_fet` file beside it")
+        .hint(format!("its length unit is {unit}, the workpiece had {temperature} degrees: state both in the campaign"))
+}
+
+/// Splits the file; surplus fields and rows after the end are reported.
+fn table<'a>(text: &'a Text, problems: &mut Problems) -> Table<'a> {
+    let split = |line: usize| {
+        let fields = text.shown(line).split('\t').map(|f| f.trim().trim_matches('"'));
+        Fields::of(line, text.shown(line), fields)
+    };
+    let names = split(1);
+    let again = |(at, name): &(usize, &Cow<str>)| !name.is_empty() && names.fields[..*at].contains(name);
+    for (at, name) in names.fields.iter().enumerate().filter(again) {
+        let message = Message::error(format!("the header names `{name}` twice"));
+        problems.0.push(message.at(names.cell(text.file, at)));
+    }
+    let mut table = Table { text, names, rows: Vec::new() };
+    let mut ended = false;
+    for (i, line) in text.lines.iter().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty()) {
+        let row = split(i + 1);
+        if ended {
+            problems.0.push(Message::error("the table goes on after its `END`").at(text.place(i + 1)));
+            return table;
+        }
+        if line.trim() == "END" {
+            ended = true;
+        } else if row.fields.iter().skip(table.names.fields.len()).any(|f| !f.is_empty()) {
+            let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(i + 1));
+            problems.0.push(message.expected(format!("at most {}, as the header", table.names.fields.len())));
+        } else {
+            table.rows.push(row);
+        }
+    }
+    table
+}
+
+/// One point for each feature and run that has the three coordinates.
+fn characteristics(table: &Table, decimal: Decimal, unit: Unit, problems: &mut Problems) -> Vec<Point> {
+    let column = |name: &str| table.column(name);
+    let (feature, symbol, actual) = (column("featureid"), column("idsymbol"), column("actual"));
+    let mut pivot = Pivot::default();
+    for row in &table.rows {
+        let cell = |at: Option<usize>| table.cell(Some(row), at);
+        let (label, symbol) = (cell(feature), cell(symbol));
+        let run = format!("{}\t{}", cell(column("planid")), cell(column("partnb")));
+        if label.is_empty() || symbol.is_empty() {
+            let message = Message::error("the row does not state which characteristic of which feature it is");
+            problems.0.push(message.at(row.place(table.text.file)).hint("was the file cut off?"));
+            continue;
+        }
+        let said = match ["xValue", "yValue", "zValue"].iter().position(|axis| *axis == symbol) {
+            Some(axis) => match coordinate(table, row, actual, decimal) {
+                Ok(value) => {
+                    let stated = unit_of(table, row, unit);
+                    problems.0.extend(stated.err());
+                    Said::Coordinate(axis, value)
+                }
+                Err(message) => {
+                    problems.0.push(message);
+                    continue;
+                }
+            },
+            None => Said::Other(symbol.to_owned()),
+        };
+        pivot.add(row.line, label, &run, said);
+    }
+    pivot.rows(table.text, unit)
+}
+
+/// One point for each row.
+fn features(table: &Table, decimal: Decimal, unit: Unit, problems: &mut Problems) -> Vec<Point> {
+    let label = table.column("featureid").or(table.column("id"));
+    let axes = ["x", "y", "z"].map(|axis| table.column(axis));
+    let mut points = Vec::new();
+    for row in &table.rows {
+        let name = table.cell(Some(row), label);
+        if axes.iter().all(|at| table.cell(Some(row), *at).is_empty()) {
+            points.push(table.text.no_point(row.line, name, "not measured: no coordinates"));
+            continue;
+        }
+        let xyz = axes.map(|at| {
+            coordinate(table, row, at, decimal).unwrap_or_else(|message| {
+                problems.0.push(message);
+                f64::NAN
+            })
+        });
+        problems.0.extend(unit_of(table, row, unit).err());
+        points.push(table.text.point(row.line, name, xyz, unit));
+    }
+    points
+}
+
+fn coordinate(table: &Table, row: &Fields, at: Option<usize>, decimal: Decimal) -> Result<f64, Message> {
+    number(table.cell(Some(row), at), decimal).map_err(|message| {
+        let place = match at {
+            Some(at) if at < row.fields.len() => table.place(row, at),
+            _ => row.place(table.text.file),
+        };
+        let hint = "a decimal comma? Then state `format = \"calypso, decimal comma\"`; a row may also be cut off";
+        message.at(place).hint(hint)
+    })
+}
+
+/// An error where the row states another unit than the campaign; older versions state none.
+fn unit_of(table: &Table, row: &Fields, stated: Unit) -> Result<(), Message> {
+    let Some(at) = table.column("unit") else { return Ok(()) };
+    let of_file = match row.field(at) {
+        "" => return Ok(()),
+        "mm" => Unit::Millimetre,
+        "inch" | "in" => Unit::Inch,
+        "m" => Unit::Metre,
+        "um" | "µm" | "μm" => Unit::Micrometre,
+        other => {
+            let message = Message::error(format!("`{other}` is not a unit of a coordinate"));
+            return Err(message.at(table.place(row, at)).expected("mm, m, um or inch"));
+        }
+    };
+    unit_agrees(stated, of_file, "column `unit`", table.place(row, at))
+}

@@ -1,0 +1,566 @@
+//! Delimited text: rows of columns in a dialect that the campaign states, or that has a name.
+
+use super::{About, ExportFormat, Plain, Recognised, Row as Written, Text, Writing};
+use crate::dialect::{ColumnAt, Columns, CoordinateType, Delimiter, Dialect, Header, Role, Unit, coordinate_type};
+use crate::lexer::pose_name;
+use crate::lexer::{self, Row, WHOLE, each_row, marked};
+use crate::points::{Line, Names, Point};
+use etalon_base::message::{Message, Place, Problems};
+use etalon_base::pose::{Vector, norm};
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+/// Delimited text in a stated dialect.
+pub(super) struct Delimited;
+
+impl ExportFormat for Delimited {
+    fn about(&self) -> About {
+        About { points_only: true, ..About::default() }
+    }
+
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        point_rows(text.file, text.whole, dialect, unit)
+    }
+
+    /// Header rows, the last of which names the columns, and the data.
+    fn write(&self, rows: &[Written], how: &Writing) -> Result<String, Message> {
+        write(rows, how)
+    }
+
+    fn plain(&self, dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
+        let Columns::InOrder(roles) = &dialect.columns else { return None };
+        let labelled = match roles[..] {
+            [Role::X, Role::Y, Role::Z] => false,
+            [Role::Label, Role::X, Role::Y, Role::Z] => true,
+            _ => return None,
+        };
+        let bare = Dialect {
+            delimiter: dialect.delimiter,
+            columns: dialect.columns.clone(),
+            coordinates: dialect.coordinates,
+            ..Dialect::default()
+        };
+        let delimiter = dialect.delimiter.filter(|_| *dialect == bare)?.byte();
+        Some(Plain { delimiter, labelled, may_be_angles: dialect.coordinates.is_none() })
+    }
+}
+
+/// A dialect that has a name.
+pub struct Named {
+    pub name: &'static str,
+    pub recognise: fn(&str) -> Option<Recognised>,
+    pub dialect: fn() -> Dialect,
+}
+
+impl ExportFormat for Named {
+    fn about(&self) -> About {
+        About { name: self.name, ..Delimited.about() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        (self.recognise)(text)
+    }
+
+    fn dialect(&self) -> Dialect {
+        (self.dialect)()
+    }
+
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        Delimited.read(text, dialect, unit)
+    }
+
+    fn write(&self, rows: &[Written], how: &Writing) -> Result<String, Message> {
+        Delimited.write(rows, how)
+    }
+
+    fn plain(&self, dialect: &Dialect, start: &[u8]) -> Option<Plain> {
+        Delimited.plain(dialect, start)
+    }
+}
+
+impl Named {
+    /// Columns that nothing but the name states.
+    const fn simple(name: &'static str, dialect: fn() -> Dialect) -> Self {
+        Self { name, recognise: |_| None, dialect }
+    }
+}
+
+pub(super) fn columns_in(delimiter: Delimiter, columns: &[Role]) -> Dialect {
+    Dialect { delimiter: Some(delimiter), columns: columns.to_vec().into(), ..Dialect::default() }
+}
+
+/// numpy.savetxt and most viewers of point clouds.
+pub(super) const XYZ: Named = Named::simple("xyz", || columns_in(Delimiter::Blank, &[Role::X, Role::Y, Role::Z]));
+/// The same with directions.
+pub(super) const XYZIJK: Named =
+    Named::simple("xyzijk", || columns_in(Delimiter::Blank, &[Role::X, Role::Y, Role::Z, Role::I, Role::J, Role::K]));
+/// Names and coordinates between commas.
+pub(super) const NAME_XYZ: Named =
+    Named::simple("name-xyz-csv", || columns_in(Delimiter::Comma, &[Role::Label, Role::X, Role::Y, Role::Z]));
+/// Trackers' lists of stationary points, whose further fields may be empty.
+pub(super) const TRACKER: Named =
+    Named::simple("tracker-semicolon", || columns_in(Delimiter::Semicolon, &[Role::Label, Role::X, Role::Y, Role::Z]));
+
+/// A direction whose length leaves 1 by more is none.
+const DIRECTION: f64 = 0.01;
+
+/// Points of a text, in millimetres, and what does not read.
+pub(crate) fn point_rows(file: &str, text: &Arc<str>, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+    let wrong = Problems(dialect.check());
+    if !wrong.0.is_empty() {
+        return (Vec::new(), wrong);
+    }
+    let problems = RefCell::new(Problems::default());
+    let said = |message: Message| problems.borrow_mut().0.push(message);
+    let rows = each_row(file, text, dialect).filter_map(|row| row.map_err(said).ok());
+    let points = if dialect.sheet.is_some() {
+        // cells behind the last one of a row are empty, and not written
+        let mut rows: Vec<Row> = rows.collect();
+        let width = rows.iter().map(|row| row.fields.len()).max().unwrap_or(0);
+        rows.iter_mut().for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
+        points(file, text, rows.into_iter(), dialect, unit)
+    } else {
+        points(file, text, rows, dialect, unit)
+    };
+    let (points, more) = points.unwrap_or_else(|more| (Vec::new(), more));
+    let mut problems = problems.into_inner();
+    problems.0.extend(more);
+    problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
+    (points, problems)
+}
+
+/// The points of the data rows between header and end, and what is wrong with them; what is wrong with the header.
+fn points<'t>(
+    file: &str,
+    text: &Arc<str>,
+    mut rows: impl Iterator<Item = Row<'t>>,
+    dialect: &Dialect,
+    unit: Unit,
+) -> Result<(Vec<Point>, Vec<Message>), Vec<Message>> {
+    let header = header(file, &mut rows, dialect)?;
+    let mut rows = rows.peekable();
+    let roles = roles(file, header.as_ref(), dialect, rows.peek())?;
+    let mut problems = Problems::default();
+    if let Some(header) = &header {
+        let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
+        let other = |(_, name): &(&Role, &Cow<str>)| Unit::of_heading(name).is_some_and(|said| said != unit);
+        if let Some((_, name)) = lengths.into_iter().find(other) {
+            let what = format!("the header states `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
+            problems.0.push(Message::error(what).at(header.place(file)).hint("state the unit of the file"));
+        }
+    }
+    let reader = Reader { file, text, dialect, unit, roles };
+    let (mut points, mut names) = (Vec::new(), Names::default());
+    while let Some(row) = rows.next() {
+        let ends = |end: &String| row.field(0) == end && row.fields[1..].iter().all(|f| f.is_empty());
+        if let Some(end) = dialect.end.as_ref().filter(|end| ends(end)) {
+            if let Some(row) = rows.next() {
+                let message = Message::error(format!("there are rows behind `{end}`, which ends the data"));
+                problems.0.push(message.at(row.place(file)));
+            }
+            break;
+        }
+        points.extend(reader.point(&row, &mut names, &mut problems));
+    }
+    problems.0.extend(reader.looks_spherical(&points));
+    Ok((points, problems.0))
+}
+
+/// The last row of the header, which is taken off the rows.
+fn header<'t>(
+    file: &str,
+    rows: &mut impl Iterator<Item = Row<'t>>,
+    dialect: &Dialect,
+) -> Result<Option<Row<'t>>, Vec<Message>> {
+    match &dialect.header {
+        Header::Rows(count) => Ok(rows.take(*count).last()),
+        Header::Words(words) => {
+            let found = rows.find(|row| words.iter().all(|word| row.text.contains(word.as_str())));
+            let what = || format!("no line holds the words of the header: {}", words.join(", "));
+            found.map(Some).ok_or_else(|| vec![Message::error(what()).at(Place::file(file))])
+        }
+    }
+}
+
+/// What each column holds.
+fn roles(file: &str, header: Option<&Row>, dialect: &Dialect, first: Option<&Row>) -> Result<Vec<Role>, Vec<Message>> {
+    let named = match &dialect.columns {
+        Columns::InOrder(roles) => {
+            let mut roles = roles.clone();
+            roles.resize(roles.len().max(dialect.widths.len()), Role::Skip);
+            return Ok(roles);
+        }
+        Columns::Named(named) => named,
+    };
+    let fields = header.map_or(&[][..], |row| &row.fields);
+    let width = fields.len().max(first.map_or(0, |row| row.fields.len()));
+    let mut roles = vec![Role::Skip; width];
+    let mut wrong = Vec::new();
+    let at = || header.map_or_else(|| Place::file(file), |row| row.place(file));
+    for (role, column) in named {
+        let found = match column {
+            ColumnAt::Number(n) => vec![n - 1],
+            ColumnAt::Name(name) => (0..fields.len()).filter(|i| fields[*i] == *name).collect(),
+        };
+        match (&found[..], column) {
+            ([one], _) if *one >= width => {
+                wrong.push(
+                    Message::error(format!("there are {width} columns, none of them is number {}", one + 1)).at(at()),
+                );
+            }
+            ([one], _) if roles[*one] != Role::Skip => {
+                let what = format!("column {} would be `{}` and `{}`", one + 1, roles[*one].name(), role.name());
+                wrong.push(Message::error(what).at(at()));
+            }
+            ([one], _) => roles[*one] = *role,
+            ([], ColumnAt::Name(name)) => {
+                let message = Message::error(format!("the header has no column `{name}`")).at(at());
+                wrong.push(message.hint_names(name, fields.iter().map(Cow::as_ref)));
+            }
+            (_, column) => {
+                let name = if let ColumnAt::Name(name) = column { name.as_str() } else { "" };
+                let message = Message::error(format!("the header names `{name}` {} times", found.len())).at(at());
+                wrong.push(message.hint("give the number of the column instead of its name"));
+            }
+        }
+    }
+    if wrong.is_empty() { Ok(roles) } else { Err(wrong) }
+}
+
+/// Reads rows of one file.
+struct Reader<'a> {
+    file: &'a str,
+    text: &'a Arc<str>,
+    dialect: &'a Dialect,
+    unit: Unit,
+    roles: Vec<Role>,
+}
+
+impl Reader<'_> {
+    /// One point. Numbers that do not read are reported, and leave it without a place; a row that is not a row of the
+    /// stated columns is reported, and gives none.
+    fn point(&self, row: &Row, shared: &mut Names, problems: &mut Problems) -> Option<Point> {
+        let line = || row.place(self.file);
+        let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());
+        if surplus || row.fields.len() < self.roles.iter().rposition(|r| *r != Role::Skip).map_or(0, |i| i + 1) {
+            let message = Message::error(format!("the row has {} columns", row.fields.len())).at(line());
+            let expected = format!("{} columns, as `columns` states", self.roles.len());
+            problems.0.push(message.expected(expected).hint("`etalon formats FILE` proposes how to read the file"));
+            return None;
+        }
+        let roles = match self.of_this_row(row) {
+            Ok(roles) => roles,
+            Err((message, cell)) => {
+                problems.0.push(message.at(row.cell(self.file, cell)));
+                return None;
+            }
+        };
+        let mut point = Point { line: row.line, text: Line::of(self.text, row.text), ..Point::default() };
+        let before = problems.0.len();
+        let mut wrong = |message: Message, cell: usize| problems.0.push(message.at(row.cell(self.file, cell)));
+        let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_ref()));
+        let mut value = |i: usize, field: &str| {
+            let read = marked(field, self.dialect.decimal, self.dialect.thousands);
+            let hinted = |message: Message| match field.is_empty() && self.dialect.sheet.is_some() {
+                true => message.hint("a formula without a value? save the workbook in the program that computes it"),
+                false => message,
+            };
+            read.map_err(|message| wrong(hinted(message), i)).unwrap_or(f64::NAN)
+        };
+        point.refused = self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f)));
+        let unmeasured = point.refused.is_some();
+        let (mut coordinates, mut uncertain, mut direction) = (Vec::new(), Vec::new(), Vec::new());
+        let mut names = Vec::new();
+        for (i, role, field) in cells() {
+            match role {
+                Role::Label if point.label.is_empty() => point.label = shared.shared(field),
+                Role::Label => point.label = shared.shared(&format!("{}::{field}", point.label)),
+                Role::Target => point.target = Some(shared.shared(field)),
+                Role::TimeS => point.time_s = Some(value(i, field)),
+                Role::Pose | Role::Cycle => names.push((i, role, field)),
+                _ if unmeasured => {}
+                role if role.is_coordinate() => coordinates.push((i, role, value(i, field) * self.factor(role))),
+                role if role.is_uncertainty() => uncertain.push((role, value(i, field))),
+                Role::I | Role::J | Role::K => direction.push((role, value(i, field))),
+                _ => {}
+            }
+        }
+        for (i, role, field) in names {
+            if role == Role::Pose {
+                point.pose = pose_name(field, self.dialect.decimal).map_err(|message| wrong(message, i)).ok();
+                continue;
+            }
+            point.cycle = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
+            if point.cycle.is_none() {
+                wrong(Message::error(format!("`{field}` is not a whole number")), i);
+            }
+        }
+        if unmeasured {
+            return Some(point);
+        }
+        if problems.0.len() > before {
+            point.xyz_mm = [f64::NAN; 3];
+            return Some(point);
+        }
+        // u1 is of the first coordinate from the left, or of c1
+        coordinates.sort_by_key(|(i, ..)| (self.roles[*i].is_typed().then_some(self.roles[*i] as usize), *i));
+        let coordinates: Vec<(Role, f64)> = coordinates.into_iter().map(|(_, role, value)| (role, value)).collect();
+        uncertain.sort_by_key(|(role, _)| *role as usize);
+        let uncertain: Vec<f64> =
+            uncertain.iter().zip(&coordinates).map(|((_, u), (of, _))| u * self.factor(*of)).collect();
+        let (place, spread) = cartesian(&coordinates, Some(&uncertain[..]).filter(|u| !u.is_empty()));
+        (point.xyz_mm, point.standard_uncertainty_mm) = (place, spread.map(Box::new));
+        direction.sort_by_key(|(role, _)| *role as usize);
+        if let [(_, i), (_, j), (_, k)] = direction[..] {
+            match unit_vector([i, j, k]) {
+                Ok(direction) => point.direction = Some(Box::new(direction)),
+                Err(message) => problems.0.push(message.at(line())),
+            }
+        }
+        Some(point)
+    }
+
+    /// What the columns hold in this row, where each row states it; or what is wrong, and in which cell.
+    fn of_this_row(&self, row: &Row) -> Result<Cow<'_, [Role]>, (Message, usize)> {
+        let Some(at) = self.roles.iter().position(|r| *r == Role::Type) else { return Ok(Cow::Borrowed(&self.roles)) };
+        let name = row.field(at);
+        let Some(meant) = self.dialect.types.get(name) else {
+            let known: Vec<&str> = self.dialect.types.keys().map(String::as_str).collect();
+            let message = Message::error(format!("`types` does not state what coordinates of type `{name}` are"));
+            return Err((message.expected(known.join(", ")), at));
+        };
+        let of = |role: &Role| {
+            match role {
+                Role::C1 => meant.first(),
+                Role::C2 => meant.get(1),
+                Role::C3 => meant.get(2),
+                other => Some(other),
+            }
+            .copied()
+        };
+        Ok(self.roles.iter().map(|role| of(role).unwrap_or(Role::Skip)).collect())
+    }
+
+    /// From the file's unit to mm or rad.
+    fn factor(&self, role: Role) -> f64 {
+        match role.is_angle() {
+            true => self.dialect.angle_unit.map_or(1.0, |unit| unit.in_rad()),
+            false => self.unit.in_mm(),
+        }
+    }
+
+    /// Why the row was not measured, if it states that. Empty cells do only where no coordinate is there.
+    fn not_measured<'r>(&self, cells: impl Iterator<Item = (Role, &'r str)>) -> Option<String> {
+        let cells: Vec<(Role, &str)> = cells.collect();
+        let says = |cell: &str| self.dialect.missing.says(cell);
+        if says("") && cells.iter().all(|(_, cell)| cell.is_empty()) {
+            return Some("not measured: no coordinates".to_owned());
+        }
+        let (role, cell) = cells.into_iter().find(|(_, cell)| !cell.is_empty() && says(cell))?;
+        Some(format!("not measured: {} is `{cell}`", role.name()))
+    }
+
+    /// An error if points that are stated as Cartesian look like angles and distances.
+    fn looks_spherical(&self, points: &[Point]) -> Option<Message> {
+        let roles: Vec<Role> = self.roles.iter().copied().filter(|r| r.is_coordinate()).collect();
+        if self.dialect.coordinates.is_some() || coordinate_type(&roles) != Some(CoordinateType::Cartesian) {
+            return None;
+        }
+        let measured = || points.iter().filter(|p| p.refused.is_none() && p.xyz_mm[0].is_finite());
+        let first = measured().nth(2).and(measured().next())?;
+        let angles = |p: &Point| {
+            let [x, y, z] = p.xyz_mm.map(|v| v / self.unit.in_mm());
+            x.abs() <= TAU && (0.0..=PI).contains(&y) && z * self.unit.in_mm() > 100.0
+        };
+        measured().all(angles).then(|| {
+            let what = "x, y and z look like azimuth and zenith in rad, and distance: all rows hold two small angles and one length";
+            Message::error(what).at(Place::line(self.file, first.line, &first.text)).hint(
+                "state them: columns \"azimuth\", \"zenith\", \"distance\" with `angle_unit = \"rad\"`; \
+                 or `coordinates = \"cartesian\"` if they are x, y and z after all",
+            )
+        })
+    }
+}
+
+/// Place of a point in mm, from coordinates in mm and rad in the order of their columns, and its standard uncertainties
+/// in x, y and z from theirs: each independent of the others, to first order; what is common to x, y and z is left out.
+fn cartesian(of: &[(Role, f64)], uncertain: Option<&[f64]>) -> (Vector, Option<Vector>) {
+    let get = |role: Role| of.iter().find(|(r, _)| *r == role).map(|(_, value)| *value);
+    let turn = if get(Role::AzimuthClockwise).is_some() { -1.0 } else { 1.0 };
+    let azimuth = turn * get(Role::Azimuth).or(get(Role::AzimuthClockwise)).unwrap_or(0.0);
+    let (s, c) = azimuth.sin_cos();
+    let (place, derivative): (Vector, &dyn Fn(Role) -> Vector) = match (get(Role::Radius), get(Role::Distance)) {
+        (Some(radius), _) => ([radius * c, radius * s, get(Role::Z).unwrap_or(0.0)], &move |role| match role {
+            Role::Radius => [c, s, 0.0],
+            Role::Z => [0.0, 0.0, 1.0],
+            _ => [-turn * radius * s, turn * radius * c, 0.0],
+        }),
+        (_, Some(distance)) => {
+            // sine and cosine of the angle from the z axis, and which way it grows
+            let (away, along, grows) = match (get(Role::Zenith), get(Role::Elevation)) {
+                (Some(zenith), _) => (zenith.sin(), zenith.cos(), 1.0),
+                (_, elevation) => (elevation.unwrap_or(0.0).cos(), elevation.unwrap_or(0.0).sin(), -1.0),
+            };
+            ([distance * away * c, distance * away * s, distance * along], &move |role| match role {
+                Role::Distance => [away * c, away * s, along],
+                Role::Zenith | Role::Elevation => {
+                    [grows * distance * along * c, grows * distance * along * s, -grows * distance * away]
+                }
+                _ => [-turn * distance * away * s, turn * distance * away * c, 0.0],
+            })
+        }
+        _ => ([Role::X, Role::Y, Role::Z].map(|axis| get(axis).unwrap_or(0.0)), &|role| match role {
+            Role::X => [1.0, 0.0, 0.0],
+            Role::Y => [0.0, 1.0, 0.0],
+            _ => [0.0, 0.0, 1.0],
+        }),
+    };
+    let spread = |u: &[f64]| {
+        let share =
+            |axis: usize| of.iter().zip(u).map(|((role, _), u)| (derivative(*role)[axis] * u).powi(2)).sum::<f64>();
+        [0, 1, 2].map(|axis| share(axis).sqrt())
+    };
+    (place, uncertain.map(spread))
+}
+
+/// The direction, if its length is 1.
+fn unit_vector(ijk: Vector) -> Result<Vector, Message> {
+    let length = norm(ijk);
+    if (length - 1.0).abs() <= DIRECTION {
+        return Ok(ijk);
+    }
+    let [i, j, k] = ijk;
+    let message = Message::error(format!("the direction ({i}, {j}, {k}) has length {length:.3}, and not 1"));
+    let of_angles = norm(ijk.map(|angle| angle.to_radians().cos()));
+    Err(match (of_angles - 1.0).abs() <= DIRECTION {
+        true => {
+            message.hint("these are the angles of the direction in degrees, not i, j, k: leave them out with \"-\"")
+        }
+        false => message.hint("leave the columns out with \"-\" if they are something else"),
+    })
+}
+
+/// Header rows, the last of which names the columns, and the data.
+fn write(rows: &[Written], how: &Writing) -> Result<String, Message> {
+    let (dialect, decimals) = (how.dialect, how.decimals);
+    let columns = named_columns(&dialect.columns)?;
+    let delimiter = dialect.delimiter.ok_or_else(|| {
+        Message::error("simulate writes neither fixed widths nor workbooks").hint("state a `delimiter` for this export")
+    })?;
+    if !dialect.types.is_empty() {
+        return Err(Message::error("simulate writes no coordinates whose kind each row states"));
+    }
+    let line = |field: &mut dyn FnMut(&Role, &str) -> String| {
+        let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();
+        lexer::line(&fields, delimiter, dialect.comment.as_deref())
+    };
+    let mut all = String::new();
+    if let Some(mark) = &dialect.comment {
+        // as SpatialAnalyzer heads its ASCII points
+        let headings: Vec<&str> = columns.iter().map(|(_, name)| name.as_str()).collect();
+        all += &format!("{mark} AXES = CARTESIAN: X,  Y,  Z ({})\n", how.unit.name());
+        all += &format!("{mark} {}\n\n", headings.join(",  "));
+    }
+    let header = if let Header::Rows(rows) = dialect.header { rows } else { 1 };
+    for remaining in (0..header).rev() {
+        all += &line(&mut |_, name| if remaining == 0 { name.to_owned() } else { "simulated".to_owned() })?;
+    }
+    let number = |value, digits| lexer::written(value, digits, dialect.decimal);
+    let in_unit = |rad: f64| rad / dialect.angle_unit.map_or(1.0, |unit| unit.in_rad());
+    for row in rows {
+        let mut skipped = how.skipped.iter();
+        let mut skip = || skipped.next().map_or("-", String::as_str).to_owned();
+        let [x, y, z] = row.xyz;
+        // an angle needs more digits than a length
+        let angle = |rad: f64| number(in_unit(rad), decimals + 6);
+        all += &line(&mut |role, _| match role {
+            Role::Label => row.label.clone(),
+            Role::Target => row.target.clone(),
+            Role::Pose => row.pose.to_string(),
+            Role::Cycle => row.cycle.to_string(),
+            Role::X => number(x, decimals),
+            Role::Y => number(y, decimals),
+            Role::Z => number(z, decimals),
+            Role::Radius => number(x.hypot(y), decimals),
+            Role::Distance => number(x.hypot(y).hypot(z), decimals),
+            Role::Azimuth => angle(y.atan2(x)),
+            Role::AzimuthClockwise => angle(-y.atan2(x)),
+            Role::Zenith => angle(x.hypot(y).atan2(z)),
+            Role::Elevation => angle(z.atan2(x.hypot(y))),
+            Role::I | Role::J => number(0.0, decimals),
+            Role::K => number(1.0, decimals),
+            Role::TimeS => number(row.time_s, 6),
+            _ => skip(),
+        })?;
+    }
+    all += &dialect.end.iter().map(|end| format!("{end}\n")).collect::<String>();
+    Ok(all)
+}
+
+/// What each column holds, and what the header calls it.
+fn named_columns(stated: &Columns) -> Result<Vec<(Role, String)>, Message> {
+    match stated {
+        Columns::InOrder(roles) => Ok(roles.iter().map(|role| (*role, role.name().to_owned())).collect()),
+        Columns::Named(named) => {
+            let name = |(role, column): &(Role, ColumnAt)| match column {
+                ColumnAt::Name(name) => Ok((*role, name.clone())),
+                ColumnAt::Number(_) => Err(Message::error("simulate writes no columns that only a number names")),
+            };
+            named.iter().map(name).collect()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Role::*;
+
+    /// Three kinds of coordinates of (3, -4, 12): distance 13, radius 5.
+    #[test]
+    fn the_same_point_in_every_kind_of_coordinates() {
+        let azimuth = (-4.0f64).atan2(3.0);
+        let zenith = (12.0f64 / 13.0).acos();
+        let up = std::f64::consts::FRAC_PI_2 - zenith;
+        for of in [
+            [(X, 3.0), (Y, -4.0), (Z, 12.0)],
+            [(Radius, 5.0), (Azimuth, azimuth), (Z, 12.0)],
+            [(Z, 12.0), (AzimuthClockwise, -azimuth), (Radius, 5.0)],
+            [(Azimuth, azimuth), (Zenith, zenith), (Distance, 13.0)],
+            [(Distance, 13.0), (AzimuthClockwise, -azimuth), (Elevation, up)],
+        ] {
+            let place = cartesian(&of, None).0;
+            let off = place.iter().zip([3.0, -4.0, 12.0]).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-14 * 13.0, "{of:?}: {place:?}");
+        }
+    }
+
+    #[test]
+    fn uncertainties_follow_numeric_derivatives() {
+        let u = [2e-6, 3e-6, 0.004];
+        for of in [
+            [(Azimuth, 0.7), (Zenith, 1.2), (Distance, 3000.0)],
+            [(AzimuthClockwise, 0.7), (Elevation, -0.4), (Distance, 3000.0)],
+            [(AzimuthClockwise, 2.7), (Radius, 500.0), (Z, 7.0)],
+            [(Z, 0.7), (X, 1.2), (Y, 3000.0)],
+        ] {
+            let (_, found) = cartesian(&of, Some(&u));
+            let mut expected = [0.0f64; 3];
+            for j in 0..3 {
+                let step = |h: f64| {
+                    let mut moved = of;
+                    moved[j].1 += h;
+                    cartesian(&moved, None).0
+                };
+                let h = 1e-6 * of[j].1.abs();
+                let (before, after) = (step(-h), step(h));
+                (0..3).for_each(|axis| expected[axis] += ((after[axis] - before[axis]) / (2.0 * h) * u[j]).powi(2));
+            }
+            for (found, expected) in found.unwrap().iter().zip(expected) {
+                assert!((found - expected.sqrt()).abs() < 1e-7 * expected.sqrt().max(1e-4), "{of:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,358 @@
+//! DMIS output (ISO 22093): measured features `FA(label) = FEAT/kind, ...`; sizes are diameters.
+//!
+//! The dialect of Mitutoyo GEOPAK writes the three angles of a direction in degrees where DMIS has a unit vector. Their
+//! cosines are the vector, so that a file shows which it has; the campaign must state the same.
+
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
+use crate::Point;
+use crate::dialect::{Decimal, Dialect, Unit};
+use crate::lexer::number;
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::{Vector, norm};
+
+/// DMIS output, by how it writes directions.
+pub(super) struct Dmis {
+    name: &'static str,
+    title: &'static str,
+    directions: Directions,
+}
+
+/// As ISO 22093 has it.
+pub(super) const DMIS: Dmis = Dmis { name: "dmis", title: "DMIS output", directions: Directions::Vectors };
+
+/// The dialect of Mitutoyo GEOPAK.
+pub(super) const GEOPAK: Dmis =
+    Dmis { name: "geopak_dmis", title: "DMIS output of GEOPAK (direction angles)", directions: Directions::Angles };
+
+impl ExportFormat for Dmis {
+    fn about(&self) -> About {
+        About { name: self.name, title: self.title, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        // GEOPAK writes the same records
+        Recognised::by(
+            self.directions == Directions::Vectors && text.starts_with("FILNAM/"),
+            1.0,
+            "DMIS output, by its first record",
+        )
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, self.directions, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> std::result::Result<String, Message> {
+        let length = how.unit_in(&[(Unit::Millimetre, "MM"), (Unit::Metre, "M"), (Unit::Inch, "INCH")])?;
+        // upwards
+        let direction = if self.directions == Directions::Vectors { "0, 0, 1" } else { "90, 90, 0" };
+        let feature =
+            |row: &Row| format!("FA({}) = FEAT/POINT, CART, $\n  {}, {direction}\n", row.label, how.list(row, ", "));
+        let features: String = rows.iter().map(feature).collect();
+        Ok(format!("FILNAM/'simulated'\nUNITS/{length}, ANGDEC\n{features}ENDFIL\n"))
+    }
+}
+
+/// How directions are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Directions {
+    /// Unit vectors, as ISO 22093 has them.
+    Vectors,
+    /// Angles to the axes in degrees, as GEOPAK writes them.
+    Angles,
+}
+
+/// A measured feature.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feature {
+    /// First line of its record.
+    pub line: usize,
+    /// Its label.
+    pub label: String,
+    /// `POINT`, `CIRCLE`, `PLANE` ...
+    pub kind: String,
+    /// A point of it, the centre of a round one, in millimetres.
+    pub point_mm: Vector,
+    /// Its direction, if it has one.
+    pub direction: Option<Vector>,
+    /// Diameter of a circle, sphere or cylinder in millimetres.
+    pub diameter_mm: Option<f64>,
+}
+
+/// What the numbers of a kind of feature are.
+struct Kind {
+    name: &'static str,
+    /// How many there may be.
+    counts: &'static [usize],
+    /// A direction follows the point.
+    directed: bool,
+    /// Index of the diameter.
+    diameter: Option<usize>,
+    /// The point is where the feature is.
+    located: bool,
+}
+
+impl Kind {
+    const fn new(name: &'static str, counts: &'static [usize], diameter: Option<usize>, located: bool) -> Self {
+        Self { name, counts, directed: !matches!(diameter, Some(3)), diameter, located }
+    }
+}
+
+const KINDS: [Kind; 8] = [
+    Kind::new("POINT", &[3, 6], None, true),
+    Kind::new("EDGEPT", &[3, 6, 9], None, true),
+    Kind::new("CIRCLE", &[7], Some(6), true),
+    Kind::new("SPHERE", &[4, 7], Some(3), true),
+    Kind::new("PLANE", &[6], None, false),
+    Kind::new("LINE", &[6, 9], None, false),
+    Kind::new("CYLNDR", &[7, 8], Some(6), false),
+    Kind::new("CONE", &[7], None, false),
+];
+
+/// The measured features of a file, `unit` being that of a file that states none.
+pub fn features(file: &str, text: &str, directions: Directions, unit: Unit) -> Result<Vec<Feature>> {
+    let text = text.into();
+    let (features, _, problems) = read(&Text::new(file, &text), directions, unit);
+    problems.check().map(|_| features)
+}
+
+/// A row for each measured feature; one whose point may lie anywhere on it is not a point.
+fn rows(text: &Text, directions: Directions, unit: Unit) -> (Vec<Point>, Problems) {
+    let (features, unknown, mut problems) = read(text, directions, unit);
+    let row = |feature: &Feature| {
+        if KINDS.iter().any(|kind| kind.name == feature.kind && kind.located) {
+            return text.point(feature.line, &feature.label, feature.point_mm, Unit::Millimetre);
+        }
+        let reason = format!("a {}: its point may lie anywhere on it", feature.kind);
+        text.no_point(feature.line, &feature.label, reason)
+    };
+    let mut points: Vec<Point> = features.iter().map(row).chain(unknown).collect();
+    points.sort_by_key(|point| point.line);
+    if points.is_empty() && problems.0.is_empty() {
+        let program = text.lines.iter().find(|line| line.trim_start().to_uppercase().starts_with("MEAS/"));
+        let what = match program {
+            Some(_) => "this is a DMIS program: it states what is to be measured, and contains nothing measured",
+            None => "the file holds no measured feature",
+        };
+        let message = Message::error(what).at(text.place(1)).expected("records `FA(label) = FEAT/kind, ...`");
+        problems.0.push(message.hint("take the output file that the program writes"));
+    }
+    (points, problems)
+}
+
+fn read(text: &Text, directions: Directions, unit: Unit) -> (Vec<Feature>, Vec<Point>, Problems) {
+    let (mut features, mut unknown, mut problems) = (Vec::new(), Vec::new(), Problems::default());
+    for record in records(text) {
+        let (label, major, fields) = record.parts();
+        match (major.to_ascii_uppercase().as_str(), label, &fields[..]) {
+            ("UNITS", _, [length, ..]) => problems.0.extend(units(text, &record, length, unit).err()),
+            ("FEAT", Some(label), [kind, rest @ ..]) => {
+                let Some(name) = actual(label.text) else { continue };
+                let kind = kind.text.to_ascii_uppercase();
+                match KINDS.iter().find(|known| known.name == kind) {
+                    Some(known) => match feature(text, &record, known, rest, directions, unit) {
+                        Ok(found) => features.push(Feature { label: name.to_owned(), ..found }),
+                        Err(more) => problems.0.extend(more.0),
+                    },
+                    None => unknown.push(text.no_point(record.line(), name, format!("a {kind}: not read"))),
+                }
+            }
+            _ => {}
+        }
+    }
+    (features, unknown, problems)
+}
+
+/// The label of an actual: `FA(label)`.
+fn actual(label: &str) -> Option<&str> {
+    let (kind, name) = label.split_once('(')?;
+    kind.trim().eq_ignore_ascii_case("FA").then(|| name.strip_suffix(')'))?
+}
+
+/// An error where the file is in another unit than the campaign states.
+fn units(text: &Text, record: &Record, length: &Part, stated: Unit) -> std::result::Result<(), Message> {
+    let place = record.place(text, length);
+    let of_file = match length.text.to_ascii_uppercase().as_str() {
+        "MM" => Unit::Millimetre,
+        "M" => Unit::Metre,
+        "INCH" => Unit::Inch,
+        other => {
+            let message = Message::error(format!("the file is in {other}")).at(place);
+            return Err(message.expected("MM, M or INCH").hint("write it in mm"));
+        }
+    };
+    unit_agrees(stated, of_file, "UNITS", place)
+}
+
+/// A feature from the fields after its kind, without its label.
+fn feature(
+    text: &Text,
+    record: &Record,
+    kind: &Kind,
+    fields: &[Part],
+    directions: Directions,
+    unit: Unit,
+) -> Result<Feature> {
+    let is_word = |part: &&Part| part.text.starts_with(|c: char| c.is_ascii_alphabetic());
+    let words: Vec<&Part> = fields.iter().take_while(is_word).collect();
+    if let Some(word) = words.iter().find(|word| word.text.eq_ignore_ascii_case("POL")) {
+        let message = Message::error("the feature is in polar coordinates").at(record.place(text, word));
+        return Err(message.expected("CART").hint("write the output in Cartesian coordinates").into());
+    }
+    let mut problems = Problems::default();
+    let mut numbers = Vec::new();
+    for part in &fields[words.len()..] {
+        match number(part.text, Decimal::Point) {
+            Ok(value) => numbers.push(value),
+            Err(message) => problems.0.push(message.at(record.place(text, part))),
+        }
+    }
+    problems.check()?;
+    if !kind.counts.contains(&numbers.len()) {
+        let counts: Vec<String> = kind.counts.iter().map(usize::to_string).collect();
+        let message =
+            Message::error(format!("the {} has {} numbers", kind.name, numbers.len())).at(text.place(record.line()));
+        let message = message.expected(counts.join(" or "));
+        return Err(message.hint("was the file cut off? A record goes on only after a line that ends in `$`").into());
+    }
+    let written = [3, 4, 5].map(|i| numbers.get(i).copied().unwrap_or(0.0));
+    let direction = match kind.directed {
+        true => direction(written, directions).map_err(|message| {
+            let at = fields.get(words.len() + 3);
+            message.at(at.map_or_else(|| text.place(record.line()), |part| record.place(text, part)))
+        })?,
+        false => None,
+    };
+    Ok(Feature {
+        line: record.line(),
+        label: String::new(),
+        kind: kind.name.to_owned(),
+        point_mm: [numbers[0], numbers[1], numbers[2]].map(|v| v * unit.in_mm()),
+        direction,
+        diameter_mm: kind.diameter.and_then(|i| numbers.get(i)).map(|d| d * unit.in_mm()),
+    })
+}
+
+/// A direction as it is stated to be written; three zeros are none.
+fn direction(written: Vector, directions: Directions) -> std::result::Result<Option<Vector>, Message> {
+    if written == [0.0; 3] {
+        return Ok(None);
+    }
+    let cosines = written.map(|angle| angle.to_radians().cos());
+    // a unit vector as angles would be three cosines near 1; no three numbers are both
+    let (vector, angles) = ((norm(written) - 1.0).abs() < 0.01, (norm(cosines) - 1.0).abs() < 0.01);
+    match (directions, vector, angles) {
+        (Directions::Vectors, true, _) => Ok(Some(written)),
+        (Directions::Angles, false, true) => Ok(Some(cosines)),
+        (Directions::Vectors, false, true) => Err(Message::error("the direction is written as angles in degrees")
+            .expected("a unit vector, as DMIS has it")
+            .hint("state `format = \"geopak_dmis\"` if Mitutoyo's GEOPAK wrote the file")),
+        (Directions::Angles, true, _) => Err(Message::error("the direction is written as a unit vector")
+            .expected("angles in degrees, as GEOPAK writes them")
+            .hint("state `format = \"dmis\"`")),
+        _ => Err(Message::error("the direction is neither a unit vector nor angles to the axes in degrees")),
+    }
+}
+
+/// A record: `label = MAJOR/field, field, ...`.
+#[derive(Debug, Default)]
+struct Record {
+    text: String,
+    /// Where pieces of it stand: byte of the record, line, byte of the line.
+    pieces: Vec<(usize, usize, usize)>,
+}
+
+/// A part of a record, with the byte at which it begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Part<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl Part<'_> {
+    fn trimmed(text: &str, at: usize) -> Part<'_> {
+        Part { text: text.trim(), at: at + text.len() - text.trim_start().len() }
+    }
+}
+
+/// All records of a file.
+fn records(text: &Text) -> Vec<Record> {
+    let mut all = Vec::new();
+    let mut open = Record::default();
+    for (i, line) in text.lines.iter().enumerate() {
+        if line.trim_start().starts_with("$$") {
+            continue;
+        }
+        let end = line.trim_end();
+        let goes_on = end.strip_suffix('$');
+        open.pieces.push((open.text.len(), i + 1, 0));
+        open.text.push_str(goes_on.unwrap_or(end));
+        if goes_on.is_none() {
+            all.extend(Some(std::mem::take(&mut open)).filter(|record| !record.text.trim().is_empty()));
+        }
+    }
+    all.extend(Some(open).filter(|record| !record.text.trim().is_empty()));
+    all
+}
+
+impl Record {
+    /// First line of the record.
+    fn line(&self) -> usize {
+        self.pieces.first().map_or(1, |piece| piece.1)
+    }
+
+    /// Label (as it stands before `=`), major word and fields.
+    fn parts(&self) -> (Option<Part<'_>>, &str, Vec<Part<'_>>) {
+        let slash = self.text.find('/').unwrap_or(self.text.len());
+        let (head, tail) = self.text.split_at(slash);
+        let (label, major) = match head.split_once('=') {
+            Some((label, major)) => (Some(Part::trimmed(label, 0)), major),
+            None => (None, head),
+        };
+        let fields = tail.strip_prefix('/').map_or(Vec::new(), |fields| split(fields, slash + 1));
+        (label, major.trim(), fields)
+    }
+
+    /// Where a part is.
+    fn place(&self, text: &Text, part: &Part) -> Place {
+        let before = self.pieces.partition_point(|piece| piece.0 <= part.at);
+        let (start, line, byte) = self.pieces.get(before.saturating_sub(1)).copied().unwrap_or((0, 1, 0));
+        text.part(line, byte + part.at - start.min(part.at), part.text.chars().count())
+    }
+}
+
+/// Fields between commas that stand outside quotes.
+fn split(text: &str, at: usize) -> Vec<Part<'_>> {
+    let (mut fields, mut start, mut quoted) = (Vec::new(), 0, false);
+    for (i, c) in text.char_indices() {
+        match c {
+            '\'' => quoted = !quoted,
+            ',' if !quoted => {
+                fields.push(Part::trimmed(&text[start..i], at + start));
+                start = i + 1;
+            }
+            _ => {}
+        }
+    }
+    fields.push(Part::trimmed(&text[start..], at + start));
+    fields
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn records_go_on_over_lines_and_know_where_their_fields_stand() {
+        let lines = vec!["$$ FA(X)=1/2 $", "FA(A 1) = FEAT/CIRCLE, 'a,b', $", "  50.5,$", "-1", "", "ENDFIL"];
+        let text = Text { file: "f", whole: &"".into(), lines };
+        let all = records(&text);
+        assert_eq!(all.len(), 2);
+        let (label, major, fields) = all[0].parts();
+        assert_eq!((label.map(|l| l.text), major), (Some("FA(A 1)"), "FEAT"));
+        assert_eq!(fields.iter().map(|f| f.text).collect::<Vec<_>>(), ["CIRCLE", "'a,b'", "50.5", "-1"]);
+        let place = all[0].place(&text, &fields[2]);
+        assert_eq!((place.line, place.column, place.width), (Some(3), Some(3), 4));
+        assert_eq!(all[1].parts().1, "ENDFIL");
+    }
+}

@@ -1,0 +1,364 @@
+//! Formats of exports, one file each: its name, what it recognises, how it reads and how it writes.
+//!
+//! A file that states its unit must state the campaign's; one that does not is read in the campaign's.
+
+mod aqdef;
+mod calypso;
+pub(crate) mod delimited;
+pub mod dmis;
+mod geopak_gws;
+mod inspec;
+mod leica_emscon;
+mod pcdmis_xyz;
+mod pivot;
+mod ply;
+mod polyworks;
+mod polyworks_project;
+pub mod polyworks_report;
+pub mod qif;
+mod sdss_plate;
+mod spatialanalyzer;
+mod vda_fs;
+
+use super::lexer::written;
+use super::points::{Line, Point};
+use crate::dialect::{Decimal, Dialect, Unit};
+use etalon_base::message::{Message, Place, Problems};
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{self, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
+use std::fmt;
+use std::sync::Arc;
+
+/// Every format that has a name. To add one: its file, and its line here.
+const FORMATS: [&dyn ExportFormat; 20] = [
+    &polyworks::Polyworks,
+    &qif::Qif,
+    &spatialanalyzer::SpatialAnalyzer,
+    &polyworks_report::PolyworksReport,
+    &polyworks_project::PolyworksProject,
+    &calypso::Calypso,
+    &aqdef::Aqdef,
+    &dmis::DMIS,
+    &dmis::GEOPAK,
+    &pcdmis_xyz::PcdmisXyz,
+    &geopak_gws::GeopakGws,
+    &inspec::Inspec,
+    &vda_fs::VdaFs,
+    &ply::Ply,
+    &delimited::XYZ,
+    &delimited::XYZIJK,
+    &delimited::NAME_XYZ,
+    &delimited::TRACKER,
+    &leica_emscon::LEICA_EMSCON,
+    &sdss_plate::SDSS_PLATE,
+];
+
+/// A format of exports.
+pub(crate) trait ExportFormat: Sync {
+    /// What it is called, and of what kind it is.
+    fn about(&self) -> About;
+
+    /// What of a text states that it is in this format.
+    fn recognise(&self, _text: &str) -> Option<Recognised> {
+        None
+    }
+
+    /// The dialect that the name is for, if it is one of delimited text.
+    fn dialect(&self) -> Dialect {
+        Dialect::default()
+    }
+
+    /// Rows of an export, and what does not read.
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems);
+
+    /// The text of an export of these rows.
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message>;
+
+    /// What the fast reader needs to know of a file that begins like this, if it may read it.
+    fn plain(&self, _dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
+        None
+    }
+
+    /// The frame that the file states its points are relative to.
+    fn frame<'t>(&self, _text: &'t str) -> Option<&'t str> {
+        None
+    }
+}
+
+/// What the fast reader needs to know of a table of plain rows.
+#[derive(Clone, Copy)]
+pub(crate) struct Plain {
+    /// None: blanks and tabs.
+    pub delimiter: Option<u8>,
+    pub labelled: bool,
+    /// Whether columns called x, y, z that hold two angles and a distance are the strict reader's matter.
+    pub may_be_angles: bool,
+}
+
+/// What a format is called, and of what kind it is.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct About {
+    /// As `format` of a campaign states it.
+    pub name: &'static str,
+    /// In words; none of a delimited text, which its dialect describes.
+    pub title: &'static str,
+    /// Whether a campaign may state `NAME, decimal comma`.
+    pub decimal_comma: bool,
+    /// Whether files may be binary: then a character of the text is a byte.
+    pub binary: bool,
+    /// Whether a row that is not a point is an error where only points are wanted, and not left out with a warning.
+    pub points_only: bool,
+}
+
+/// What states that a text is in a format.
+#[derive(Clone, Copy)]
+pub(crate) struct Recognised {
+    /// From 0 to 1: 1 for a signature at a fixed place.
+    pub score: f64,
+    /// What the file is, and by what it is recognised.
+    pub what: &'static str,
+    /// The unit that the file states.
+    pub unit: Option<&'static str>,
+}
+
+impl Recognised {
+    /// A text with this mark.
+    pub fn by(mark: bool, score: f64, what: &'static str) -> Option<Self> {
+        mark.then_some(Self { score, what, unit: None })
+    }
+}
+
+/// Where a document states what it is: its first characters.
+pub(crate) fn head(text: &str) -> &str {
+    let end = text.char_indices().nth(4000).map_or(text.len(), |(i, _)| i);
+    &text[..end]
+}
+
+/// The format that a text is most surely in, and why.
+pub(super) fn recognise(text: &str) -> Option<(&'static str, Recognised)> {
+    let all = FORMATS.iter().filter_map(|format| Some((format.about().name, format.recognise(text)?)));
+    all.reduce(|best, other| if other.1.score > best.1.score { other } else { best })
+}
+
+/// Format of an export, as a campaign states it: a name, or a dialect of delimited text.
+#[derive(Clone)]
+pub struct Format {
+    kind: &'static dyn ExportFormat,
+    /// Of delimited text; of other formats only the decimal mark counts.
+    pub dialect: Box<Dialect>,
+}
+
+impl Format {
+    /// The format of this name, which `, decimal comma` may follow.
+    pub fn named(stated: &str) -> Option<Self> {
+        let (name, decimal) = match stated.split_once(',') {
+            Some((name, comma)) if comma.trim() == "decimal comma" => (name, Decimal::Comma),
+            Some(_) => return None,
+            None => (stated, Decimal::Point),
+        };
+        let kind = FORMATS.into_iter().find(|format| format.about().name == name)?;
+        let mut dialect = kind.dialect();
+        if decimal == Decimal::Comma {
+            dialect.decimal = decimal;
+        }
+        (decimal == Decimal::Point || kind.about().decimal_comma).then(|| Self { kind, dialect: Box::new(dialect) })
+    }
+
+    /// Names of all formats.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        FORMATS.iter().map(|format| format.about().name)
+    }
+
+    /// Whether coordinates that are all zero mean "not measured".
+    pub fn origin_is_missing(&self) -> bool {
+        self.dialect.missing.origin()
+    }
+
+    pub(crate) fn about(&self) -> About {
+        self.kind.about()
+    }
+
+    /// Rows of a text, and what does not read.
+    pub fn read(&self, file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
+        self.kind.read(&Text::new(file, text), &self.dialect, unit)
+    }
+
+    /// The text of an export.
+    pub fn write(&self, rows: &[Row], unit: Unit, decimals: usize, skipped: &[String]) -> Result<String, Message> {
+        let about = self.about();
+        self.kind.write(rows, &Writing { about, dialect: &self.dialect, unit, decimals, skipped })
+    }
+
+    pub(super) fn plain(&self, start: &[u8]) -> Option<Plain> {
+        self.kind.plain(&self.dialect, start)
+    }
+
+    /// The frame that a text of the format states its points are relative to.
+    pub fn frame<'t>(&self, text: &'t str) -> Option<&'t str> {
+        self.kind.frame(text)
+    }
+}
+
+impl Default for Format {
+    /// PolyWorks text, which needs no statement.
+    fn default() -> Self {
+        Self { kind: &polyworks::Polyworks, dialect: Box::default() }
+    }
+}
+
+impl From<Dialect> for Format {
+    fn from(dialect: Dialect) -> Self {
+        Self { kind: &delimited::Delimited, dialect: Box::new(dialect) }
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match (self.about().title, self.dialect.decimal) {
+            ("", _) => write!(f, "{}", self.dialect),
+            (title, Decimal::Point) => f.write_str(title),
+            (title, Decimal::Comma) => write!(f, "{title}, decimal `,`"),
+        }
+    }
+}
+
+impl fmt::Debug for Format {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{self}")
+    }
+}
+
+impl JsonSchema for Format {
+    fn schema_name() -> Cow<'static, str> {
+        "Format".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let commas = FORMATS.iter().map(|format| format.about()).filter(|about| about.decimal_comma);
+        let commas = commas.map(|about| format!("{}, decimal comma", about.name));
+        let names: Vec<String> = Self::names().map(str::to_owned).chain(commas).collect();
+        json_schema!({ "anyOf": [{ "enum": names }, generator.subschema_for::<Dialect>()] })
+    }
+}
+
+impl<'de> Deserialize<'de> for Format {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NameOrDialect;
+        impl<'de> Visitor<'de> for NameOrDialect {
+            type Value = Format;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                Format::names().try_for_each(|name| write!(f, "\"{name}\", "))?;
+                f.write_str("or { delimiter = .., decimal = .., columns = [..] }")
+            }
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<Format, E> {
+                Format::named(name).ok_or_else(|| E::invalid_value(de::Unexpected::Str(name), &self))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Format, A::Error> {
+                Ok(Dialect::deserialize(de::value::MapAccessDeserializer::new(map))?.into())
+            }
+        }
+        deserializer.deserialize_any(NameOrDialect)
+    }
+}
+
+/// A row to write, in the unit of the export.
+#[derive(Clone, Debug)]
+pub struct Row {
+    pub label: String,
+    pub target: String,
+    pub pose: PoseName,
+    pub cycle: i64,
+    pub time_s: f64,
+    pub xyz: Vector,
+}
+
+/// How an export is written.
+pub(crate) struct Writing<'a> {
+    pub about: About,
+    pub dialect: &'a Dialect,
+    pub unit: Unit,
+    /// Digits behind the decimal mark.
+    pub decimals: usize,
+    /// What columns hold that are not read; `-` behind the last of them.
+    pub skipped: &'a [String],
+}
+
+impl Writing<'_> {
+    /// A coordinate.
+    pub fn number(&self, value: f64) -> String {
+        written(value, self.decimals, self.dialect.decimal)
+    }
+
+    /// The coordinates of a row.
+    pub fn list(&self, row: &Row, separator: &str) -> String {
+        row.xyz.map(|value| self.number(value)).join(separator)
+    }
+
+    /// What the format calls the unit; an error where its files are never in it.
+    pub fn unit_in(&self, known: &[(Unit, &'static str)]) -> Result<&'static str, Message> {
+        let words = known.iter().find(|(unit, _)| *unit == self.unit).map(|(_, words)| *words);
+        words.ok_or_else(|| {
+            let names: Vec<&str> = known.iter().map(|(unit, _)| unit.name()).collect();
+            Message::error(format!("{} is never in {}", self.about.title, self.unit.name()))
+                .expected(names.join(" or "))
+        })
+    }
+}
+
+/// The text of an export by lines.
+pub(crate) struct Text<'a> {
+    file: &'a str,
+    whole: &'a Arc<str>,
+    lines: Vec<&'a str>,
+}
+
+impl<'a> Text<'a> {
+    fn new(file: &'a str, whole: &'a Arc<str>) -> Self {
+        Self { file, whole, lines: whole.lines().collect() }
+    }
+
+    /// A line, from 1.
+    fn place(&self, line: usize) -> Place {
+        Place::line(self.file, line, self.shown(line))
+    }
+
+    /// A part of a line, which starts at a byte of it.
+    fn part(&self, line: usize, byte: usize, width: usize) -> Place {
+        let shown = self.shown(line);
+        let before = shown.get(..byte.min(shown.len())).unwrap_or("");
+        self.place(line).at(before.chars().count() + 1, width)
+    }
+
+    fn shown(&self, line: usize) -> &'a str {
+        line.checked_sub(1).and_then(|i| self.lines.get(i)).copied().unwrap_or("")
+    }
+
+    /// A row at a line, in millimetres.
+    fn point(&self, line: usize, label: &str, xyz: Vector, unit: Unit) -> Point {
+        Point {
+            line,
+            text: Line::of(self.whole, self.shown(line)),
+            label: label.into(),
+            xyz_mm: xyz.map(|v| v * unit.in_mm()),
+            ..Point::default()
+        }
+    }
+
+    /// A row at a line that is not a point, with that rule.
+    fn no_point(&self, line: usize, label: &str, reason: impl Into<String>) -> Point {
+        Point { refused: Some(reason.into()), ..self.point(line, label, [0.0; 3], Unit::Millimetre) }
+    }
+}
+
+/// An error where the file states another unit than the campaign.
+fn unit_agrees(stated: Unit, of_file: Unit, how: &str, place: Place) -> Result<(), Message> {
+    if stated == of_file {
+        return Ok(());
+    }
+    let what = format!("the file is in {} ({how}), and the campaign states {}", of_file.name(), stated.name());
+    Err(Message::error(what).at(place).hint(format!("state `unit = \"{}\"` for this export", of_file.name())))
+}

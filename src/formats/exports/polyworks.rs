@@ -1,0 +1,105 @@
+//! PolyWorks point text: `[name] x y z [i j k]`, blank-separated, no header, decimal point.
+
+use super::delimited::columns_in;
+use super::{About, ExportFormat, Plain, Row, Text, Writing};
+use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
+use crate::lexer::{self, each_row, number};
+use crate::points::{Line, Names, Point};
+use etalon_base::message::{Message, Problems};
+use std::sync::Arc;
+
+/// Point text of PolyWorks.
+pub(super) struct Polyworks;
+
+impl ExportFormat for Polyworks {
+    fn about(&self) -> About {
+        About { name: "polyworks", title: "PolyWorks text", points_only: true, ..About::default() }
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text.file, text.whole, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        let line = |row: &Row| format!("{} {}\n", lexer::blank(&row.label, false), how.list(row, " "));
+        Ok(rows.iter().map(line).collect())
+    }
+
+    /// The first row states whether rows bear labels.
+    fn plain(&self, _dialect: &Dialect, start: &[u8]) -> Option<Plain> {
+        let first = start.split(|b| *b == b'\n').find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
+        let labelled = match first.split(u8::is_ascii_whitespace).filter(|f| !f.is_empty()).count() {
+            3 => false,
+            4 => true,
+            _ => return None,
+        };
+        Some(Plain { delimiter: None, labelled, may_be_angles: false })
+    }
+}
+
+/// Points of a PolyWorks text, and what does not read; directions are not read.
+fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
+    let mut problems = Problems::default();
+    let mut points = Vec::new();
+    let mut names = Names::default();
+    for row in each_row(file, text, &columns_in(Delimiter::Blank, &[])) {
+        let row = match row {
+            Ok(row) => row,
+            Err(message) => {
+                problems.0.push(message);
+                continue;
+            }
+        };
+        let named = match row.fields.len() {
+            3 | 6 => 0,
+            4 | 7 => 1,
+            n => {
+                problems.0.push(
+                    Message::error(format!("the row has {n} fields"))
+                        .at(row.place(file))
+                        .expected("`x y z`, `x y z i j k`, or the same with a name before it")
+                        .hint("quote names that hold blanks, or describe the file with `format = { delimiter = .. }`"),
+                );
+                continue;
+            }
+        };
+        let mut numbers = Vec::new();
+        for (at, field) in row.fields.iter().enumerate().skip(named) {
+            numbers.push(number(field, Decimal::Point).unwrap_or_else(|message| {
+                problems.0.push(message.at(row.cell(file, at)));
+                f64::NAN
+            }));
+        }
+        points.push(Point {
+            line: row.line,
+            text: Line::of(text, row.text),
+            label: names.shared(if named == 1 { row.field(0) } else { "" }),
+            xyz_mm: [numbers[0], numbers[1], numbers[2]].map(|v| v * unit.in_mm()),
+            ..Point::default()
+        });
+    }
+    (points, problems)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_directions_are_optional() {
+        let (points, problems) =
+            rows("f", &"K_1_2 1.5 -2 3e1\n4 5 6 0 0 1\r\n\n\"ball N\" 7 8 9 1 0 0\n".into(), Unit::Millimetre);
+        assert!(problems.0.is_empty());
+        let found: Vec<(&str, [f64; 3], usize)> = points.iter().map(|p| (&*p.label, p.xyz_mm, p.line)).collect();
+        assert_eq!(found, [("K_1_2", [1.5, -2.0, 30.0], 1), ("", [4.0, 5.0, 6.0], 2), ("ball N", [7.0, 8.0, 9.0], 4)]);
+    }
+
+    #[test]
+    fn every_wrong_row_is_reported() {
+        let (points, problems) = rows("f", &"1 1 2\nL 1,5 2 3\nM 1 2 3,5\n1 2\n".into(), Unit::Millimetre);
+        let lines: Vec<_> = problems.0.iter().map(|m| m.place.as_ref().and_then(|p| p.line)).collect();
+        assert_eq!(lines, [Some(2), Some(3), Some(4)]);
+        assert_eq!(problems.0[1].place.as_ref().and_then(|p| p.column), Some(7));
+        assert_eq!(points.iter().map(|p| &*p.label).collect::<Vec<_>>(), ["", "L", "M"]);
+    }
+}

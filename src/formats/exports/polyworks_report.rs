@@ -1,0 +1,218 @@
+//! PolyWorks|Inspector report tables as CSV: one row for each control of a feature, not for each point.
+//!
+//! Columns `Name,Control,Nom,Meas,Tol,Dev,Test,Out Tol`, found by their words: a report may begin with title lines, and
+//! what separates its columns is what is after `Name`. A point has the controls `X`, `Y` and `Z`, or such of a kind
+//! (`Surface Point X`). Layout from a quoted report and a vendor page; no whole real file was found.
+
+use super::pivot::{Pivot, Said};
+use super::{About, ExportFormat, Recognised, Row, Text, Writing};
+use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
+use crate::lexer::{Row as Fields, number, split};
+use crate::{Point, lexer};
+use etalon_base::message::{Message, Problems, Result};
+
+/// Report tables of PolyWorks|Inspector.
+pub(super) struct PolyworksReport;
+
+impl ExportFormat for PolyworksReport {
+    fn about(&self) -> About {
+        About { name: "polyworks_report", title: "PolyWorks report", decimal_comma: true, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(
+            text.starts_with("Name,Control,Nom,Meas"),
+            1.0,
+            "a report of PolyWorks with a row for each control, by its header",
+        )
+    }
+
+    fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text, dialect.decimal, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> std::result::Result<String, Message> {
+        // a decimal comma goes with semicolons
+        let delimiter = if how.dialect.decimal == Decimal::Comma { Delimiter::Semicolon } else { Delimiter::Comma };
+        let line = |fields: [&str; 8]| lexer::line(&fields.map(str::to_owned), delimiter, None);
+        let mut all = line(["Name", "Control", "Nom", "Meas", "Tol", "Dev", "Test", "Out Tol"])?;
+        for Row { label, xyz, .. } in rows {
+            for (axis, value) in ["X", "Y", "Z"].into_iter().zip(xyz) {
+                all += &line([label, axis, "", &how.number(*value), "±1", "", "", ""])?;
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// A control of a feature: what was asked and what was found, in the unit of the report.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Control {
+    /// Its line, from 1.
+    pub line: usize,
+    /// The feature.
+    pub name: String,
+    /// `X`, `Diameter`, `Y Distance` ...
+    pub control: String,
+    /// Nominal value, where it is a number.
+    pub nominal: Option<f64>,
+    /// Measured value; none where a word is in its place.
+    pub measured: Option<f64>,
+    /// Upper and lower tolerance.
+    pub tolerance: Option<(f64, f64)>,
+}
+
+/// The controls of a report; everything that does not read is reported.
+pub fn controls(file: &str, text: &str, decimal: Decimal) -> Result<Vec<Control>> {
+    let text = text.into();
+    let (controls, problems) = read(&Text::new(file, &text), decimal);
+    problems.check().map(|_| controls)
+}
+
+/// The points of a report.
+fn rows(text: &Text, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
+    let (controls, problems) = read(text, decimal);
+    let mut pivot = Pivot::default();
+    for control in controls {
+        let (kind, axis) = control.control.rsplit_once(' ').unwrap_or(("", &control.control));
+        let said = match (["X", "Y", "Z"].iter().position(|a| *a == axis), control.measured) {
+            (Some(axis), Some(value)) => Said::Coordinate(axis, value),
+            (Some(_), None) => Said::Other(format!("{} without a value", control.control)),
+            (None, _) => Said::Other(control.control.clone()),
+        };
+        let kind = if axis.len() == 1 { kind } else { "" };
+        pivot.add(control.line, &control.name, kind, said);
+    }
+    (pivot.rows(text, unit), problems)
+}
+
+/// The row of names: its line, what separates its columns, and where those are that count.
+struct Columns {
+    line: usize,
+    delimiter: Delimiter,
+    name: usize,
+    control: usize,
+    nominal: Option<usize>,
+    measured: usize,
+    tolerance: Option<usize>,
+    width: usize,
+}
+
+fn read(text: &Text, decimal: Decimal) -> (Vec<Control>, Problems) {
+    let mut problems = Problems::default();
+    let Some(columns) = header(text) else {
+        let message = Message::error(format!("no row of `{}` names the columns of a PolyWorks report", text.file));
+        let message = message.expected("a row with `Name`, `Control` and `Meas`");
+        problems.0.push(message.hint("a report in another language? State it as delimited text, one control a file"));
+        return (Vec::new(), problems);
+    };
+    if columns.delimiter == Delimiter::Comma && decimal == Decimal::Comma {
+        let message = Message::error("the report is separated by commas, and its decimal mark would be a comma");
+        problems.0.push(message.at(text.place(columns.line)).hint("export it with semicolons or tabs"));
+        return (Vec::new(), problems);
+    }
+    let dialect = Dialect { delimiter: Some(columns.delimiter), ..Dialect::default() };
+    let (rows, stray) = split(text.file, text.whole, &dialect);
+    let behind = |message: &Message| message.place.as_ref().and_then(|p| p.line) > Some(columns.line);
+    problems.0.extend(stray.0.into_iter().filter(behind));
+    let names = rows.iter().find(|row| row.line == columns.line).map(|row| &row.fields);
+    let mut controls = Vec::new();
+    for row in rows.iter().filter(|row| row.line > columns.line) {
+        // the names may be repeated on every page
+        if row.fields.iter().all(|f| f.is_empty()) || Some(&row.fields) == names {
+            continue;
+        }
+        controls.extend(control(text, &columns, row, decimal, &mut problems));
+    }
+    (controls, problems)
+}
+
+/// The first row that names the columns.
+fn header(text: &Text) -> Option<Columns> {
+    text.lines.iter().enumerate().take(1000).find_map(|(i, line)| {
+        let after = line.trim_start_matches('"').strip_prefix("Name")?.trim_start_matches('"').chars().next()?;
+        let delimiters = [Delimiter::Comma, Delimiter::Semicolon, Delimiter::Tab];
+        let delimiter = delimiters.into_iter().find(|d| d.byte().map(char::from) == Some(after))?;
+        let fields: Vec<&str> = line.split(after).map(|f| f.trim().trim_matches('"')).collect();
+        let place = |name: &str| fields.iter().position(|f| *f == name);
+        Some(Columns {
+            line: i + 1,
+            delimiter,
+            name: place("Name")?,
+            control: place("Control")?,
+            nominal: place("Nom"),
+            measured: place("Meas")?,
+            tolerance: place("Tol"),
+            width: fields.len(),
+        })
+    })
+}
+
+fn control(text: &Text, columns: &Columns, row: &Fields, decimal: Decimal, problems: &mut Problems) -> Option<Control> {
+    let field = |at: usize| row.field(at);
+    let place = |at: usize| row.cell(text.file, at);
+    let surplus = row.fields.iter().skip(columns.width).any(|f| !f.is_empty());
+    if surplus || row.fields.len() <= columns.measured {
+        let message = Message::error(format!("the row has {} fields", row.fields.len())).at(row.place(text.file));
+        let message = message.expected(format!("{}, as the row of names", columns.width));
+        problems.0.push(message.hint("was the file cut off, or is a decimal comma in a file separated by commas?"));
+        return None;
+    }
+    if field(columns.name).is_empty() {
+        problems.0.push(Message::error("the row names no feature").at(row.place(text.file)));
+        return None;
+    }
+    // a word in place of a value means that it was not measured; what begins like a number must be one
+    let mut value = |at: usize| {
+        let text = field(at);
+        let numeric = text.starts_with(|c: char| c.is_ascii_digit() || "+-.,\u{2212}".contains(c)) && text != "-";
+        match number(&text.replace('\u{2212}', "-"), decimal) {
+            Ok(value) => Some(value),
+            Err(message) if numeric && text.bytes().any(|b| b.is_ascii_digit()) => {
+                let decimal_comma = "a decimal comma? Then state `format = \"polyworks_report, decimal comma\"`";
+                problems.0.push(message.at(place(at)).hint(decimal_comma));
+                None
+            }
+            Err(_) => None,
+        }
+    };
+    let (nominal, measured) = (columns.nominal.and_then(&mut value), value(columns.measured));
+    let stated = columns.tolerance.map_or("", field);
+    let tolerance = tolerance(stated, decimal);
+    if let (None, false, Some(at)) = (tolerance, stated.is_empty(), columns.tolerance) {
+        let message =
+            Message::error(format!("`{stated}` is not a tolerance")).at(place(at)).expected("`±0.5` or `+0.5/-0.2`");
+        let wrong_encoding = stated.contains('Â') || stated.contains('\u{fffd}');
+        problems.0.push(if wrong_encoding {
+            message.hint("the text was decoded in another encoding than it was written in: state the right one")
+        } else {
+            message
+        });
+    }
+    let (name, control) = (field(columns.name).to_owned(), field(columns.control).to_owned());
+    Some(Control { line: row.line, name, control, nominal, measured, tolerance })
+}
+
+/// Upper and lower tolerance: `±2.000`, `+0.5/-0.2`.
+fn tolerance(text: &str, decimal: Decimal) -> Option<(f64, f64)> {
+    let read = |text: &str| number(text.trim().trim_start_matches('+'), decimal).ok();
+    if let Some(both) = text.strip_prefix('±') {
+        return read(both).map(|t| (t, -t));
+    }
+    let (upper, lower) = text.split_once('/')?;
+    Some((read(upper)?, read(lower)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tolerances_are_symmetric_or_have_two_sides() {
+        assert_eq!(tolerance("±2.000", Decimal::Point), Some((2.0, -2.0)));
+        assert_eq!(tolerance("+0,5/-0,25", Decimal::Comma), Some((0.5, -0.25)));
+        for wrong in ["Â±2.000", "2.000", "±", "", "±1,5"] {
+            assert_eq!(tolerance(wrong, Decimal::Point), None, "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! QIF 2.0, 2.1 and 3.0 (ISO 23952): measured features with their points, units and probe.
+//!
+//! What the file states about a feature is taken as it stands: the measured values, the nominal ones, and the points with
+//! the word whether they are probe centres. References that lead nowhere, lists that are not as long as they state and
+//! points that cannot be used are reported with their place; such a feature has no points.
+
+mod geometry;
+mod points;
+mod rows;
+mod units;
+
+pub use geometry::Geometry;
+use rows::rows;
+
+use super::{About, ExportFormat, Recognised, Row, Text, Writing, head};
+use crate::Point;
+use crate::dialect::{Dialect, Unit};
+use crate::xml::{Node, Tree};
+use etalon_base::message::{Message, Place, Problems, Result, Severity};
+use etalon_base::pose::Vector;
+use etalon_fit::Element;
+use points::PointSets;
+use std::collections::BTreeMap;
+use units::Units;
+
+/// Measured features of QIF.
+pub(super) struct Qif;
+
+impl ExportFormat for Qif {
+    fn about(&self) -> About {
+        About { name: "qif", title: "QIF", points_only: true, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        Recognised::by(is_xml(text) && head(text).contains("QIFDocument"), 1.0, "a QIF document")
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text.file, text.whole, unit)
+    }
+
+    fn write(&self, _rows: &[Row], _how: &Writing) -> std::result::Result<String, Message> {
+        let message = Message::error("simulate writes no QIF");
+        Err(message.hint("state `polyworks` or a delimited format for this export"))
+    }
+}
+
+/// Messages of one file that are reported; the rest is counted.
+const MOST_MESSAGES: usize = 50;
+
+/// Parts of a document that hold no measured feature and may be large.
+const NOT_READ: [&str; 9] = [
+    "Product",
+    "Characteristics",
+    "MeasuredCharacteristics",
+    "Statistics",
+    "MeasurementResources",
+    "Plans",
+    "Rules",
+    "Attributes",
+    "Signature",
+];
+
+/// What a QIF file holds of measurements.
+#[derive(Clone, Debug)]
+pub struct MeasuredFeatures {
+    /// `versionQIF`.
+    pub version: String,
+    /// In the order of the file.
+    pub features: Vec<MeasuredFeature>,
+    /// Points in the file, also those that no feature uses.
+    pub points: usize,
+    /// What is wrong with it but does not stop the reading.
+    pub messages: Vec<Message>,
+}
+
+/// A measured feature.
+#[derive(Clone, Debug)]
+pub struct MeasuredFeature {
+    /// QIF id.
+    pub id: String,
+    /// Kind as QIF names it: `Plane`, `Circle`, `Point`...
+    pub kind: String,
+    /// Name of the feature, where it has one.
+    pub name: Option<String>,
+    /// Its points, in millimetres.
+    pub points_mm: Vec<Vector>,
+    /// What the points are.
+    pub touch: Touch,
+    /// Measured values that the file states.
+    pub stated: Geometry,
+    /// Nominal values.
+    pub nominal: Geometry,
+    /// Whether it is a bore (`INTERNAL`) or a shaft (`EXTERNAL`), where that is stated.
+    pub internal: Option<bool>,
+    /// Where it stands in the file.
+    pub place: Place,
+}
+
+/// What a measured point is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Touch {
+    /// A point of the surface.
+    #[default]
+    Contact,
+    /// The centre of a probe.
+    Centre {
+        /// Radius of the probe, where it is stated.
+        radius_mm: Option<f64>,
+    },
+}
+
+impl MeasuredFeature {
+    /// The element that it is fitted by; `None` of points and of what is not a single element.
+    pub fn element(&self) -> Option<Element> {
+        Some(match self.kind.as_str() {
+            "Line" => Element::Line,
+            "Plane" => Element::Plane,
+            "Circle" | "CircularArc" => Element::Circle3d,
+            "Sphere" | "SphericalSegment" => Element::Sphere,
+            "Cylinder" | "CylindricalSegment" => Element::Cylinder,
+            "Cone" | "ConicalSegment" => Element::Cone,
+            "Torus" | "ToroidalSegment" => Element::Torus,
+            _ => return None,
+        })
+    }
+
+    /// Its name, else its id.
+    pub fn label(&self) -> &str {
+        self.name.as_deref().unwrap_or(&self.id)
+    }
+}
+
+/// Whether a text is XML, as QIF is; no other format that is read begins like it.
+pub fn is_xml(text: &str) -> bool {
+    text.trim_start().starts_with('<')
+}
+
+/// Reads a QIF file; `mm_in_unit` is its unit of length where it states none.
+///
+/// # Errors
+/// If it is not well-formed QIF 2.x or 3.x document, states no unit, or holds a number that is none.
+pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredFeatures> {
+    let tree = Tree::read(file, text, |name| NOT_READ.contains(&name))?;
+    let Some(root) = tree.root().filter(|r| r.name() == "QIFDocument") else {
+        let message = tree.error(0, "the file is no QIF document");
+        return Err(message.expected("XML with the document element `QIFDocument`").into());
+    };
+    let version = root.attribute("versionQIF").unwrap_or_default().into_owned();
+    if !(version.starts_with("2.") || version.starts_with("3.")) {
+        return Err(root.error(format!("QIF version `{version}` is not read")).expected("2.0, 2.1 or 3.0").into());
+    }
+    let mut units = Units::of(root)?;
+    if let (Some(own), Some(stated)) = (units.mm_in_primary(), mm_in_unit)
+        && (own / stated - 1.0).abs() > 1e-9
+    {
+        let what = format!("the unit of the file is {own} mm, and {stated} mm was stated for it");
+        return Err(root.error(what).hint("leave the unit to the file, or correct it").into());
+    }
+    units.or_length(mm_in_unit);
+    let mut messages = Vec::new();
+    let nodes = nodes_with_id(root, &mut messages);
+    let mut sets = PointSets::read(&nodes, &units);
+    let mut inline = 0;
+    let mut features = Vec::new();
+    for node in root.all() {
+        let name = node.name();
+        let kind = name.strip_suffix("FeatureMeasurement").or_else(|| name.strip_suffix("FeatureActual"));
+        if let Some(kind) = kind.filter(|k| !k.is_empty()) {
+            features.push(feature(kind, node, &nodes, &mut sets, &units, &mut messages));
+        }
+        inline += usize::from(name == "MeasurePoint");
+    }
+    for (id, node) in sets.unused() {
+        messages.push(node.warning(format!("no feature refers to point set {id}")));
+    }
+    let points = sets.count() + inline;
+    let (mut errors, warnings): (Vec<_>, Vec<_>) = messages.into_iter().partition(|m| m.severity == Severity::Error);
+    if !errors.is_empty() {
+        cut(&mut errors, Message::error);
+        return Err(Problems(errors));
+    }
+    let mut messages = warnings;
+    cut(&mut messages, Message::warning);
+    Ok(MeasuredFeatures { version, features, points, messages })
+}
+
+/// Keeps the first messages and states how many there were.
+fn cut(messages: &mut Vec<Message>, more: impl Fn(String) -> Message) {
+    let count = messages.len();
+    if count > MOST_MESSAGES {
+        messages.truncate(MOST_MESSAGES);
+        messages.push(more(format!("and {} more of this file", count - MOST_MESSAGES)));
+    }
+}
+
+/// All elements with an id; ids are unique in a file.
+fn nodes_with_id<'t, 'a>(root: Node<'t, 'a>, messages: &mut Vec<Message>) -> BTreeMap<&'t str, Node<'t, 'a>> {
+    let mut nodes = BTreeMap::new();
+    for node in root.all() {
+        let Some(id) = node.id() else { continue };
+        match nodes.get(id) {
+            // many copies of one id state it once
+            Some(_) if messages.len() > MOST_MESSAGES => {}
+            Some(first) => {
+                let line = Node::place(*first).line.unwrap_or(0);
+                let what = format!("id {id} is there twice, first in line {line}: references to it go to the first");
+                messages.push(node.warning(what));
+            }
+            None => {
+                nodes.insert(id, node);
+            }
+        }
+    }
+    nodes
+}
+
+fn feature<'t, 'a>(
+    kind: &str,
+    node: Node<'t, 'a>,
+    nodes: &BTreeMap<&'t str, Node<'t, 'a>>,
+    sets: &mut PointSets<'t, 'a>,
+    units: &Units,
+    messages: &mut Vec<Message>,
+) -> MeasuredFeature {
+    let mut refer = |from: Option<Node<'t, 'a>>, name: &str, kind: &str| -> Option<Node<'t, 'a>> {
+        let reference = from?.child(name).filter(|r| r.attribute("xId").is_none())?;
+        let found = nodes.get(reference.text()).copied().filter(|n| n.name().ends_with(kind));
+        if found.is_none() {
+            let what = format!("`{name}` {} leads to no {kind} of this file", reference.text());
+            messages.push(reference.warning(what));
+        }
+        found
+    };
+    let item = refer(Some(node), "FeatureItemId", "FeatureItem");
+    let nominal = refer(item, "FeatureNominalId", "FeatureNominal");
+    let definition = refer(nominal.or(item), "FeatureDefinitionId", "FeatureDefinition");
+    let name = item.and_then(|i| i.child("FeatureName")).map(|n| n.text().to_owned()).filter(|n| !n.is_empty());
+    let internal = definition.and_then(|d| d.child("InternalExternal")).and_then(|n| match n.text() {
+        "INTERNAL" => Some(true),
+        "EXTERNAL" => Some(false),
+        _ => None,
+    });
+    let read = |nodes: &[Option<Node>], messages: &mut Vec<Message>| {
+        Geometry::of(kind, nodes.iter().flatten().copied(), units).unwrap_or_else(|message| {
+            messages.push(message);
+            Geometry::default()
+        })
+    };
+    let stated = read(&[Some(node)], messages);
+    let nominal = read(&[nominal, definition], messages);
+    let listed = node.child("PointList").map(|list| sets.list(list, units)).transpose();
+    let (points_mm, touch) = listed.map(Option::unwrap_or_default).unwrap_or_else(|mut message| {
+        let label =
+            name.as_deref().map_or_else(|| format!("feature {}", node.id().unwrap_or("")), |n| format!("`{n}`"));
+        message.what = format!("{label} has no usable points: {}", message.what);
+        messages.push(message);
+        Default::default()
+    });
+    MeasuredFeature {
+        id: node.id().unwrap_or_default().to_owned(),
+        kind: kind.to_owned(),
+        name,
+        points_mm,
+        touch,
+        stated,
+        nominal,
+        internal,
+        place: node.place(),
+    }
+}

@@ -1,0 +1,203 @@
+//! Points of the measured features of a QIF file: inline (2.x), or in point sets that features refer to (3.0).
+
+use super::Touch;
+use super::units::Units;
+use crate::xml::Node;
+use etalon_base::message::Message;
+use etalon_base::pose::Vector;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Points that all features may have together: one set may be referred to by many.
+const MOST_POINTS: usize = 1 << 23;
+
+/// References that lead nowhere for which the set that may be meant is looked for.
+const MOST_HINTS: usize = 50;
+
+/// A point as it was measured.
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    xyz_mm: Vector,
+    touch: Touch,
+}
+
+/// Points of a file, and which of its point sets were used.
+pub(super) struct PointSets<'t, 'a> {
+    sets: BTreeMap<&'t str, (Node<'t, 'a>, Result<Vec<Sample>, Message>)>,
+    used: BTreeSet<&'t str>,
+    given: usize,
+    /// References that lead nowhere.
+    astray: usize,
+}
+
+impl<'t, 'a> PointSets<'t, 'a> {
+    /// Reads the point sets among the elements with an id.
+    pub fn read(nodes: &BTreeMap<&'t str, Node<'t, 'a>>, units: &Units) -> Self {
+        let sets = nodes.iter().filter(|(_, n)| n.name() == "MeasuredPointSet");
+        let sets = sets.map(|(&id, &node)| (id, (node, set(node, units)))).collect();
+        Self { sets, used: BTreeSet::new(), given: 0, astray: 0 }
+    }
+
+    /// Number of points in all sets that could be read.
+    pub fn count(&self) -> usize {
+        self.sets.values().filter_map(|(_, points)| points.as_ref().ok()).map(Vec::len).sum()
+    }
+
+    /// Sets that no feature refers to.
+    pub fn unused(&self) -> impl Iterator<Item = (&'t str, Node<'t, 'a>)> {
+        self.sets.iter().filter(|(id, _)| !self.used.contains(*id)).map(|(&id, &(node, _))| (id, node))
+    }
+
+    /// The points of a `PointList`, and whether they are centres of a probe.
+    pub fn list(&mut self, list: Node<'t, 'a>, units: &Units) -> Result<(Vec<Vector>, Touch), Message> {
+        let stated = list.attribute("n").and_then(|n| n.trim().parse::<usize>().ok());
+        let found = list.children().count();
+        if let Some(n) = stated.filter(|&n| n != found) {
+            return Err(list.warning(format!("the list states {n} entries and holds {found}")));
+        }
+        let mut samples: Vec<Sample> = Vec::new();
+        for entry in list.children() {
+            match entry.name() {
+                "MeasurePoint" => samples.push(inline(entry, units)?),
+                "WholePointSetId" | "RangePointSetId" | "SinglePointSetId" => self.part(entry, &mut samples)?,
+                other => return Err(entry.warning(format!("`{other}` in a list of points is not read"))),
+            }
+        }
+        let touch = samples.first().map_or(Touch::Contact, |s| s.touch);
+        if samples.iter().any(|s| s.touch != touch) {
+            let what = "some points are compensated and some are not, or by different probes";
+            return Err(list.warning(what).hint("fit these points apart"));
+        }
+        Ok((samples.into_iter().map(|s| s.xyz_mm).collect(), touch))
+    }
+
+    /// Adds the points that an entry refers to; indices count from 1 and the end of a range belongs to it.
+    fn part(&mut self, entry: Node<'t, 'a>, samples: &mut Vec<Sample>) -> Result<(), Message> {
+        let id = entry.text();
+        if entry.attribute("xId").is_some() {
+            return Err(entry.warning(format!("point set {id} is in another document, which is not read")));
+        }
+        let Some((node, points)) = self.sets.get(id) else {
+            let message = entry.warning(format!("there is no point set {id}: the reference leads nowhere"));
+            self.astray += 1;
+            // looking for the set that is meant takes as long as there are sets
+            let far = |other: &str| Some(other.parse::<i64>().ok()?.abs_diff(id.parse().ok()?));
+            // looking for the set that is meant takes as long as there are sets
+            let looked = (self.astray <= MOST_HINTS).then(|| self.unused()).into_iter().flatten();
+            let nearest = looked.filter_map(|(other, _)| Some((far(other)?, other))).min();
+            return Err(match nearest {
+                Some((_, other)) => message.hint(format!("is point set {other} meant?")),
+                None => message,
+            });
+        };
+        self.used.insert(id);
+        let points = points.as_ref().map_err(Clone::clone)?;
+        let count = points.len();
+        let stated = match entry.name() {
+            "RangePointSetId" => entry.attribute("range"),
+            "SinglePointSetId" => entry.attribute("index"),
+            _ => None,
+        };
+        let whole = |text: &str| text.trim().parse::<usize>().ok().filter(|&i| (1..=count).contains(&i));
+        let within = |stated: &str| {
+            let (first, last) = stated.trim().split_once(char::is_whitespace).unwrap_or((stated, stated));
+            let (first, last) = (whole(first)?, whole(last)?);
+            points.get(first - 1..last).filter(|_| first <= last)
+        };
+        let part = match entry.name() {
+            "WholePointSetId" => &points[..],
+            _ => within(stated.as_deref().unwrap_or_default()).ok_or_else(|| {
+                let set = format!("point set {id} of {}:{}", node.place().file, node.place().line.unwrap_or(0));
+                entry
+                    .warning(format!("`{}` is not part of {set}", stated.as_deref().unwrap_or_default()))
+                    .expected(format!("whole numbers from 1 to {count}, the smaller first"))
+            })?,
+        };
+        if self.given + part.len() > MOST_POINTS {
+            return Err(entry.warning(format!("the features refer to more than {MOST_POINTS} points together")));
+        }
+        self.given += part.len();
+        samples.extend_from_slice(part);
+        Ok(())
+    }
+}
+
+/// A `MeasurePoint` of QIF 2.x.
+fn inline(node: Node, units: &Units) -> Result<Sample, Message> {
+    let Some(point) = node.child("Point") else { return Err(node.warning("the point has no coordinates")) };
+    let factor = units.mm_in(point, None)?;
+    let &[x, y, z] = &point.numbers()?[..] else {
+        return Err(point.warning(format!("`{}` is not a point", point.text())).expected("three numbers"));
+    };
+    let centre = node.child("Compensated").map(|n| flag(n, n.text())).transpose()?.is_some_and(|c| !c);
+    let radius = node.child("ProbeRadius").map(|n| radius(n, units, None)).transpose()?;
+    let touch = if centre { Touch::Centre { radius_mm: radius } } else { Touch::Contact };
+    Ok(Sample { xyz_mm: [x, y, z].map(|v| v * factor), touch })
+}
+
+/// A `MeasuredPointSet` of QIF 3.0.
+fn set(node: Node, units: &Units) -> Result<Vec<Sample>, Message> {
+    if let Some(other) =
+        node.children().find(|c| matches!(c.name(), "CoordinateSystemId" | "TranformId" | "TransformId"))
+    {
+        return Err(other.warning("the points are in a coordinate system of their own, which is not applied"));
+    }
+    if let Some(binary) =
+        node.children().find(|c| matches!(c.name(), "BinaryPoints" | "BinaryCompensated" | "BinaryProbeRadii"))
+    {
+        let message =
+            binary.warning(format!("`{}` is not read: the standard does not state its byte order", binary.name()));
+        return Err(message.hint("export the points as text"));
+    }
+    let Some(list) = node.child("Points") else { return Err(node.warning("the point set holds no `Points`")) };
+    let own_unit = units.mm_in_set(node)?;
+    let factor = units.mm_in(list, own_unit)?;
+    let numbers = list.numbers()?;
+    let count = node.attribute("count").and_then(|c| c.trim().parse::<usize>().ok());
+    if !numbers.len().is_multiple_of(3) || count.is_some_and(|c| c.checked_mul(3) != Some(numbers.len())) {
+        let stated = count.map_or("no count".to_owned(), |c| format!("count {c}"));
+        return Err(list
+            .warning(format!("the point set states {stated} and holds {} numbers", numbers.len()))
+            .expected("three numbers a point"));
+    }
+    let count = numbers.len() / 3;
+    let mut flags = match (node.child("Compensated"), node.child("Compensations")) {
+        (Some(one), _) => vec![flag(one, one.text())?],
+        (_, Some(all)) => all.text().split_ascii_whitespace().map(|t| flag(all, t)).collect::<Result<_, _>>()?,
+        _ => return Err(node.warning("the point set does not state whether its points are compensated")),
+    };
+    let mut radii = match (node.child("ProbeRadius"), node.child("ProbeRadii")) {
+        (Some(one), _) => vec![Some(radius(one, units, own_unit)?)],
+        (_, Some(all)) => {
+            let factor = units.mm_in(all, own_unit)?;
+            all.numbers()?.into_iter().map(|r| Some(r * factor)).collect()
+        }
+        _ => vec![None],
+    };
+    for (what, length) in [("Compensations", flags.len()), ("ProbeRadii", radii.len())] {
+        if node.child(what).is_some() && length != count {
+            return Err(node.warning(format!("`{what}` has {length} entries for {count} points")));
+        }
+    }
+    flags.resize(count, flags.first().copied().unwrap_or(true));
+    radii.resize(count, radii.first().copied().flatten());
+    let samples =
+        numbers.chunks_exact(3).zip(flags.into_iter().zip(radii)).map(|(p, (compensated, radius_mm))| Sample {
+            xyz_mm: [p[0] * factor, p[1] * factor, p[2] * factor],
+            touch: if compensated { Touch::Contact } else { Touch::Centre { radius_mm } },
+        });
+    Ok(samples.collect())
+}
+
+/// An `xs:boolean`.
+fn flag(node: Node, text: &str) -> Result<bool, Message> {
+    match text {
+        "true" | "1" => Ok(true),
+        "false" | "0" => Ok(false),
+        _ => Err(node.warning(format!("`{text}` is neither true nor false"))),
+    }
+}
+
+fn radius(node: Node, units: &Units, set: Option<f64>) -> Result<f64, Message> {
+    let &[radius] = &node.numbers()?[..] else { return Err(node.warning("a probe radius is one number")) };
+    Ok(radius * units.mm_in(node, set)?)
+}

@@ -1,0 +1,51 @@
+//! A QIF file as rows of a campaign's export.
+
+use super::{MeasuredFeature, Touch};
+use crate::Point;
+use crate::dialect::Unit;
+use etalon_base::message::Problems;
+use etalon_base::pose::Vector;
+
+/// Rows of a QIF file, in the stated unit (which must be that of the file), and what does not read.
+///
+/// A feature with a centre or a place (point, circle, sphere, torus) is one row with its stated location, any other one
+/// row a point; the label is the name of the feature. Probe centres are refused: they are not on the feature. What the reader has to state is a refused row of its own.
+pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
+    let read = match super::read(file, text, Some(unit.in_mm())) {
+        Ok(read) => read,
+        Err(problems) => return (Vec::new(), problems),
+    };
+    let rows = read.features.iter().flat_map(|feature| {
+        let place = &feature.place;
+        let row = |xyz_mm: Vector, refused: Option<&str>| Point {
+            line: place.line.unwrap_or(0),
+            text: place.text.clone().unwrap_or_default().into(),
+            label: feature.label().into(),
+            xyz_mm,
+            refused: refused.map(str::to_owned),
+            ..Point::default()
+        };
+        match located(feature) {
+            Some(location) => vec![row(location, None)],
+            None => {
+                let centre = feature.touch != Touch::Contact;
+                let refused = centre.then_some("a probe centre, not a point of the feature");
+                feature.points_mm.iter().map(|&p| row(p, refused)).collect()
+            }
+        }
+    });
+    // last, so that they do not move the number of a row
+    let said = read.messages.iter().map(|message| {
+        let place = message.place.as_deref().cloned().unwrap_or_default();
+        let (line, text) = (place.line.unwrap_or(0), place.text.unwrap_or_default());
+        Point { line, text: text.into(), refused: Some(message.what.clone()), ..Point::default() }
+    });
+    (rows.chain(said).collect(), Problems::default())
+}
+
+/// The stated location of a feature that is where it is.
+fn located(feature: &MeasuredFeature) -> Option<Vector> {
+    let kinds =
+        ["Point", "EdgePoint", "Circle", "CircularArc", "Sphere", "SphericalSegment", "Torus", "ToroidalSegment"];
+    feature.stated.point_mm.filter(|_| kinds.contains(&feature.kind.as_str()))
+}

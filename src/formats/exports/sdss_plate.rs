@@ -1,0 +1,19 @@
+//! Tables of drilled holes of plates of the Sloan Digital Sky Survey, in columns of fixed width.
+
+use super::Recognised;
+use super::delimited::Named;
+use crate::dialect::{Dialect, Header, Role};
+
+pub(super) const SDSS_PLATE: Named = Named {
+    name: "sdss-plate",
+    recognise: |text| {
+        let mark = text.lines().take(5).any(|line| line.contains("Meas X    Meas Y     Nom X"));
+        Recognised::by(mark, 0.9, "a table of drilled holes in columns of fixed width, by its header")
+    },
+    dialect: || Dialect {
+        widths: vec![10, 10, 10, 10, 10, 10, 8, 8, 8],
+        columns: vec![Role::X, Role::Y].into(),
+        header: Header::Words(vec!["Meas X".to_owned(), "Nom X".to_owned()]),
+        ..Dialect::default()
+    },
+};

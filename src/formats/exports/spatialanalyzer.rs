@@ -1,0 +1,175 @@
+//! SpatialAnalyzer's ASCII points: `[[collection,] group,] target, x, y, z` under comments that may state axes, unit,
+//! working frame and columns. The label is `collection::group::target`: the same target name occurs in several groups.
+
+use super::delimited::point_rows;
+use super::{About, ExportFormat, Recognised, Row, Text, Writing};
+use crate::Point;
+use crate::dialect::{Delimiter, Dialect, Role, Unit};
+use etalon_base::message::{Message, Place, Problems};
+use std::sync::Arc;
+
+/// ASCII points of SpatialAnalyzer.
+pub(super) struct SpatialAnalyzer;
+
+impl ExportFormat for SpatialAnalyzer {
+    fn about(&self) -> About {
+        About { name: "spatialanalyzer", title: "SpatialAnalyzer ASCII", points_only: true, ..About::default() }
+    }
+
+    fn recognise(&self, text: &str) -> Option<Recognised> {
+        let mark = |l: &str| l.starts_with("// SpatialAnalyzer") || l.starts_with("// AXES =");
+        let what = "a SpatialAnalyzer export of points, by its comments";
+        let axes = text.lines().find(|line| line.starts_with("// AXES ="));
+        let says = |unit: &&str| axes.is_some_and(|line| line.contains(&format!("({unit})")));
+        let found = Recognised::by(text.lines().take(20).any(mark), 0.9, what)?;
+        Some(Recognised { unit: ["mm", "m", "inch"].into_iter().find(says), ..found })
+    }
+
+    fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+        rows(text.file, text.whole, unit)
+    }
+
+    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+        // label parts between `::` are collection and group
+        let head = format!("// AXES = CARTESIAN: X,  Y,  Z ({})\n", how.unit.name());
+        let line = |row: &Row| format!("{},  {}\n", row.label.replace("::", ",  "), how.list(row, ",  "));
+        Ok(head + &rows.iter().map(line).collect::<String>())
+    }
+
+    /// The working frame; a check box of the export leaves it out.
+    fn frame<'t>(&self, text: &'t str) -> Option<&'t str> {
+        let comments = text.lines().filter_map(|line| line.trim_start().strip_prefix(COMMENT));
+        let mut frames = comments.filter_map(|c| c.trim().strip_prefix("Points Relative to Coordinate Frame"));
+        frames.next().map(|frame| frame.trim().trim_matches('\''))
+    }
+}
+
+const COMMENT: &str = "//";
+
+/// Points of the text, and what does not read. The campaign's unit must be that of the file, where the file states one.
+fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
+    let mut problems = Problems::default();
+    let mut columns = None;
+    for (i, line) in text.lines().enumerate() {
+        let Some(comment) = line.trim_start().strip_prefix(COMMENT) else { continue };
+        let at = || Place::line(file, i + 1, line);
+        if let Some(axes) = comment.trim().strip_prefix("AXES =") {
+            problems.0.extend(axes_disagree(axes.trim(), unit).map(|m| m.at(at())));
+        }
+        columns = columns.or_else(|| named(comment));
+    }
+    let mut data =
+        text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty() && !l.trim_start().starts_with(COMMENT));
+    let columns = match (columns, data.next()) {
+        (_, None) => return (Vec::new(), problems),
+        (Some(columns), _) => columns,
+        (None, Some((i, line))) => match counted(line) {
+            Ok(columns) => columns,
+            Err(message) => {
+                problems.0.push(message.at(Place::line(file, i + 1, line)));
+                return (Vec::new(), problems);
+            }
+        },
+    };
+    let dialect = Dialect {
+        delimiter: Some(Delimiter::Comma),
+        comment: Some(COMMENT.to_owned()),
+        columns: columns.into(),
+        ..Dialect::default()
+    };
+    let (points, more) = point_rows(file, text, &dialect, unit);
+    problems.0.extend(more.0);
+    (points, problems)
+}
+
+/// What is wrong with `CARTESIAN: X,  Y,  Z (mm)` as axes of points in this unit.
+fn axes_disagree(axes: &str, unit: Unit) -> Option<Message> {
+    let (kind, names) = axes.split_once(':').unwrap_or((axes, ""));
+    if kind.trim() != "CARTESIAN" {
+        let message = Message::error(format!("the axes are {}, whose columns and units are not known", kind.trim()));
+        return Some(message.hint(
+            "export Cartesian ones, or state the columns: format = { delimiter = \",\", comment = \"//\", \
+             columns = [\"label\", \"radius\", \"azimuth\", \"z\"], angle_unit = \"deg\" }",
+        ));
+    }
+    let stated = names.split_once('(').and_then(|(_, rest)| rest.split_once(')')).map(|(unit, _)| unit.trim())?;
+    let name = match stated.to_ascii_lowercase().as_str() {
+        "mm" | "millimeters" | "millimetres" => "mm",
+        "m" | "meters" | "metres" => "m",
+        "in" | "inch" | "inches" => "inch",
+        _ => stated,
+    };
+    (name != unit.name()).then(|| {
+        Message::error(format!("the file is in {stated}, and the campaign states `unit = \"{}\"`", unit.name()))
+            .expected("the same unit in both")
+    })
+}
+
+/// Columns by the comment that names them: `Collection,  Group,  Point,  X,  Y,  Z`.
+fn named(comment: &str) -> Option<Vec<Role>> {
+    let names: Vec<&str> = comment.split(',').map(str::trim).collect();
+    let x = names.windows(3).position(|w| w == ["X", "Y", "Z"]).filter(|x| *x <= 3)?;
+    let known = ["Collection", "Group", "Point", "Target"];
+    let label = names[..x].iter().all(|name| known.contains(name));
+    label.then(|| {
+        let role = |i: usize| match i.checked_sub(x) {
+            None => Role::Label,
+            Some(0) => Role::X,
+            Some(1) => Role::Y,
+            Some(2) => Role::Z,
+            Some(_) => Role::Skip,
+        };
+        (0..names.len()).map(role).collect()
+    })
+}
+
+/// Columns by their count, where nothing names them: up to three of the name, then x, y, z.
+fn counted(line: &str) -> Result<Vec<Role>, Message> {
+    let fields = line.split(',').count();
+    match fields {
+        3..=6 => Ok([&vec![Role::Label; fields - 3][..], &[Role::X, Role::Y, Role::Z]].concat()),
+        1 => Err(Message::error("the row has no commas")
+            .expected("`collection, group, target, x, y, z`, or the last five, four or three of them")
+            .hint("points exported with blanks: state how many columns the name takes, format = { delimiter = \"blank\", \
+                   comment = \"//\", columns = [\"label\", \"x\", \"y\", \"z\"] }")),
+        _ => Err(Message::error(format!("the row has {fields} columns, and no comment names them"))
+            .expected("`collection, group, target, x, y, z`, or the last five, four or three of them")
+            .hint("export with the comment on axes, or state the columns: format = { delimiter = \",\", comment = \"//\", \
+                   columns = [\"label\", \"label\", \"label\", \"x\", \"y\", \"z\", \"-\"] }")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEAD: &str = "// SpatialAnalyzer SA 2022\n// Points Relative to Coordinate Frame 'A::WORLD'\n// AXES = CARTESIAN: X,  Y,  Z (mm)\n";
+
+    fn read(text: &str) -> Vec<(String, [f64; 3])> {
+        let (points, problems) = rows("f", &text.into(), Unit::Millimetre);
+        assert!(problems.0.is_empty(), "{problems}");
+        points.into_iter().map(|p| (p.label.to_string(), p.xyz_mm)).collect()
+    }
+
+    #[test]
+    fn the_name_has_up_to_three_parts_and_the_key_is_all_of_them() {
+        let xyz = [1.5, -2.0, 3.0];
+        for (name, label) in
+            [("", ""), ("P 1,  ", "P 1"), ("G (+),  P 1,  ", "G (+)::P 1"), ("C, G[1], P*, ", "C::G[1]::P*")]
+        {
+            assert_eq!(read(&format!("{HEAD}{name}1.5,  -2.000000,  3.0\n")), [(label.to_owned(), xyz)]);
+        }
+        let named = format!("{HEAD}// Group,  Point,  X,  Y,  Z,  RMS\n\nG, 7, 1.5, -2, 3.0, 0.01\n");
+        assert_eq!(read(&named), [("G::7".to_owned(), xyz)]);
+        assert_eq!(SpatialAnalyzer.frame(&named), Some("A::WORLD"));
+    }
+
+    #[test]
+    fn another_unit_other_axes_or_columns_that_nothing_names_are_refused() {
+        let said = |text: &str, unit| rows("f", &text.into(), unit).1.to_string();
+        assert!(said(&format!("{HEAD}1,2,3\n"), Unit::Inch).contains("the file is in mm"));
+        assert!(said("// AXES = SPHERICAL: R, T, P\n1,2,3\n", Unit::Millimetre).contains("SPHERICAL"));
+        assert!(said("C, G, 0, 1, 2, 3, 02/12/25 16:42:11\n", Unit::Millimetre).contains("7 columns, and no comment"));
+        assert!(said("C G P 1 2 3\n", Unit::Millimetre).contains("no commas"));
+    }
+}

@@ -1,0 +1,690 @@
+//! Delimited text: one scanner, which owns nothing. Rows of fields, each with its place, are what a campaign reads; clouds of
+//! points take labels and numbers straight from the scanner, at the speed of the disk. And lines as these read them.
+
+use crate::dialect::{Decimal, Delimiter, Dialect, Thousands};
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose_name::PoseName;
+use std::borrow::Cow;
+
+/// A row of fields, which borrow from its line.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Row<'t> {
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// The line itself.
+    pub text: &'t str,
+    /// The fields.
+    pub fields: Vec<Cow<'t, str>>,
+}
+
+impl<'t> Row<'t> {
+    /// A row whose fields are already cut.
+    pub fn of(line: usize, text: &'t str, fields: impl Iterator<Item = &'t str>) -> Self {
+        Self { line, text, fields: fields.map(Cow::Borrowed).collect() }
+    }
+
+    /// The field of this index; empty where there is none.
+    pub fn field(&self, index: usize) -> &str {
+        self.fields.get(index).map_or("", Cow::as_ref)
+    }
+
+    /// Its line.
+    pub fn place(&self, file: &str) -> Place {
+        Place::line(file, self.line, self.text)
+    }
+
+    /// The place of the field of this index.
+    pub fn cell(&self, file: &str, index: usize) -> Place {
+        let mut from = 0;
+        let mut column = 1;
+        for field in self.fields.iter().take(index + 1) {
+            // a field with doubled quotes is not in the line as it reads
+            let at = self.text[from..].find(field.as_ref()).map(|byte| from + byte);
+            column = self.text[..at.unwrap_or(from)].chars().count() + 1;
+            from = at.map_or(from, |at| at + field.len());
+        }
+        let width = self.fields.get(index).map_or(1, |f| f.chars().count());
+        self.place(file).at(if index < self.fields.len() { column } else { 1 }, width)
+    }
+}
+
+/// Splits a text into rows; empty lines are not rows.
+pub(super) fn rows<'t>(file: &str, text: &'t str, delimiter: Delimiter) -> Result<Vec<Row<'t>>> {
+    let (rows, problems) = split(file, text, &Dialect { delimiter: Some(delimiter), ..Dialect::default() });
+    problems.check()?;
+    Ok(rows)
+}
+
+/// The rows of a text in a dialect, and those that do not split; empty lines and comment lines are not rows.
+pub(super) fn split<'t>(file: &str, text: &'t str, dialect: &Dialect) -> (Vec<Row<'t>>, Problems) {
+    let mut problems = Problems::default();
+    let rows = each_row(file, text, dialect).filter_map(|row| row.map_err(|message| problems.0.push(message)).ok());
+    (rows.collect(), problems)
+}
+
+/// The same one after the other: the rows of a text with millions take several times its memory.
+pub(super) fn each_row<'t>(
+    file: &str,
+    text: &'t str,
+    dialect: &Dialect,
+) -> impl Iterator<Item = std::result::Result<Row<'t>, Message>> {
+    let is_comment = |line: &str| dialect.comment.as_ref().is_some_and(|c| line.trim_start().starts_with(c.as_str()));
+    let is_row = move |(_, line): &(usize, &str)| !line.trim().is_empty() && !is_comment(line);
+    text.lines().enumerate().filter(is_row).map(|(i, line)| {
+        let mut row = Row { line: i + 1, text: line, fields: Vec::new() };
+        if !dialect.widths.is_empty() {
+            row.fields = fixed(line, &dialect.widths);
+        } else if let Err(stray) = fields(line, dialect.delimiter.unwrap_or(Delimiter::Tab), &mut row.fields) {
+            // a sheet was written with tabs
+            let column = line[..stray.at].chars().count() + 1;
+            let message = Message::error(stray.what).at(row.place(file).at(column, 1));
+            return Err(message.hint("a quote inside a quoted field is written twice"));
+        }
+        Ok(row)
+    })
+}
+
+/// Fields of so many characters each; what comes behind them is one more.
+fn fixed<'t>(line: &'t str, widths: &[usize]) -> Vec<Cow<'t, str>> {
+    let mut rest = line;
+    let mut take = |width: usize| {
+        let end = rest.char_indices().nth(width).map_or(rest.len(), |(i, _)| i);
+        let (field, after) = rest.split_at(end);
+        rest = after;
+        Cow::Borrowed(field.trim())
+    };
+    let mut fields: Vec<Cow<str>> = widths.iter().map(|width| take(*width)).collect();
+    let behind = take(usize::MAX);
+    if !behind.is_empty() {
+        fields.push(behind);
+    }
+    fields
+}
+
+/// The fields of a line; one in double quotes may contain what separates fields.
+fn fields<'t>(line: &'t str, delimiter: Delimiter, fields: &mut Vec<Cow<'t, str>>) -> std::result::Result<(), Stray> {
+    let mut scanner = Scanner { bytes: line.as_bytes(), at: 0, delimiter: delimiter.byte() };
+    loop {
+        let cell = scanner.cell()?;
+        let text = line.get(cell.start..cell.end).unwrap_or_default();
+        fields.push(match (cell.quoted, delimiter) {
+            (false, _) | (true, Delimiter::Blank) => Cow::Borrowed(text),
+            (true, _) if text.contains('"') => Cow::Owned(text.replace("\"\"", "\"").trim().to_owned()),
+            (true, _) => Cow::Borrowed(text.trim()),
+        });
+        if cell.last {
+            return Ok(());
+        }
+    }
+}
+
+/// Whole numbers up to here are exact.
+pub(super) const WHOLE: f64 = 9e15;
+
+/// The smallest double written out has fewer characters; what is longer is not a number, and is not looked through.
+const LONGEST: usize = 1100;
+
+/// A number in the stated decimal mark, nothing else around it.
+pub(crate) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
+    marked(field, decimal, None)
+}
+
+/// The name of a pose: what is written with digits and a decimal mark alone (`7`, `7.0`) is a number, and must be whole.
+pub(crate) fn pose_name(field: &str, decimal: Decimal) -> std::result::Result<PoseName, Message> {
+    let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',' | '\u{2212}');
+    match number(field, decimal) {
+        Ok(value) if value.fract() != 0.0 || value.abs() > WHOLE => {
+            Err(Message::error(format!("`{field}` is not a whole number"))
+                .expected("a whole number, or a name like `home`"))
+        }
+        Ok(value) if field.chars().all(numeric) => Ok((value as i64).into()),
+        // of letters as well, like `3E1`
+        _ => PoseName::new(field),
+    }
+}
+
+/// A number in the stated decimal and thousands marks, correctly rounded. Exponents may be `e+003`, `E001` or Fortran's
+/// `D+01`, the minus may be U+2212.
+pub(super) fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> std::result::Result<f64, Message> {
+    if field.len() > LONGEST {
+        let start: String = field.chars().take(40).collect();
+        let what = format!("`{start}...` is not a number: it has {} characters", field.len());
+        return Err(Message::error(what).expected(format!("a number with decimal mark `{}`", decimal.name())));
+    }
+    let mark = if decimal == Decimal::Point { b'.' } else { b',' };
+    let mut scanner = Scanner { bytes: field.as_bytes(), at: 0, delimiter: None };
+    let exact = scanner.exact(mark).filter(|_| thousands.is_none() && scanner.at == field.len());
+    let value = exact.or_else(|| unmarked(field, decimal, thousands)?.parse().ok());
+    value.filter(|v: &f64| v.is_finite()).ok_or_else(|| wrong(field, decimal, thousands))
+}
+
+/// The number as Rust reads it, if it has no characters but its marks, digits and an exponent.
+fn unmarked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Option<String> {
+    let mark = if decimal == Decimal::Point { '.' } else { ',' };
+    let (whole, rest) = field.split_at(field.find([mark, 'e', 'E', 'd', 'D']).unwrap_or(field.len()));
+    let whole = match thousands {
+        Some(thousands) => ungrouped(whole, thousands)?,
+        None => whole.to_owned(),
+    };
+    let plain = |c: char| match c {
+        '\u{2212}' => Some('-'),
+        'd' | 'D' => Some('e'),
+        c if c == mark => Some('.'),
+        // words that `parse` would take for infinity or NaN are not measured values
+        '0'..='9' | '+' | '-' | 'e' | 'E' => Some(c),
+        _ => None,
+    };
+    whole.chars().chain(rest.chars()).map(plain).collect()
+}
+
+/// The whole part without its marks, which must stand between groups of three digits.
+fn ungrouped(whole: &str, thousands: Thousands) -> Option<String> {
+    let mut groups = whole.split(|c| thousands.is(c));
+    let first = groups.next()?;
+    let rest: Vec<&str> = groups.collect();
+    let digits = |text: &str| text.bytes().filter(u8::is_ascii_digit).count();
+    let three = |group: &&str| group.len() == 3 && digits(group) == 3;
+    let grouped = rest.iter().all(three) && (rest.is_empty() || matches!(digits(first), 1..=3));
+    grouped.then(|| [&[first], &rest[..]].concat().concat())
+}
+
+fn wrong(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Message {
+    let message = Message::error(format!("`{field}` is not a number"));
+    let (other, hint) = match decimal {
+        Decimal::Point => (',', "a decimal comma? then state `decimal = \",\"`"),
+        Decimal::Comma => ('.', "a decimal point? then state `decimal = \".\"`"),
+    };
+    let grouped = |mark: Thousands| marked(field, decimal, Some(mark)).is_ok();
+    let marks = [Thousands::Comma, Thousands::Point, Thousands::Apostrophe, Thousands::Blank];
+    let mut hints = Vec::new();
+    if thousands.is_none() {
+        if field.contains(other) {
+            hints.push(hint.to_owned());
+        }
+        // a mark that is the decimal mark is none of thousands
+        let possible = marks.into_iter().filter(|m| m.name() != decimal.name() && field.contains(|c| m.is(c)));
+        hints.extend(
+            possible
+                .filter(|m| grouped(*m))
+                .map(|m| format!("groups of three digits? then state `thousands = \"{}\"`", m.name())),
+        );
+    }
+    let with = thousands.map(|t| format!(", and `{}` between groups of three digits", t.name())).unwrap_or_default();
+    let message = message.expected(format!("a number with decimal mark `{}`{with}", decimal.name()));
+    if hints.is_empty() { message } else { message.hint(hints.join("; ")) }
+}
+
+/// Lines of a cloud of points are shorter.
+pub(super) const LONGEST_LINE: usize = 4096;
+/// Powers of ten that are exact.
+const TENS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
+const WHOLE_TENS: [u64; 9] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+
+/// The scanner of delimited text: a place in it, from which cells and numbers of a line are taken one after the other.
+pub(super) struct Scanner<'a> {
+    pub bytes: &'a [u8],
+    pub at: usize,
+    /// None: blanks and tabs.
+    pub delimiter: Option<u8>,
+}
+
+/// Where the text of a cell is.
+struct Cell {
+    start: usize,
+    end: usize,
+    /// In double quotes, which are not part of it; a quote within it may be doubled.
+    quoted: bool,
+    /// It is the last of its line.
+    last: bool,
+}
+
+/// What is wrong with the quotes of a line, and at which byte.
+struct Stray {
+    what: &'static str,
+    at: usize,
+}
+
+impl<'a> Scanner<'a> {
+    #[inline(always)]
+    fn peek(&self) -> Option<u8> {
+        self.bytes.get(self.at).copied()
+    }
+
+    /// Bytes of the blank at this place; 0 if there is none. The delimiter and what ends a line are not blanks.
+    #[inline(always)]
+    fn blank(&self) -> usize {
+        match self.peek() {
+            Some(b' ') => 1,
+            Some(b'!'..0x80) | None => 0,
+            Some(b'\t' | 0x0b | 0x0c) => usize::from(self.peek() != self.delimiter),
+            Some(0x80..) => self.wide_blank(),
+            Some(_) => 0,
+        }
+    }
+
+    /// The same of blanks beyond ASCII.
+    #[cold]
+    fn wide_blank(&self) -> usize {
+        let four = &self.bytes[self.at..self.bytes.len().min(self.at + 4)];
+        let first = four.utf8_chunks().next().and_then(|chunk| chunk.valid().chars().next());
+        first.filter(|c| c.is_whitespace()).map_or(0, char::len_utf8)
+    }
+
+    #[inline(always)]
+    fn skip_blanks(&mut self) {
+        loop {
+            match self.blank() {
+                0 => return,
+                width => self.at += width,
+            }
+        }
+    }
+
+    /// Whether the line ends here: a carriage return alone is part of what it is in.
+    #[inline(always)]
+    fn is_end(&self) -> bool {
+        match self.peek() {
+            None | Some(b'\n') => true,
+            Some(b'\r') => matches!(self.bytes.get(self.at + 1), None | Some(b'\n')),
+            _ => false,
+        }
+    }
+
+    /// Passes what separates a field from the next one, if it is here; nothing does at the end of the line.
+    #[inline(always)]
+    fn separator(&mut self) -> bool {
+        match self.delimiter {
+            Some(_) => {
+                self.skip_blanks();
+                let here = self.peek() == self.delimiter;
+                self.at += usize::from(here);
+                here || self.is_end()
+            }
+            None => self.blank() > 0 || self.is_end(),
+        }
+    }
+
+    /// The next cell, without blanks around it, and what separates it from the one behind it.
+    fn cell(&mut self) -> std::result::Result<Cell, Stray> {
+        self.skip_blanks();
+        let mut cell = Cell { start: self.at, end: self.at, quoted: false, last: false };
+        match if self.peek() == Some(b'"') { self.quoted()? } else { None } {
+            Some(end) => {
+                cell = Cell { start: self.at + 1, end, quoted: true, last: false };
+                self.at = end + 1;
+            }
+            None => {
+                while !self.is_end() && self.peek() != self.delimiter {
+                    match self.blank() {
+                        0 => {
+                            self.at += 1;
+                            cell.end = self.at;
+                        }
+                        _ if self.delimiter.is_none() => break,
+                        width => self.at += width,
+                    }
+                }
+            }
+        }
+        self.skip_blanks();
+        cell.last = self.is_end();
+        if self.delimiter.is_some() && !cell.last {
+            if self.peek() != self.delimiter {
+                return Err(Stray { what: "there is text behind a closing quote", at: self.at });
+            }
+            self.at += 1;
+        }
+        Ok(cell)
+    }
+
+    /// Where the quote that is opened here is closed. Between blanks one that is not closed is part of a word.
+    fn quoted(&self) -> std::result::Result<Option<usize>, Stray> {
+        let mut end = self.at + 1;
+        loop {
+            match self.bytes[end..].iter().position(|b| matches!(b, b'"' | b'\n')) {
+                Some(count) if self.bytes[end + count] == b'"' => end += count,
+                _ if self.delimiter.is_none() => return Ok(None),
+                _ => return Err(Stray { what: "a quote is opened and not closed on its line", at: self.at }),
+            }
+            if self.delimiter.is_none() || self.bytes.get(end + 1) != Some(&b'"') {
+                return Ok(Some(end));
+            }
+            end += 2;
+        }
+    }
+
+    /// The label, and what separates it from the next field; none if it may need more than a look.
+    #[inline]
+    pub fn label(&mut self) -> Option<&'a [u8]> {
+        self.skip_blanks();
+        self.short_label().or_else(|| {
+            let cell = self.cell().ok()?;
+            let label = &self.bytes[cell.start..cell.end];
+            // a byte-order mark is not part of the text, a NUL in no text, a carriage return the end of a line
+            let plain = !cell.quoted && !label.starts_with(b"\xef\xbb\xbf");
+            (plain && !label.iter().any(|b| matches!(b, 0 | b'\r'))).then_some(label)
+        })
+    }
+
+    /// A label of less than sixteen letters of ASCII that its separator ends at once.
+    #[inline]
+    fn short_label(&mut self) -> Option<&'a [u8]> {
+        let rest = &self.bytes[self.at..];
+        let separator = self.delimiter.unwrap_or(b' ');
+        let [first, second] =
+            [0, 8].map(|from| rest.get(from..)?.first_chunk().map(|word| first_stop(*word, separator)));
+        let length = match first? {
+            8 => 8 + second?,
+            length => length,
+        };
+        let plain = !matches!(rest.first(), None | Some(b'"')) && (1..16).contains(&length);
+        if !plain || rest.get(length) != Some(&separator) {
+            return None;
+        }
+        self.at += length + usize::from(self.delimiter.is_some());
+        Some(&rest[..length])
+    }
+
+    /// Takes up digits behind those that `value` has, and gives how many there were; of more than 19 the value is lost.
+    #[inline(always)]
+    fn digits(&mut self, mut value: u64) -> (u64, usize) {
+        let start = self.at;
+        loop {
+            let (more, count) = eight(&self.bytes[self.at..]);
+            value = value.wrapping_mul(WHOLE_TENS[count]).wrapping_add(more);
+            self.at += count;
+            if count < 8 {
+                return (value, self.at - start);
+            }
+        }
+    }
+
+    /// A number of digits and a mark, if it is exact or one rounding away from that.
+    #[inline(always)]
+    fn exact(&mut self, mark: u8) -> Option<f64> {
+        let negative = self.peek() == Some(b'-');
+        self.at += usize::from(negative);
+        let (whole, before) = self.digits(0);
+        let (mantissa, behind) = match self.peek() == Some(mark) {
+            true => {
+                self.at += 1;
+                self.digits(whole)
+            }
+            false => (whole, 0),
+        };
+        // W. D. Clinger, How to read floating point numbers accurately, 1990: both operands are exact
+        ((1..=19).contains(&(before + behind)) && mantissa <= 1 << 53).then(|| {
+            let value = mantissa as f64 / TENS[behind];
+            // signs come as they please: a bit is quicker than a branch
+            f64::from_bits(value.to_bits() | u64::from(negative) << 63)
+        })
+    }
+
+    /// A number, and what separates it from the next field, if anything does.
+    #[inline(always)]
+    pub fn number(&mut self) -> Option<f64> {
+        self.skip_blanks();
+        let start = self.at;
+        match self.exact(b'.') {
+            Some(value) if self.separator() => Some(value),
+            _ => {
+                self.at = start;
+                self.any_number()
+            }
+        }
+    }
+
+    /// The same of any number.
+    fn any_number(&mut self) -> Option<f64> {
+        let cell = self.cell().ok()?;
+        number(std::str::from_utf8(&self.bytes[cell.start..cell.end]).ok()?, Decimal::Point).ok()
+    }
+
+    /// Whether the line ends here; if so it is passed. Without a line feed it ends at the end of the file alone.
+    pub fn end(&mut self, last: bool) -> bool {
+        self.skip_blanks();
+        if !self.is_end() {
+            return false;
+        }
+        self.at += usize::from(self.peek() == Some(b'\r'));
+        let ends = self.peek().is_some() || last;
+        self.at += usize::from(self.peek().is_some());
+        ends
+    }
+}
+
+/// Line feeds in a text: counted in bytes, which take an eighth of the registers that words would.
+pub(super) fn line_feeds(text: &[u8]) -> usize {
+    let few = |bytes: &[u8]| bytes.iter().map(|b| u8::from(*b == b'\n')).sum::<u8>();
+    text.chunks(255).map(|bytes| usize::from(few(bytes))).sum()
+}
+
+/// Bytes in front of the first separator, blank, control character or letter beyond ASCII.
+#[inline(always)]
+fn first_stop(word: [u8; 8], separator: u8) -> usize {
+    let ones = u64::from_le_bytes([1; 8]);
+    let high = ones << 7;
+    let word = u64::from_le_bytes(word);
+    let parted = word ^ (ones * u64::from(separator));
+    // right up to the first; behind it borrows may mark what they like
+    let stops = (word.wrapping_sub(ones * 0x21) | word | parted.wrapping_sub(ones) & !parted) & high;
+    (stops.trailing_zeros() / 8) as usize
+}
+
+/// The number that up to eight digits in front make, and how many they are: all bytes of a word at once
+/// (D. Lemire, Number parsing at a gigabyte per second, Software: Practice and Experience 51, 2021).
+#[inline(always)]
+fn eight(bytes: &[u8]) -> (u64, usize) {
+    let word = match bytes.first_chunk() {
+        Some(word) => *word,
+        None => std::array::from_fn(|i| bytes.get(i).copied().unwrap_or_default()),
+    };
+    // digits become 0 to 9; from the first that is none upwards, carries may mark what they like
+    let word = u64::from_le_bytes(word) ^ 0x3030_3030_3030_3030;
+    let other = (word.wrapping_add(0x7676_7676_7676_7676) | word) & 0x8080_8080_8080_8080;
+    let count = other.trailing_zeros() / 8;
+    if count == 0 {
+        return (0, 0);
+    }
+    let digits = word << (64 - 8 * count);
+    let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8) & 0x00ff_00ff_00ff_00ff;
+    let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_ffff_0000_ffff;
+    let all = fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff;
+    (all, count as usize)
+}
+
+/// One line; where it would read as a comment its first field is quoted.
+pub(crate) fn line(
+    fields: &[String],
+    delimiter: Delimiter,
+    comment: Option<&str>,
+) -> std::result::Result<String, Message> {
+    let joined = |quote_first: bool| {
+        let field = |(i, field): (usize, &String)| match delimiter.byte() {
+            Some(byte) => quoted_between(field, char::from(byte), quote_first && i == 0),
+            None => blank(field, quote_first && i == 0),
+        };
+        let separator = delimiter.byte().map_or(' ', char::from).to_string();
+        fields.iter().enumerate().map(field).collect::<Vec<_>>().join(&separator) + "\n"
+    };
+    let is_comment = |text: &str| comment.is_some_and(|c| text.trim_start().starts_with(c));
+    let text = joined(false);
+    if !is_comment(&text) {
+        return Ok(text);
+    }
+    let quoted = joined(true);
+    if is_comment(&quoted) {
+        let what = format!("a row would read as a comment: `{}`", text.trim_end());
+        return Err(Message::error(what).hint("choose another `comment`"));
+    }
+    Ok(quoted)
+}
+
+/// A field between separators.
+fn quoted_between(field: &str, separator: char, quote: bool) -> String {
+    if quote || field.contains([separator, '"', '\n', '\r']) || field.trim() != field {
+        format!("\"{}\"", field.replace('"', "\"\""))
+    } else {
+        field.to_owned()
+    }
+}
+
+/// A field between blanks.
+pub(crate) fn blank(field: &str, quote: bool) -> String {
+    if quote || field.is_empty() || field.contains(char::is_whitespace) {
+        format!("\"{field}\"")
+    } else {
+        field.to_owned()
+    }
+}
+
+/// A number with the stated decimal mark.
+pub(crate) fn written(value: f64, digits: usize, decimal: Decimal) -> String {
+    let text = format!("{value:.digits$}");
+    if decimal == Decimal::Comma { text.replace('.', ",") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_rows_in_every_delimiter() {
+        let expected = ["P 1", "1.5", "-2"];
+        for (text, delimiter) in [
+            ("# head\n\"P 1\"  1.5\t-2\n\n", Delimiter::Blank),
+            ("# head\nP 1\t1.5\t-2\r\n", Delimiter::Tab),
+            ("# head\nP 1, 1.5,-2\n", Delimiter::Comma),
+            ("# head\nP 1;1.5;-2", Delimiter::Semicolon),
+            ("# \"head\n\"P 1\" | 1.5|\"-2\"", Delimiter::Bar),
+        ] {
+            let comment = Some("#".to_owned());
+            let (rows, problems) =
+                split("f", text, &Dialect { delimiter: Some(delimiter), comment, ..Dialect::default() });
+            let found: Vec<_> = rows.iter().map(|row| (row.line, &row.fields[..])).collect();
+            assert!(problems.0.is_empty() && found == [(2, &expected.map(Cow::from)[..])], "{delimiter:?}: {rows:?}");
+            let borrowed = |row: &Row| row.fields.iter().all(|f| matches!(f, Cow::Borrowed(_)));
+            assert!(rows.iter().all(borrowed), "{rows:?}");
+        }
+    }
+
+    #[test]
+    fn quotes_that_do_not_match_are_reported_on_their_line_and_hide_no_row() {
+        let dialect = Dialect { delimiter: Some(Delimiter::Comma), ..Dialect::default() };
+        let (rows, problems) = split("f", "\"a,1\n\"b \"\"c\"\"\",2\n\"d\" e,3\n1.5\" ball,4\n", &dialect);
+        let lines: Vec<_> = problems.0.iter().map(|m| m.place.as_ref().map(|p| (p.line, p.column))).collect();
+        assert_eq!(lines, [Some((Some(1), Some(1))), Some((Some(3), Some(5)))]);
+        let fields: Vec<&str> = rows.iter().flat_map(|r| &r.fields).map(Cow::as_ref).collect();
+        assert_eq!(fields, ["b \"c\"", "2", "1.5\" ball", "4"]);
+    }
+
+    #[test]
+    fn fixed_widths_count_characters() {
+        assert_eq!(fixed("µ 1  2.5 rest", &[3, 5]), ["µ 1", "2.5", "rest"]);
+        assert_eq!(fixed("ab", &[1, 3, 2]), ["a", "b", ""]);
+    }
+
+    #[test]
+    fn eight_takes_the_digits_in_front_whatever_follows() {
+        for digits in ["", "0", "7", "09", "123", "0045", "99999", "123456", "9876543", "98765432", "00000001"] {
+            for behind in ["", ".", " 5", "/", ":", "\u{e9}", "\0", "\n12", "a1234567", "\u{10ffff}99999"] {
+                let text = format!("{digits}{behind}");
+                let expected = (digits.parse().unwrap_or(0), digits.len());
+                assert_eq!(eight(text.as_bytes()), expected, "{text:?}");
+            }
+        }
+        assert_eq!(eight(b"1234567890"), (12_345_678, 8));
+    }
+
+    #[test]
+    fn poses_are_whole_numbers_or_names() {
+        for (field, number) in [("12", 12), ("012", 12), ("12.0", 12), ("-1", -1)] {
+            assert_eq!(pose_name(field, Decimal::Point).unwrap(), number);
+        }
+        assert_eq!(pose_name("7,0", Decimal::Comma).unwrap(), 7);
+        for name in ["home", "P1", "P1a", "3E1", "10b"] {
+            assert_eq!(pose_name(name, Decimal::Point).unwrap().to_string(), name);
+        }
+        for wrong in ["1.5", "1e300", "99999999999999999999", "", "=A1"] {
+            assert!(pose_name(wrong, Decimal::Point).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_read_strictly() {
+        assert_eq!(number("1,25", Decimal::Comma).unwrap(), 1.25);
+        for (field, decimal) in [
+            ("1,25", Decimal::Point),
+            ("1.25", Decimal::Comma),
+            ("nan", Decimal::Point),
+            ("inf", Decimal::Point),
+            ("1 000", Decimal::Point),
+            ("", Decimal::Point),
+            ("1.2.3", Decimal::Point),
+            ("1,2,3", Decimal::Comma),
+            ("1e999", Decimal::Point),
+            ("±2.000", Decimal::Point),
+            ("d5", Decimal::Point),
+            ("0x1p3", Decimal::Point),
+        ] {
+            assert!(number(field, decimal).is_err(), "{field}");
+        }
+    }
+
+    #[test]
+    fn endless_digits_are_not_a_number_and_take_no_time() {
+        let begun = std::time::Instant::now();
+        let said = number(&"7".repeat(50_000_000), Decimal::Point).unwrap_err().to_string();
+        assert!(said.len() < 300 && said.contains("it has 50000000 characters"), "{said}");
+        assert!(begun.elapsed().as_secs() < 60);
+        let smallest = format!("{}", f64::from_bits(1));
+        assert_eq!(number(&smallest, Decimal::Point).unwrap().to_bits(), 1);
+    }
+
+    #[test]
+    fn trap_5_exponents_and_trap_6_unicode_minus() {
+        for (field, value) in [
+            ("-1.5e+003", -1500.0),
+            ("-4.30052E001", -43.0052),
+            ("1.5D+01", 15.0),
+            ("1.5d-2", 0.015),
+            ("\u{2212}2.5", -2.5),
+            ("0.", 0.0),
+            ("-.5E0", -0.5),
+        ] {
+            assert_eq!(number(field, Decimal::Point).unwrap().to_bits(), f64::to_bits(value), "{field}");
+        }
+    }
+
+    #[test]
+    fn trap_4_thousands_only_between_groups_of_three() {
+        use Thousands::*;
+        let (point, comma) = (Decimal::Point, Decimal::Comma);
+        for (field, decimal, mark) in [
+            ("1,234.5", point, Comma),
+            ("1.234,5", comma, Point),
+            ("1'234.5", point, Apostrophe),
+            ("1 234,5", comma, Blank),
+            ("1\u{a0}234.5", point, Blank),
+            ("1\u{202f}234.5", point, Blank),
+            ("1234.5", point, Comma),
+        ] {
+            assert_eq!(marked(field, decimal, Some(mark)).unwrap(), 1234.5, "{field}");
+        }
+        for (field, decimal, mark) in [
+            ("1,23.5", point, Comma),
+            (",234.5", point, Comma),
+            ("1234,567.0", point, Comma),
+            ("1.234,5", comma, Comma),
+            ("1,234.5,6", point, Comma),
+        ] {
+            assert!(marked(field, decimal, Some(mark)).is_err(), "{field}");
+        }
+        let said = number("3 000", point).unwrap_err().to_string();
+        assert!(said.contains("thousands = \" \""), "{said}");
+    }
+}

@@ -1,0 +1,105 @@
+//! Import: files of measuring systems and controllers become points and joint values.
+//!
+//! No input is repaired in silence: a row that means "not measured" is refused by rule and listed, anything else that
+//! does not read as stated is an error with its place, and one run reports all of them.
+#![allow(non_snake_case)] // world_T_base: frames in names
+
+mod cloud;
+pub mod dialect;
+mod export;
+pub mod exports;
+mod guess;
+mod input;
+mod lexer;
+mod logs;
+mod points;
+mod propose;
+pub mod tables;
+mod workbook;
+pub mod xml;
+
+pub use cloud::{Cloud, cloud, packed_points};
+pub use export::Export;
+pub use export::{Named as LabelNames, Pattern as LabelPattern};
+pub use exports::{Format, qif};
+pub use input::{bytes_of, read_text, text_of};
+pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, Standstill, is_joint_column, standstill};
+pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
+pub use points::{Line, Names, Point, table, to_parquet};
+pub use propose::{propose, propose_file};
+pub use tables::observations::{Layout, observations, observations_with};
+
+use crate::dialect::{Encoding, Unit};
+use etalon_base::files;
+use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::pose::Vector;
+use polars::prelude::DataFrame;
+use std::path::Path;
+
+/// Rows of a file in a format, without a campaign; those that were not measured are `refused`.
+///
+/// # Errors
+/// Everything in it that does not read, with its line.
+pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit: Unit) -> Result<Vec<Point>> {
+    let name = path.display().to_string();
+    let here = |problems: Problems| problems.at(&Place::file(name.as_str()));
+    let text = bytes_of(path).and_then(|bytes| text_of(path, &bytes, encoding, format)).map_err(here)?;
+    let (points, problems) = format.read(&name, &text.into(), unit);
+    here(problems).check()?;
+    Ok(points)
+}
+
+/// A label and a point in millimetres.
+pub type Labelled = (String, Vector);
+
+/// Labels and points of a file, in millimetres: [`points_and_refused`] without the warning.
+pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<Labelled>> {
+    points_and_refused(file, text, format, unit).map(|(points, _)| points)
+}
+
+/// Labels and points of a file, in millimetres. A row that was not measured is an error in a table; of a format with a
+/// reader of its own what is not a point is left out, with a warning.
+pub fn points_and_refused(
+    file: &str,
+    text: &str,
+    format: &Format,
+    unit: Unit,
+) -> Result<(Vec<Labelled>, Option<Message>)> {
+    let (rows, mut problems) = format.read(file, &text.into(), unit);
+    if format.about().points_only {
+        let refused = rows.iter().filter_map(|row| Some((row, row.refused.as_ref()?)));
+        problems.0.extend(refused.map(|(row, reason)| {
+            Message::error(reason.as_str())
+                .at(Place::line(file, row.line, &row.text))
+                .hint("take the row out of the file")
+        }));
+    }
+    problems.check()?;
+    let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some()).collect();
+    let said = refused.first().map(|first| {
+        let reason = first.refused.as_deref().unwrap_or_default();
+        let what = format!("{} left out, the first: {reason}", count(refused.len(), "row"));
+        Message::warning(what).at(Place::line(file, first.line, &first.text))
+    });
+    let points = rows.iter().filter(|row| row.refused.is_none()).map(|row| (row.label.to_string(), row.xyz_mm));
+    Ok((points.collect(), said))
+}
+
+/// The text of a file in a format; of one that may be binary, a character for each byte.
+pub fn text_in(path: &Path, format: &Format) -> Result<String> {
+    match format.about().binary {
+        true => text_of(path, &bytes_of(path)?, None, format),
+        false => files::text(path, files::read(path)?),
+    }
+}
+
+/// Samples of a recording in the stated format, as a table `line time_s x_mm y_mm z_mm`; every row must be measured.
+pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
+    let (points, mut problems) = format.read(file, &text.into(), unit);
+    for point in points.iter().filter(|point| point.refused.is_some()) {
+        let message = Message::error("the sample has no coordinates");
+        problems.0.push(message.at(Place::line(file, point.line, &point.text)).hint("remove the row"));
+    }
+    problems.check()?;
+    points::table(&points)
+}

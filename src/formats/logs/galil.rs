@@ -1,0 +1,113 @@
+//! Galil array upload as CSV: the names of the arrays in alphabetical order, then one row for each index.
+//!
+//! Values are encoder counts; the shorter of several arrays leaves empty places at its end. There is no clock: the period
+//! is that of the controller's `RC` command. Source: galil.com, "Comma-Separated Values (CSV Files)".
+
+use super::sheet::Sheet;
+use super::{About, LogFormat, Wanted};
+use crate::exports::Recognised;
+use etalon_base::message::{Message, Problems};
+use etalon_documents::Refused;
+
+/// Array uploads of a Galil controller: encoder counts, no clock.
+pub(super) struct Galil;
+
+impl LogFormat for Galil {
+    fn about(&self) -> About {
+        About {
+            name: "galil",
+            title: "Galil arrays",
+            description: "Galil array upload: encoder counts, arrays in alphabetical order, no clock.",
+        }
+    }
+
+    /// Whole numbers under names in alphabetical order, which is weak: points in whole mm look the same.
+    fn recognise(&self, header: &[&str], text: &str) -> Option<Recognised> {
+        let whole = |cell: &str| cell.trim().is_empty() || cell.trim().parse::<i64>().is_ok();
+        let words = header.iter().all(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
+        let rows = text.lines().skip(1).take(100);
+        let counts = rows.clone().count() > 0 && rows.flat_map(|row| row.split(',')).all(whole);
+        let what = "an upload of Galil arrays: whole numbers alone, under names in alphabetical order";
+        Recognised::by(words && counts && header.len() > 1 && header.is_sorted(), 0.3, what)
+    }
+
+    fn not_by_number(&self) -> Option<&'static str> {
+        Some("arrays are in alphabetical order, whatever joints they belong to")
+    }
+
+    fn statement(&self, wanted: &Wanted) -> Option<Message> {
+        states_counts(wanted)
+    }
+
+    fn cut(&self, sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) -> Vec<Refused> {
+        cut(sheet, wanted, problems)
+    }
+
+    fn check_joint(&self, sheet: &Sheet, at: usize, read: &[f64], problems: &mut Problems) {
+        check_counts(sheet, at, read, problems);
+    }
+
+    fn is_sorted(&self) -> bool {
+        true
+    }
+}
+
+/// An error where a column is read as if it held mm or deg.
+fn states_counts(wanted: &Wanted) -> Option<Message> {
+    let missing = wanted.is_joint() && wanted.column.per_count.is_none();
+    let key = wanted.key.get_ref();
+    missing.then(|| {
+        Message::error(format!(
+            "an array of a Galil controller holds counts, and `{key}` does not state what one is worth"
+        ))
+        .expected(format!("`{key} = {{ name = \"...\", per_count = 0.001 }}`, with the worth in the unit of the key"))
+    })
+}
+
+/// Takes away the rows at the end where arrays that are wanted have ended; an empty place before the end is an error.
+fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) -> Vec<Refused> {
+    let filled = |at: usize| sheet.rows.iter().rposition(|row| row.fields.get(at).is_some_and(|f| !f.is_empty()));
+    let ends: Vec<usize> = wanted.iter().map(|(at, _)| filled(*at).map_or(0, |last| last + 1)).collect();
+    let (shortest, longest) = (ends.iter().min().copied().unwrap_or(0), ends.iter().max().copied().unwrap_or(0));
+    for row in &sheet.rows[..shortest] {
+        for (at, wanted) in wanted.iter().filter(|(at, _)| row.fields.get(*at).is_some_and(|f| f.is_empty())) {
+            let message = Message::error(format!("the array of `{}` has a hole", wanted.key.get_ref()));
+            let hint = "an array is short at its end alone: upload it again";
+            problems.0.push(message.at(sheet.cell(row, *at)).hint(hint));
+        }
+    }
+    let ended = |i: usize| {
+        let short = wanted.iter().zip(&ends).filter(|(_, end)| **end <= i).map(|((_, w), _)| w.key.get_ref().as_str());
+        format!("no count: the array of {} has ended", short.collect::<Vec<_>>().join(", "))
+    };
+    let refused = (shortest..longest).map(|i| {
+        let row = &sheet.rows[i];
+        Refused { line: row.line, text: row.text.to_owned(), reason: ended(i) }
+    });
+    let refused = refused.collect();
+    sheet.rows.truncate(shortest);
+    if sheet.rows.is_empty() {
+        let message = Message::error("one of the arrays is empty");
+        problems.0.push(message.at(sheet.place()).hint("upload the arrays again, after the recording has ended"));
+    }
+    refused
+}
+
+/// Counts are whole numbers of 32 bits; a step by more than half their range is a wrap, which no scale can undo.
+fn check_counts(sheet: &Sheet, at: usize, counts: &[f64], problems: &mut Problems) {
+    const RANGE: f64 = 4_294_967_296.0;
+    for (row, count) in sheet.rows.iter().zip(counts) {
+        if count.fract() != 0.0 || count.abs() > RANGE / 2.0 {
+            let message = Message::error(format!("{count} is not a count")).expected("a whole number of 32 bits");
+            problems.0.push(
+                message.at(sheet.cell(row, at)).hint("is the array already scaled? Then it is not a Galil upload"),
+            );
+        }
+    }
+    for (i, pair) in counts.windows(2).enumerate().filter(|(_, pair)| (pair[1] - pair[0]).abs() > RANGE / 2.0) {
+        let message = Message::error(format!("the counter goes from {} to {}: it wrapped", pair[0], pair[1]));
+        problems
+            .0
+            .push(message.at(sheet.cell(&sheet.rows[i + 1], at)).hint("set the encoder to zero before it is recorded"));
+    }
+}

@@ -1,0 +1,120 @@
+//! Joint values as the stages use them, and what the columns of a log become in them.
+
+use etalon_base::message::Result;
+use etalon_base::pose_name::PoseName;
+use etalon_base::table::pose_column;
+use etalon_base::table::{ASSEMBLY, LABEL};
+use etalon_robots::{Joint, Quantity};
+use polars::prelude::{Column, DataFrame};
+
+/// Keys of `columns` that bring the time, and seconds in one of their unit.
+const TIMES: [(&str, f64); 3] = [("time_s", 1.0), ("time_ms", 1e-3), ("time_ns", 1e-9)];
+
+/// End of the columns of the directions from which joints came.
+pub const DIRECTION: &str = "_direction";
+
+/// Factor from a unit to mm or deg.
+fn factor(unit: &str, quantity: Quantity) -> Option<f64> {
+    match (quantity, unit) {
+        (Quantity::Length, "mm") | (Quantity::Angle, "deg") => Some(1.0),
+        (Quantity::Length, "m") => Some(1000.0),
+        (Quantity::Length, "um") => Some(0.001),
+        (Quantity::Angle, "rad") => Some(180.0 / std::f64::consts::PI),
+        _ => None,
+    }
+}
+
+/// Whether a key of `columns` states this joint, in whatever unit: `q1_deg`, `q1_rad`.
+pub fn is_joint_column(key: &str, joint: &Joint) -> bool {
+    key.rsplit_once('_').is_some_and(|(name, unit)| name == joint.name && factor(unit, joint.quantity).is_some())
+}
+
+/// Whether a key of `columns` is one that the log of any robot can have.
+pub fn is_common_column(key: &str) -> bool {
+    ["pose", "cycle", LABEL, ASSEMBLY].contains(&key) || TIMES.iter().any(|(name, _)| *name == key)
+}
+
+/// What a key of `columns` becomes: the name of the column in the table, and the factor of its values.
+pub fn meaning(key: &str) -> Option<(String, f64)> {
+    if let Some((_, seconds)) = TIMES.iter().find(|(name, _)| *name == key) {
+        return Some(("time_s".to_owned(), *seconds));
+    }
+    if is_common_column(key) || key.ends_with(DIRECTION) {
+        return Some((key.to_owned(), 1.0));
+    }
+    let (name, unit) = key.rsplit_once('_')?;
+    let quantity = [Quantity::Length, Quantity::Angle].into_iter().find(|q| factor(unit, *q).is_some())?;
+    Some((format!("{name}_{}", quantity.unit()), factor(unit, quantity)?))
+}
+
+/// Joint values of a log, row by row.
+#[derive(Clone, Debug, Default)]
+pub struct JointLog {
+    /// As the campaign calls the log.
+    pub name: String,
+    /// Its file, as the campaign names it.
+    pub file: String,
+    /// Columns of its table, in their order: `row line pose cycle time_s label` where stated, and the joints.
+    pub columns: Vec<String>,
+    /// The columns among them that are joints, in mm or deg, or directions of joints.
+    pub joints: Vec<String>,
+    /// In the order of the file.
+    pub rows: Vec<LogRow>,
+}
+
+/// A row of a log, or a standstill of the robot.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LogRow {
+    /// Number among the data rows, from 1.
+    pub row: i64,
+    /// Line of the file, from 1.
+    pub line: usize,
+    /// Name of the pose.
+    pub pose: Option<PoseName>,
+    /// Number of the repeat.
+    pub cycle: Option<i64>,
+    /// Time; of a standstill its middle.
+    pub time_s: Option<f64>,
+    /// Beginning and end of a standstill.
+    pub standing_s: Option<[f64; 2]>,
+    /// Label of the point that the robot touches.
+    pub label: Option<String>,
+    /// Assembly mode, +1 or -1.
+    pub assembly: Option<f64>,
+    /// Joint values, in the order of the log's joints.
+    pub joints: Vec<f64>,
+}
+
+impl JointLog {
+    /// Whether the log has this column.
+    pub fn has(&self, column: &str) -> bool {
+        self.columns.iter().any(|c| c == column)
+    }
+
+    /// The log as a table.
+    pub fn table(&self) -> Result<DataFrame> {
+        let column = |name: &String| -> Column {
+            let whole = |f: fn(&LogRow) -> Option<i64>| -> Column {
+                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
+            };
+            let real = |f: &dyn Fn(&LogRow) -> Option<f64>| -> Column {
+                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
+            };
+            match (name.as_str(), self.joints.iter().position(|joint| joint == name)) {
+                (_, Some(k)) => real(&|r| r.joints.get(k).copied()),
+                ("row", _) => whole(|r| Some(r.row)),
+                ("line", _) => whole(|r| Some(r.line as i64)),
+                ("pose", _) => pose_column("pose", &self.rows.iter().map(|r| r.pose).collect::<Vec<_>>()),
+                ("cycle", _) => whole(|r| r.cycle),
+                ("time_s", _) => real(&|r| r.time_s),
+                ("from_s", _) => real(&|r| Some(r.standing_s?[0])),
+                ("to_s", _) => real(&|r| Some(r.standing_s?[1])),
+                (ASSEMBLY, _) => real(&|r| r.assembly),
+                _ => {
+                    Column::new(name.as_str().into(), self.rows.iter().map(|r| r.label.as_deref()).collect::<Vec<_>>())
+                }
+            }
+        };
+        Ok(DataFrame::new(self.rows.len(), self.columns.iter().map(column).collect())?)
+    }
+}

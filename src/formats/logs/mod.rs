@@ -1,0 +1,432 @@
+//! Logs: `[log]` of a campaign, and what is read of it; their formats, one file each: what is known of columns, units and
+//! clocks.
+
+mod galil;
+mod joint_log;
+mod kuka_rsi;
+mod ros;
+mod sheet;
+pub mod standstill;
+mod twincat;
+mod ur_rtde;
+mod write;
+
+pub use joint_log::{DIRECTION, is_common_column, meaning};
+pub use joint_log::{JointLog, LogRow, is_joint_column};
+pub use write::write;
+
+use super::dialect::{Column, Decimal, Delimiter, Encoding, FromRow};
+use super::exports::Recognised;
+use etalon_base::message::{Message, Problems, Result, Stated};
+use etalon_base::pose_name::PoseName;
+use etalon_base::table::ASSEMBLY;
+use etalon_documents::{Refused, Source};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+use sheet::Sheet;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt;
+use toml::Spanned;
+
+/// A file of a controller.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Log {
+    /// Name of the log, where there are several.
+    #[serde(default = "default_log")]
+    pub name: String,
+    /// Name of the file.
+    #[schemars(with = "String")]
+    pub file: Spanned<String>,
+    /// Encoding of its characters, where no byte-order mark states it.
+    #[schemars(extend("default" = "utf-8"))]
+    pub encoding: Option<Encoding>,
+    /// Controller that wrote the log.
+    #[serde(default)]
+    pub format: LogKind,
+    /// What separates the columns.
+    #[schemars(extend("default" = ","))]
+    pub delimiter: Option<Delimiter>,
+    /// Decimal mark.
+    #[serde(default)]
+    pub decimal: Decimal,
+    /// The first row names the columns.
+    #[serde(default = "yes")]
+    pub header: bool,
+    /// The columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point touched), the joints with their units,
+    /// and directions from which joints came (`q1_direction`: +1 from below, -1 from above).
+    #[schemars(with = "BTreeMap<String, Column>")]
+    pub columns: BTreeMap<Spanned<String>, Column>,
+    /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for a second file of the same targets.
+    pub pose: Option<FromRow>,
+    /// Time from one row to the next, of a log without a clock; its first row is at 0.
+    pub period_s: Option<f64>,
+    /// Whether channels with a scale contain raw or scaled values (TwinCAT).
+    pub values: Option<ChannelValues>,
+    /// Reduces a log recorded during motion to one row of mean joint values for each standstill.
+    pub standstill: Option<Standstill>,
+}
+
+/// A standstill: no joint moves by more than the stated difference for at least the stated time.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Standstill {
+    /// Least duration of a standstill.
+    pub at_least_s: f64,
+    /// Largest difference of two values of a revolute joint in a standstill.
+    pub within_deg: Option<f64>,
+    /// Largest difference of two values of a prismatic joint in a standstill.
+    pub within_mm: Option<f64>,
+}
+
+impl Log {
+    /// What separates the columns of a delimited log.
+    pub fn delimiter(&self) -> Delimiter {
+        self.delimiter.unwrap_or(Delimiter::Comma)
+    }
+}
+
+/// What the channels of a TwinCAT Scope export hold: an option of the export that the file does not state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ChannelValues {
+    /// As they were recorded: factor and offset of the header are still to be applied.
+    Raw,
+    /// Factor and offset are applied.
+    Scaled,
+}
+
+fn default_log() -> String {
+    "log".to_owned()
+}
+
+fn yes() -> bool {
+    true
+}
+
+/// Every format. To add one: its file, and its line here.
+const FORMATS: [&dyn LogFormat; 6] =
+    [&sheet::Delimited, &galil::Galil, &ur_rtde::UrRtde, &kuka_rsi::KukaRsi, &twincat::TwinCat, &ros::Ros];
+
+/// What a format of logs is called.
+#[derive(Clone, Copy)]
+pub(crate) struct About {
+    /// As `format` of a campaign states it.
+    pub name: &'static str,
+    /// In words; none of delimited text of which nothing is known.
+    pub title: &'static str,
+    /// What it is, in a sentence.
+    pub description: &'static str,
+}
+
+/// A format of logs: delimited text of which more is known than the campaign states.
+pub(crate) trait LogFormat: Sync {
+    /// What it is called.
+    fn about(&self) -> About;
+
+    /// What of a text shows that it is in this format; `header` are the names in its first row.
+    fn recognise(&self, _header: &[&str], _text: &str) -> Option<Recognised> {
+        None
+    }
+
+    /// The unit in which it writes the column of this name, where that is known.
+    fn unit_of(&self, _column: &str) -> Option<&'static str> {
+        None
+    }
+
+    /// Why a column is not given by its number, if it is not.
+    fn not_by_number(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// What is wrong with a statement on a column of this format.
+    fn statement(&self, _wanted: &Wanted) -> Option<Message> {
+        None
+    }
+
+    /// Names columns that the header does not name.
+    fn name_columns(&self, _sheet: &mut Sheet, _problems: &mut Problems) {}
+
+    /// Takes away rows that are none, once it is known where the wanted columns are.
+    fn cut(&self, _sheet: &mut Sheet, _wanted: &[(usize, &Wanted)], _problems: &mut Problems) -> Vec<Refused> {
+        Vec::new()
+    }
+
+    /// Checks the values of a joint as they are in the file.
+    fn check_joint(&self, _sheet: &Sheet, _at: usize, _read: &[f64], _problems: &mut Problems) {}
+
+    /// A warning about all that was read.
+    fn remark(&self, _file: &str, _columns: &Columns) -> Option<Message> {
+        None
+    }
+
+    /// Whether a file has channels that it names and scales itself: `values` then has a meaning, `header` none.
+    fn has_channels(&self) -> bool {
+        false
+    }
+
+    /// Reads the wanted columns.
+    fn read(&self, stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
+        sheet::read(stated, log, wanted, text, source)
+    }
+
+    /// Whether its columns are in the order of their names.
+    fn is_sorted(&self) -> bool {
+        false
+    }
+}
+
+/// Format of a log, as a campaign states it.
+#[derive(Clone, Copy)]
+pub struct LogKind(&'static dyn LogFormat);
+
+impl LogKind {
+    /// The format that a text is most surely in, and what shows it.
+    pub(crate) fn recognise(text: &str) -> Option<(Self, Recognised)> {
+        let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+        let header: Vec<&str> = first.split([',', ';', '\t']).map(|name| name.trim().trim_matches('"')).collect();
+        let all = FORMATS.into_iter().filter_map(|format| Some((Self(format), format.recognise(&header, text)?)));
+        all.reduce(|best, other| if other.1.score > best.1.score { other } else { best })
+    }
+
+    pub(crate) fn about(self) -> About {
+        self.0.about()
+    }
+
+    /// The unit in which the column of this name is, where that is known.
+    pub(crate) fn unit_of(self, column: &str) -> Option<&'static str> {
+        self.0.unit_of(column)
+    }
+
+    /// Whether a file has channels that it names and scales itself.
+    pub fn has_channels(self) -> bool {
+        self.0.has_channels()
+    }
+}
+
+impl Default for LogKind {
+    fn default() -> Self {
+        Self(&sheet::Delimited)
+    }
+}
+
+impl fmt::Debug for LogKind {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(self.about().name)
+    }
+}
+
+impl Serialize for LogKind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.about().name)
+    }
+}
+
+impl JsonSchema for LogKind {
+    fn schema_name() -> Cow<'static, str> {
+        "LogFormat".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let one = |About { name, description, .. }| json_schema!({ "description": description, "type": "string", "const": name });
+        let all: Vec<Schema> = FORMATS.iter().map(|format| format.about()).map(one).collect();
+        let description = "Who wrote a log: what is known of its columns, units and clock.";
+        json_schema!({ "description": description, "oneOf": all })
+    }
+}
+
+impl<'de> Deserialize<'de> for LogKind {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        let stated = String::deserialize(deserializer)?;
+        FORMATS.into_iter().find(|format| format.about().name == stated).map(Self).ok_or_else(|| {
+            let names: Vec<String> = FORMATS.iter().map(|format| format!("`{}`", format.about().name)).collect();
+            D::Error::custom(format!("unknown variant `{stated}`, expected one of {}", names.join(", ")))
+        })
+    }
+}
+
+/// Rows of a log, column by column.
+#[derive(Debug, Default)]
+pub(crate) struct Columns {
+    /// Number of each data row in its file, from 1.
+    pub rows: Vec<i64>,
+    /// Line of each row, from 1.
+    pub lines: Vec<i64>,
+    /// Columns by their names in the table, in mm, deg and s.
+    pub columns: Vec<(String, Values)>,
+    /// Remarks on it.
+    pub said: Vec<Message>,
+}
+
+/// Values of a column.
+#[derive(Debug)]
+pub(crate) enum Values {
+    /// Labels.
+    Text(Vec<String>),
+    /// Names of poses.
+    Poses(Vec<PoseName>),
+    /// Numbers, all finite.
+    Real(Vec<f64>),
+}
+
+/// A column that the campaign wants.
+pub(crate) struct Wanted<'a> {
+    key: &'a Spanned<String>,
+    column: &'a Column,
+    /// Name in the table.
+    name: String,
+    /// From the key's unit to that of the table.
+    factor: f64,
+}
+
+impl Wanted<'_> {
+    /// A value of the file in the unit of the table.
+    fn value(&self, read: f64) -> f64 {
+        let Some(per_count) = self.column.per_count else { return read * self.factor };
+        (read - self.column.zero_count.unwrap_or(0.0)) * per_count * self.factor
+    }
+
+    /// The unit that the key states: `rad` of `q1_rad`, `ms` of `time_ms`; none of `pose`.
+    fn unit(&self) -> Option<&str> {
+        let key = self.key.get_ref();
+        let unitless = self.name == *key
+            && (matches!(key.as_str(), "pose" | "cycle" | "label" | "assembly") || key.ends_with(DIRECTION));
+        key.rsplit_once('_').map(|(_, unit)| unit).filter(|_| !unitless)
+    }
+
+    /// Whether it is a joint: all that is neither time, pose, cycle, label, direction nor assembly mode.
+    fn is_joint(&self) -> bool {
+        !is_common_column(self.key.get_ref()) && !self.name.ends_with(DIRECTION)
+    }
+}
+
+/// Reads a log, and gives the remarks on it. Where the campaign states when the robot stands, each standstill is one
+/// row.
+pub fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<(JointLog, Vec<Message>)> {
+    let Columns { rows, lines, columns, said } = columns(stated, log, text, source)?;
+    let mut read = JointLog { name: log.name.clone(), file: log.file.get_ref().clone(), ..JointLog::default() };
+    let mut names = vec!["row", "line"];
+    names.extend(log.pose.map(|_| "pose"));
+    names.extend(log.period_s.map(|_| "time_s"));
+    read.columns = names.into_iter().map(str::to_owned).chain(columns.iter().map(|(name, _)| name.clone())).collect();
+    read.rows = rows
+        .iter()
+        .zip(lines)
+        .map(|(&row, line)| LogRow {
+            row,
+            line: line as usize,
+            pose: log.pose.map(|from| from.number(row).into()),
+            time_s: log.period_s.map(|period_s| (row - 1) as f64 * period_s),
+            ..LogRow::default()
+        })
+        .collect();
+    for (name, values) in columns {
+        let values = match values {
+            Values::Text(texts) => {
+                read.rows.iter_mut().zip(texts).for_each(|(row, text)| row.label = Some(text));
+                continue;
+            }
+            Values::Poses(poses) => {
+                read.rows.iter_mut().zip(poses).for_each(|(row, pose)| row.pose = Some(pose));
+                continue;
+            }
+            Values::Real(values) => values,
+        };
+        let set: fn(&mut LogRow, f64) = match name.as_str() {
+            "pose" => |row, v| row.pose = Some((v as i64).into()),
+            "cycle" => |row, v| row.cycle = Some(v as i64),
+            "time_s" => |row, v| row.time_s = Some(v),
+            ASSEMBLY => |row, v| row.assembly = Some(v),
+            _ => {
+                read.joints.push(name);
+                |row, v| row.joints.push(v)
+            }
+        };
+        read.rows.iter_mut().zip(values).for_each(|(row, value)| set(row, value));
+    }
+    Ok(match &log.standstill {
+        Some(still) => (standstill::reduce(stated, log, still, read, source)?, said),
+        None => (read, said),
+    })
+}
+
+/// Reads the columns that the campaign wants of a log.
+pub(super) fn columns(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
+    let mut problems = Problems::default();
+    let wanted = wanted(stated, log, &mut problems);
+    match log.format.0.read(stated, log, &wanted, text, source) {
+        Ok(columns) => problems.check().map(|_| columns),
+        Err(more) => {
+            problems.0.extend(more.0);
+            Err(problems)
+        }
+    }
+}
+
+/// What each key of `columns` becomes.
+fn wanted<'a>(stated: Stated, log: &'a Log, problems: &mut Problems) -> Vec<Wanted<'a>> {
+    let mut wanted: Vec<Wanted> = Vec::new();
+    let clock = log.period_s.is_some().then_some("time_s");
+    let numbered = log.pose.is_some().then_some("pose");
+    for (key, column) in &log.columns {
+        let Some((name, factor)) = meaning(key.get_ref()) else {
+            problems.0.push(
+                Message::error(format!("`{}` states no unit that a joint can have", key.get_ref()))
+                    .at(stated.place(key))
+                    .expected(
+                        "`pose`, `cycle`, `time_s`, `label`, or a joint with its unit like `q1_deg`, `q1_rad`, `rho1_mm`",
+                    ),
+            );
+            continue;
+        };
+        if wanted.iter().any(|w| w.name == name) || [clock, numbered].contains(&Some(name.as_str())) {
+            let message = Message::error(format!("`{}` states `{name}` once more", key.get_ref()));
+            let hint = "a joint has one column; `pose = \"row\"` needs none for the pose, `period_s` none for the time";
+            problems.0.push(message.at(stated.place(key)).hint(hint));
+            continue;
+        }
+        let wants = Wanted { key, column, name, factor };
+        if column.per_count.is_some() && !wants.is_joint() {
+            let message = Message::error(format!("`per_count` means nothing for `{}`", key.get_ref()));
+            problems.0.push(message.at(stated.place(key)).hint("it is what one count of a joint's encoder is worth"));
+            continue;
+        }
+        wanted.push(wants);
+    }
+    if log.period_s.is_some_and(|period| period <= 0.0 || !period.is_finite()) {
+        let message = Message::error("`period_s` must be positive").at(stated.place(&log.file));
+        problems.0.push(message.hint("it is the time from one row of the log to the next, in seconds"));
+    }
+    if log.values.is_some() && !log.format.0.has_channels() {
+        let message = Message::error("`values` means nothing for this log").at(stated.place(&log.file));
+        problems.0.push(message.hint("it belongs to `format = \"twincat\"`"));
+    }
+    if !log.header && log.format.0.has_channels() {
+        let message = Message::error("`header = false` means nothing for this log").at(stated.place(&log.file));
+        problems.0.push(message.hint("a TwinCAT export names its channels: leave `header` out"));
+    }
+    wanted
+}
+
+/// An error where the key states another unit than the column has in files of this format.
+fn unit_agrees(format: LogKind, wanted: &Wanted, column: &str) -> std::result::Result<(), Message> {
+    let (Some(stated), Some(known)) = (wanted.unit(), format.0.unit_of(column)) else { return Ok(()) };
+    other_unit(wanted, column, stated, known).map_or(Ok(()), Err)
+}
+
+/// The error about a column that is in another unit than its key states, if it is.
+fn other_unit(wanted: &Wanted, column: &str, stated: &str, known: &str) -> Option<Message> {
+    if stated == known {
+        return None;
+    }
+    let key = wanted.key.get_ref();
+    let message = Message::error(format!("`{key}` states {stated}, and `{column}` is in {known}"));
+    let meant = key.rsplit_once('_').map_or_else(|| key.clone(), |(name, _)| format!("{name}_{known}"));
+    Some(match meaning(&meant) {
+        Some((name, _)) if (name == "time_s") == (wanted.name == "time_s") => {
+            message.hint(format!("write `{meant} = \"{column}\"`"))
+        }
+        _ => message.expected(format!("a column in {stated}")),
+    })
+}

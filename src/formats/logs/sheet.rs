@@ -1,0 +1,246 @@
+//! Logs that are one table: a header of names, a row for each time.
+
+use super::{About, Columns, Log, LogFormat, Values, Wanted, unit_agrees};
+use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, two_commas};
+use crate::guess::guesses;
+use crate::lexer::{Row, WHOLE, number, pose_name, rows};
+use etalon_base::message::{Message, Place, Problems, Result, Stated};
+use etalon_base::table::{ASSEMBLY, LABEL};
+use etalon_documents::Source;
+use std::borrow::Cow;
+
+/// Delimited text of which nothing is known but what the campaign states.
+pub(super) struct Delimited;
+
+impl LogFormat for Delimited {
+    fn about(&self) -> About {
+        About {
+            name: "delimited",
+            title: "",
+            description: "Delimited text of which nothing is known but what the campaign states.",
+        }
+    }
+}
+
+/// The rows of a log.
+pub(crate) struct Sheet<'a> {
+    pub file: &'a str,
+    pub header: Option<Row<'a>>,
+    pub rows: Vec<Row<'a>>,
+}
+
+impl Sheet<'_> {
+    /// Its first row.
+    pub fn place(&self) -> Place {
+        self.header.as_ref().or(self.rows.first()).map_or_else(|| Place::file(self.file), |row| row.place(self.file))
+    }
+
+    /// The place of a cell.
+    pub fn cell(&self, row: &Row, index: usize) -> Place {
+        row.cell(self.file, index)
+    }
+
+    /// Number of columns.
+    fn width(&self) -> usize {
+        self.header.as_ref().or(self.rows.first()).map_or(0, |row| row.fields.len())
+    }
+}
+
+/// Reads the wanted columns.
+pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
+    if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
+        return Err(two_commas().at(stated.place(&log.file)).into());
+    }
+    source.dialect = format!(
+        "{}delimited by `{}`, decimal `{}`",
+        if log.format.about().title.is_empty() { String::new() } else { format!("{}, ", log.format.about().title) },
+        log.delimiter().name(),
+        log.decimal.name()
+    );
+    let mut problems = Problems::default();
+    let mut sheet = split(stated, log, text, &mut problems)?;
+    source.rows_read = sheet.rows.len();
+    log.format.0.name_columns(&mut sheet, &mut problems);
+    let mut placed = Vec::new();
+    for wanted in wanted {
+        match place_of(log, wanted, &sheet) {
+            Ok(at) => placed.push((at, wanted)),
+            Err(message) => problems.0.push(message.at(stated.place(wanted.key))),
+        }
+    }
+    if problems.0.is_empty() {
+        source.refused = log.format.0.cut(&mut sheet, &placed, &mut problems);
+    }
+    let mut columns = Columns {
+        rows: (1..=sheet.rows.len() as i64).collect(),
+        lines: sheet.rows.iter().map(|row| row.line as i64).collect(),
+        ..Columns::default()
+    };
+    for (at, wanted) in placed {
+        let values = cells(&sheet, log, wanted, at, &mut problems);
+        columns.columns.push((wanted.name.clone(), values));
+    }
+    problems.check()?;
+    columns.said.extend(log.format.0.remark(sheet.file, &columns));
+    Ok(columns)
+}
+
+/// Splits the text into a header and rows of one width.
+fn split<'a>(stated: Stated, log: &'a Log, text: &'a str, problems: &mut Problems) -> Result<Sheet<'a>> {
+    let file = log.file.get_ref().as_str();
+    let mut all = rows(file, text, log.delimiter())?;
+    let header = if log.header && !all.is_empty() { Some(all.remove(0)) } else { None };
+    if all.is_empty() {
+        return Err(Message::error(format!("log `{file}` holds no rows"))
+            .at(stated.place(&log.file))
+            .hint("record it again, or state `header = false` if its only row holds values")
+            .into());
+    }
+    let sheet = Sheet { file, header, rows: all };
+    let width = sheet.width();
+    for row in sheet.rows.iter().filter(|row| row.fields.len() != width) {
+        problems.0.push(
+            Message::error(format!("the row has {} fields", row.fields.len()))
+                .at(row.place(file))
+                .expected(format!("{width}, as the first row"))
+                .hint("a decimal comma in a file separated by commas? then state `delimiter` and `decimal`"),
+        );
+    }
+    if width == 1 && log.columns.len() > 1 {
+        let what = format!("log `{file}` has one column, of which the campaign names {}", log.columns.len());
+        let delimiter = log.delimiter().name();
+        let expected = format!("columns separated by `{delimiter}`, decimal `{}`", log.decimal.name());
+        let hint = match guesses(text, None).first().map(|guess| &guess.dialect) {
+            Some(Dialect { delimiter, decimal, .. }) => {
+                let delimiter = delimiter.map_or("", Delimiter::name);
+                format!("`delimiter = {delimiter:?}` and `decimal = {:?}` read its rows: state them", decimal.name())
+            }
+            None => "state `delimiter` and `decimal` of the log, as its rows have them".to_owned(),
+        };
+        return Err(Message::error(what).at(sheet.place()).expected(expected).hint(hint).into());
+    }
+    if let Some(header) = sheet.header.as_ref().filter(|h| h.fields.iter().all(|f| is_number(f, log.decimal))) {
+        let message = Message::error("the row that should name the columns holds numbers alone");
+        let hint = "the file has no header: state `header = false` and give columns by number; with it as a header every \
+                    row would be one off";
+        problems.0.push(message.at(header.place(file)).hint(hint));
+    }
+    Ok(sheet)
+}
+
+/// Index of a column, by its number or by its name in the header.
+fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<usize, Message> {
+    log.format.0.statement(wanted).map_or(Ok(()), Err)?;
+    let index = match (&wanted.column.at, &sheet.header, log.format.0.not_by_number()) {
+        (ColumnAt::Number(_), _, Some(why)) => {
+            let format = log.format.about().title;
+            return Err(
+                Message::error(format!("a column of {format} is not given by its number: {why}")).hint("give its name")
+            );
+        }
+        (ColumnAt::Number(n), _, None) if *n > sheet.width() => {
+            let width = sheet.width();
+            return Err(Message::error(format!("the log has {width} columns, none of them is number {n}")));
+        }
+        (ColumnAt::Number(n), _, None) => n - 1,
+        (ColumnAt::Name(name), Some(header), _) => named(name, wanted.column.occurrence, &header.fields)?,
+        (ColumnAt::Name(name), None, _) => {
+            return Err(Message::error(format!("the log has no header that could name `{name}`"))
+                .hint("give the number of the column instead of its name, or remove `header = false`"));
+        }
+    };
+    let heading = sheet.header.as_ref().and_then(|header| header.fields.get(index));
+    heading.map_or(Ok(()), |heading| unit_agrees(log.format, wanted, heading))?;
+    Ok(index)
+}
+
+/// Index of the column with this name; of several the stated one.
+fn named(name: &str, occurrence: Option<usize>, header: &[Cow<str>]) -> std::result::Result<usize, Message> {
+    let places: Vec<usize> = (0..header.len()).filter(|&i| header[i] == *name).collect();
+    let at: Vec<String> = places.iter().map(|i| (i + 1).to_string()).collect();
+    match (&places[..], occurrence) {
+        ([], _) => Err(Message::error(format!("the header has no column `{name}`"))
+            .hint_names(name, header.iter().map(Cow::as_ref))),
+        ([one], None) => Ok(*one),
+        (several, Some(n)) if n <= several.len() => Ok(several[n - 1]),
+        (several, Some(n)) => {
+            Err(Message::error(format!("the header names `{name}` {} times, there is no number {n}", several.len())))
+        }
+        (several, None) => Err(Message::error(format!("the header names `{name}` {} times", several.len()))
+            .expected(format!("which of columns {} is meant", at.join(" and ")))
+            .hint(format!("state it: `{{ name = \"{name}\", occurrence = 1 }}`, or give the number of the column"))),
+    }
+}
+
+/// Whether a field is a number, in this decimal mark or with more digits than a number can keep.
+fn is_number(field: &str, decimal: Decimal) -> bool {
+    number(field, decimal).is_ok()
+}
+
+/// The values of one column, in mm, deg and s; those that do not read are reported.
+fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Problems) -> Values {
+    if wanted.name == LABEL {
+        return Values::Text(sheet.rows.iter().map(|row| row.field(at).to_owned()).collect());
+    }
+    if wanted.name == "pose" {
+        let name = |row: &Row| {
+            let named = pose_name(row.field(at), log.decimal).map_err(|m| problems.0.push(m.at(sheet.cell(row, at))));
+            named.unwrap_or_default()
+        };
+        return Values::Poses(sheet.rows.iter().map(name).collect());
+    }
+    let nanoseconds = wanted.key.get_ref() == "time_ns";
+    let before = problems.0.len();
+    let mut read = Vec::with_capacity(sheet.rows.len());
+    for row in &sheet.rows {
+        let cell = row.field(at);
+        match if nanoseconds { seconds(cell) } else { number(cell, log.decimal) } {
+            Ok(value) => read.push(value),
+            Err(message) => {
+                let unread = "every row needs its values: read it from the controller again, or remove the row";
+                let hint = message.hint.clone().unwrap_or_else(|| unread.to_owned());
+                problems.0.push(message.at(sheet.cell(row, at)).hint(hint));
+            }
+        }
+    }
+    if problems.0.len() > before {
+        return Values::Real(read);
+    }
+    if wanted.is_joint() {
+        log.format.0.check_joint(sheet, at, &read, problems);
+    }
+    let (whole, modes) = (wanted.name == "cycle", wanted.name == ASSEMBLY);
+    for (value, row) in read.iter().zip(&sheet.rows) {
+        let message = if modes && value.abs() != 1.0 {
+            let hint = "leave the column out of `columns` if it is not known: then the nearer solution is taken";
+            Message::error(format!("{value} is not an assembly mode")).expected("1 or -1").hint(hint)
+        } else if whole && (value.fract() != 0.0 || value.abs() > WHOLE) {
+            Message::error(format!("cycle {value} is not a whole number"))
+        } else {
+            continue;
+        };
+        problems.0.push(message.at(sheet.cell(row, at)));
+    }
+    let value = |read: f64| if nanoseconds { read } else { wanted.value(read) };
+    Values::Real(read.into_iter().map(value).collect())
+}
+
+/// Seconds of whole nanoseconds. Nineteen digits are more than a number of 64 bits keeps, so that seconds are split off
+/// first.
+fn seconds(cell: &str) -> std::result::Result<f64, Message> {
+    let wrong = |_| Message::error(format!("`{cell}` is not a whole number of nanoseconds"));
+    let ns: i64 = cell.parse().map_err(wrong)?;
+    Ok(ns.div_euclid(1_000_000_000) as f64 + ns.rem_euclid(1_000_000_000) as f64 * 1e-9)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nineteen_digits_of_nanoseconds_keep_the_microsecond() {
+        assert!((seconds("1651499784376123456").unwrap() - 1651499784.376123).abs() < 1e-6);
+        assert_eq!(seconds("-1500000000").unwrap(), -1.5);
+        assert!(seconds("1.5").is_err() && seconds("").is_err());
+    }
+}

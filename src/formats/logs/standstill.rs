@@ -1,0 +1,206 @@
+//! Where a robot stands, in a log that was recorded while it moved.
+//!
+//! A sample stands if it lies in some stretch of at least the stated time within which no joint moves by more than is
+//! stated for its kind. The rule is the same read backwards, and has no filter. What stands together is one interval:
+//! stretches that share a sample are.
+
+use super::joint_log::{DIRECTION, JointLog, LogRow};
+use super::{Log, Standstill};
+use etalon_base::message::{Message, Place, Result, Stated};
+use etalon_base::table::{ASSEMBLY, LABEL};
+use etalon_documents::{Source, StandingInterval, StandingJoint};
+use std::collections::VecDeque;
+
+/// A joint: its values, and how far they may lie apart where it stands, in the same unit.
+#[derive(Clone, Copy, Debug)]
+pub struct Watched<'a> {
+    /// Values, one for each sample.
+    pub values: &'a [f64],
+    /// Largest difference of two values where the joint stands.
+    pub within: f64,
+}
+
+/// First and last sample of each interval in which all joints stand, in order; times in seconds, increasing.
+pub fn standing(times_s: &[f64], joints: &[Watched], at_least_s: f64) -> Vec<(usize, usize)> {
+    let mut found: Vec<(usize, usize)> = Vec::new();
+    for (first, last) in stretches(times_s.len(), joints) {
+        if times_s[last] - times_s[first] < at_least_s {
+            continue;
+        }
+        match found.last_mut() {
+            Some(before) if first <= before.1 => before.1 = before.1.max(last),
+            _ => found.push((first, last)),
+        }
+    }
+    found
+}
+
+/// From each sample on, the longest stretch within which no joint leaves its range.
+fn stretches(count: usize, joints: &[Watched]) -> Vec<(usize, usize)> {
+    let mut ranges: Vec<Range> = joints.iter().map(|_| Range::default()).collect();
+    let mut all = Vec::with_capacity(count);
+    let mut end = 0;
+    for first in 0..count {
+        let fits = |ranges: &[Range], next: usize| {
+            ranges.iter().zip(joints).all(|(range, joint)| range.with(joint.values, next) <= joint.within)
+        };
+        while end < count && (end == first || fits(&ranges, end)) {
+            ranges.iter_mut().zip(joints).for_each(|(range, joint)| range.push(joint.values, end));
+            end += 1;
+        }
+        all.push((first, end - 1));
+        ranges.iter_mut().for_each(|range| range.forget(first));
+    }
+    all
+}
+
+/// Range of a stretch that grows at its end and shrinks at its start: indices of the values that are the largest
+/// (smallest) from there to the end.
+#[derive(Default)]
+struct Range {
+    largest: VecDeque<usize>,
+    smallest: VecDeque<usize>,
+}
+
+impl Range {
+    /// The range with one more value.
+    fn with(&self, values: &[f64], next: usize) -> f64 {
+        let high = self.largest.front().map_or(values[next], |&i| values[i].max(values[next]));
+        let low = self.smallest.front().map_or(values[next], |&i| values[i].min(values[next]));
+        high - low
+    }
+
+    fn push(&mut self, values: &[f64], next: usize) {
+        while self.largest.back().is_some_and(|&i| values[i] <= values[next]) {
+            self.largest.pop_back();
+        }
+        while self.smallest.back().is_some_and(|&i| values[i] >= values[next]) {
+            self.smallest.pop_back();
+        }
+        self.largest.push_back(next);
+        self.smallest.push_back(next);
+    }
+
+    /// Takes the first value out.
+    fn forget(&mut self, first: usize) {
+        for queue in [&mut self.largest, &mut self.smallest] {
+            if queue.front() == Some(&first) {
+                queue.pop_front();
+            }
+        }
+    }
+}
+
+/// The log with one row for each interval in which the robot stands: mean joint values.
+///
+/// Pose, cycle, label and assembly mode must not change within an interval.
+pub(super) fn reduce(
+    stated: Stated,
+    log: &Log,
+    still: &Standstill,
+    read: JointLog,
+    source: &mut Source,
+) -> Result<JointLog> {
+    let place = || stated.place(&log.file);
+    let (times_s, within) = limits(log, still, &read).map_err(|message| message.at(place()))?;
+    let values: Vec<Vec<f64>> =
+        (0..read.joints.len()).map(|k| read.rows.iter().map(|row| row.joints[k]).collect()).collect();
+    let watched: Vec<Watched> = values.iter().zip(within).map(|(values, within)| Watched { values, within }).collect();
+    let found = standing(&times_s, &watched, still.at_least_s);
+    if found.is_empty() {
+        let longest = stretches(times_s.len(), &watched).into_iter().map(|(a, b)| times_s[b] - times_s[a]);
+        let longest = longest.fold(0.0, f64::max);
+        let message = Message::error(format!(
+            "the robot of log `{}` is never at a standstill for {} s",
+            log.name, still.at_least_s
+        ));
+        let hint =
+            format!("its longest standstill within these limits is {longest:.3} s: check `at_least_s` and the limits");
+        return Err(message.at(place()).hint(hint).into());
+    }
+    let mut rows = Vec::with_capacity(found.len());
+    let mut intervals = Vec::with_capacity(found.len());
+    for (number, &(first, last)) in (1..).zip(&found) {
+        let within = &read.rows[first..=last];
+        unchanged(log, within)?;
+        let joint = |(name, values): (&String, &Vec<f64>)| spread(name, &values[first..=last]);
+        let joints: Vec<StandingJoint> = read.joints.iter().zip(&values).map(joint).collect();
+        let [from_s, to_s] = [times_s[first], times_s[last]];
+        rows.push(LogRow {
+            row: number,
+            pose: log.pose.map(|from| from.number(number).into()).or(within[0].pose),
+            time_s: Some(0.5 * (from_s + to_s)),
+            standing_s: Some([from_s, to_s]),
+            joints: joints.iter().map(|joint| joint.mean).collect(),
+            ..within[0].clone()
+        });
+        intervals.push(StandingInterval { line: within[0].line, from_s, to_s, samples: within.len(), joints });
+    }
+    source.standstills = intervals;
+    let others =
+        read.columns.iter().filter(|c| !["row", "line", "time_s"].contains(&c.as_str()) && !read.joints.contains(c));
+    let columns = ["row", "line", "time_s", "from_s", "to_s"].into_iter().map(str::to_owned);
+    let columns = columns.chain(others.cloned()).chain(read.joints.iter().cloned()).collect();
+    Ok(JointLog { columns, rows, ..read })
+}
+
+/// Times of the rows, and how far each joint may move while it stands; or what is wrong with the statement.
+fn limits(log: &Log, still: &Standstill, read: &JointLog) -> std::result::Result<(Vec<f64>, Vec<f64>), Message> {
+    let limits = [Some(still.at_least_s), still.within_deg, still.within_mm];
+    if limits.into_iter().flatten().any(|limit| limit <= 0.0 || !limit.is_finite()) {
+        let message = Message::error("the limits of [log.standstill] must be positive");
+        return Err(message.hint("they are the movements at a standstill, as the encoders show them"));
+    }
+    let Some(times_s) = read.rows.iter().map(|row| row.time_s).collect::<Option<Vec<f64>>>() else {
+        let message = Message::error("[log.standstill] needs the times of the rows");
+        return Err(message.hint("state `time_s`, `time_ms` or `time_ns` in `columns`, or `period_s`"));
+    };
+    if let Some(i) = times_s.windows(2).position(|pair| pair[1] <= pair[0]) {
+        let message = Message::error(format!("times of log `{}` do not increase at its row {}", log.name, i + 2));
+        return Err(message.hint("sort the log by time, and remove rows with equal times"));
+    }
+    let within = |name: &String| {
+        if name.ends_with(DIRECTION) {
+            return Ok(f64::INFINITY);
+        }
+        let (key, within) =
+            if name.ends_with("_deg") { ("within_deg", still.within_deg) } else { ("within_mm", still.within_mm) };
+        within.ok_or_else(|| {
+            let message = Message::error(format!("[log.standstill] does not state when `{name}` is at a standstill"));
+            message.hint(format!("add `{key}`: the largest movement that is none"))
+        })
+    };
+    Ok((times_s, read.joints.iter().map(within).collect::<std::result::Result<_, _>>()?))
+}
+
+/// An error if what a standing robot is at changes.
+fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
+    type Value<'a> = dyn Fn(&LogRow) -> String + 'a;
+    let of: [(&str, &Value); 4] = [
+        (ASSEMBLY, &|row| row.assembly.map_or_else(String::new, |v| format!("{v:.1}"))),
+        ("cycle", &|row| row.cycle.map_or_else(String::new, |cycle| cycle.to_string())),
+        (LABEL, &|row| row.label.clone().unwrap_or_default()),
+        ("pose", &|row| row.pose.map_or_else(String::new, |pose| pose.to_string())),
+    ];
+    for (name, value) in of.into_iter().filter(|(name, _)| *name != "pose" || log.pose.is_none()) {
+        let first = value(&rows[0]);
+        if let Some(row) = rows.iter().find(|row| value(row) != first) {
+            let what = format!("`{name}` goes from {first} to {} within a standstill", value(row));
+            let place = Place { line: Some(row.line), ..Place::file(log.file.get_ref()) };
+            let hint = "at a standstill the robot is at one pose: leave the column out, or lower the limits";
+            return Err(Message::error(what).at(place).hint(hint).into());
+        }
+    }
+    Ok(())
+}
+
+/// Mean, standard deviation (n - 1) and range of a joint while it stands.
+fn spread(name: &str, values: &[f64]) -> StandingJoint {
+    let n = values.len() as f64;
+    // about the first value, which is near: sums of large counts keep their digits
+    let mean = values[0] + values.iter().map(|v| v - values[0]).sum::<f64>() / n;
+    let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
+    let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));
+    let standard_deviation = if n > 1.0 { (squares / (n - 1.0)).sqrt() } else { 0.0 };
+    StandingJoint { column: name.to_owned(), mean, standard_deviation, range: high - low }
+}

@@ -1,0 +1,390 @@
+//! Beckhoff TwinCAT 3 Scope exports: every channel has a time base of its own, in ms since the start of the export.
+//!
+//! Unsorted exports bring a column of times for each channel, sorted ones for each group of channels with the same times.
+//! A row of the log is a time at which all wanted channels have a value; nothing is interpolated.
+
+use super::{About, ChannelValues, Columns, Log, LogFormat, Values, Wanted, other_unit};
+use crate::dialect::{ColumnAt, Decimal, Delimiter};
+use crate::exports::Recognised;
+use crate::lexer::{Row, number};
+use etalon_base::message::{Message, Place, Problems, Result, Stated, count};
+use etalon_documents::Source;
+
+/// Exports of Beckhoff TwinCAT 3 Scope: a time base for each channel.
+pub(super) struct TwinCat;
+
+impl LogFormat for TwinCat {
+    fn about(&self) -> About {
+        About {
+            name: "twincat",
+            title: "TwinCAT Scope",
+            description: "Beckhoff TwinCAT 3 Scope CSV: a time base for each channel.",
+        }
+    }
+
+    fn recognise(&self, header: &[&str], text: &str) -> Option<Recognised> {
+        let start = text.lines().take(10).any(|line| line.trim_start_matches('"').starts_with("Starttime of export"));
+        let what = "an export of Beckhoff TwinCAT 3 Scope: its head states the start of the export";
+        Recognised::by(start && header.iter().any(|field| field.starts_with("Name")), 1.0, what)
+    }
+
+    fn has_channels(&self) -> bool {
+        true
+    }
+
+    fn read(&self, stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
+        read(stated, log, wanted, text, source)
+    }
+}
+
+/// The samples of a channel.
+#[derive(Default)]
+struct Samples {
+    times_ms: Vec<f64>,
+    values: Vec<f64>,
+    lines: Vec<i64>,
+    /// No more of it in the rows that follow.
+    ended: bool,
+}
+
+/// Reads the wanted channels.
+pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
+    let file = log.file.get_ref().as_str();
+    let lines: Vec<&str> = text.lines().collect();
+    let header = Header::read(file, &lines, log)?;
+    let start = header.start_utc().map_or_else(String::new, |start| format!(", start {start}"));
+    let (separator, decimal) = (header.separator, log.decimal.name());
+    source.dialect = format!("{}, delimited by {separator:?}, decimal `{decimal}`{start}", log.format.about().title);
+    let mut problems = Problems::default();
+    if log.period_s.is_some() {
+        let message = Message::error("the channels bring their own times").at(stated.place(&log.file));
+        problems.0.push(message.hint("leave `period_s` out of this log"));
+    }
+    let mut chosen = Vec::new();
+    for wanted in wanted {
+        match channel(&header, log, wanted) {
+            Ok(channel) => chosen.push((channel, wanted)),
+            Err(message) => problems.0.push(message.at(stated.place(wanted.key))),
+        }
+    }
+    if chosen.is_empty() && problems.0.is_empty() {
+        let message = Message::error("`columns` of this log names no channel").at(stated.place(&log.file));
+        problems.0.push(message.hint_names("", header.channels.iter().map(|c| c.name.as_str())));
+    }
+    problems.check()?;
+    let mut problems = Problems::default();
+    let channels: Vec<&Channel> = chosen.iter().map(|(channel, _)| *channel).collect();
+    let samples = samples(&header, &channels, log, &lines, source, &mut problems);
+    problems.check()?;
+    together(file, &header, &chosen, log, &samples)
+}
+
+/// The channel that a key wants, in a unit and a scale that are clear.
+fn channel<'a>(header: &'a Header, log: &Log, wanted: &Wanted) -> std::result::Result<&'a Channel, Message> {
+    if wanted.name == "time_s" {
+        return Err(Message::error("the channels bring their own times").hint("leave the time out of `columns`"));
+    }
+    let ColumnAt::Name(name) = &wanted.column.at else {
+        let message = Message::error("a channel is not given by its number: what is sorted changes with the export");
+        return Err(message.hint("give its name"));
+    };
+    let named: Vec<&Channel> = header.channels.iter().filter(|c| c.name == *name).collect();
+    let channel = match (&named[..], wanted.column.occurrence) {
+        ([one], None) => *one,
+        (several, Some(n)) if n > 0 && n <= several.len() => several[n - 1],
+        ([], _) => {
+            let message = Message::error(format!("the export has no channel `{name}`"));
+            return Err(message.hint_names(name, header.channels.iter().map(|c| c.name.as_str())));
+        }
+        (several, _) => {
+            let message = Message::error(format!("{} channels are called `{name}`", several.len()));
+            return Err(message.hint(format!("state which: `{{ name = \"{name}\", occurrence = 1 }}`")));
+        }
+    };
+    let known = match channel.unit.as_str() {
+        "mm" | "m" | "um" | "deg" | "rad" => channel.unit.as_str(),
+        "µm" | "μm" => "um",
+        "°" => "deg",
+        _ => "",
+    };
+    let scaled = log.values == Some(ChannelValues::Scaled) || channel.unit_scale == (1.0, 0.0);
+    if let (Some(stated), false, true) = (wanted.unit(), known.is_empty(), scaled) {
+        other_unit(wanted, name, stated, known).map_or(Ok(()), Err)?;
+    }
+    scale(channel, log.values)?;
+    Ok(channel)
+}
+
+/// Factor and offset that are still to be applied.
+fn scale(channel: &Channel, values: Option<ChannelValues>) -> std::result::Result<(f64, f64), Message> {
+    const NONE: (f64, f64) = (1.0, 0.0);
+    match (channel.scale, channel.unit_scale, values) {
+        (NONE, NONE, _) | (_, _, Some(ChannelValues::Scaled)) => Ok(NONE),
+        (one, NONE, Some(ChannelValues::Raw)) | (NONE, one, Some(ChannelValues::Raw)) => Ok(one),
+        (_, _, Some(ChannelValues::Raw)) => {
+            let what = format!("channel `{}` has a scale and a unit with a scale", channel.name);
+            let message = Message::error(format!("{what}: which comes first is not documented"));
+            Err(message.hint("export it with scaled values, and state `values = \"scaled\"`"))
+        }
+        ((f, o), (uf, uo), None) => {
+            let what = format!("channel `{}` has a scale ({f}, {o}) or a unit with one ({uf}, {uo})", channel.name);
+            let message = Message::error(format!("{what}, and the file does not state whether it is applied"));
+            Err(message.hint("state `values = \"raw\"` or `values = \"scaled\"`, as the export was set"))
+        }
+    }
+}
+
+/// The samples of each channel.
+fn samples(
+    header: &Header,
+    channels: &[&Channel],
+    log: &Log,
+    lines: &[&str],
+    source: &mut Source,
+    problems: &mut Problems,
+) -> Vec<Samples> {
+    let file = log.file.get_ref().as_str();
+    let mut all: Vec<Samples> = channels.iter().map(|_| Samples::default()).collect();
+    for (i, line) in lines.iter().enumerate().skip(header.data) {
+        if line.trim().is_empty() || line.trim() == "EOF" {
+            continue;
+        }
+        source.rows_read += 1;
+        let row = Row::of(i + 1, line, line.split(header.separator).map(str::trim));
+        if row.fields.iter().skip(header.width).any(|f| !f.is_empty()) {
+            let message = Message::error(format!("the row has {} fields", row.fields.len()));
+            let message = message.at(row.place(file)).expected(format!("at most {}", header.width));
+            problems.0.push(message.hint("is the decimal mark a comma in a file separated by commas?"));
+            continue;
+        }
+        for (channel, samples) in channels.iter().zip(&mut all) {
+            let (time, value) = (row.field(channel.time), row.field(channel.at));
+            if time.is_empty() && value.is_empty() {
+                samples.ended = true;
+                continue;
+            }
+            let mut wrong = |message: Message, at: usize| {
+                problems.0.push(message.at(row.cell(file, at)));
+            };
+            if samples.ended {
+                wrong(Message::error(format!("channel `{}` goes on after it has ended", channel.name)), channel.at);
+                continue;
+            }
+            match (number(time, log.decimal), number(value, log.decimal)) {
+                (Err(message), _) => wrong(message, channel.time),
+                (_, Err(message)) => wrong(message, channel.at),
+                (Ok(time), Ok(_)) if samples.times_ms.last().is_some_and(|last| *last >= time) => {
+                    wrong(
+                        Message::error(format!("the time of channel `{}` does not go on", channel.name)),
+                        channel.time,
+                    );
+                }
+                (Ok(time), Ok(value)) => {
+                    samples.times_ms.push(time);
+                    samples.values.push(value);
+                    samples.lines.push(i as i64 + 1);
+                }
+            }
+        }
+    }
+    all
+}
+
+/// One row for each time at which all channels have a value.
+fn together(
+    file: &str,
+    header: &Header,
+    chosen: &[(&Channel, &Wanted)],
+    log: &Log,
+    samples: &[Samples],
+) -> Result<Columns> {
+    let Some(first) = samples.iter().min_by_key(|s| s.times_ms.len()) else { return Ok(Columns::default()) };
+    let at = |s: &Samples, time: f64| s.times_ms.binary_search_by(|t| t.total_cmp(&time)).ok();
+    let shared: Vec<f64> =
+        first.times_ms.iter().copied().filter(|&t| samples.iter().all(|s| at(s, t).is_some())).collect();
+    let place = || Place { line: Some(header.names), ..Place::file(file) };
+    if shared.is_empty() {
+        let message = Message::error("there is no time at which all these channels have a value").at(place());
+        return Err(message.hint("export channels of one task, with one sample time").into());
+    }
+    let mut columns = Columns {
+        rows: (1..=shared.len() as i64).collect(),
+        lines: shared.iter().filter_map(|&t| at(first, t).map(|i| first.lines[i])).collect(),
+        columns: vec![("time_s".to_owned(), Values::Real(shared.iter().map(|t| t / 1000.0).collect()))],
+        said: Vec::new(),
+    };
+    for ((channel, wanted), samples) in chosen.iter().zip(samples) {
+        let (factor, offset) = scale(channel, log.values)?;
+        let value = |t: &f64| at(samples, *t).map(|i| wanted.value(samples.values[i] * factor + offset));
+        columns.columns.push((wanted.name.clone(), Values::Real(shared.iter().filter_map(value).collect())));
+        let alone = samples.times_ms.len() - shared.len();
+        if alone > 0 {
+            let samples = count(alone, "sample");
+            let what = format!("channel `{}` has {samples} at times that another channel has not", channel.name);
+            columns.said.push(Message::warning(what).at(place()).hint("they are left out; nothing is interpolated"));
+        }
+    }
+    Ok(columns)
+}
+
+/// Seconds from 1601-01-01, where a FILETIME begins, to 1970-01-01.
+const FILETIME_TO_UNIX_S: i64 = 11_644_473_600;
+
+/// The head of an export.
+struct Header {
+    /// What separates fields.
+    separator: char,
+    /// Start of the export, FILETIME: 100 ns since 1601-01-01 UTC.
+    start: Option<i64>,
+    /// Columns that bring values.
+    channels: Vec<Channel>,
+    /// Fields of a full row.
+    width: usize,
+    /// Index of the first line with data.
+    data: usize,
+    /// The line that names the channels, from 1.
+    names: usize,
+}
+
+/// A column of values.
+struct Channel {
+    name: String,
+    /// Its column.
+    at: usize,
+    /// The column of its times.
+    time: usize,
+    unit: String,
+    /// Factor and offset of the channel: value = raw * factor + offset.
+    scale: (f64, f64),
+    /// Factor and offset of its unit, likewise.
+    unit_scale: (f64, f64),
+}
+
+impl Header {
+    /// Reads the head; a file that could be read in two ways is refused.
+    fn read(file: &str, lines: &[&str], log: &Log) -> Result<Self> {
+        let shown = |i: usize| Place::line(file, i + 1, lines.get(i).copied().unwrap_or(""));
+        let separator = separator(lines, log).map_err(|m| m.at(shown(0)))?;
+        let split = |i: usize| lines.get(i).map_or(Vec::new(), |line| line.split(separator).map(str::trim).collect());
+        let names = (1..lines.len().min(100)).find(|&i| split(i).first() == Some(&"Name"));
+        let Some(first) = names else {
+            let message = Message::error("no row names the channels").at(shown(0));
+            return Err(message.expected("a row that begins with `Name` after the start and end of the export").into());
+        };
+        let end = (first..lines.len().min(first + 100)).find(|&i| lines[i].trim().is_empty());
+        let Some(end) = end else {
+            let message = Message::error("the head of the channels does not end").at(shown(first));
+            return Err(message.expected("an empty line before the data").into());
+        };
+        let head: Vec<Vec<&str>> = (first..end).map(split).collect();
+        let width = head[0].len();
+        // comments that are empty end their row early
+        let fits = |row: &Vec<&str>| row.len() == width || row.len() < width && row[0] == "SymbolComment";
+        let ragged = head.iter().enumerate().filter(|(_, row)| !fits(row)).map(|(i, row)| {
+            let (here, wanted) = (row.len(), format!("{width}, as the row of names"));
+            let reason = "a comma of the operating system's decimal mark, or a name, holds the separator";
+            Message::error(format!("row `{}` of the head has {here} fields: {reason}", row[0]))
+                .at(shown(first + i))
+                .expected(wanted)
+                .hint("export again, separated by tabs or semicolons")
+        });
+        Problems(ragged.collect()).check()?;
+        let field = |key: &str, at: usize| {
+            head.iter().find(|row| row[0] == key).map_or("", |row| row.get(at).copied().unwrap_or(""))
+        };
+        let mut channels = Vec::new();
+        let mut time = None;
+        let mut problems = Problems::default();
+        for (at, name) in head[0].iter().enumerate() {
+            if *name == "Name" {
+                time = Some(at);
+                continue;
+            }
+            let mut number = |key: &str, absent: f64| match field(key, at) {
+                "" => absent,
+                // the head keeps the decimal mark of the operating system, whatever the data have
+                text => text.replace(',', ".").parse().unwrap_or_else(|_| {
+                    let what = format!("`{key}` of channel `{name}` is `{text}`, not a number");
+                    problems.0.push(Message::error(what).at(shown(first)));
+                    absent
+                }),
+            };
+            let scale = (number("ScaleFactor", 1.0), number("Offset", 0.0));
+            let unit_scale = (number("Unit ScaleFactor", 1.0), number("Unit Offset", 0.0));
+            let unit = field("Unit", at).split(" (").next().unwrap_or("").trim().to_owned();
+            // the first field is `Name`
+            let time = time.unwrap_or(0);
+            channels.push(Channel { name: (*name).to_owned(), at, time, unit, scale, unit_scale });
+        }
+        problems.check()?;
+        let start = (0..first).find(|&i| split(i).first() == Some(&"Starttime of export"));
+        let start = start.and_then(|i| split(i).get(1).and_then(|text| text.parse().ok()));
+        Ok(Self { separator, start, channels, width, data: end + 1, names: first + 1 })
+    }
+
+    /// The start of the export in UTC, to the millisecond.
+    fn start_utc(&self) -> Option<String> {
+        let ms = self.start?.div_euclid(10_000) - FILETIME_TO_UNIX_S * 1000;
+        let (days, in_day) = (ms.div_euclid(86_400_000), ms.rem_euclid(86_400_000));
+        let (year, month, day) = civil(days);
+        let (hour, minute) = (in_day / 3_600_000, in_day / 60_000 % 60);
+        let (second, ms) = (in_day / 1000 % 60, in_day % 1000);
+        Some(format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}.{ms:03}Z"))
+    }
+}
+
+/// The separator, which the first line shows after its first word; one that reads two ways is refused.
+fn separator(lines: &[&str], log: &Log) -> std::result::Result<char, Message> {
+    let after = lines.first().and_then(|line| line.strip_prefix("Name")).and_then(|rest| rest.chars().next());
+    let again = "export again, separated by tabs or semicolons";
+    let Some(separator) = after.filter(|c| ['\t', ' ', ':', ';', ','].contains(c)) else {
+        let message = Message::error("this is not a TwinCAT 3 Scope export");
+        return Err(message.expected("a first line of `Name`, a separator, and the name of the export"));
+    };
+    if separator == ' ' {
+        let what = "the export is separated by blanks, and a blank is also a missing value and part of names";
+        return Err(Message::error(what).hint(again));
+    }
+    if separator == ',' && log.decimal == Decimal::Comma {
+        let message = Message::error("the export is separated by commas, and its decimal mark is a comma");
+        return Err(message.hint(again));
+    }
+    let stated = log.delimiter.and_then(Delimiter::byte).map(char::from);
+    if log.delimiter.is_some() && stated != Some(separator) {
+        let message = Message::error(format!("the export is separated by {separator:?}"));
+        return Err(message.hint("leave `delimiter` out of this log: the export states it itself"));
+    }
+    Ok(separator)
+}
+
+/// Year, month and day of a number of days since 1970-01-01 in the Gregorian calendar.
+///
+/// H. Hinnant, "chrono-Compatible Low-Level Date Algorithms", civil_from_days.
+fn civil(days: i64) -> (i64, i64, i64) {
+    let z = days + 719_468;
+    let (era, day_of_era) = (z.div_euclid(146_097), z.rem_euclid(146_097));
+    let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let shifted = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * shifted + 2) / 5 + 1;
+    let month = if shifted < 10 { shifted + 3 } else { shifted - 9 };
+    (year_of_era + era * 400 + i64::from(month <= 2), month, day)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn days_become_dates() {
+        for (days, date) in [
+            (0, (1970, 1, 1)),
+            (-1, (1969, 12, 31)),
+            (11_016, (2000, 2, 29)),
+            (11_017, (2000, 3, 1)),
+            (19_114, (2022, 5, 2)),
+        ] {
+            assert_eq!(civil(days), date);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Universal Robots RTDE recordings: a row for each cycle of the controller, columns named after RTDE's outputs.
+//!
+//! Units are those of the RTDE guide of Universal Robots: rad, m, s. A recording may name a column twice (a real one has
+//! `target_current_0` to `_5` before and after `target_q`); such a name is refused unless the campaign states which.
+
+use super::{About, LogFormat};
+use crate::exports::Recognised;
+
+/// Recordings of Universal Robots RTDE: rad, m, s.
+pub(super) struct UrRtde;
+
+impl LogFormat for UrRtde {
+    fn about(&self) -> About {
+        About {
+            name: "ur_rtde",
+            title: "UR RTDE",
+            description: "Universal Robots RTDE recording: rad, m, s; names that occur twice.",
+        }
+    }
+
+    fn recognise(&self, header: &[&str], _text: &str) -> Option<Recognised> {
+        let joints = header.iter().any(|name| name.starts_with("actual_q_") || name.starts_with("target_q_"));
+        let what = "a recording of Universal Robots RTDE: its header has RTDE's names of joint positions";
+        Recognised::by(joints, if header.contains(&"timestamp") { 0.9 } else { 0.7 }, what)
+    }
+
+    fn unit_of(&self, column: &str) -> Option<&'static str> {
+        unit_of(column)
+    }
+}
+
+/// Beginnings of names and the unit of what they hold.
+const UNITS: [(&str, &str); 22] = [
+    ("timestamp", "s"),
+    ("target_q_", "rad"),
+    ("actual_q_", "rad"),
+    ("target_qd_", "rad/s"),
+    ("actual_qd_", "rad/s"),
+    ("target_qdd_", "rad/s²"),
+    ("target_current_", "A"),
+    ("actual_current_", "A"),
+    ("target_moment_", "Nm"),
+    ("joint_control_output_", "A"),
+    ("joint_temperatures_", "°C"),
+    ("actual_TCP_pose_0", "m"),
+    ("actual_TCP_pose_1", "m"),
+    ("actual_TCP_pose_2", "m"),
+    ("actual_TCP_pose_", "rad"),
+    ("target_TCP_pose_0", "m"),
+    ("target_TCP_pose_1", "m"),
+    ("target_TCP_pose_2", "m"),
+    ("target_TCP_pose_", "rad"),
+    ("actual_TCP_speed_", "m/s"),
+    ("target_TCP_speed_", "m/s"),
+    ("actual_TCP_force_", "N"),
+];
+
+/// The unit of a column.
+fn unit_of(column: &str) -> Option<&'static str> {
+    UNITS.iter().find(|(start, _)| column.starts_with(start)).map(|(_, unit)| *unit)
+}

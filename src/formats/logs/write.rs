@@ -1,0 +1,114 @@
+//! Writes a log in the columns that a campaign states.
+
+use super::{JointLog, Log, LogRow, meaning};
+use crate::dialect::{Column, ColumnAt};
+use crate::lexer::{line, written};
+use etalon_base::message::{Message, Result, Stated};
+use etalon_base::table::{ASSEMBLY, LABEL};
+
+/// A campaign may number columns, but not without end.
+const MOST_COLUMNS: usize = 1000;
+
+/// What is in a column.
+enum Content {
+    Pose,
+    Cycle,
+    /// So many in a second, with so many digits after the mark.
+    Time(f64, usize),
+    Assembly,
+    Label,
+    /// Index of the joint, factor from the column's unit to mm or deg, digits after the mark.
+    Joint(usize, f64, usize),
+    /// Index of the joint, factor from the column's unit to mm or deg, worth of a count, count at zero.
+    Counts(usize, f64, f64, f64),
+}
+
+/// The text of a log with these rows.
+pub fn write(stated: Stated, log: &Log, values: &JointLog) -> Result<String> {
+    let places = places(log).map_err(|m| m.at(stated.place(&log.file)))?;
+    let width = places.iter().map(|p| p.2 + 1).max().unwrap_or(0);
+    let mut header: Vec<String> = (1..=width).map(|n| format!("column_{n}")).collect();
+    let mut contents: Vec<Option<Content>> = (0..width).map(|_| None).collect();
+    for (key, column, at, name) in places {
+        contents[at] = Some(content(values, key.get_ref(), column).map_err(|m| m.at(stated.place(key)))?);
+        if let Some(name) = name {
+            header[at].clone_from(name);
+        }
+    }
+    let line = |fields: &[String]| line(fields, log.delimiter(), None);
+    let mut all = if log.header { line(&header)? } else { String::new() };
+    for row in &values.rows {
+        let fields: Vec<String> = contents.iter().map(|content| field(log, content.as_ref(), row)).collect();
+        all += &line(&fields)?;
+    }
+    Ok(all)
+}
+
+type Placed<'a> = (&'a toml::Spanned<String>, &'a Column, usize, Option<&'a String>);
+
+/// Index and name of each column: numbered ones stand where they state, named ones fill the gaps in their order.
+fn places(log: &Log) -> std::result::Result<Vec<Placed<'_>>, Message> {
+    let number = |column: &Column| if let ColumnAt::Number(n) = column.at { Some(n - 1) } else { None };
+    let taken: Vec<usize> = log.columns.values().filter_map(number).collect();
+    let mut free = (0..).filter(|i| !taken.contains(i));
+    let mut places: Vec<Placed> = Vec::new();
+    let mut columns: Vec<_> = log.columns.iter().collect();
+    if log.format.0.is_sorted() {
+        columns.sort_by_key(|(_, column)| if let ColumnAt::Name(name) = &column.at { name.as_str() } else { "" });
+    }
+    for (key, column) in columns {
+        let (at, name) = match &column.at {
+            ColumnAt::Number(n) => (n - 1, None),
+            ColumnAt::Name(name) => (free.next().unwrap_or(0), Some(name)),
+        };
+        let twice = places.iter().any(|p| p.2 == at || name.is_some() && p.3 == name);
+        if twice || at >= MOST_COLUMNS {
+            return Err(Message::error(format!("the column of `{}` cannot be simulated", key.get_ref()))
+                .expected(format!("a column of its own for each key, at most {MOST_COLUMNS} of them")));
+        }
+        places.push((key, column, at, name));
+    }
+    Ok(places)
+}
+
+/// What a key of `columns` brings.
+fn content(values: &JointLog, key: &str, column: &Column) -> std::result::Result<Content, Message> {
+    let unknown = || {
+        Message::error(format!("a simulated log cannot bring `{key}`"))
+            .expected("`pose`, `cycle`, `time_s` and the joints with their units")
+    };
+    match key {
+        "pose" => return Ok(Content::Pose),
+        "cycle" => return Ok(Content::Cycle),
+        "time_s" => return Ok(Content::Time(1.0, 6)),
+        "time_ms" => return Ok(Content::Time(1e3, 0)),
+        "time_ns" => return Ok(Content::Time(1e9, 0)),
+        LABEL => return Ok(Content::Label),
+        ASSEMBLY if values.has(ASSEMBLY) => return Ok(Content::Assembly),
+        _ => {}
+    }
+    let (name, factor) = meaning(key).ok_or_else(unknown)?;
+    let joint = values.joints.iter().position(|joint| *joint == name).ok_or_else(unknown)?;
+    if let Some(per_count) = column.per_count {
+        return Ok(Content::Counts(joint, factor, per_count, column.zero_count.unwrap_or(0.0)));
+    }
+    // as fine as 1e-6 mm or deg; radians, in which no round angle ends, finer than any position shows
+    let digits = if key.ends_with("_rad") { 14 } else { (6.0 + factor.log10()).round().max(0.0) as usize };
+    Ok(Content::Joint(joint, factor, digits))
+}
+
+fn field(log: &Log, content: Option<&Content>, row: &LogRow) -> String {
+    let number = |value: f64, digits: usize| written(value, digits, log.decimal);
+    match content {
+        None => "-".to_owned(),
+        Some(Content::Pose) => row.pose.unwrap_or_default().to_string(),
+        Some(Content::Cycle) => row.cycle.unwrap_or_default().to_string(),
+        Some(Content::Time(in_a_second, digits)) => number(row.time_s.unwrap_or_default() * in_a_second, *digits),
+        Some(Content::Assembly) => number(row.assembly.unwrap_or(1.0), 0),
+        Some(Content::Label) => row.label.clone().unwrap_or_else(|| "-".to_owned()),
+        Some(Content::Joint(joint, factor, digits)) => number(row.joints[*joint] / factor, *digits),
+        Some(Content::Counts(joint, factor, per_count, zero)) => {
+            number((row.joints[*joint] / factor / per_count + zero).round(), 0)
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! Sheets of an Excel workbook (.xlsx) as rows of text: cells separated by tabs, in the lines that they have in the sheet.
+
+use calamine::{DataRef, Reader, Xlsx};
+use etalon_base::message::{Message, count};
+use std::io::{Cursor, Read};
+
+/// A workbook that unpacks to more is none of measurements.
+const LARGEST: u64 = 64 << 20;
+/// So is a sheet with columns further to the right, or with more rows than Excel has.
+const MOST_COLUMNS: u32 = 1024;
+const MOST_ROWS: u32 = 1 << 20;
+
+/// Whether the bytes may be those of a workbook.
+pub(super) fn is_workbook(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04")
+}
+
+/// Names of the sheets.
+pub(super) fn sheets(bytes: &[u8]) -> Result<Vec<String>, Message> {
+    Ok(open(bytes)?.sheet_names())
+}
+
+/// The cells of a sheet. Numbers have a decimal point and all their digits; a line break within a cell is a blank.
+pub(super) fn text(bytes: &[u8], sheet: &str) -> Result<String, Message> {
+    let mut workbook = open(bytes)?;
+    let names = workbook.sheet_names();
+    if !names.iter().any(|name| name == sheet) {
+        let message = Message::error(format!("the workbook has no sheet `{sheet}`"));
+        return Err(message.hint_names(sheet, names.iter().map(String::as_str)));
+    }
+    let mut cells = workbook.worksheet_cells_reader(sheet).map_err(|e| unreadable(&e))?;
+    let mut text = String::new();
+    let (mut row, mut column) = (0, 0);
+    while let Some(cell) = cells.next_cell().map_err(|e| unreadable(&e))? {
+        let (r, c) = cell.get_position();
+        if r < row || (r == row && c < column) {
+            return Err(Message::error(format!(
+                "the cells of sheet `{sheet}` are in no order (row {})",
+                u64::from(r) + 1
+            )));
+        }
+        if c > MOST_COLUMNS || r >= MOST_ROWS {
+            let (column, row) = (u64::from(c) + 1, u64::from(r) + 1);
+            let what = format!("sheet `{sheet}` has a cell in column {column}, row {row}");
+            return Err(Message::error(what).expected(format!("at most {MOST_COLUMNS} columns and {MOST_ROWS} rows")));
+        }
+        if r > row {
+            text.extend(std::iter::repeat_n('\n', (r - row) as usize));
+            (row, column) = (r, 0);
+        }
+        text.extend(std::iter::repeat_n('\t', (c - column) as usize));
+        column = c;
+        text.push_str(&field(cell.get_value()));
+    }
+    text.push('\n');
+    Ok(text)
+}
+
+fn open(bytes: &[u8]) -> Result<Xlsx<Cursor<&[u8]>>, Message> {
+    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| unreadable(&e))?;
+    let mut unpacked = 0;
+    for i in 0..archive.len() {
+        let entry = archive.by_index(i).map_err(|e| unreadable(&e))?;
+        unpacked +=
+            std::io::copy(&mut entry.take(LARGEST + 1 - unpacked), &mut std::io::sink()).map_err(|e| unreadable(&e))?;
+        if unpacked > LARGEST {
+            return Err(Message::error(format!("the workbook unpacks to more than {} MiB", LARGEST >> 20)));
+        }
+    }
+    Xlsx::new(Cursor::new(bytes)).map_err(|e| unreadable(&e))
+}
+
+fn unreadable(e: &dyn std::error::Error) -> Message {
+    Message::error(format!("the workbook does not read: {e}")).hint("save it again as .xlsx, or the sheet as text")
+}
+
+/// A cell as a field between tabs.
+fn field(value: &DataRef) -> String {
+    let text = match value {
+        DataRef::Empty => String::new(),
+        DataRef::Int(v) => v.to_string(),
+        DataRef::Float(v) => v.to_string(),
+        DataRef::String(text) => text.clone(),
+        DataRef::SharedString(text) => (*text).to_owned(),
+        DataRef::Bool(v) => v.to_string(),
+        // Excel makes a date of a label like 1-2: shown as what it is, it is not a label that anybody states
+        DataRef::DateTime(date) => {
+            let (year, month, day, hour, minute, second, _) = date.to_ymd_hms_milli();
+            format!("date {year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}")
+        }
+        DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => format!("date {text}"),
+        DataRef::Error(e) => e.to_string(),
+    };
+    let text = text.replace(['\r', '\n', '\0'], " ");
+    match text.contains(['\t', '"']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text,
+    }
+}
+
+/// What a proposal states of a workbook's other sheets.
+pub(super) fn others(names: &[String], taken: &str) -> Option<String> {
+    let others: Vec<&str> = names.iter().map(String::as_str).filter(|name| *name != taken).collect();
+    (!others.is_empty())
+        .then(|| format!("the workbook has {} more: {}", count(others.len(), "sheet"), others.join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Write;
+    use zip::write::SimpleFileOptions;
+
+    const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+    const RELATED: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+
+    /// A workbook with one sheet of these rows, as the standard (ECMA-376) wants it at least.
+    fn workbook(sheet: &str, rows: &str) -> Vec<u8> {
+        let mut zip = zip::ZipWriter::new(Cursor::new(Vec::new()));
+        let options = SimpleFileOptions::default().compression_method(zip::CompressionMethod::Deflated);
+        let office = "application/vnd.openxmlformats-officedocument.spreadsheetml";
+        let files = [
+            (
+                "[Content_Types].xml",
+                format!(
+                    "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\
+                     <Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\
+                     <Override PartName=\"/xl/workbook.xml\" ContentType=\"{office}.sheet.main+xml\"/>\
+                     <Override PartName=\"/xl/worksheets/sheet1.xml\" ContentType=\"{office}.worksheet+xml\"/></Types>"
+                ),
+            ),
+            (
+                "_rels/.rels",
+                format!(
+                    "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\
+                     <Relationship Id=\"r1\" Type=\"{RELATED}/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>"
+                ),
+            ),
+            (
+                "xl/workbook.xml",
+                format!(
+                    "<workbook xmlns=\"{MAIN}\" xmlns:r=\"{RELATED}\"><sheets>\
+                     <sheet name=\"{sheet}\" sheetId=\"1\" r:id=\"r1\"/></sheets></workbook>"
+                ),
+            ),
+            (
+                "xl/_rels/workbook.xml.rels",
+                format!(
+                    "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\
+                     <Relationship Id=\"r1\" Type=\"{RELATED}/worksheet\" Target=\"worksheets/sheet1.xml\"/></Relationships>"
+                ),
+            ),
+            (
+                "xl/worksheets/sheet1.xml",
+                format!("<worksheet xmlns=\"{MAIN}\"><sheetData>{rows}</sheetData></worksheet>"),
+            ),
+        ];
+        for (name, content) in files {
+            zip.start_file(name, options).unwrap();
+            zip.write_all(content.as_bytes()).unwrap();
+        }
+        zip.finish().unwrap().into_inner()
+    }
+
+    fn word(place: &str, text: &str) -> String {
+        format!("<c r=\"{place}\" t=\"inlineStr\"><is><t>{text}</t></is></c>")
+    }
+
+    #[test]
+    fn cells_stand_in_their_lines_with_all_their_digits() {
+        let head = word("B3", "X\n[mm]") + &word("D3", "a \"b\"");
+        let data = word("A5", "P 1")
+            + "<c r=\"B5\"><v>0.30000000000000004</v></c><c r=\"C5\"><v>-1234567.5</v></c>\
+                   <c r=\"D5\" t=\"e\"><v>#N/A</v></c>";
+        let bytes = workbook("CMM 1", &format!("<row r=\"3\">{head}</row><row r=\"5\">{data}</row>"));
+        assert_eq!(sheets(&bytes).unwrap(), ["CMM 1"]);
+        assert_eq!(
+            text(&bytes, "CMM 1").unwrap(),
+            "\n\n\tX [mm]\t\t\"a \"\"b\"\"\"\n\nP 1\t0.30000000000000004\t-1234567.5\t#N/A\n"
+        );
+        assert!(text(&bytes, "CMM").unwrap_err().to_string().contains("did you mean `CMM 1`"));
+    }
+
+    #[test]
+    fn a_cell_in_the_last_corner_and_a_sheet_that_unpacks_without_end_are_errors() {
+        let begun = std::time::Instant::now();
+        let corner = workbook(
+            "S",
+            "<row r=\"1\"><c r=\"A1\"><v>1</v></c></row><row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row>",
+        );
+        assert!(text(&corner, "S").unwrap_err().to_string().contains("column 16384, row 1048576"));
+        // more than numbers hold: wherever it wraps to, no row is as far down
+        let far = workbook(
+            "S",
+            "<row r=\"1\"><c r=\"A1\"><v>1</v></c></row><row r=\"9\"><c r=\"A4000000000\"><v>1</v></c></row>",
+        );
+        assert!(text(&far, "S").unwrap_err().to_string().contains("1048576 rows"));
+        assert!(begun.elapsed().as_secs() < 60);
+        let bomb = workbook("S", &" ".repeat(LARGEST as usize + 1));
+        assert!(bomb.len() < 1 << 20);
+        let begun = std::time::Instant::now();
+        assert!(text(&bomb, "S").unwrap_err().to_string().contains("unpacks to more than"));
+        println!("a bomb is reported after {:.2} s", begun.elapsed().as_secs_f64());
+    }
+
+    #[test]
+    fn damaged_workbooks_are_errors_and_no_panics() {
+        let bytes = workbook("S", "<row r=\"1\"><c r=\"A1\"><v>1</v></c></row>");
+        for cut in (0..bytes.len()).step_by(7) {
+            assert!(text(&bytes[..cut], "S").is_err(), "{cut}");
+        }
+        for at in 0..bytes.len() {
+            let mut broken = bytes.clone();
+            broken[at] ^= 0x55;
+            let _ = text(&broken, "S");
+        }
+        let backwards =
+            workbook("S", "<row r=\"2\"><c r=\"A2\"><v>1</v></c></row><row r=\"1\"><c r=\"A1\"><v>1</v></c></row>");
+        assert!(text(&backwards, "S").unwrap_err().to_string().contains("in no order"));
+    }
+}

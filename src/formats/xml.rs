@@ -1,0 +1,252 @@
+//! A small XML tree for files from anywhere: no document types, no entities of their own, bounded depth and size.
+
+use etalon_base::message::{Message, Place, Result};
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+use std::borrow::Cow;
+
+/// Elements nested deeper are not a measurement.
+const DEEPEST: usize = 64;
+/// Elements that are kept: 2²² take half a gigabyte at most.
+const MOST_ELEMENTS: usize = 1 << 22;
+/// Longer lines are not shown in a message.
+const LONGEST_LINE: usize = 200;
+
+/// The elements of a file that are of interest, in document order.
+pub struct Tree<'a> {
+    file: &'a str,
+    text: &'a str,
+    /// Where each line begins: places are found at once, however many are asked for.
+    lines: Vec<usize>,
+    elements: Vec<Element<'a>>,
+}
+
+struct Element<'a> {
+    /// Without its prefix.
+    name: &'a str,
+    attributes: &'a str,
+    /// Where it begins in the file, in bytes.
+    start: usize,
+    /// The element after its last descendant.
+    after: usize,
+    text: Cow<'a, str>,
+}
+
+/// One element of a [`Tree`].
+#[derive(Clone, Copy)]
+pub struct Node<'t, 'a> {
+    tree: &'t Tree<'a>,
+    index: usize,
+}
+
+impl<'a> Tree<'a> {
+    /// Reads a text. `skipped` states which elements are left out with all that they hold.
+    ///
+    /// # Errors
+    /// If it is not well-formed XML, or if it declares a document type.
+    pub fn read(file: &'a str, text: &'a str, skipped: impl Fn(&str) -> bool) -> Result<Self> {
+        let breaks = text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i + 1);
+        let mut tree = Self { file, text, lines: std::iter::once(0).chain(breaks).collect(), elements: Vec::new() };
+        if let Some(at) = text.find('\0') {
+            return Err(tree.error(at, "the file contains a NUL byte: it is damaged or not a text").into());
+        }
+        let mut reader = Reader::from_str(text);
+        let mut open: Vec<usize> = Vec::new();
+        let mut left_out = 0usize;
+        loop {
+            let start = reader.buffer_position() as usize;
+            let event = reader.read_event().map_err(|e| {
+                let at = reader.error_position() as usize;
+                tree.error(at, format!("the XML is not well-formed: {e}"))
+            })?;
+            match event {
+                Event::Start(tag) if left_out > 0 || skipped(local(&tag)) => {
+                    left_out += 1;
+                    tree.shallow(open.len() + left_out, start, &tag)?;
+                }
+                Event::Start(tag) => {
+                    tree.shallow(open.len() + 1, start, &tag)?;
+                    tree.add(start, &tag, open.is_empty())?;
+                    open.push(tree.elements.len() - 1);
+                }
+                Event::Empty(tag) if left_out == 0 && !skipped(local(&tag)) => {
+                    tree.add(start, &tag, open.is_empty())?
+                }
+                Event::End(_) if left_out > 0 => left_out -= 1,
+                Event::End(_) => {
+                    let after = tree.elements.len();
+                    if let Some(element) = open.pop().and_then(|i| tree.elements.get_mut(i)) {
+                        element.after = after;
+                    }
+                }
+                Event::DocType(_) => {
+                    let message = tree.error(start, "the file declares a document type, which may hide anything");
+                    return Err(message.hint("remove the <!DOCTYPE ...>: no measurement needs one").into());
+                }
+                // also within an element that is left out
+                Event::Eof => break,
+                _ if left_out > 0 => {}
+                Event::Text(piece) => tree.append(&open, piece.into_inner()),
+                Event::CData(piece) => tree.append(&open, piece.into_inner()),
+                Event::GeneralRef(reference) => {
+                    let character = match &*reference {
+                        "lt" => Some('<'),
+                        "gt" => Some('>'),
+                        "amp" => Some('&'),
+                        "apos" => Some('\''),
+                        "quot" => Some('"'),
+                        _ => reference.resolve_char_ref().ok().flatten(),
+                    };
+                    let unknown = || tree.error(start, format!("the entity `&{};` is not known", &*reference));
+                    let character = character.ok_or_else(unknown)?;
+                    tree.append(&open, Cow::Owned(character.to_string()));
+                }
+                _ => {}
+            }
+        }
+        match open.last().and_then(|&i| tree.elements.get(i)) {
+            Some(e) => {
+                let message = tree.error(e.start, format!("`{}` is never closed: the file ends before it", e.name));
+                Err(message.hint("the file was cut off: export or copy it again").into())
+            }
+            None => Ok(tree),
+        }
+    }
+
+    fn shallow(&self, depth: usize, start: usize, tag: &BytesStart) -> Result<()> {
+        if depth <= DEEPEST {
+            return Ok(());
+        }
+        let what = format!("`{}` is nested {depth} elements deep", local(tag));
+        Err(self.error(start, what).expected(format!("at most {DEEPEST}")).into())
+    }
+
+    fn add(&mut self, start: usize, tag: &BytesStart, outermost: bool) -> Result<()> {
+        if outermost && !self.elements.is_empty() {
+            return Err(self.error(start, "there is a second element after the document").into());
+        }
+        if self.elements.len() >= MOST_ELEMENTS {
+            let message = self.error(start, format!("the file holds more than {MOST_ELEMENTS} elements"));
+            return Err(message.hint("export fewer features at a time").into());
+        }
+        // the tag begins with `<` and the name
+        let inside = self.text.get(start + 1..).unwrap_or("");
+        let name = inside.get(..tag.name().as_ref().len()).unwrap_or("");
+        let attributes = inside.get(name.len()..tag.len()).unwrap_or("");
+        let name = name.rsplit(':').next().unwrap_or("");
+        let after = self.elements.len() + 1;
+        self.elements.push(Element { name, attributes, start, after, text: Cow::Borrowed("") });
+        Ok(())
+    }
+
+    fn append(&mut self, open: &[usize], piece: Cow<'a, str>) {
+        let Some(element) = open.last().and_then(|&i| self.elements.get_mut(i)) else { return };
+        match element.text.is_empty() {
+            // blanks between elements are not text
+            true if piece.trim().is_empty() => {}
+            true => element.text = piece,
+            false => element.text.to_mut().push_str(&piece),
+        }
+    }
+
+    /// The document element; `None` of an empty file.
+    pub fn root(&self) -> Option<Node<'_, 'a>> {
+        (!self.elements.is_empty()).then_some(Node { tree: self, index: 0 })
+    }
+
+    /// An error about the byte `at`.
+    pub fn error(&self, at: usize, what: impl Into<String>) -> Message {
+        Message::error(what).at(self.place(at))
+    }
+
+    fn place(&self, at: usize) -> Place {
+        let number = self.lines.partition_point(|start| *start <= at).max(1);
+        let start = self.lines.get(number - 1).copied().unwrap_or(0);
+        let end = self.lines.get(number).copied().unwrap_or(self.text.len());
+        if end - start > LONGEST_LINE {
+            return Place::line(self.file, number, "");
+        }
+        let line = self.text.get(start..end).unwrap_or("");
+        let column = line.get(..at.saturating_sub(start)).unwrap_or("").chars().count() + 1;
+        Place::line(self.file, number, line.trim_end_matches(['\r', '\n'])).at(column, 1)
+    }
+}
+
+fn local<'t>(tag: &'t BytesStart) -> &'t str {
+    tag.local_name().into_inner()
+}
+
+impl<'t, 'a> Node<'t, 'a> {
+    fn element(self) -> &'t Element<'a> {
+        &self.tree.elements[self.index]
+    }
+
+    /// Name without prefix.
+    pub fn name(self) -> &'a str {
+        self.element().name
+    }
+
+    /// Its own text, without blanks around it.
+    pub fn text(self) -> &'t str {
+        self.element().text.trim()
+    }
+
+    /// Line of the file, from 1, and the beginning of that line's element as a message may show it.
+    pub fn place(self) -> Place {
+        self.tree.place(self.element().start)
+    }
+
+    /// Elements directly within.
+    pub fn children(self) -> impl Iterator<Item = Node<'t, 'a>> {
+        let end = self.element().after;
+        let mut next = self.index + 1;
+        std::iter::from_fn(move || {
+            let index = (next < end).then_some(next)?;
+            next = self.tree.elements[index].after;
+            Some(Node { tree: self.tree, index })
+        })
+    }
+
+    /// The first element of this name directly within.
+    pub fn child(self, name: &str) -> Option<Node<'t, 'a>> {
+        self.children().find(|c| c.name() == name)
+    }
+
+    /// The element itself and all within, in document order.
+    pub fn all(self) -> impl Iterator<Item = Node<'t, 'a>> {
+        (self.index..self.element().after).map(move |index| Node { tree: self.tree, index })
+    }
+
+    /// Value of an attribute; `None` where it is not there or is malformed.
+    pub fn attribute(self, name: &str) -> Option<Cow<'a, str>> {
+        let mut attributes = quick_xml::events::attributes::Attributes::new(self.element().attributes, 0);
+        // looking for attributes stated twice takes time in the square of their number
+        let found = attributes.with_checks(false).flatten().find(|a| a.key.local_name().into_inner() == name)?;
+        found.normalized_value(quick_xml::XmlVersion::Implicit1_0).ok()
+    }
+
+    /// An error about this element.
+    pub fn error(self, what: impl Into<String>) -> Message {
+        Message::error(what).at(self.place())
+    }
+
+    /// A warning about this element.
+    pub fn warning(self, what: impl Into<String>) -> Message {
+        Message::warning(what).at(self.place())
+    }
+
+    /// Its `id`; `None` where it has none, or one that needs decoding.
+    pub fn id(self) -> Option<&'t str> {
+        match self.attribute("id")? {
+            Cow::Borrowed(id) => Some(id),
+            Cow::Owned(_) => None,
+        }
+    }
+
+    /// The numbers of its text, separated by blanks.
+    pub fn numbers(self) -> std::result::Result<Vec<f64>, Message> {
+        let number =
+            |field: &str| super::lexer::number(field, crate::dialect::Decimal::Point).map_err(|m| m.at(self.place()));
+        self.text().split_ascii_whitespace().map(number).collect()
+    }
+}

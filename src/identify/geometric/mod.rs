@@ -1,0 +1,152 @@
+//! What a technician can do by geometry alone: balls, a shaft and an arm (thesis, chapter 2).
+//!
+//! Nothing is optimised over the robot's model. Each step finds one quantity from points that were measured for it, in
+//! the order of the thesis; every result carries its derivatives by all measured coordinates, so that what shares points
+//! or frames is correlated. On a robot with all thirteen errors of chapter 3, O, C and the axis of revolute joint 3 are
+//! still found where they are, but γ, β and ε_θ are taken as zero: what this costs is for the report to show.
+
+mod frames;
+mod lengths;
+mod setup;
+mod uncertain;
+mod workspace;
+
+pub use frames::{Axes, Base, BaseMeasurements, Circle, Mobile, Plane, Turned};
+pub use lengths::{
+    Lead, LeadMeasurements, OffsetMeasurements, ScaleBar, Shaft, ShaftMeasurements, intersection, scale_bar,
+};
+pub use setup::{Arc, BallSetup, BarSetup, LeadSetup, OffsetSetup, Setup, ShaftSetup, Turn};
+pub use uncertain::{Flat, Point, Readings, Repeated, Repeats, Scatter, Uncertain, mean_and_sd};
+pub use workspace::{Polygon, Workspace, area_mm2};
+
+use etalon_base::message::{Message, Problems, Result};
+
+/// All that is measured for the geometric calibration.
+#[derive(Clone, Debug, Default)]
+pub struct Measurements {
+    /// For the lead of actuators 1, 2 and 3; a lead that is not measured is taken as right.
+    pub leads: [Option<LeadMeasurements>; 3],
+    /// For the base frame.
+    pub base: BaseMeasurements,
+    /// For the mobile frame.
+    pub turned: Vec<Turned>,
+    /// For s, each repeat.
+    pub shafts: Vec<ShaftMeasurements>,
+    /// For d1 and d3, each homing.
+    pub offsets: Vec<OffsetMeasurements>,
+}
+
+/// The robot as geometry alone finds it.
+#[derive(Clone, Debug)]
+pub struct Geometry {
+    /// Actuators 1, 2 and 3.
+    pub leads: [Option<Lead>; 3],
+    /// The base frame.
+    pub base: Base,
+    /// The mobile frame.
+    pub mobile: Mobile,
+    /// Every cylinder fitted to the shaft.
+    pub shafts: Vec<[Shaft; 2]>,
+    /// Distance of revolute joint 3 from the y axis.
+    pub s: Repeated,
+    /// Offset of actuator 1.
+    pub d1: Repeated,
+    /// Offset of actuator 3.
+    pub d3: Repeated,
+    /// Every coordinate with the standard uncertainty that was used.
+    pub readings: Readings,
+}
+
+/// What the steps that were measured find, each as far as it goes alone.
+#[derive(Clone, Debug)]
+pub struct Steps {
+    /// Actuators 1, 2 and 3.
+    pub leads: [Option<Lead>; 3],
+    /// The plane of the rails, where an arc or a turn was measured.
+    pub plane: Option<Plane>,
+    /// The base frame, where the arc of ball N was measured.
+    pub base: Option<Base>,
+    /// The mobile frame, where balls were turned with the platform.
+    pub mobile: Option<Mobile>,
+    /// Every cylinder fitted to the shaft.
+    pub shafts: Vec<[Shaft; 2]>,
+    /// Distance of revolute joint 3 from the y axis, where the shaft was measured.
+    pub s: Option<Repeated>,
+    /// Offsets of actuators 1 and 3, where they were measured.
+    pub offsets: Option<[Repeated; 2]>,
+    /// Every coordinate with the standard uncertainty that was used.
+    pub readings: Readings,
+}
+
+/// Finds what each step gives, from points measured by an instrument with this standard uncertainty of one coordinate, in mm.
+///
+/// The arc and the turn need the rails and ball R, the shaft the arc too, the offsets all of them: an error where they are not measured.
+pub fn steps(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<Steps> {
+    let mut readings = Readings::new(standard_uncertainty_mm);
+    let [one, two, three] = &measured.leads;
+    let mut lead = |run: &Option<LeadMeasurements>, name: &str| -> Result<Option<Lead>> {
+        run.as_ref().map(|run| Lead::determine(&mut readings, run)).transpose().map_err(at_step(name))
+    };
+    let leads = [lead(one, "lead of rho1")?, lead(two, "lead of rho2")?, lead(three, "lead of rho3")?];
+    let (has_arc, has_turn) = (!measured.base.arc.is_empty(), !measured.turned.is_empty());
+    let axes = (has_arc || has_turn).then(|| Axes::determine(&mut readings, &measured.base));
+    let axes = axes.transpose().map_err(at_step("base frame"))?;
+    let plane = axes.as_ref().map(|axes| axes.plane.clone());
+    let base = axes.filter(|_| has_arc).map(|axes| Base::about(&mut readings, axes, &measured.base.arc));
+    let base = base.transpose().map_err(at_step("base frame"))?;
+    let mobile = plane.as_ref().filter(|_| has_turn).map(|p| Mobile::determine(&mut readings, p, &measured.turned));
+    let mobile = mobile.transpose().map_err(at_step("mobile frame"))?;
+    let (mut shafts, mut s) = (Vec::new(), Vec::new());
+    for run in &measured.shafts {
+        let base = base.as_ref().ok_or_else(|| lacks("the shaft", "the arc of ball N"))?;
+        let mut shaft = |i: usize| Shaft::through(&mut readings, base, &run.positions[i]).map_err(at_step("shaft"));
+        let pair = [shaft(0)?, shaft(1)?];
+        let [x, _] = intersection(&pair[0], &pair[1]).map_err(at_step("shaft"))?;
+        s.push(x);
+        shafts.push(pair);
+    }
+    let s = (!s.is_empty()).then(|| Repeated::new(s));
+    let right = Uncertain::exact(1.0);
+    let ratio = |i: usize| leads[i].as_ref().map_or(&right, |lead| &lead.ratio);
+    let (mut d1, mut d3) = (Vec::new(), Vec::new());
+    for run in &measured.offsets {
+        let (Some(base), Some(mobile), Some(s)) = (&base, &mobile, &s) else {
+            return Err(lacks(
+                "the displacement of actuator 1",
+                "the arc of ball N, the turned platform and the shaft",
+            ));
+        };
+        let found = lengths::offsets(&mut readings, base, mobile, &s.mean, [ratio(1), ratio(2)], run);
+        let [one, three] = found.map_err(at_step("offsets"))?;
+        d1.push(one);
+        d3.push(three);
+    }
+    let offsets = (!d1.is_empty()).then(|| [Repeated::new(d1), Repeated::new(d3)]);
+    Ok(Steps { leads, plane, base, mobile, shafts, s, offsets, readings })
+}
+
+fn lacks(step: &str, other: &str) -> Problems {
+    Message::error(format!("{step} gives nothing without {other}"))
+        .hint("measure it too, or leave this step out")
+        .into()
+}
+
+/// Finds the whole geometry, from points measured by an instrument with this standard uncertainty of one coordinate, in mm.
+pub fn determine(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<Geometry> {
+    let found = steps(measured, standard_uncertainty_mm)?;
+    let (Some(base), Some(mobile), Some(s), Some([d1, d3])) = (found.base, found.mobile, found.s, found.offsets) else {
+        let what = "the whole geometry needs the arc of ball N, the turned platform, the shaft in two positions and one displacement of actuator 1";
+        return Err(Message::error(what).expected("at least one repeat of each").into());
+    };
+    Ok(Geometry { leads: found.leads, base, mobile, shafts: found.shafts, s, d1, d3, readings: found.readings })
+}
+
+/// Says at which step something is wrong.
+fn at_step(name: &str) -> impl Fn(Problems) -> Problems + '_ {
+    move |mut problems| {
+        for message in &mut problems.0 {
+            message.what = format!("{name}: {}", message.what);
+        }
+        problems
+    }
+}

@@ -1,0 +1,357 @@
+//! Identification: parameters from observations, which of them the data determine, and how well.
+#![allow(non_snake_case)] // world_T_base: frames in names
+
+mod budget;
+mod chi_square;
+mod clusters;
+mod condition;
+mod diagnosis;
+mod effects;
+mod elimination;
+mod fixtures;
+mod frame_error;
+pub mod geometric;
+mod identifiability;
+mod logs;
+mod observability;
+mod observation;
+mod placing;
+pub mod plan;
+mod predict;
+mod reliability;
+mod residuals;
+mod rigid_part;
+mod robust;
+mod set_up;
+mod significance;
+mod solution;
+mod stability;
+mod start;
+mod surface;
+mod tool;
+mod uncertainty;
+mod verification;
+mod weights;
+
+pub use budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
+pub use chi_square::exceeds as chi_square_exceeds;
+use condition::tied_to_world;
+pub use condition::{Condition, Fixture, Kind, Known};
+pub use diagnosis::{OUTLIER, Reading, RobustFit, WRONG_READINGS};
+pub use effects::effects;
+pub use fixtures::mounted_misfit_rad;
+pub use frame_error::FrameError;
+pub use identifiability::{Group, RANK_TOLERANCE};
+pub use logs::{LogComparison, compare_logs};
+pub use observability::{Observability, SingularValue, WeakGroup};
+pub use observation::{Observation, directions, joint_column, joint_values, stated_modes};
+pub use predict::{Prediction, Sensitivity, predict, sensitivity};
+pub use reliability::{ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, reliability};
+pub use residuals::{OF_MEDIAN, ResidualKind};
+pub use rigid_part::{Pair, RigidPart};
+pub use robust::{PoseWeight, RobustChange, RobustComparison, robust_comparison};
+pub use set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
+pub use significance::{Variance, holm};
+pub use stability::{Stability, halves, stability};
+pub use surface::Surface;
+pub use tool::{Held, ToolError, ToolFrame, ToolPoint, held};
+pub use uncertainty::UncertaintyFrom;
+pub use verification::{
+    Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test, Verification,
+    detectable, most_probable, p_value, verify,
+};
+pub use weights::{Covariance, turned, weigh};
+
+use etalon_base::message::{Message, Result};
+use etalon_base::pattern::matches_pattern;
+use etalon_math::{Factor, Options, Termination, factor_at, solve, solve_near, svd};
+use etalon_robots::{Robot, Role};
+use residuals::{Common, Residuals};
+use solution::solve_identifiable;
+
+/// What is identified from which residuals.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Settings {
+    /// Residuals of single targets, or of the pose (eq. 3.26).
+    pub kind: ResidualKind,
+    /// Standard uncertainty of one measured coordinate in mm; `None` takes it from the residuals.
+    pub standard_uncertainty_mm: Option<f64>,
+    /// Standard uncertainty in mm of what a coordinate has in common with all observations of the very same coordinates,
+    /// beside [`Self::standard_uncertainty_mm`], which is then what each observation has of its own: a ball measured once
+    /// and touched in several working modes. Targets only.
+    pub common_uncertainty_mm: Option<f64>,
+    /// Names of parameters held at their nominal value; `*` stands for any text.
+    pub hold: Vec<String>,
+    /// Rigid parts that carry targets, with their stated shapes. Residuals of targets only.
+    pub rigid: Vec<RigidPart>,
+    /// What else was observed of targets. Residuals of targets of a robot with a free base only.
+    pub conditions: Vec<Condition>,
+    /// What is known of the points to which these refer.
+    pub known: Vec<Known>,
+}
+
+impl Settings {
+    /// Standard uncertainty of one measured coordinate with what it has in common with others, mm; 0 where none is stated.
+    pub fn coordinate_uncertainty_mm(&self) -> f64 {
+        self.standard_uncertainty_mm.unwrap_or(0.0).hypot(self.common_uncertainty_mm.unwrap_or(0.0))
+    }
+
+    /// The same with stated shapes that weigh as against residuals of this standard deviation.
+    fn with_shape_weight(&self, weight: f64) -> Self {
+        let mut settings = self.clone();
+        settings.rigid.iter_mut().for_each(|part| part.weight = weight);
+        settings
+    }
+}
+
+/// Why a parameter has the value that it has.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Status {
+    /// Found by least squares.
+    Identified,
+    /// Held by the settings, or not part of these residuals.
+    Fixed,
+    /// Held because the data do not determine it separately from others, or not at all.
+    NotIdentifiable,
+}
+
+/// What an identification found.
+#[derive(Clone, Debug)]
+pub struct Identification {
+    /// All parameters of the robot, in its order (mm, rad, 1).
+    pub values: Vec<f64>,
+    /// Status of each parameter.
+    pub status: Vec<Status>,
+    /// Indices of the identified parameters: the order of `covariance`.
+    pub free: Vec<usize>,
+    /// Of these the unknowns that were eliminated, because they are many: of targets, or of sockets and planes.
+    pub eliminated: Vec<usize>,
+    /// Covariance of the identified parameters, row by row (mm, rad, 1); `None` where it cannot be determined.
+    pub covariance: Option<Vec<f64>>,
+    /// What the covariance rests on.
+    pub uncertainty_from: UncertaintyFrom,
+    /// Effective degrees of freedom of each identified parameter's standard uncertainty; empty where these rest on stated ones.
+    pub effective_degrees: Vec<f64>,
+    /// By how much standard uncertainties are larger than the instrument's uncertainty alone makes them (median).
+    pub inflation_factor: f64,
+    /// Sets of parameters that are not separately identifiable.
+    pub groups: Vec<Group>,
+    /// Sets of parameters that are weakly identifiable.
+    pub weak: Vec<WeakGroup>,
+    /// Singular values of the Jacobian and what follows from them; `None` where they are not numbers.
+    pub observability: Option<Observability>,
+    /// What the covariance is made of.
+    pub budget: Budget,
+    /// Scatter of repeats against the rest; `None` where no pose was repeated.
+    pub replicates: Option<Replicates>,
+    /// Root mean square of the residuals, in mm (mm and rad mixed for pose residuals, as in eq. 3.26).
+    pub rms: f64,
+    /// Largest residual, likewise.
+    pub max: f64,
+    /// Equations minus identified parameters.
+    pub degrees_of_freedom: usize,
+    /// Sum of squares of residuals over their uncertainties; `None` where no uncertainty is stated or nothing is left over.
+    pub chi_square: Option<f64>,
+    /// What rows of stated shapes were multiplied by, see [`RigidPart::weight`].
+    pub shape_weight: f64,
+    /// Steps taken.
+    pub iterations: usize,
+    /// How the solver ended.
+    pub termination: Termination,
+    /// Warnings, with remedies.
+    pub warnings: Vec<Message>,
+}
+
+impl Identification {
+    /// Values of the free parameters, in their order.
+    fn free_values(&self) -> Vec<f64> {
+        self.free.iter().map(|&i| self.values[i]).collect()
+    }
+
+    /// Standard uncertainty of a parameter, by its index; `None` if it was not identified.
+    pub fn standard_uncertainty(&self, index: usize) -> Option<f64> {
+        let k = self.free.iter().position(|&i| i == index)?;
+        Some(self.covariance.as_ref()?[k * self.free.len() + k].sqrt())
+    }
+
+    /// Effective degrees of freedom of it; `None` where it rests on stated uncertainties.
+    pub fn degrees_of_freedom(&self, index: usize) -> Option<f64> {
+        self.effective_degrees.get(self.free.iter().position(|&i| i == index)?).copied()
+    }
+}
+
+/// Identifies the parameters of `robot` from `observations`.
+///
+/// Redundant parameters are found by the rank of the scaled Jacobian, at the start and again at the solution; of each
+/// group the one that is last in the model's list is held at its nominal value, so that base and targets, which
+/// come first, take up what is not separately identifiable from them.
+pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
+    let start = match settings.conditions[..] {
+        [] => start::start(robot, observations, settings, &wanted_parameters(robot, observations, settings)?)?,
+        // what conditions refer to is found in closed form one by one: together it comes near enough
+        _ => fit_frames(robot, observations, settings)?,
+    };
+    identify_from(robot, observations, settings, &start)
+}
+
+/// [`identify`] from starting values of all parameters, for instance those of [`fit_frames`].
+pub fn identify_from(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    start: &[f64],
+) -> Result<Identification> {
+    identify_with(robot, observations, settings, start, &Systematic::default())
+}
+
+/// [`identify_from`] of observations that have these errors in common.
+pub fn identify_with(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    start: &[f64],
+    systematic: &Systematic,
+) -> Result<Identification> {
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
+    let mut found = uncertainty::with_uncertainty(robot, (observations, systematic), settings, &wanted, found)?;
+    found.warnings.extend(condition::without_length(robot, observations, settings, &found.status));
+    Ok(found)
+}
+
+/// All parameters identified again from other observations of the same poses or some of them, with the same parameters held and from the
+/// solution found; `None` where the solver fails or the observations do not determine them.
+pub fn identify_again(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+) -> Option<Vec<f64>> {
+    let settings = settings.with_shape_weight(found.shape_weight);
+    let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok()?;
+    solved_from(&problem, &found.free_values())
+}
+
+/// All parameters of the solution of `problem`; `None` where the solver fails or it does not determine them.
+fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
+    let solution = solve(problem, x, Options::default());
+    let regular = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == x.len());
+    (solution.termination.is_success() && regular).then(|| problem.all(&solution.x))
+}
+
+/// [`identify_again`] from measurements that differ from one by their errors alone, many times.
+pub struct Repeated<'a> {
+    robot: &'a dyn Robot,
+    settings: Settings,
+    found: &'a Identification,
+    /// Readings that are common to several observations there.
+    common: Option<Common>,
+    /// Standard deviations of the rows of what is not a coordinate of a target.
+    stated: Vec<f64>,
+    /// Factor of the Jacobian at the solution, and the scales of its columns.
+    linearised: Option<(Factor, Vec<f64>)>,
+}
+
+/// A step this much shorter than the first is the last one: the next, a tenth of it at most, would be less than a ten-thousandth of what
+/// was drawn.
+const LAST_STEP: f64 = 1e-3;
+
+impl<'a> Repeated<'a> {
+    /// Of what was found from these observations.
+    pub fn new(
+        robot: &'a dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        found: &'a Identification,
+    ) -> Self {
+        let mut settings = settings.with_shape_weight(found.shape_weight);
+        let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok();
+        let linearised = problem.as_ref().map(|problem| factor_at(problem, &found.free_values()));
+        let regular = |f: &Factor| svd(f).rank(RANK_TOLERANCE) == found.free.len();
+        let stated = problem.as_ref().map_or_else(Vec::new, Residuals::stated);
+        let common = problem.and_then(|problem| problem.common);
+        settings.common_uncertainty_mm = None;
+        Self { robot, settings, found, common, stated, linearised: linearised.filter(|(factor, _)| regular(factor)) }
+    }
+
+    /// Standard deviations of what is stated beside coordinates of targets: by conditions, shapes and known points.
+    pub fn stated(&self) -> &[f64] {
+        &self.stated
+    }
+
+    /// All parameters from another measurement of the same targets at the same poses. `drawn` are the errors of what is stated beside.
+    pub fn identify(&self, observations: &[Observation], drawn: Vec<f64>) -> Option<Vec<f64>> {
+        let (found, x) = (self.found, self.found.free_values());
+        let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;
+        problem.common.clone_from(&self.common);
+        problem.drawn = drawn;
+        let (factor, scale) = self.linearised.as_ref()?;
+        let near = solve_near(&problem, &x, (factor, scale), LAST_STEP);
+        near.map(|x| problem.all(&x)).or_else(|| solved_from(&problem, &x))
+    }
+}
+
+/// Parameters of the nominal robot with only base and targets fitted, wherever they are: what accuracy is before a
+/// calibration, and where the identification starts.
+pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<f64>> {
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    let frames: Vec<usize> = wanted.into_iter().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
+    if frames.is_empty() {
+        return Ok(robot.nominal());
+    }
+    let start = start::start(robot, observations, settings, &frames)?;
+    let found = solve_identifiable(robot, observations, settings, &frames, &start)?;
+    let (Some(arm), false) = (robot.free_base(), settings.conditions.is_empty()) else { return Ok(found.values) };
+    // fixtures once more, from targets that are now near: few distances of a target that is far off lead to a wrong minimum
+    let mut again = found.values.clone();
+    let of_fixtures: Vec<usize> =
+        frames.iter().copied().filter(|&i| robot.parameters()[i].role == Role::Fixture).collect();
+    fixtures::place_fixtures(arm, observations, settings, &of_fixtures, &mut again);
+    match solve_identifiable(robot, observations, settings, &frames, &again) {
+        Ok(again) if again.solution.cost < found.solution.cost => Ok(again.values),
+        _ => Ok(found.values),
+    }
+}
+
+fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
+    if observations.is_empty() && settings.conditions.is_empty() {
+        return Err(Message::error("there are no observations to identify from").into());
+    }
+    if settings.kind == ResidualKind::Pose && settings.standard_uncertainty_mm.is_none() {
+        return Err(Message::error(
+            "pose residuals mix mm and rad: they need the standard uncertainty of a coordinate",
+        )
+        .hint("state it (--standard-uncertainty-um), or compare targets")
+        .into());
+    }
+    let whole = settings.kind == ResidualKind::Targets && settings.standard_uncertainty_mm.is_some();
+    if settings.common_uncertainty_mm.is_some() && !whole {
+        return Err(Message::error(
+            "an uncertainty common to several observations is for residuals of targets, beside one that each has of its own",
+        )
+        .hint("state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets")
+        .into());
+    }
+    condition::check(robot, settings)?;
+    let names = || robot.parameters().iter().map(|p| p.name.as_str());
+    for pattern in &settings.hold {
+        if !names().any(|name| matches_pattern(pattern, name)) {
+            let what = format!("`hold` names `{pattern}`, which is not a parameter of this robot");
+            return Err(Message::error(what).hint_names(pattern, names()).into());
+        }
+    }
+    let held = |name: &str| settings.hold.iter().any(|pattern| matches_pattern(pattern, name));
+    let unseen = unseen_by(robot, settings.kind);
+    // nothing is measured in a world: that of the robot's base is the only one
+    let bases = robot.free_base().is_none() || tied_to_world(observations, settings);
+    let fixed = |i: usize| {
+        let p = &robot.parameters()[i];
+        held(&p.name) || unseen == Some(i) || !bases && p.role == Role::Base
+    };
+    Ok((0..robot.parameters().len()).filter(|&i| !fixed(i)).collect())
+}
+
+/// The parameter that residuals of this kind do not show: of a pose, the distance of its two targets.
+fn unseen_by(robot: &dyn Robot, kind: ResidualKind) -> Option<usize> {
+    (kind == ResidualKind::Pose).then(|| robot.platform().map(|platform| platform.target_distance()))?
+}

@@ -1,0 +1,250 @@
+//! Which poses to measure: observability indices, choice among candidates, and how good any choice can be.
+//!
+//! Maximise a [`Criterion`] of the information JᵀJ over all sets of N candidates. [`search`] finds good sets,
+//! [`bound`] proves how far they are from the best at most.
+
+pub mod bound;
+pub mod candidates;
+pub mod criterion;
+pub mod search;
+mod study;
+
+pub use criterion::{Criterion, Pool};
+pub use search::Choice;
+pub use study::{PlaceError, Setting, Study, point_of, study};
+
+use crate::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};
+use bound::{Proven, branch_and_bound};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose_name::PoseName;
+use etalon_robots::Robot;
+use search::{exchange_from_many, greedy};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What to choose, and how hard to try.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// Number of candidates to choose.
+    pub positions: usize,
+    /// What makes a choice good.
+    pub criterion: Criterion,
+    /// Every configuration is a candidate of its own, instead of all of a pose together.
+    pub single: bool,
+    /// Numbers of the poses that the thesis' way starts from; empty: two that are far apart.
+    pub start: Vec<PoseName>,
+    /// Random starts of the exchange.
+    pub starts: u64,
+    /// Seed of them.
+    pub seed: u64,
+    /// Nodes that branch and bound may look at.
+    pub nodes: usize,
+}
+
+/// One step of the thesis' way, for the curve of figure 4.6.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Candidates chosen so far.
+    pub positions: usize,
+    /// Configurations in them.
+    pub configurations: usize,
+    /// The index.
+    pub index: f64,
+    /// Condition number with scaled columns.
+    pub condition: f64,
+}
+
+/// What was chosen.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// Configurations of each candidate, as indices of the observations given.
+    pub members: Vec<Vec<usize>>,
+    /// What the candidates determine.
+    pub sensitivity: Sensitivity,
+    /// The choice of the thesis' way.
+    pub greedy: Vec<usize>,
+    /// Its index.
+    pub greedy_index: f64,
+    /// The best choice found, in ascending order.
+    pub chosen: Vec<usize>,
+    /// Its index.
+    pub index: f64,
+    /// No choice has a larger index; `None` where no bound is known.
+    pub bound: Option<f64>,
+    /// The bound of the relaxation alone.
+    pub relaxation_bound: Option<f64>,
+    /// Nodes that branch and bound looked at.
+    pub nodes: usize,
+    /// Index and condition while candidates are added the thesis' way.
+    pub curve: Vec<Step>,
+    /// What an identification from the chosen poses would know.
+    pub prediction: Prediction,
+    /// Standard uncertainty of position that the parameters leave over all candidates: root mean square and largest, in
+    /// units of the stated uncertainty (or of 1 mm).
+    pub workspace: (f64, f64),
+}
+
+impl Plan {
+    /// By how many per cent at most the choice is below the best possible.
+    pub fn at_most_below_percent(&self) -> Option<f64> {
+        self.bound.map(|bound| (100.0 * (1.0 - self.index / bound)).max(0.0))
+    }
+
+    /// The position of the curve's knee: farthest above the line from its first to its last step (Satopää et al. 2011).
+    pub fn knee(&self) -> Option<Step> {
+        let (first, last) = (self.curve.first()?, self.curve.last()?);
+        let above = |s: &Step| {
+            let along = (s.configurations - first.configurations) as f64
+                / (last.configurations - first.configurations).max(1) as f64;
+            s.index - first.index - along * (last.index - first.index)
+        };
+        self.curve.iter().copied().max_by(|a, b| above(a).total_cmp(&above(b)))
+    }
+}
+
+/// Chooses among the configurations `observations` (see [`candidates::configurations`]). `progress` is called with the
+/// steps that have ended and with how many there are at most.
+pub fn plan(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    request: &Request,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Plan> {
+    let known = sensitivity(robot, observations, settings)?;
+    let members = group(observations, request.single);
+    if request.positions == 0 || request.positions > members.len() {
+        let what = format!("{} positions cannot be chosen of {} candidates", request.positions, members.len());
+        return Err(Message::error(what).into());
+    }
+    let pool = pool_of(&known, &members, request.criterion);
+    let criterion = request.criterion;
+    let begin = begin(robot, observations, &members, request)?;
+    let longest = (2 * request.positions).max(request.positions + 8).min(members.len());
+    let steps = greedy(&pool, criterion, &begin, longest).chosen;
+    let thesis = Choice::of(&pool, criterion, steps[..request.positions].to_vec());
+    let free = greedy(&pool, criterion, &[], request.positions);
+    let first = [thesis.clone(), free];
+    let starts = first.len() + request.starts as usize;
+    let steps_in_all = starts + request.nodes;
+    let exchanged = AtomicUsize::new(0);
+    let ended = || progress(exchanged.fetch_add(1, Ordering::Relaxed) + 1, steps_in_all);
+    let found = exchange_from_many(&pool, criterion, &first, request.starts, request.seed, ended);
+    let take = |chosen: &[usize]| -> Vec<Observation> {
+        chosen.iter().flat_map(|&c| members[c].iter().map(|&k| observations[k].clone())).collect()
+    };
+    predict(robot, &take(&found.chosen), settings, &known.free)?;
+    let looked = |nodes: usize| progress((starts + nodes).min(steps_in_all - 1), steps_in_all);
+    let proven = branch_and_bound(&pool, criterion, found.clone(), request.nodes, looked);
+    progress(steps_in_all, steps_in_all);
+    let (best, bound) = match proven {
+        Some(Proven { best, bound, relaxation, nodes }) => (best, Some((bound, relaxation, nodes))),
+        None => (found, None),
+    };
+    let mut chosen = best.chosen;
+    chosen.sort_unstable();
+    let prediction = predict(robot, &take(&chosen), settings, &known.free)?;
+    let curve = (begin.len().max(1)..=steps.len()).filter_map(|count| {
+        let now = Choice::of(&pool, criterion, steps[..count].to_vec());
+        let condition = predict(robot, &take(&steps[..count]), settings, &known.free).ok()?.observability?.condition;
+        let configurations = pool.configurations(&now.chosen);
+        Some(Step { positions: count, configurations, index: criterion.index(&pool, now.value), condition })
+    });
+    let index = |square: f64| criterion.index(&pool, square);
+    Ok(Plan {
+        curve: curve.collect(),
+        greedy_index: index(thesis.value),
+        greedy: thesis.chosen,
+        index: index(best.value),
+        bound: bound.map(|b| index(b.0)),
+        relaxation_bound: bound.map(|b| index(b.1)),
+        nodes: bound.map_or(0, |b| b.2),
+        workspace: workspace(&known, &prediction, robot.dimension()),
+        chosen,
+        prediction,
+        members,
+        sensitivity: known,
+    })
+}
+
+/// The index of other poses, by their numbers; configurations that are not candidates do not count.
+pub fn index_of(plan: &Plan, observations: &[Observation], criterion: Criterion, poses: &[PoseName]) -> f64 {
+    let pool = pool_of(&plan.sensitivity, &plan.members, criterion);
+    let of = |m: &Vec<usize>| m.iter().any(|&k| poses.contains(&observations[k].pose));
+    let chosen = (0..plan.members.len()).filter(|&c| of(&plan.members[c])).collect();
+    criterion.index(&pool, Choice::of(&pool, criterion, chosen).value)
+}
+
+/// Configurations that are measured together: of a pose, or one by one.
+fn group(observations: &[Observation], single: bool) -> Vec<Vec<usize>> {
+    let mut members: Vec<Vec<usize>> = Vec::new();
+    for (k, o) in observations.iter().enumerate() {
+        match members.last_mut() {
+            Some(last) if !single && observations[last[0]].pose == o.pose => last.push(k),
+            _ => members.push(vec![k]),
+        }
+    }
+    members
+}
+
+/// Information of the candidates, with columns scaled as the criterion wants them.
+pub fn pool_of(known: &Sensitivity, members: &[Vec<usize>], criterion: Criterion) -> Pool {
+    let m = known.free.len();
+    let mut first = vec![0];
+    first.extend(known.rows.iter().scan(0, |sum, rows| {
+        *sum += rows;
+        Some(*sum)
+    }));
+    let block = |of: &Vec<usize>| {
+        let rows = of.iter().flat_map(|&k| &known.jacobian[first[k] * m..first[k + 1] * m]).copied().collect();
+        (rows, of.len())
+    };
+    let scale = if criterion.scales_columns() { etalon_math::column_norms(&known.jacobian, m) } else { vec![1.0; m] };
+    Pool::new(&members.iter().map(block).collect::<Vec<_>>(), scale)
+}
+
+/// Where the thesis' way begins: the poses stated, or the two farthest apart of those with most configurations.
+fn begin(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    members: &[Vec<usize>],
+    request: &Request,
+) -> Result<Vec<usize>> {
+    let pose = |c: usize| observations[members[c][0]].pose;
+    if !request.start.is_empty() {
+        if let Some(unknown) = request.start.iter().find(|p| (0..members.len()).all(|c| pose(c) != **p)) {
+            return Err(Message::error(format!("there is no candidate pose {unknown} to start from")).into());
+        }
+        let begin: Vec<usize> = (0..members.len()).filter(|&c| request.start.contains(&pose(c))).collect();
+        if begin.len() > request.positions {
+            return Err(Message::error("the start has more candidates than are to be chosen").into());
+        }
+        return Ok(begin);
+    }
+    if request.single || request.positions < 2 {
+        return Ok(Vec::new());
+    }
+    let nominal = robot.nominal();
+    let most = members.iter().map(Vec::len).max().unwrap_or(0);
+    let full: Vec<usize> = (0..members.len()).filter(|&c| members[c].len() == most).collect();
+    let place = |c: usize| robot.position(&nominal, &observations[members[c][0]].joints, 0);
+    let places: Vec<_> = full.iter().map(|&c| place(c)).collect();
+    let apart = |(i, j): (usize, usize)| etalon_base::pose::norm(etalon_base::pose::minus(places[i], places[j]));
+    let pairs = (0..full.len()).flat_map(|i| (i + 1..full.len()).map(move |j| (i, j)));
+    let farthest = pairs.fold(None, |best: Option<((usize, usize), f64)>, pair| match best {
+        Some((_, distance)) if apart(pair) <= distance => best,
+        _ => Some((pair, apart(pair))),
+    });
+    Ok(farthest.map_or(Vec::new(), |((i, j), _)| vec![full[i], full[j]]))
+}
+
+/// Standard uncertainty of position over all candidates: root mean square and largest.
+fn workspace(known: &Sensitivity, prediction: &Prediction, dimension: usize) -> (f64, f64) {
+    let m = known.free.len();
+    let variance = |row: &[f64]| -> f64 {
+        (0..m).map(|i| row[i] * (0..m).map(|j| prediction.covariance[i * m + j] * row[j]).sum::<f64>()).sum()
+    };
+    let squares: Vec<f64> =
+        known.jacobian.chunks_exact(dimension * m).map(|p| p.chunks_exact(m).map(variance).sum()).collect();
+    let mean = squares.iter().sum::<f64>() / squares.len().max(1) as f64;
+    (mean.sqrt(), squares.iter().fold(0.0f64, |w, s| w.max(*s)).sqrt())
+}

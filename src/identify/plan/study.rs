@@ -1,0 +1,184 @@
+//! A simulated calibration with the chosen poses (thesis, section 4.6): how near parameters and positions come to the truth.
+
+use super::{Criterion, Plan, pool_of, search::Choice};
+use crate::{Observation, Settings, ToolPoint, identify_from};
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_base::statistics::middle_pair;
+use etalon_robots::Robot;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// The true robot, and how many simulated calibrations there are.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    /// True parameters of the robot (mm, rad, 1).
+    pub truth: Vec<f64>,
+    /// Identifications whose mean counts; the thesis has five.
+    pub runs: u64,
+    /// Means drawn, whose errors' medians are reported.
+    pub draws: u64,
+    /// Seed of the noise.
+    pub seed: u64,
+}
+
+/// The point whose errors a study has.
+pub fn point_of(robot: &dyn Robot) -> &'static str {
+    match robot.platform() {
+        Some(_) => "the platform's centre C in the base frame",
+        None => "the targets in the world",
+    }
+}
+
+/// The largest error of one pose, among its configurations and targets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaceError {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Where its first target is in the first configuration, nominal (mm).
+    pub at_mm: Vector,
+    /// With nominal parameters (mm).
+    pub before_mm: f64,
+    /// With the identified ones (mm).
+    pub after_mm: f64,
+}
+
+/// What a number of positions comes to.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// Positions measured.
+    pub positions: usize,
+    /// Configurations in them.
+    pub configurations: usize,
+    /// Mean of the parameters identified, of the first draw.
+    pub identified: Vec<f64>,
+    /// Root mean square error of position over all configurations and targets, or of a platform's centre in the base frame, minus what is
+    /// commanded: nominal, and identified as the median of all draws (mm).
+    pub rms_mm: (f64, f64),
+    /// Largest error, likewise.
+    pub max_mm: (f64, f64),
+    /// By pose, of the first draw.
+    pub places: Vec<PlaceError>,
+}
+
+/// One study for every number of positions from the least that identifies the robot to all of the plan, in the order in
+/// which the determinant grows fastest (tables 4.2 and 4.3); errors are those of the configurations `everywhere`.
+pub fn study(
+    robot: &dyn Robot,
+    plan: &Plan,
+    candidates: &[Observation],
+    everywhere: &[Observation],
+    settings: &Settings,
+    setting: &Setting,
+) -> Result<Vec<Study>> {
+    let pool = pool_of(&plan.sensitivity, &plan.members, Criterion::D);
+    let mut order: Vec<usize> = Vec::new();
+    let mut studies = Vec::new();
+    while order.len() < plan.chosen.len() {
+        let with = |i: usize| Choice::of(&pool, Criterion::D, [&order[..], &[i]].concat()).value;
+        let left = plan.chosen.iter().copied().filter(|i| !order.contains(i)).map(|i| (with(i), i));
+        let Some((_, next)) = left.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))) else { break };
+        order.push(next);
+        let chosen: Vec<Observation> =
+            order.iter().flat_map(|&c| plan.members[c].iter().map(|&k| candidates[k].clone())).collect();
+        let draw = |draw: u64| {
+            let identified = calibrate(robot, &chosen, settings, setting, draw)?;
+            Ok(errors(robot, order.len(), chosen.len(), identified, everywhere, setting))
+        };
+        match (0..setting.draws).into_par_iter().map(draw).collect::<Result<Vec<Study>>>() {
+            Ok(drawn) => studies.extend(middle(drawn)),
+            Err(more) if order.len() == plan.chosen.len() => return Err(more),
+            Err(_) => {}
+        }
+    }
+    Ok(studies)
+}
+
+/// The first of the draws with the medians of all.
+fn middle(drawn: Vec<Study>) -> Option<Study> {
+    let median =
+        |of: fn(&Study) -> f64| middle_pair(drawn.iter().map(of)).map_or(f64::NAN, |[low, high]| 0.5 * (low + high));
+    let (rms, max) = (median(|s| s.rms_mm.1), median(|s| s.max_mm.1));
+    let first = drawn.into_iter().next()?;
+    Some(Study { rms_mm: (first.rms_mm.0, rms), max_mm: (first.max_mm.0, max), ..first })
+}
+
+/// Mean of the parameters identified in all runs of one draw; an error where they are not all identifiable.
+fn calibrate(
+    robot: &dyn Robot,
+    chosen: &[Observation],
+    settings: &Settings,
+    setting: &Setting,
+    draw: u64,
+) -> Result<Vec<f64>> {
+    let sigma_mm = settings.standard_uncertainty_mm.unwrap_or(0.0);
+    let mut mean = vec![0.0; setting.truth.len()];
+    for run in 0..setting.runs {
+        let mut noise = Noise::new(setting.seed, draw * setting.runs + run);
+        let mut measure = |o: &Observation| {
+            let mut seen = |(target, at): (usize, &Option<Vector>)| {
+                at.as_ref()?;
+                let mut p = robot.position(&setting.truth, &o.joints, target);
+                p[..robot.dimension()].iter_mut().for_each(|v| *v += noise.gaussian(sigma_mm));
+                Some(p)
+            };
+            let targets = o.targets.iter().enumerate().map(&mut seen).collect();
+            Observation { targets, ..o.clone() }
+        };
+        let measured: Vec<Observation> = chosen.iter().map(&mut measure).collect();
+        let found = identify_from(robot, &measured, settings, &robot.nominal())?;
+        if found.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
+            return Err(Message::error("too few positions to identify all parameters").into());
+        }
+        mean.iter_mut().zip(&found.values).for_each(|(m, v)| *m += v / setting.runs as f64);
+    }
+    Ok(mean)
+}
+
+fn errors(
+    robot: &dyn Robot,
+    positions: usize,
+    configurations: usize,
+    identified: Vec<f64>,
+    everywhere: &[Observation],
+    setting: &Setting,
+) -> Study {
+    let nominal = robot.nominal();
+    let centre = ToolPoint::centre(robot);
+    let mut places: BTreeMap<PoseName, PlaceError> = BTreeMap::new();
+    let (mut squares, mut largest, mut count) = ((0.0, 0.0), (0.0f64, 0.0f64), 0.0);
+    for o in everywhere {
+        let seen = (0..o.targets.len()).filter(|&t| o.targets[t].is_some());
+        for target in seen.take(if centre.is_some() { 1 } else { usize::MAX }) {
+            let position = |values: &[f64]| match &centre {
+                Some(centre) => centre.in_base(robot, values, &o.joints).unwrap_or([f64::NAN; 3]),
+                None => robot.position(values, &o.joints, target),
+            };
+            let at_mm = position(&setting.truth);
+            let off = |values: &[f64]| norm(minus(position(values), at_mm));
+            let (before_mm, after_mm) = (off(&nominal), off(&identified));
+            // the true robot may be a little too short
+            if !before_mm.is_finite() || !after_mm.is_finite() {
+                continue;
+            }
+            squares = (squares.0 + before_mm.powi(2), squares.1 + after_mm.powi(2));
+            largest = (largest.0.max(before_mm), largest.1.max(after_mm));
+            count += 1.0;
+            let planned_mm = robot.position(&nominal, &o.joints, target);
+            let first = PlaceError { pose: o.pose, at_mm: planned_mm, before_mm, after_mm };
+            let place = places.entry(o.pose).or_insert(first);
+            (place.before_mm, place.after_mm) = (place.before_mm.max(before_mm), place.after_mm.max(after_mm));
+        }
+    }
+    let rms = |sum: f64| (sum / f64::max(count, 1.0)).sqrt();
+    Study {
+        positions,
+        configurations,
+        identified,
+        rms_mm: (rms(squares.0), rms(squares.1)),
+        max_mm: largest,
+        places: places.into_values().collect(),
+    }
+}

@@ -1,0 +1,386 @@
+//! The way from a start to the minimum: steps in a trust region, then an undamped finish.
+//!
+//! Far from the minimum: Levenberg-Marquardt in Moré's trust region (1978, as in MINPACK) on scaled columns; a step is
+//! accepted by the true cost. Near it the cost is too flat to judge a step: undamped Gauss-Newton stops on the step alone.
+
+use super::{Blocks, Factor, Loss, Options, Problem, Rows, Termination, TrustRegion, norm};
+
+/// Where the solver ended, and how.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// The parameters.
+    pub x: Vec<f64>,
+    /// Residuals at `x`.
+    pub residuals: Vec<f64>,
+    /// Sum of squares of the residuals, or of their losses: what was minimised. A chi-square where residuals were divided
+    /// by their standard uncertainties.
+    pub cost: f64,
+    /// Factor of the Jacobian at `x`, its columns divided by `scale`; `None` if none could be formed, and with a loss, where
+    /// it would not be that of the residuals.
+    pub factor: Option<Factor>,
+    /// Norms of the columns of the Jacobian.
+    pub scale: Vec<f64>,
+    /// Steps taken.
+    pub iterations: usize,
+    /// Why it stopped.
+    pub termination: Termination,
+}
+
+impl Solution {
+    /// (JᵀJ)⁻¹, n × n row by row: the covariance where residuals were divided by their standard uncertainties. `None`
+    /// where the rank is not full.
+    pub fn covariance(&self) -> Option<Vec<f64>> {
+        covariance(self.factor.as_ref()?, &self.scale)
+    }
+}
+
+/// (JᵀJ)⁻¹, row by row, from the factor of J with its columns divided by `scale`; `None` where the rank is not full.
+pub fn covariance(factor: &Factor, scale: &[f64]) -> Option<Vec<f64>> {
+    let n = factor.columns();
+    let local = factor.inverse_normal()?;
+    Some((0..n * n).map(|k| local[k] / (scale[k / n] * scale[k % n])).collect())
+}
+
+/// Minimises the sum of squares of the residuals of `problem` from `start`.
+pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solution {
+    let n = start.len();
+    let mut run = Run::new(problem, start, options);
+    let mut termination = Termination::TooFewEquations;
+    if run.residuals.len() >= n {
+        // undamped steps take over early where the linear model is good; where they do not shrink, damped ones go on
+        for near in [1e-3, 1e-8] {
+            termination = damped(&mut run, near);
+            if !termination.is_success() || n == 0 || termination == Termination::ResidualsZero {
+                break;
+            }
+            termination = finish(&mut run);
+            if termination != Termination::NoImprovementPossible {
+                break;
+            }
+        }
+    }
+    Solution {
+        cost: run.cost_of(&run.residuals),
+        factor: run.factor.filter(|_| options.loss == Loss::Squares),
+        x: run.x,
+        residuals: run.residuals,
+        scale: run.scale,
+        iterations: run.iterations,
+        termination,
+    }
+}
+
+/// The solution of a problem that differs little from one whose Jacobian at `start` has this factor, with its columns divided by these
+/// scales: undamped steps by the gradient at hand and that factor, until one is less than `near` of the first. `None` where they do not
+/// shrink tenfold.
+pub fn solve_near(
+    problem: &impl Problem,
+    start: &[f64],
+    (factor, scale): (&Factor, &[f64]),
+    near: f64,
+) -> Option<Vec<f64>> {
+    let mut run = Run::new(problem, start, Options::default());
+    run.scale = scale.to_vec();
+    let mut residuals = vec![0.0; run.residuals.len()];
+    let (mut first, mut last) = (None, f64::INFINITY);
+    loop {
+        run.differentiate();
+        let step = factor.solve_normal(run.rows(), run.target(), scale)?;
+        let size = run.relative(&step);
+        if size.is_nan() || size > 0.1 * last {
+            return None;
+        }
+        let trial: Vec<f64> = run.x.iter().zip(&step).map(|(x, s)| x + s).collect();
+        if size <= near * *first.get_or_insert(size) {
+            return Some(trial);
+        }
+        run.problem.residuals(&trial, &mut residuals);
+        let cost = run.cost_of(&residuals);
+        run.go_to(trial, &mut residuals, cost);
+        last = size;
+    }
+}
+
+/// Steps in a trust region until one is shorter than 1e-8, or shorter than `near`, undamped, and as good as predicted.
+fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
+    let mut trial_residuals = vec![0.0; run.residuals.len()];
+    let mut largest = vec![0.0; run.x.len()];
+    let (mut region, mut fresh): (Option<TrustRegion>, bool) = (None, false);
+    while run.iterations < run.options.iterations {
+        if !fresh {
+            // scales only grow (Moré, eq. 6.1), so that the region does not open where a column fades
+            run.differentiate();
+            if let Err(stopped) = run.factorise(Some(&mut largest)) {
+                return stopped;
+            }
+            if run.cost == 0.0 {
+                return Termination::ResidualsZero;
+            }
+            fresh = true;
+        }
+        let Some(factor) = &run.factor else { return Termination::NotANumber };
+        if norm(&factor.qtb) <= run.options.gradient * run.cost.sqrt() {
+            return Termination::GradientVanished;
+        }
+        let region = region.get_or_insert_with(|| TrustRegion::new(run.scaled_length(&run.x)));
+        let Some(step) = region.step(factor) else { return Termination::RankDeficient };
+        let unscaled: Vec<f64> = step.p.iter().zip(&run.scale).map(|(p, d)| p / d).collect();
+        let size = run.relative(&unscaled);
+        let trial: Vec<f64> = run.x.iter().zip(&unscaled).map(|(x, s)| x - s).collect();
+        run.problem.residuals(&trial, &mut trial_residuals);
+        let trial_cost = run.cost_of(&trial_residuals);
+        let ratio = region.judge(&step, run.cost, trial_cost);
+        if ratio > 1e-4 {
+            run.go_to(trial, &mut trial_residuals, trial_cost);
+            fresh = false;
+            if size < 1e-8 || size < near && !step.is_damped && (ratio - 1.0).abs() < 0.1 {
+                return Termination::StepVanished;
+            }
+        } else if size < 1e-8 || !region.is_open() {
+            return Termination::NoImprovementPossible;
+        }
+    }
+    Termination::LostPatience
+}
+
+/// Goes on while every step is shorter than the one before.
+///
+/// The gradient is always that of the Jacobian at hand; its factor is taken over from an earlier point as long as steps
+/// shrink tenfold with it.
+fn finish<P: Problem>(run: &mut Run<'_, P>) -> Termination {
+    let mut last = f64::INFINITY;
+    let mut residuals = vec![0.0; run.residuals.len()];
+    let mut termination = Termination::NoImprovementPossible;
+    for _ in 0..100 {
+        run.differentiate();
+        let taken_over = run.factor.as_ref().filter(|_| last < 1e-3);
+        let step = taken_over.and_then(|f| f.solve_normal(run.rows(), run.target(), &run.scale));
+        let step = match step.filter(|step| run.relative(step) < 0.1 * last) {
+            Some(step) => step,
+            None => {
+                if let Err(stopped) = run.factorise(None) {
+                    return stopped;
+                }
+                match fresh_step(run) {
+                    Some(step) => step,
+                    None => return Termination::RankDeficient,
+                }
+            }
+        };
+        let size = run.relative(&step);
+        if size >= last {
+            if last < 1e-6 {
+                termination = Termination::StepVanished;
+            }
+            break;
+        }
+        let trial: Vec<f64> = run.x.iter().zip(&step).map(|(x, s)| x + s).collect();
+        run.problem.residuals(&trial, &mut residuals);
+        let cost = run.cost_of(&residuals);
+        if cost > run.cost * (1.0 + 1e-6) + f64::MIN_POSITIVE {
+            break;
+        }
+        run.go_to(trial, &mut residuals, cost);
+        last = size;
+        if size <= run.options.step {
+            termination = Termination::StepVanished;
+            break;
+        }
+    }
+    // the Jacobian at hand is that of the solution, or of a point closer to it than rounding
+    run.factorise(None).err().unwrap_or(termination)
+}
+
+/// The step that solves the factor at hand, in unscaled parameters; the sign makes it a descent.
+fn fresh_step<P>(run: &Run<'_, P>) -> Option<Vec<f64>> {
+    let step = run.factor.as_ref()?.solve()?;
+    Some(step.iter().zip(&run.scale).map(|(s, d)| -s / d).collect())
+}
+
+/// Norm of each of the `n` columns of a row-by-row matrix; 1 for a column of zeros.
+pub fn column_norms(jacobian: &[f64], n: usize) -> Vec<f64> {
+    Rows { numbers: jacobian, n, blocks: None }.norms()
+}
+
+/// The factor of the Jacobian of `problem` at `x`, with its columns divided by their norms, and these.
+pub fn factor_at(problem: &impl Problem, x: &[f64]) -> (Factor, Vec<f64>) {
+    linearised_at(problem, x, &vec![0.0; problem.residual_count()])
+}
+
+/// The same beside a right-hand side, one number a residual.
+pub fn linearised_at(problem: &impl Problem, x: &[f64], right: &[f64]) -> (Factor, Vec<f64>) {
+    let width = problem.blocks().map_or(x.len(), Blocks::width);
+    let mut jacobian = vec![0.0; problem.residual_count() * width];
+    problem.jacobian(x, &mut jacobian);
+    let rows = Rows { numbers: &jacobian, n: x.len(), blocks: problem.blocks() };
+    let norms = rows.norms();
+    (rows.factor(right, &norms), norms)
+}
+
+/// The point at hand while the solver runs, with all that was computed there.
+struct Run<'a, P> {
+    problem: &'a P,
+    options: Options,
+    x: Vec<f64>,
+    residuals: Vec<f64>,
+    cost: f64,
+    /// Jacobian at `x`, its rows weighed by the loss.
+    jacobian: Vec<f64>,
+    /// Residuals at `x`, weighed by the loss; empty where there is none.
+    weighed: Vec<f64>,
+    /// Factor of the Jacobian at `x` or, near the end, at an earlier point.
+    factor: Option<Factor>,
+    scale: Vec<f64>,
+    iterations: usize,
+}
+
+impl<'a, P: Problem> Run<'a, P> {
+    fn new(problem: &'a P, start: &[f64], options: Options) -> Self {
+        let (m, n) = (problem.residual_count(), start.len());
+        let mut residuals = vec![0.0; m];
+        problem.residuals(start, &mut residuals);
+        let mut run = Self {
+            problem,
+            options,
+            x: start.to_vec(),
+            residuals,
+            cost: 0.0,
+            jacobian: vec![0.0; m * problem.blocks().map_or(n, Blocks::width)],
+            weighed: Vec::new(),
+            factor: None,
+            scale: vec![1.0; n],
+            iterations: 0,
+        };
+        run.cost = run.cost_of(&run.residuals);
+        run
+    }
+
+    fn cost_of(&self, residuals: &[f64]) -> f64 {
+        self.options.loss.sum(residuals, self.problem.prior_count())
+    }
+
+    /// Goes to `x`, where the residuals are in `residuals`; these take the old ones.
+    fn go_to(&mut self, x: Vec<f64>, residuals: &mut Vec<f64>, cost: f64) {
+        self.x = x;
+        std::mem::swap(&mut self.residuals, residuals);
+        self.cost = cost;
+        self.iterations += 1;
+    }
+
+    /// The Jacobian at `x`.
+    fn differentiate(&mut self) {
+        self.problem.jacobian(&self.x, &mut self.jacobian);
+        let loss = self.options.loss;
+        if loss != Loss::Squares {
+            self.weighed.clone_from(&self.residuals);
+            let width = self.problem.blocks().map_or(self.x.len(), Blocks::width);
+            loss.weigh(&mut self.weighed, &mut self.jacobian, width, self.problem.prior_count());
+        }
+    }
+
+    /// The Jacobian at hand.
+    fn rows(&self) -> Rows<'_> {
+        Rows { numbers: &self.jacobian, n: self.x.len(), blocks: self.problem.blocks() }
+    }
+
+    /// Right-hand side that goes with `jacobian`.
+    fn target(&self) -> &[f64] {
+        if self.options.loss == Loss::Squares { &self.residuals } else { &self.weighed }
+    }
+
+    /// Factors the Jacobian at hand, with columns divided by their norms or, if `largest` is given, by the largest
+    /// norms so far; an error if a number in it is not finite.
+    fn factorise(&mut self, largest: Option<&mut Vec<f64>>) -> Result<(), Termination> {
+        self.scale = self.rows().norms();
+        if self.scale.iter().any(|s| !s.is_finite()) || !self.cost.is_finite() {
+            return Err(Termination::NotANumber);
+        }
+        if let Some(largest) = largest {
+            largest.iter_mut().zip(&self.scale).for_each(|(kept, now)| *kept = f64::max(*kept, *now));
+            self.scale.clone_from(largest);
+        }
+        let factor = self.rows().factor(self.target(), &self.scale);
+        let is_finite = factor.is_finite();
+        self.factor = Some(factor);
+        if is_finite { Ok(()) } else { Err(Termination::NotANumber) }
+    }
+
+    /// Length of an unscaled step relative to the parameters, both in the scale of the columns.
+    fn relative(&self, step: &[f64]) -> f64 {
+        self.scaled_length(step) / (self.scaled_length(&self.x) + f64::MIN_POSITIVE)
+    }
+
+    /// Length of unscaled parameters in the scale of the columns.
+    fn scaled_length(&self, v: &[f64]) -> f64 {
+        v.iter().zip(&self.scale).map(|(v, d)| (v * d).powi(2)).sum::<f64>().sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rosenbrock's valley: the first full step from (-1.2, 1) raises the cost and must be rejected.
+    struct Rosenbrock;
+
+    impl Problem for Rosenbrock {
+        fn residual_count(&self) -> usize {
+            2
+        }
+        fn residuals(&self, x: &[f64], r: &mut [f64]) {
+            r[0] = 10.0 * (x[1] - x[0] * x[0]);
+            r[1] = 1.0 - x[0];
+        }
+        fn jacobian(&self, x: &[f64], j: &mut [f64]) {
+            j.copy_from_slice(&[-20.0 * x[0], 10.0, -1.0, 0.0]);
+        }
+    }
+
+    /// y = exp(b x) fitted to data it cannot meet: a nonzero residual at the minimum.
+    struct Exponential;
+
+    impl Problem for Exponential {
+        fn residual_count(&self) -> usize {
+            4
+        }
+        fn residuals(&self, x: &[f64], r: &mut [f64]) {
+            for (i, r) in r.iter_mut().enumerate() {
+                let t = i as f64;
+                *r = x[0] * (x[1] * t).exp() - [1.0, 1.7, 2.5, 4.9][i];
+            }
+        }
+        fn jacobian(&self, x: &[f64], j: &mut [f64]) {
+            for (i, j) in j.chunks_exact_mut(2).enumerate() {
+                let t = i as f64;
+                let e = (x[1] * t).exp();
+                j.copy_from_slice(&[e, x[0] * t * e]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_rejected_step_is_not_the_end() {
+        let solution = solve(&Rosenbrock, &[-1.2, 1.0], Options::default());
+        assert!(solution.termination.is_success(), "{}", solution.termination);
+        assert!((solution.x[0] - 1.0).abs() < 1e-14 && (solution.x[1] - 1.0).abs() < 1e-14, "{:?}", solution.x);
+    }
+
+    #[test]
+    fn the_gradient_vanishes_at_a_minimum_with_residuals() {
+        let solution = solve(&Exponential, &[1.0, 0.0], Options::default());
+        let mut j = vec![0.0; 8];
+        Exponential.jacobian(&solution.x, &mut j);
+        for c in 0..2 {
+            let gradient: f64 = (0..4).map(|i| j[2 * i + c] * solution.residuals[i]).sum();
+            assert!(gradient.abs() < 1e-13, "{gradient}");
+        }
+        let again = solve(&Exponential, &[1.0, 0.0], Options::default());
+        assert_eq!(again.x, solution.x);
+    }
+
+    #[test]
+    fn too_few_equations_and_nan_are_said() {
+        assert_eq!(solve(&Rosenbrock, &[1.0, 1.0, 1.0], Options::default()).termination, Termination::TooFewEquations);
+        assert_eq!(solve(&Rosenbrock, &[f64::NAN, 1.0], Options::default()).termination, Termination::NotANumber);
+    }
+}

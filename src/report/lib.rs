@@ -1,0 +1,412 @@
+//! The report: sections made once from the documents, and drawn as a page that needs no network, typeset to be signed, as a
+//! workbook, and on the terminal.
+//!
+//! Every face is a pure function: it reads nothing but its arguments and writes the same bytes for the same documents. To
+//! add a section: its file in `sections`, a line in `sections::ALL`, and its words in `words`.
+#![allow(non_snake_case)] // world_T_base: frames in names
+
+pub mod batch;
+pub mod branding;
+mod html;
+mod model;
+pub(crate) mod number;
+#[cfg(feature = "pdf")]
+mod pdf;
+mod plots;
+mod sections;
+mod supervised;
+mod terminal;
+#[cfg(test)]
+mod tests;
+pub(crate) mod words;
+mod workbook;
+
+use etalon_base::message::{Message, Result, one_line};
+use etalon_documents::{
+    AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, FeaturesDocument, FramesDocument,
+    GeometricDocument, ImportDocument, ParametersDocument, PlanDocument, PointError, Presentation, Provenance,
+    RecommendationDocument, UncertaintyDocument, VerificationDocument, VerificationPlanDocument,
+};
+use model::{Contents, Section, Verdict};
+use serde::Serialize;
+use words::{Words, isolated};
+
+/// The template of report.pdf, in the language of typst.
+const TYPESET: (&str, &str) = ("report.typ", include_str!("pdf/report.typ"));
+
+/// The documents that a report is made from.
+pub struct Report<'a> {
+    /// What the campaign states about itself.
+    pub campaign: &'a CampaignSummary,
+    /// What was read and refused.
+    pub import: &'a ImportDocument,
+    /// Fitted elements.
+    pub features: &'a FeaturesDocument,
+    /// Frames made from them.
+    pub frames: &'a FramesDocument,
+    /// What was identified; absent where a campaign only tests by ISO 9283.
+    pub identified: Option<Identified<'a>>,
+    /// What geometry alone found, where the campaign asks for it.
+    pub geometric: Option<&'a GeometricDocument>,
+    /// Characteristics of ISO 9283, where the campaign tests any.
+    pub tested: &'a Characteristics,
+}
+
+/// The documents of an identification.
+#[derive(Clone, Copy)]
+pub struct Identified<'a> {
+    /// Identified parameters.
+    pub parameters: &'a ParametersDocument,
+    /// Errors before and after.
+    pub accuracy: &'a AccuracyDocument,
+    /// The errors that the pictures show.
+    pub errors: &'a [PointError],
+}
+
+impl<'a> Report<'a> {
+    /// Whether every limit is met, and the result can be that of a robot; without making the report.
+    pub fn is_met(&self) -> bool {
+        sections::verdict::met(self.identified.as_ref(), self.tested)
+    }
+
+    /// Every warning and error of its documents.
+    fn messages(&self) -> Vec<&'a Message> {
+        let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);
+        let geometric = self.geometric.iter().flat_map(|g| &g.messages);
+        identified.chain(&self.import.messages).chain(geometric).chain(self.tested.messages()).collect()
+    }
+
+    /// What the numbers come from.
+    fn provenance(&self) -> Provenance {
+        let imported = || {
+            let version = env!("CARGO_PKG_VERSION").to_owned();
+            Provenance { version, inputs: self.import.inputs(), seed: None }
+        };
+        self.identified.map_or_else(imported, |i| i.parameters.provenance.clone())
+    }
+
+    /// The sections and what surrounds them.
+    fn contents(&self, words: &Words) -> Contents {
+        let subtitle = match self.identified {
+            Some(i) => match sections::conditions::robot_name(self) {
+                Some(name) => words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&name))]),
+                None => of_model(i.parameters, words),
+            },
+            None if self.tested.none() && self.geometric.is_some() => words.say("Measurements by geometry alone"),
+            None => sections::verdict::title(self.tested, words),
+        };
+        Contents {
+            title: self.campaign.name.clone(),
+            subtitle,
+            synthetic: self.campaign.synthetic.iter().cloned().collect(),
+            date: self.campaign.date.clone(),
+            version: self.provenance().version,
+            verdict: sections::verdict::verdict(self.identified.as_ref(), self.tested, words),
+            sections: sections::all(self, words),
+            signed: true,
+            compact: false,
+            number: self.campaign.issue.number.clone(),
+            statement: words.say("These results relate only to the item tested."),
+            brief: true,
+        }
+    }
+
+    /// The documents that go along with the PDF.
+    fn attachments(&self) -> Result<Vec<Attachment>> {
+        let mut all = Vec::new();
+        if let Some(i) = self.identified {
+            let description = "Identified parameters, covariance, provenance";
+            all.push(Attachment::of("parameters.json", "data", description, i.parameters));
+            all.push(Attachment::of("accuracy.json", "data", "Errors before and after", i.accuracy));
+        }
+        all.extend(self.geometric.map(|d| Attachment::of("geometric.json", "data", "Geometric calibration", d)));
+        let Characteristics { poses, streams, compliance } = self.tested;
+        all.extend(poses.as_ref().map(|d| Attachment::of("iso9283.json", "data", "Characteristics of ISO 9283", d)));
+        all.extend(streams.as_ref().map(|d| Attachment::of("iso9283-streams.json", "data", "Recorded motions", d)));
+        all.extend(
+            compliance.as_ref().map(|d| Attachment::of("iso9283-compliance.json", "data", "Static compliance", d)),
+        );
+        all.push(Attachment::of("campaign.json", "source", "What the campaign states", self.campaign));
+        all.into_iter().collect()
+    }
+}
+
+/// The title of a calibration of a robot without a name.
+fn of_model(document: &ParametersDocument, words: &Words) -> String {
+    words.fill("Calibration report of a robot of model {0}", &[&isolated(&one_line(&document.robot))])
+}
+
+/// What an answer is about.
+fn named(robot: &str, words: &Words) -> String {
+    words.fill("Robot of model {0}", &[&isolated(&one_line(robot))])
+}
+
+/// A document that goes with a PDF.
+#[derive(Debug, Serialize)]
+struct Attachment {
+    name: &'static str,
+    /// how it relates to the report (ISO 19005-3, 6.8)
+    relationship: &'static str,
+    description: &'static str,
+    mime: &'static str,
+    text: String,
+}
+
+impl Attachment {
+    fn of<T: Serialize>(
+        name: &'static str,
+        relationship: &'static str,
+        description: &'static str,
+        document: &T,
+    ) -> Result<Self> {
+        let text = serde_json::to_string_pretty(document)
+            .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
+        Ok(Self { name, relationship, description, mime: "application/json", text: text + "\n" })
+    }
+}
+
+/// A file of a report: its name and its bytes.
+pub type File = (&'static str, Vec<u8>);
+
+/// The files of a report by their endings.
+const FILES: &[(&str, &str)] = &[
+    ("html", "report.html"),
+    #[cfg(feature = "pdf")]
+    ("pdf", "report.pdf"),
+    ("xlsx", "report.xlsx"),
+];
+
+/// The files of a certificate by their endings.
+const CERTIFICATE: &[(&str, &str)] = &[
+    ("html", "certificate.html"),
+    #[cfg(feature = "pdf")]
+    ("pdf", "certificate.pdf"),
+];
+
+/// The kinds of a report by the endings of their files.
+pub fn kinds() -> impl Iterator<Item = &'static str> {
+    FILES.iter().map(|(kind, _)| *kind)
+}
+
+/// A report made once from its documents, to be drawn as files and on the terminal.
+#[derive(Debug)]
+pub struct Faces {
+    contents: Contents,
+    /// Only a PDF carries them.
+    attachments: Vec<Attachment>,
+    presentation: Presentation,
+    words: Words,
+}
+
+impl Faces {
+    fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
+        Self { contents: contents.in_language(&words), attachments, presentation, words }
+    }
+
+    /// The report of a campaign.
+    pub fn campaign(report: &Report) -> Result<Self> {
+        let presentation = report.campaign.report.clone();
+        let words = Words::of(presentation.language)?;
+        Ok(Self::new(report.contents(&words), report.attachments()?, presentation, words))
+    }
+
+    /// The report of a comparison of campaigns.
+    pub fn comparison(document: &CompareDocument, presentation: Presentation) -> Result<Self> {
+        use sections::changes::{lead, sections, verdict};
+        let words = Words::of(presentation.language)?;
+        let synthetic = document
+            .campaigns
+            .iter()
+            .filter_map(|c| Some(format!("{}: {}", one_line(&c.folder), c.synthetic.as_ref()?)));
+        let contents = Contents {
+            title: words.say("What changed"),
+            subtitle: lead(document, &words),
+            synthetic: synthetic.collect(),
+            date: document.campaigns.iter().rev().find_map(|c| c.date.clone()),
+            version: document.provenance.version.clone(),
+            verdict: verdict(document, &words),
+            sections: sections(document, &words),
+            ..Contents::default()
+        };
+        let attachments = vec![Attachment::of("compare.json", "data", "What changed between campaigns", document)?];
+        Ok(Self::new(contents, attachments, presentation, words))
+    }
+
+    /// The report of a plan.
+    pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
+        use sections::plan::{sections, verdict};
+        let words = Words::of(presentation.language)?;
+        let robot = isolated(&one_line(&document.robot));
+        let contents = Contents {
+            title: words.say("Poses to measure"),
+            subtitle: words.fill("Plan for the calibration of a robot of model {0}", &[&robot]),
+            version: document.provenance.version.clone(),
+            verdict: verdict(document, &words),
+            sections: sections(document, &words),
+            ..Contents::default()
+        };
+        let attachments = vec![Attachment::of("plan.json", "data", "The chosen poses", document)?];
+        Ok(Self::new(contents, attachments, presentation, words))
+    }
+
+    /// Characteristics of ISO 9283 without a campaign.
+    pub fn test(tested: &Characteristics) -> Self {
+        let words = Words::default();
+        let title = sections::verdict::title(tested, &words);
+        let verdict = sections::verdict::of_test(tested, &words);
+        Self::without_campaign(title, verdict, sections::tested(tested, &words), words)
+    }
+
+    /// Given parameters judged on the data of a campaign.
+    pub fn validation(document: &AccuracyDocument, presentation: Presentation) -> Result<Self> {
+        let words = Words::of(presentation.language)?;
+        let verdict = sections::verdict::of_validation(document, &words);
+        let limits: Vec<_> = document.limits.iter().collect();
+        let limits = sections::limits::of(&limits, false, &words);
+        let sections = limits.into_iter().chain([sections::errors::of(document, &[], &words)]).collect();
+        let title = words.say("Validation of given parameters");
+        let attached = Attachment::of("accuracy.json", "data", "Errors of given parameters", document)?;
+        Ok(Self::answer(Contents { title, verdict, sections, ..Contents::default() }, attached, presentation, words))
+    }
+
+    /// Whether given parameters still hold.
+    pub fn verification(document: &VerificationDocument, presentation: Presentation) -> Result<Self> {
+        use sections::given::{still_valid, verification};
+        let words = Words::of(presentation.language)?;
+        let contents = Contents {
+            title: words.say("Verification of identified parameters"),
+            subtitle: named(&document.robot, &words),
+            verdict: still_valid(document, &words),
+            sections: verification(document, &words),
+            ..Contents::default()
+        };
+        let attached = Attachment::of("verification.json", "data", "Verification", document)?;
+        Ok(Self::answer(contents, attached, presentation, words))
+    }
+
+    /// Which poses to measure to verify parameters.
+    pub fn verification_plan(document: &VerificationPlanDocument, presentation: Presentation) -> Result<Self> {
+        use sections::given::{chosen, poses_to_verify};
+        let words = Words::of(presentation.language)?;
+        let contents = Contents {
+            title: words.say("Poses to verify identified parameters"),
+            subtitle: named(&document.robot, &words),
+            verdict: chosen(document, &words),
+            sections: poses_to_verify(document, &words),
+            ..Contents::default()
+        };
+        let attached = Attachment::of("verification-plan.json", "data", "Poses to verify", document)?;
+        Ok(Self::answer(contents, attached, presentation, words))
+    }
+
+    /// Which parameters deserve to be loaded.
+    pub fn recommendation(document: &RecommendationDocument, presentation: Presentation) -> Result<Self> {
+        use sections::given::{recommendation, recommended};
+        let words = Words::of(presentation.language)?;
+        let contents = Contents {
+            title: words.say("Recommendation of parameters to load"),
+            subtitle: named(&document.robot, &words),
+            verdict: recommended(document, &words),
+            sections: recommendation(document, &words),
+            ..Contents::default()
+        };
+        let attached = Attachment::of("recommendation.json", "data", "Recommendation", document)?;
+        Ok(Self::answer(contents, attached, presentation, words))
+    }
+
+    /// An answer of a command that somebody may keep.
+    fn answer(contents: Contents, attached: Attachment, presentation: Presentation, words: Words) -> Self {
+        let version = env!("CARGO_PKG_VERSION").to_owned();
+        Self::new(Contents { version, ..contents }, vec![attached], presentation, words)
+    }
+
+    /// The certificate of a campaign: one page of its report, for the customer.
+    pub fn certificate(report: &Report) -> Result<Self> {
+        let presentation = report.campaign.report.clone();
+        let words = Words::of(presentation.language)?;
+        let contents = sections::certificate::contents(report, report.contents(&words), &words);
+        Ok(Self::new(contents, report.attachments()?, presentation, words))
+    }
+
+    /// An identification without a campaign.
+    pub fn identification(document: &ParametersDocument) -> Self {
+        let words = Words::default();
+        let title = of_model(document, &words);
+        let verdict = sections::verdict::of_identification(document, &words);
+        let parameters = sections::parameters::of(document, &words);
+        let sections = vec![parameters.on_terminal(), sections::fit::of(document, Vec::new(), &words).on_terminal()];
+        Self::without_campaign(title, verdict, sections, words)
+    }
+
+    /// Distributions of a campaign's results.
+    pub fn uncertainty(document: &UncertaintyDocument) -> Self {
+        use sections::distributions::{sections, verdict};
+        let words = Words::default();
+        let title = words.fill("Uncertainties of robot {0}", &[&isolated(&one_line(&document.robot))]);
+        Self::without_campaign(title, verdict(document, &words), sections(document, &words), words)
+    }
+
+    fn without_campaign(title: String, verdict: Verdict, sections: Vec<Section>, words: Words) -> Self {
+        let contents = Contents { title, verdict, sections, ..Contents::default() };
+        Self { contents, attachments: Vec::new(), presentation: Presentation::default(), words }
+    }
+
+    /// Whether every limit is met, and the result can be that of a robot.
+    pub fn is_met(&self) -> bool {
+        self.contents.verdict.met
+    }
+
+    /// With the digital calibration certificate of the same results, an XML file, attached to the PDF.
+    pub fn with_certificate(mut self, name: &'static str, xml: Option<&[u8]>) -> Self {
+        let attached = |xml| Attachment {
+            name,
+            relationship: "alternative",
+            description: "Digital calibration certificate (DCC), draft",
+            mime: "application/xml",
+            text: String::from_utf8_lossy(xml).into_owned(),
+        };
+        self.attachments.extend(xml.map(attached));
+        self
+    }
+
+    /// What a terminal shows.
+    pub fn terminal(&self) -> String {
+        terminal::terminal(&self.contents, &self.words)
+    }
+
+    /// The certificate's files.
+    pub fn certificate_files(&self) -> Result<Vec<File>> {
+        CERTIFICATE.iter().map(|(kind, name)| Ok((*name, self.file(kind)?))).collect()
+    }
+
+    /// All files.
+    pub fn files(&self) -> Result<Vec<File>> {
+        FILES.iter().map(|(kind, name)| Ok((*name, self.file(kind)?))).collect()
+    }
+
+    /// The file of one of the [`kinds`].
+    pub fn file(&self, kind: &str) -> Result<Vec<u8>> {
+        match kind {
+            "xlsx" => workbook::workbook(&self.contents, &self.words),
+            #[cfg(feature = "pdf")]
+            "pdf" => pdf::pdf(&self.contents, &self.attachments, &self.presentation, &self.words),
+            _ => Ok(html::html(&self.contents, &self.presentation, &self.words)?.into_bytes()),
+        }
+    }
+}
+
+/// The built-in templates by their names.
+pub fn templates() -> impl Iterator<Item = (&'static str, &'static str)> {
+    html::BUILT_IN.into_iter().chain([TYPESET])
+}
+
+/// Whether the laboratory's templates read, without a report to fill.
+pub fn check_templates(presentation: &Presentation) -> Result<()> {
+    if presentation.templates.is_empty() {
+        return Ok(());
+    }
+    html::check(presentation)?;
+    #[cfg(feature = "pdf")]
+    presentation.templates.get(TYPESET.0).map_or(Ok(()), |text| pdf::check(text))?;
+    Ok(())
+}

@@ -1,0 +1,278 @@
+//! Chains of elementary motions, each linear in the parameters once the joints are known.
+//!
+//! Position and Jacobian come from the same sequence: the derivative by a rotation is axis × lever, by a translation the axis
+//! (Corke, "A simple and systematic approach to assigning Denavit–Hartenberg parameters", 2007).
+
+use super::State;
+use etalon_base::pose::{Pose, Vector, cross, minus, turning_axes};
+use etalon_base::scalar::Scalar;
+use std::ops::Mul;
+
+/// A motion of the frame that the motions before it have reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Motion {
+    /// Rotation about axis 0, 1 or 2, in radians.
+    Turn(usize),
+    /// Translation along axis 0, 1 or 2, in millimetres.
+    Shift(usize),
+    /// Component 0, 1 or 2 of a rotation vector, in radians: three elements in this order, of three parameters in a row. The last of
+    /// them moves the frame.
+    Attitude(usize),
+    /// To a constant place.
+    Fixed(Pose),
+}
+
+/// What a parameter is multiplied by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Coefficient {
+    /// A number.
+    Constant(f64),
+    /// factor · joint value + offset (rad or mm).
+    Joint { joint: usize, factor: f64, offset: f64 },
+    /// Sine or cosine of `order` times the angle of a joint.
+    Harmonic { joint: usize, factor: f64, offset: f64, order: f64, sine: bool },
+    /// A number times the direction from which a joint came, +1 from below, -1 from above, by its place behind the joint values; 0 where
+    /// it is not stated.
+    Approach { at: usize, factor: f64 },
+    /// A load on the chain, by its number.
+    Load(usize),
+}
+
+/// A parameter and what it is multiplied by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Term {
+    pub parameter: usize,
+    pub coefficient: Coefficient,
+}
+
+impl Term {
+    /// A parameter by itself.
+    pub fn of(parameter: usize) -> Self {
+        Self { parameter, coefficient: Coefficient::Constant(1.0) }
+    }
+}
+
+/// One motion by `constant` + Σ coefficient · parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Element {
+    pub motion: Motion,
+    pub constant: f64,
+    pub terms: Vec<Term>,
+}
+
+impl<J: Scalar> State<'_, J> {
+    fn coefficient(&self, term: &Term) -> J {
+        match term.coefficient {
+            Coefficient::Constant(value) => J::from(value),
+            Coefficient::Joint { joint, factor, offset } => self.joints[joint] * factor + offset,
+            Coefficient::Harmonic { joint, factor, offset, order, sine } => {
+                let (sin, cos) = ((self.joints[joint] * factor + offset) * order).sin_cos();
+                if sine { sin } else { cos }
+            }
+            Coefficient::Approach { at, factor } => {
+                self.joints.get(at).map_or(J::from(0.0), |direction| *direction * factor)
+            }
+            Coefficient::Load(load) => self.loads.get(load).copied().unwrap_or(J::from(0.0)),
+        }
+    }
+}
+
+impl State<'_> {
+    /// The joint that moves a coefficient, and its derivative by that joint's value, loads as they are.
+    fn rate(&self, coefficient: Coefficient) -> Option<(usize, f64)> {
+        match coefficient {
+            Coefficient::Joint { joint, factor, .. } => Some((joint, factor)),
+            Coefficient::Harmonic { joint, factor, offset, order, sine } => {
+                let (sin, cos) = ((self.joints[joint] * factor + offset) * order).sin_cos();
+                Some((joint, order * factor * if sine { cos } else { -sin }))
+            }
+            Coefficient::Constant(_) | Coefficient::Approach { .. } | Coefficient::Load(_) => None,
+        }
+    }
+}
+
+/// What an element does with its parameters.
+#[derive(Clone, Copy, Debug)]
+enum Step<T = f64> {
+    Nothing,
+    /// About an axis, by the angle with this sine and cosine.
+    Turn(usize, T, T),
+    Shift(usize, T),
+    Place(Pose<T>),
+}
+
+impl<T: Scalar> Step<T> {
+    fn turn(axis: usize, angle: T) -> Self {
+        if angle.is_zero() {
+            return Self::Nothing;
+        }
+        let (sin, cos) = angle.sin_cos();
+        Self::Turn(axis, sin, cos)
+    }
+
+    /// Moves a frame.
+    #[inline(always)]
+    fn take(&self, pose: &mut Pose<T>) {
+        match *self {
+            Self::Nothing => {}
+            Self::Shift(_, amount) if amount.is_zero() => {}
+            Self::Turn(axis, sin, cos) => pose.turn_by(axis, sin, cos),
+            Self::Shift(axis, amount) => pose.shift_by(axis, amount),
+            Self::Place(ref place) => *pose = pose.then(place),
+        }
+    }
+}
+
+/// Axis of an element in the world, and a point on it.
+pub(super) type Axis = (Vector, Vector);
+
+impl Element {
+    /// Parameters and what they are multiplied by.
+    pub fn coefficients<'a, J: Scalar>(&'a self, state: State<'a, J>) -> impl Iterator<Item = (usize, J)> + 'a {
+        self.terms.iter().map(move |term| (term.parameter, state.coefficient(term)))
+    }
+
+    /// The frame after this motion of `pose`.
+    pub fn advance<T: Scalar + Mul<J, Output = T>, J: Scalar>(
+        &self,
+        mut pose: Pose<T>,
+        p: &[T],
+        state: State<J>,
+    ) -> Pose<T> {
+        self.step(p, state).take(&mut pose);
+        pose
+    }
+
+    /// What it does with these parameters.
+    #[inline]
+    fn step<T: Scalar + Mul<J, Output = T>, J: Scalar>(&self, p: &[T], state: State<J>) -> Step<T> {
+        let amount = || {
+            self.coefficients(state)
+                .fold(T::from(self.constant), |sum, (parameter, factor)| sum + p[parameter] * factor)
+        };
+        match self.motion {
+            Motion::Turn(axis) => Step::turn(axis, amount()),
+            Motion::Shift(axis) => Step::Shift(axis, amount()),
+            Motion::Attitude(2) => Step::Place(Pose::from_rotation_vector(self.attitude(p))),
+            Motion::Attitude(_) => Step::Nothing,
+            Motion::Fixed(place) => Step::Place(place.constant()),
+        }
+    }
+
+    /// Whether joints or loads move it.
+    fn is_moved(&self) -> bool {
+        self.terms.iter().any(|term| !matches!(term.coefficient, Coefficient::Constant(_)))
+    }
+
+    /// The rotation vector that this element is a component of.
+    fn attitude<T: Scalar>(&self, p: &[T]) -> Vector<T> {
+        let Motion::Attitude(component) = self.motion else { return [T::from(0.0); 3] };
+        let first = self.terms.first().map_or(0, |term| term.parameter - component);
+        [p[first], p[first + 1], p[first + 2]]
+    }
+
+    /// Axis of the motion where it begins at `before`.
+    #[inline]
+    fn axis(&self, p: &[f64], before: &Pose) -> Axis {
+        let direction = match self.motion {
+            Motion::Turn(axis) | Motion::Shift(axis) => before.axis(axis),
+            Motion::Attitude(component) => before.rotate(turning_axes(self.attitude(p))[component]),
+            Motion::Fixed(_) => [0.0; 3],
+        };
+        (direction, before.translation_mm)
+    }
+
+    /// Velocity of a point when this element, of this axis, moves by one.
+    pub fn velocity(&self, (direction, origin): Axis, point: Vector) -> Vector {
+        match self.motion {
+            Motion::Turn(_) | Motion::Attitude(_) => cross(direction, minus(point, origin)),
+            Motion::Shift(_) => direction,
+            Motion::Fixed(_) => [0.0; 3],
+        }
+    }
+
+    /// Angular velocity when this element, of this axis, moves by one.
+    pub fn angular_velocity(&self, (direction, _): Axis) -> Vector {
+        if matches!(self.motion, Motion::Turn(_) | Motion::Attitude(_)) { direction } else { [0.0; 3] }
+    }
+}
+
+/// The frame that a chain reaches.
+pub(super) fn end<T: Scalar>(elements: &[Element], p: &[T], state: State) -> Pose<T> {
+    elements.iter().fold(Pose::identity(), |pose, element| element.advance(pose, p, state))
+}
+
+/// A chain with its parameters: what neither joints nor loads move is computed once.
+#[derive(Clone, Debug)]
+pub(super) struct Prepared<'a> {
+    elements: &'a [Element],
+    p: Vec<f64>,
+    /// Axes of the elements that come before the first joint, and the frame that they reach.
+    before: (Vec<Axis>, Pose),
+    /// What the elements behind them do where neither joints nor loads move them.
+    still: Vec<Option<Step>>,
+}
+
+impl<'a> Prepared<'a> {
+    /// A chain at these parameters.
+    pub fn new(elements: &'a [Element], parameters: &[f64]) -> Self {
+        let p = parameters.to_vec();
+        let nowhere = State::<f64> { joints: &[], loads: &[] };
+        let first = elements.iter().position(Element::is_moved).unwrap_or(elements.len());
+        let (mut axes, mut pose) = (Vec::with_capacity(first), Pose::identity());
+        for element in &elements[..first] {
+            axes.push(element.axis(&p, &pose));
+            pose = element.advance(pose, &p, nowhere);
+        }
+        let still = elements[first..].iter().map(|e| (!e.is_moved()).then(|| e.step(&p, nowhere))).collect();
+        Self { elements, p, before: (axes, pose), still }
+    }
+
+    /// The frame that the chain reaches. Gives `visit` the number of each element from the first joint on, and the frame before it.
+    #[inline(always)]
+    pub fn run(&self, state: State, mut visit: impl FnMut(usize, &Pose)) -> Pose {
+        let (first, mut pose) = (self.before.0.len(), self.before.1);
+        for (i, (element, still)) in (first..).zip(self.elements[first..].iter().zip(&self.still)) {
+            visit(i, &pose);
+            match still {
+                Some(step) => step.take(&mut pose),
+                None => element.step(&self.p, state).take(&mut pose),
+            }
+        }
+        pose
+    }
+
+    /// The frame that the chain reaches.
+    pub fn end(&self, state: State) -> Pose {
+        self.run(state, |_, _| {})
+    }
+
+    /// The frame that the chain reaches, and the axis of each element.
+    pub fn trace(&self, state: State) -> (Pose, Vec<Axis>) {
+        let mut axes = Vec::with_capacity(self.elements.len());
+        axes.extend_from_slice(&self.before.0);
+        let end = self.run(state, |i, before| axes.push(self.elements[i].axis(&self.p, before)));
+        (end, axes)
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &[f64] {
+        &self.p
+    }
+
+    /// What joints move: an element, its axis, a joint, and by how much the element moves with it, loads as they are.
+    pub fn rates<'s>(
+        &'s self,
+        state: State<'s>,
+        axes: &'s [Axis],
+    ) -> impl Iterator<Item = (&'s Element, Axis, usize, f64)> + 's {
+        let behind = self.elements.iter().zip(axes).skip(self.before.0.len());
+        behind.flat_map(move |(element, &axis)| {
+            let moved = element.terms.iter().filter_map(move |term| {
+                let (joint, rate) = state.rate(term.coefficient)?;
+                Some((joint, rate * self.p[term.parameter]))
+            });
+            moved.map(move |(joint, rate)| (element, axis, joint, rate))
+        })
+    }
+}

@@ -1,0 +1,141 @@
+//! Compensation of a controller that computes with nominal geometry (thesis, 1.2.4.4): the pose to command is where the nominal robot
+//! is at the joint values that bring the identified robot to the target.
+
+use super::{Kinematics, Quantity};
+use etalon_base::pose::{Pose, Vector, minus};
+use nalgebra::{DMatrix, DVector};
+
+/// A robot as its controller has it, and as it is.
+pub struct Calibrated<'a> {
+    /// The robot.
+    pub arm: &'a dyn Kinematics,
+    /// Parameters that the controller computes with, mm and rad.
+    pub nominal: Vec<f64>,
+    /// Identified parameters, mm and rad.
+    pub identified: Vec<f64>,
+}
+
+/// What to command for a target.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compensated {
+    /// Joint values (and the assembly mode behind them) that bring the identified robot to the target, mm and rad.
+    pub joints: Vec<f64>,
+    /// The pose to command: that of the nominal robot there.
+    pub command: Pose,
+    /// No singularity is between these joint values and those of the target without compensation.
+    pub same_configuration: bool,
+}
+
+/// Compensation turns no joint further than this in the same configuration, rad.
+const SAME_RAD: f64 = 0.5;
+
+/// Corrections of joint values end where the last is this small, mm or rad, or after so many: each leaves what errors of the robot make of
+/// the one before.
+const LAST_CORRECTION: f64 = 1e-12;
+const MOST_CORRECTIONS: usize = 50;
+/// What may be left of the error of a position after them, mm.
+const LARGEST_LEFT_MM: f64 = 1e-6;
+
+impl Calibrated<'_> {
+    /// Joint values by which the controller reaches a target without compensation: those nearest to `near`. A target that only the
+    /// identified robot reaches has those of that.
+    ///
+    /// # Errors
+    /// What forbids the target.
+    pub fn uncompensated(&self, target: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
+        let nominal = self.arm.nearest_joints(&self.nominal, target, near);
+        nominal.or_else(|_| self.arm.nearest_joints(&self.identified, target, near))
+    }
+
+    /// The pose to command for a target that the controller reaches at the joint values `uncompensated`.
+    ///
+    /// # Errors
+    /// What forbids the target.
+    pub fn compensate(&self, target: &Pose, uncompensated: &[f64]) -> Result<Compensated, String> {
+        let joints = self.arm.nearest_joints(&self.identified, target, uncompensated)?;
+        let command = self.arm.tool_pose(&self.nominal, &joints).ok_or("out of reach of the nominal robot")?;
+        if let Some(why) = self.arm.limit_violation(&self.nominal, &joints) {
+            return Err(format!("the controller refuses its command: {why}"));
+        }
+        let turned = |i: usize| (joints[i] - uncompensated[i]).abs() > SAME_RAD;
+        let angles = self.arm.joints().iter().enumerate().filter(|(_, joint)| joint.quantity == Quantity::Angle);
+        let branch = |q: &[f64]| self.arm.branch(&self.nominal, q);
+        let same_configuration =
+            !angles.into_iter().any(|(i, _)| turned(i)) && branch(&joints) == branch(uncompensated);
+        Ok(Compensated { joints, command, same_configuration })
+    }
+
+    /// Where the identified robot is when the controller, at joint values near `near`, is commanded a pose.
+    ///
+    /// # Errors
+    /// What forbids the command.
+    pub fn attained(&self, command: &Pose, near: &[f64]) -> Result<Pose, String> {
+        let joints = self.arm.nearest_joints(&self.nominal, command, near)?;
+        self.at_joints(&joints)
+    }
+
+    /// Where the identified robot is at joint values.
+    ///
+    /// # Errors
+    /// It cannot be there.
+    pub fn at_joints(&self, joints: &[f64]) -> Result<Pose, String> {
+        let pose = self.arm.tool_pose(&self.identified, joints);
+        pose.ok_or_else(|| "the robot cannot be where the joints put it".to_owned())
+    }
+
+    /// The deviation in x, y or z (`axes`) of a robot that is commanded positions, mm: where it is to be, less the position to command for it,
+    /// with all else as it is in `wanted`; zero along other axes. `near` is where the robot comes from, and then is.
+    ///
+    /// # Errors
+    /// What forbids a command.
+    pub fn position_deviation(&self, wanted: &Pose, axes: &[usize], near: &mut Vec<f64>) -> Result<Vector, String> {
+        let (mut command, mut left_mm) = (*wanted, 0.0);
+        for _ in 0..MOST_CORRECTIONS {
+            near.clone_from(&self.arm.nearest_joints(&self.nominal, &command, near)?);
+            let off = minus(self.at_joints(near)?.translation_mm, wanted.translation_mm);
+            axes.iter().for_each(|&axis| command.translation_mm[axis] -= off[axis]);
+            left_mm = axes.iter().fold(0.0, |most: f64, &axis| most.max(off[axis].abs()));
+            if left_mm < LAST_CORRECTION {
+                break;
+            }
+        }
+        if left_mm > LARGEST_LEFT_MM {
+            return Err(format!("no command brings the robot there: {left_mm:.2e} mm are left"));
+        }
+        Ok(minus(wanted.translation_mm, command.translation_mm))
+    }
+
+    /// The deviation of a joint by its own errors at joint values, mm or rad: what is commanded, less the value at which it moves by that.
+    /// `None` of a joint without errors of its own.
+    pub fn joint_deviation(&self, commanded: &[f64], joint: usize) -> Option<f64> {
+        let mut q = commanded.to_vec();
+        for _ in 0..MOST_CORRECTIONS {
+            let deviation = self.arm.joint_travel(&self.identified, &q, joint)? - commanded[joint];
+            q[joint] -= deviation;
+            if deviation.abs() < LAST_CORRECTION {
+                break;
+            }
+        }
+        Some(commanded[joint] - q[joint])
+    }
+
+    /// The deviations of joints together, mm or rad: what is commanded, less the values at which the first target of the identified robot
+    /// comes nearest to where that of the nominal one would be. `None` where the joints do not move it apart.
+    pub fn joint_deviations(&self, commanded: &[f64], joints: &[usize]) -> Option<Vec<f64>> {
+        let (arm, d, all) = (self.arm, self.arm.dimension(), self.arm.joints().len());
+        let wanted = arm.position(&self.nominal, commanded, 0);
+        let (mut q, mut jacobian) = (commanded.to_vec(), vec![0.0; d * arm.targets().len() * all]);
+        for _ in 0..MOST_CORRECTIONS {
+            let at = arm.position(&self.identified, &q, 0);
+            arm.joint_jacobian(&self.identified, &q, &mut jacobian);
+            let moves = DMatrix::from_fn(d, joints.len(), |row, column| jacobian[row * all + joints[column]]);
+            let off = DVector::from_fn(d, |row, _| at[row] - wanted[row]);
+            let step = (moves.transpose() * &moves).cholesky()?.solve(&(moves.transpose() * off));
+            joints.iter().zip(&step).for_each(|(&joint, step)| q[joint] -= step);
+            if step.amax() < LAST_CORRECTION {
+                break;
+            }
+        }
+        Some(joints.iter().map(|&joint| commanded[joint] - q[joint]).collect())
+    }
+}

@@ -1,0 +1,346 @@
+//! Delta robots (Clavel 1988): a platform on three pairs of parallel rods, which let it shift and not turn. The rods hang on arms that
+//! turn (`delta`) or on carriages that slide along towers (`delta_linear`); the platform is below them.
+//!
+//! Each pair is one rod between the middles of its joints. What it hangs on is a circle or a line in space: seven or five parameters,
+//! with the rod's length eight (the model of 24 parameters of Vischer & Clavel 1998) or six. The radius of the platform makes them nine
+//! and seven: it is never identifiable beside that of the base, and only their difference has an effect.
+
+use super::parallel::{LegParameter, Legs, Parallel, Rod};
+use super::prexyt::Travel;
+use super::{Description, Model, Quantity, Robot, Source, meaning, wrong_targets};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Pose, cross, dot, minus, norm};
+use etalon_base::scalar::Scalar;
+use etalon_base::sketch::{Sketch, StrokeKind};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::f64::consts::FRAC_PI_2;
+
+/// Delta with arms that turn.
+pub(super) const ROTARY: Model = Model::new::<RotaryKeys>(
+    "delta",
+    &[
+        &["base_radius_mm"],
+        &["platform_radius_mm"],
+        &["rod_mm"],
+        &["azimuth_deg"],
+        &["upper_arm_mm"],
+        &["reach", "theta1_deg"],
+        &["reach", "theta2_deg"],
+        &["reach", "theta3_deg"],
+    ],
+    &["base_radius_mm", "platform_radius_mm", "rod_mm", "azimuth_deg", "upper_arm_mm"],
+);
+/// Delta with carriages on towers.
+pub(super) const LINEAR: Model = Model::new::<LinearKeys>(
+    "delta_linear",
+    &[&["base_radius_mm"], &["platform_radius_mm"], &["rod_mm"], &["azimuth_deg"], &["reach", "travel_mm"]],
+    &["base_radius_mm", "platform_radius_mm", "rod_mm", "azimuth_deg"],
+);
+
+const LEGS: usize = 3;
+const RADIUS: &str =
+    meaning("Foot of the motor axis or tower from the z axis of the base, along the x axis of its leg, outwards.");
+const SIDE: &str = meaning("Foot of the motor axis or tower aside, along the y axis of its leg.");
+const ROD: &str = meaning("Length of the rod (forearm), between the centres of its joints.");
+const PLATFORM: &str =
+    meaning("Joint of the rod from the z axis of the platform, along the x axis of its leg, outwards.");
+
+/// Keys of a delta with arms in robot.toml.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct RotaryKeys {
+    /// Distance of the motor axes or towers of a delta from the z axis of its base.
+    base_radius_mm: f64,
+    /// Distance of the rods' joints on the platform of a delta from the z axis of the platform.
+    platform_radius_mm: f64,
+    /// Length of the rods of a delta (its forearms).
+    rod_mm: f64,
+    /// Directions of the three arms or towers of a delta in its base, about z from x.
+    #[serde(default = "thirds")]
+    azimuth_deg: [f64; 3],
+    /// Length of the upper arms of a delta. At joint value zero they are level and point outwards; they sink as it grows.
+    upper_arm_mm: f64,
+    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
+    #[serde(default)]
+    reach: Angles,
+}
+
+/// Limits of a delta with arms.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Angles {
+    /// Smallest and largest encoder angle of joint 1.
+    theta1_deg: Option<[f64; 2]>,
+    /// Smallest and largest encoder angle of joint 2.
+    theta2_deg: Option<[f64; 2]>,
+    /// Smallest and largest encoder angle of joint 3.
+    theta3_deg: Option<[f64; 2]>,
+}
+
+/// Keys of a delta with towers in robot.toml.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct LinearKeys {
+    /// Distance of the motor axes or towers of a delta from the z axis of its base.
+    base_radius_mm: f64,
+    /// Distance of the rods' joints on the platform of a delta from the z axis of the platform.
+    platform_radius_mm: f64,
+    /// Length of the rods of a delta (its forearms).
+    rod_mm: f64,
+    /// Directions of the three arms or towers of a delta in its base, about z from x.
+    #[serde(default = "thirds")]
+    azimuth_deg: [f64; 3],
+    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
+    #[serde(default)]
+    reach: Travel,
+}
+
+fn thirds() -> [f64; 3] {
+    [0.0, 120.0, 240.0]
+}
+
+/// A robot of three equal legs; `lengths` must be positive.
+fn build<L: Legs + 'static>(
+    legs: L,
+    nominal: &[f64],
+    limits: [Option<[f64; 2]>; 3],
+    lengths: &[(&str, f64)],
+    targets: &[String],
+    source: &dyn Source,
+) -> Result<Box<dyn Robot>> {
+    let mut problems = wrong_targets(targets);
+    for (key, _) in lengths.iter().filter(|(_, length)| !(*length > 0.0 && length.is_finite())) {
+        problems.0.push(Message::error(format!("`{key}` must be positive")).at(source.place(&[key])));
+    }
+    problems.check()?;
+    Ok(Box::new(Parallel::new(legs, &nominal.repeat(LEGS), limits.to_vec(), targets)))
+}
+
+impl Description for RotaryKeys {
+    fn states_geometry(&self) -> bool {
+        true
+    }
+
+    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
+        let Self { base_radius_mm, platform_radius_mm, rod_mm, upper_arm_mm, .. } = *self;
+        let nominal = [base_radius_mm, 0.0, 0.0, 0.0, 0.0, upper_arm_mm, 0.0, rod_mm, platform_radius_mm];
+        let limits = [self.reach.theta1_deg, self.reach.theta2_deg, self.reach.theta3_deg];
+        let limits = limits.map(|limit| limit.map(|ends| ends.map(f64::to_radians)));
+        let legs = Rotary(Azimuths::new(self.azimuth_deg));
+        build(legs, &nominal, limits, &[("rod_mm", rod_mm), ("upper_arm_mm", upper_arm_mm)], targets, source)
+    }
+}
+
+impl Description for LinearKeys {
+    fn states_geometry(&self) -> bool {
+        true
+    }
+
+    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
+        let Self { base_radius_mm, platform_radius_mm, rod_mm, .. } = *self;
+        let nominal = [0.0, 0.0, 0.0, base_radius_mm, 0.0, rod_mm, platform_radius_mm];
+        let limits = [0, 1, 2].map(|i| self.reach.travel_mm.map(|travel| [0.0, travel[i]]));
+        build(Linear(Azimuths::new(self.azimuth_deg)), &nominal, limits, &[("rod_mm", rod_mm)], targets, source)
+    }
+}
+
+/// Directions of the legs in the base.
+#[derive(Clone, Copy, Debug)]
+struct Azimuths([f64; LEGS]);
+
+impl Azimuths {
+    fn new(deg: [f64; LEGS]) -> Self {
+        Self(deg.map(f64::to_radians))
+    }
+
+    /// The frame of a leg in base or platform: its x axis points outwards.
+    fn frame<T: Scalar>(&self, leg: usize) -> Pose<T> {
+        Pose::identity().turn_z(T::from(self.0[leg]))
+    }
+}
+
+/// Arms that turn.
+#[derive(Clone, Copy, Debug)]
+struct Rotary(Azimuths);
+
+impl Rotary {
+    /// The frame of a motor: the arm turns about its y axis.
+    fn motor<T: Scalar>(&self, leg: usize, p: &[T]) -> Pose<T> {
+        let foot = self.0.frame(leg).shift(0, p[0]).shift(1, p[1]).shift(2, p[2]);
+        foot.turn_z(p[3]).turn_x(p[4])
+    }
+}
+
+impl Legs for Rotary {
+    const MODEL: &'static str = "delta";
+    const PARAMETERS: &'static [LegParameter] = &[
+        LegParameter { name: "base_radius_#", quantity: Quantity::Length, meaning: RADIUS },
+        LegParameter { name: "base_side_#", quantity: Quantity::Length, meaning: SIDE },
+        LegParameter {
+            name: "base_height_#",
+            quantity: Quantity::Length,
+            meaning: meaning("Height of the motor axis above the base, along z."),
+        },
+        LegParameter {
+            name: "axis_rz_#",
+            quantity: Quantity::Angle,
+            meaning: meaning("Turn of the motor axis about the z axis of its leg; counterclockwise positive."),
+        },
+        LegParameter {
+            name: "axis_rx_#",
+            quantity: Quantity::Angle,
+            meaning: meaning("Turn of the motor axis about the x axis of its leg; counterclockwise positive."),
+        },
+        LegParameter {
+            name: "upper_arm_#",
+            quantity: Quantity::Length,
+            meaning: meaning("Length of the upper arm, from the motor axis to the rod."),
+        },
+        LegParameter {
+            name: "delta_#",
+            quantity: Quantity::Angle,
+            meaning: meaning("Offset of the encoder: added to its value; the arm sinks as it grows."),
+        },
+        LegParameter { name: "rod_#", quantity: Quantity::Length, meaning: ROD },
+        LegParameter { name: "platform_radius_#", quantity: Quantity::Length, meaning: PLATFORM },
+    ];
+    const JOINT: LegParameter = LegParameter { name: "theta#", quantity: Quantity::Angle, meaning: "" };
+    const COUNT: usize = LEGS;
+    const BRANCHES: &'static [f64] = &[1.0, -1.0];
+
+    fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T> {
+        let elbow = self.motor(leg, p).turn_y(q + p[6]).shift(0, p[5]);
+        let platform = self.0.frame(leg).shift(0, p[8]);
+        Rod { base_mm: elbow.translation_mm, platform_mm: platform.translation_mm, length_mm: p[7] }
+    }
+
+    fn direct<T: Scalar>(&self, rods: &[Rod<T>]) -> Option<Pose<T>> {
+        hang(rods)
+    }
+
+    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+        use StrokeKind::{Axis, Direction, Length, Part};
+        let (motor, rod, n) = (self.motor(leg, p), self.rod(leg, p, q), leg + 1);
+        let size = p[0] + p[5];
+        let tip = |frame: &Pose, axis: usize, share: f64| frame.shift(axis, share * size).translation_mm;
+        sketch.add(Part, "", &[motor.translation_mm, rod.base_mm]);
+        sketch.add(Axis, "", &[tip(&motor, 1, -0.3), tip(&motor, 1, 0.3)]);
+        sketch.add(Length, format!("base_radius_{n}"), &[[0.0; 3], motor.translation_mm]);
+        sketch.add(Length, format!("upper_arm_{n}"), &[motor.translation_mm, rod.base_mm]);
+        sketch.add(Direction, format!("base_side_{n}"), &[motor.translation_mm, tip(&motor, 1, 0.2)]);
+        sketch.add(Direction, format!("base_height_{n}"), &[motor.translation_mm, tip(&motor, 2, 0.2)]);
+        // about y from x downwards, about z and x from y
+        sketch.add(Axis, "", &[motor.translation_mm, tip(&motor, 0, 0.4)]);
+        sketch.angle(format!("theta{n} + delta_{n}"), &motor.turn_x(-FRAC_PI_2), 0.3 * size, q + p[6]);
+        sketch.angle(format!("axis_rz_{n}"), &motor.turn_z(FRAC_PI_2), 0.28 * size, 0.4);
+        sketch.angle(format!("axis_rx_{n}"), &motor.turn_z(FRAC_PI_2).turn_x(FRAC_PI_2), 0.28 * size, 0.4);
+        on_platform(n, &rod, platform, sketch);
+    }
+
+    /// One of two elbows from which the rod reaches its joint on the platform.
+    fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, branch: T) -> T {
+        let [x, y, z] = self.motor(leg, p).inverse().apply(self.rod(leg, p, T::from(0.0)).shifted(platform));
+        // x cos θ − z sin θ = c, of an elbow at (l cos θ, 0, −l sin θ)
+        let c = (x * x + y * y + z * z + p[5] * p[5] - p[7] * p[7]) / (p[5] * 2.0);
+        let half = (x * x + z * z - c * c).sqrt().atan2(c);
+        ((-z).atan2(x) - branch * half - p[6]).wrapped()
+    }
+}
+
+/// Carriages on towers.
+#[derive(Clone, Copy, Debug)]
+struct Linear(Azimuths);
+
+impl Linear {
+    /// The frame of a tower, which is its z axis, at the height of the base.
+    fn tower<T: Scalar>(&self, leg: usize, p: &[T]) -> Pose<T> {
+        self.0.frame(leg).shift(0, p[3]).shift(1, p[4]).turn_y(p[1]).turn_x(p[2])
+    }
+}
+
+impl Legs for Linear {
+    const MODEL: &'static str = "delta_linear";
+    const PARAMETERS: &'static [LegParameter] = &[
+        // a turn about the last tower moves the foot of another one most: of its parameters the last is held
+        LegParameter {
+            name: "offset_#",
+            quantity: Quantity::Length,
+            meaning: meaning("Offset of the carriage: added to its height."),
+        },
+        LegParameter {
+            name: "tower_ry_#",
+            quantity: Quantity::Angle,
+            meaning: meaning("Turn of the tower about the y axis of its leg; counterclockwise positive."),
+        },
+        LegParameter {
+            name: "tower_rx_#",
+            quantity: Quantity::Angle,
+            meaning: meaning("Turn of the tower about the x axis of its leg; counterclockwise positive."),
+        },
+        LegParameter { name: "base_radius_#", quantity: Quantity::Length, meaning: RADIUS },
+        LegParameter { name: "base_side_#", quantity: Quantity::Length, meaning: SIDE },
+        LegParameter { name: "rod_#", quantity: Quantity::Length, meaning: ROD },
+        LegParameter { name: "platform_radius_#", quantity: Quantity::Length, meaning: PLATFORM },
+    ];
+    const JOINT: LegParameter = LegParameter { name: "rho#", quantity: Quantity::Length, meaning: "" };
+    const COUNT: usize = LEGS;
+
+    fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T> {
+        let carriage = self.tower(leg, p).shift(2, q + p[0]);
+        let platform = self.0.frame(leg).shift(0, p[6]);
+        Rod { base_mm: carriage.translation_mm, platform_mm: platform.translation_mm, length_mm: p[5] }
+    }
+
+    fn direct<T: Scalar>(&self, rods: &[Rod<T>]) -> Option<Pose<T>> {
+        hang(rods)
+    }
+
+    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+        use StrokeKind::{Direction, Length, Part};
+        let (tower, rod, n) = (self.tower(leg, p), self.rod(leg, p, q), leg + 1);
+        let size = norm(minus(rod.base_mm, tower.translation_mm)).max(p[3]);
+        let tip = |frame: &Pose, axis: usize, share: f64| frame.shift(axis, share * size).translation_mm;
+        sketch.add(Part, "", &[tower.translation_mm, tip(&tower, 2, 1.2)]);
+        sketch.add(Length, format!("base_radius_{n}"), &[[0.0; 3], tower.translation_mm]);
+        sketch.add(Direction, format!("base_side_{n}"), &[tower.translation_mm, tip(&tower, 1, 0.2)]);
+        sketch.add(Direction, format!("rho{n} + offset_{n}"), &[tower.translation_mm, rod.base_mm]);
+        sketch.angle(format!("tower_rx_{n}"), &tower.turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
+        sketch.angle(format!("tower_ry_{n}"), &tower.turn_z(-FRAC_PI_2).turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
+        on_platform(n, &rod, platform, sketch);
+    }
+
+    /// The carriage above the platform from which the rod reaches it.
+    fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, _branch: T) -> T {
+        let [x, y, z] = self.tower(leg, p).inverse().apply(self.rod(leg, p, T::from(0.0)).shifted(platform));
+        z + (p[5] * p[5] - x * x - y * y).sqrt() - p[0]
+    }
+}
+
+/// Draws a rod and its joint on the platform.
+fn on_platform(n: usize, rod: &Rod, platform: &Pose, sketch: &mut Sketch) {
+    let end = platform.apply(rod.platform_mm);
+    sketch.add(StrokeKind::Length, format!("rod_{n}"), &[rod.base_mm, end]);
+    sketch.add(StrokeKind::Length, format!("platform_radius_{n}"), &[platform.translation_mm, end]);
+}
+
+/// The platform on three rods: where three spheres meet, about the ends on the base less those on the platform; the lower of two points.
+fn hang<T: Scalar>(rods: &[Rod<T>]) -> Option<Pose<T>> {
+    let &[one, two, three] = rods else { return None };
+    let centre = |rod: Rod<T>| minus(rod.base_mm, rod.platform_mm);
+    let (origin, r) = (centre(one), [one, two, three].map(|rod| rod.length_mm * rod.length_mm));
+    let (to_two, to_three) = (minus(centre(two), origin), minus(centre(three), origin));
+    let d = dot(to_two, to_two).sqrt();
+    let x = to_two.map(|v| v / d);
+    let along = dot(x, to_three);
+    let beside = [0, 1, 2].map(|i| to_three[i] - along * x[i]);
+    let across = dot(beside, beside).sqrt();
+    let y = beside.map(|v| v / across);
+    let z = cross(x, y);
+    let u = (r[0] - r[1] + d * d) / (d * 2.0);
+    let v = (r[0] - r[2] + along * along + across * across - along * u * 2.0) / (across * 2.0);
+    let upwards = z[2] / (z[2] * z[2]).sqrt();
+    let down = -((r[0] - u * u - v * v).sqrt() * upwards);
+    let translation_mm = [0, 1, 2].map(|i| origin[i] + u * x[i] + v * y[i] + down * z[i]);
+    Some(Pose { translation_mm, ..Pose::identity() })
+}

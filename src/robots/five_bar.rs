@@ -1,0 +1,528 @@
+//! The five-bar: two arms A1 B1 C and A2 B2 C in the plane, the tool E fixed to the link B2 C (thesis, chapter 4),
+//! and what it reaches: singularities and the distance to them, joint limits, links that are in each other's way.
+//!
+//! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
+
+use super::{Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role, Source};
+use super::{in_plane, in_space, meaning};
+use etalon_base::expression::{Formula, Recorded};
+use etalon_base::message::Result;
+use etalon_base::pose::Pose;
+use etalon_base::pose::Vector;
+use etalon_base::scalar::{Dual, Scalar, constants, duals};
+use etalon_base::sketch::{Sketch, StrokeKind};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::f64::consts::PI;
+
+const PARAMETERS: usize = 12;
+/// Names, quantities, roles, nominal values and meanings (eq. 4.24; x_o and y_o: table 4.1).
+const TABLE: [(&str, Quantity, Role, f64, &str); PARAMETERS] = [
+    ("l11", Quantity::Length, Role::Robot, 230.0, meaning("Length of the proximal link of arm 1, A1 to B1.")),
+    ("l12", Quantity::Length, Role::Robot, 230.0, meaning("Length of the distal link of arm 1, B1 to C.")),
+    ("l21", Quantity::Length, Role::Robot, 230.0, meaning("Length of the proximal link of arm 2, A2 to B2.")),
+    ("l22", Quantity::Length, Role::Robot, 230.0, meaning("Length of the distal link of arm 2, B2 to C.")),
+    ("d", Quantity::Length, Role::Robot, 275.0, meaning("Distance of the motor axes A1 and A2.")),
+    ("l23", Quantity::Length, Role::Robot, 230.0, meaning("Distance of the tool E from B2.")),
+    (
+        "gamma",
+        Quantity::Angle,
+        Role::Robot,
+        0.0,
+        meaning("Angle at B2 from C to the tool E; counterclockwise positive."),
+    ),
+    (
+        "delta1",
+        Quantity::Angle,
+        Role::Robot,
+        0.0,
+        meaning("Offset of encoder 1: added to its value; counterclockwise positive."),
+    ),
+    (
+        "delta2",
+        Quantity::Angle,
+        Role::Robot,
+        0.0,
+        meaning("Offset of encoder 2: added to its value; counterclockwise positive."),
+    ),
+    ("x_o", Quantity::Length, Role::Base, 263.0, meaning("Middle between the motors in the world, along x.")),
+    ("y_o", Quantity::Length, Role::Base, 75.0, meaning("Middle between the motors in the world, along y.")),
+    (
+        "phi",
+        Quantity::Angle,
+        Role::Base,
+        0.0,
+        meaning("Direction from motor A1 to A2 in the world; counterclockwise positive."),
+    ),
+];
+
+/// Five-bar with twelve parameters.
+pub(super) const MODEL: Model = Model::new::<Keys>(
+    "five_bar",
+    &[
+        &["reach", "theta1_deg"],
+        &["reach", "theta2_deg"],
+        &["reach", "clearance_mm"],
+        &["reach", "type1_margin_deg"],
+        &["reach", "type2_margin_deg"],
+    ],
+    &[],
+);
+
+/// Keys of a five-bar in robot.toml.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
+    #[serde(default)]
+    reach: LimitKeys,
+}
+
+/// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct LimitKeys {
+    /// Smallest and largest encoder angle of joint 1.
+    theta1_deg: Option<[f64; 2]>,
+    /// Smallest and largest encoder angle of joint 2.
+    theta2_deg: Option<[f64; 2]>,
+    /// Smallest distance between the proximal link of one arm and the distal link of the other; 0 excludes that they cross.
+    clearance_mm: Option<f64>,
+    /// Smallest angle of an arm from being stretched or folded (type 1 singularity).
+    type1_margin_deg: Option<f64>,
+    /// Smallest angle of the distal links from being in line (type 2 singularity).
+    type2_margin_deg: Option<f64>,
+}
+
+impl Description for Keys {
+    fn build(&self, _targets: &[String], _source: &dyn Source) -> Result<Box<dyn Robot>> {
+        let (given, none) = (self.reach, Limits::default());
+        let limits = |given: Option<[f64; 2]>, none: [f64; 2]| given.map_or(none, |l| l.map(f64::to_radians));
+        Ok(Box::new(FiveBar::default().with_limits(Limits {
+            limits_rad: [limits(given.theta1_deg, none.limits_rad[0]), limits(given.theta2_deg, none.limits_rad[1])],
+            clearance_mm: given.clearance_mm,
+            type1_margin_rad: given.type1_margin_deg.map_or(none.type1_margin_rad, f64::to_radians),
+            type2_margin_rad: given.type2_margin_deg.map_or(none.type2_margin_rad, f64::to_radians),
+        })))
+    }
+}
+
+/// Branch indices ζ1, ζ2 of the four working modes.
+pub const WORKING_MODES: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+
+/// The five-bar with its nominal parameters and what it reaches.
+#[derive(Clone, Debug)]
+pub struct FiveBar {
+    definition: Definition,
+    limits: Limits,
+}
+
+/// Joints of the mechanism in the base frame (mm).
+#[derive(Clone, Copy, Debug)]
+pub struct Linkage<T = f64> {
+    /// Elbow of arm 1.
+    pub b1: [T; 2],
+    /// Elbow of arm 2.
+    pub b2: [T; 2],
+    /// Where the arms meet.
+    pub c: [T; 2],
+    /// The tool.
+    pub e: [T; 2],
+}
+
+/// Limits of a five-bar.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Least and greatest encoder angles.
+    pub limits_rad: [[f64; 2]; 2],
+    /// The centre lines of the proximal link of one arm and the distal link of the other, A1B1 and B2C or A2B2 and B1C, stay
+    /// farther apart than this; 0 forbids that they cross. `None`: all links pass over each other.
+    pub clearance_mm: Option<f64>,
+    /// Least angle between the links of an arm when stretched or folded (type 1).
+    pub type1_margin_rad: f64,
+    /// Least angle between the distal links when in line (type 2).
+    pub type2_margin_rad: f64,
+}
+
+impl Default for Limits {
+    /// No limits but being away from singularities by more than rounding.
+    fn default() -> Self {
+        Self { limits_rad: [[-PI, PI]; 2], clearance_mm: None, type1_margin_rad: 1e-6, type2_margin_rad: 1e-6 }
+    }
+}
+
+/// Distance to singularities as angles: how far two links are from being in line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SingularityDistance {
+    /// Type 1, where an arm is stretched or folded: arm 1 (A1B1 and B1C), arm 2 (A2B2 and B2E).
+    pub type1_rad: [f64; 2],
+    /// Type 2, where the distal links B1C and B2C are in line: the tool moves with locked joints.
+    pub type2_rad: f64,
+}
+
+/// One way to bring the tool to a position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Configuration {
+    /// Working mode: the branch indices ζ1, ζ2.
+    pub branches: [f64; 2],
+    /// Encoder angles in (−π, π].
+    pub joints_rad: [f64; 2],
+    /// Assembly mode ξ that this working mode has here.
+    pub assembly: f64,
+}
+
+impl Default for FiveBar {
+    fn default() -> Self {
+        let parameters = TABLE.map(|(name, quantity, role, nominal, meaning)| {
+            Parameter::new(name, quantity, role, nominal).meaning(meaning)
+        });
+        let joints = ["theta1", "theta2"].map(|name| Joint { name: name.into(), quantity: Quantity::Angle });
+        let definition = Definition {
+            model: "five_bar",
+            dimension: 2,
+            parameters: parameters.into(),
+            joints: joints.into(),
+            targets: vec!["tool".into()],
+        };
+        Self { definition, limits: Limits::default() }
+    }
+}
+
+impl FiveBar {
+    /// The same robot with other limits.
+    pub fn with_limits(mut self, limits: Limits) -> Self {
+        self.limits = limits;
+        self
+    }
+
+    /// Direct kinematics in the base frame for encoder angles (rad) and the assembly mode ξ, +1 or −1; not a number where
+    /// the arms do not meet (eq. 4.1 to 4.7, θ = encoder + δ).
+    pub fn direct<T: Scalar>(&self, p: &[T], q: [T; 2], assembly: impl Into<T>) -> Linkage<T> {
+        let [l11, l12, l21, l22, d, l23, gamma, delta1, delta2] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| p[i]);
+        let (sin1, cos1) = (q[0] + delta1).sin_cos();
+        let (sin2, cos2) = (q[1] + delta2).sin_cos();
+        let b1 = [l11 * cos1 - d * 0.5, l11 * sin1]; // eq. 4.4
+        let b2 = [l21 * cos2 + d * 0.5, l21 * sin2]; // eq. 4.2
+        let between = minus(b2, b1); // eq. 4.7
+        let c = plus(b1, meet(between, l12, l22, assembly.into())); // eq. 4.3, 4.5, 4.6
+        let e = plus(b2, turn(minus(c, b2), gamma, l23 / l22)); // eq. 4.1
+        Linkage { b1, b2, c, e }
+    }
+
+    /// Inverse kinematics: encoder angles (rad) that bring the tool to `e` (base frame) with the branch indices ζ1, ζ2; not
+    /// a number where an arm does not reach (eq. 4.8 to 4.19).
+    pub fn inverse<T: Scalar>(&self, p: &[T], e: [T; 2], branches: [impl Into<T>; 2]) -> [T; 2] {
+        let branches = branches.map(Into::into);
+        let [l11, l12, l21, l22, d, l23, gamma, delta1, delta2] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| p[i]);
+        let half = d * 0.5;
+        // the thesis' branch turns clockwise, the assembly mode counterclockwise
+        let a2_b2 = meet([e[0] - half, e[1]], l21, l23, -branches[1]); // eq. 4.15 to 4.18
+        let b2 = [a2_b2[0] + half, a2_b2[1]]; // eq. 4.14
+        let c = plus(b2, turn(minus(e, b2), -gamma, l22 / l23)); // eq. 4.13
+        let a1_b1 = meet([c[0] + half, c[1]], l11, l12, -branches[0]); // eq. 4.9 to 4.12
+        let angle = |v: [T; 2], delta: T| (v[1].atan2(v[0]) - delta).wrapped(); // eq. 4.8, 4.19
+        [angle(a1_b1, delta1), angle(a2_b2, delta2)]
+    }
+
+    /// A point of the base frame in the world (eq. 4.21).
+    pub fn to_world<T: Scalar>(&self, p: &[T], point: [T; 2]) -> [T; 2] {
+        plus([p[9], p[10]], turn(point, p[11], T::from(1.0)))
+    }
+
+    /// A point of the world in the base frame.
+    pub fn to_base<T: Scalar>(&self, p: &[T], point: [T; 2]) -> [T; 2] {
+        turn(minus(point, [p[9], p[10]]), -p[11], T::from(1.0))
+    }
+
+    /// The assembly mode ξ in which encoder angles `q` bring the tool to `e` of the base frame: the nearer one.
+    pub fn assembly_at(&self, p: &[f64], q: [f64; 2], e: [f64; 2]) -> f64 {
+        let off = |assembly: f64| {
+            let reached = self.direct(p, q, assembly).e;
+            (reached[0] - e[0]).hypot(reached[1] - e[1])
+        };
+        if off(-1.0) < off(1.0) { -1.0 } else { 1.0 }
+    }
+
+    /// How far from singularities a configuration is.
+    pub fn singularity_distance(&self, p: &[f64], at: &Linkage) -> SingularityDistance {
+        let half = 0.5 * p[4];
+        let (arm1, arm2) = (from([-half, 0.0], at.b1), from([half, 0.0], at.b2));
+        SingularityDistance {
+            type1_rad: [from_line(arm1, from(at.b1, at.c)), from_line(arm2, from(at.b2, at.e))],
+            type2_rad: from_line(from(at.b1, at.c), from(at.b2, at.c)),
+        }
+    }
+
+    /// Which of reach, joint limits, margins and clearance forbids a configuration, if one does.
+    pub fn violation(&self, p: &[f64], q: [f64; 2], at: &Linkage) -> Option<String> {
+        let Limits { limits_rad, clearance_mm, type1_margin_rad, type2_margin_rad } = self.limits;
+        if !at.e.iter().all(|v| v.is_finite()) {
+            return Some("the arms do not meet".to_owned());
+        }
+        let outside = |(_, (q, [least, greatest])): &(usize, (f64, [f64; 2]))| !(*least..=*greatest).contains(q);
+        if let Some((i, (q, ends))) = q.into_iter().zip(limits_rad).enumerate().find(outside) {
+            let [q, least, greatest] = [q, ends[0], ends[1]].map(f64::to_degrees);
+            return Some(format!("theta{} = {q:.3} deg, its limits are {least} to {greatest} deg", i + 1));
+        }
+        let far = self.singularity_distance(p, at);
+        let type1_rad = far.type1_rad[0].min(far.type1_rad[1]);
+        for (name, found, margin) in [
+            ("type 1 (an arm stretched or folded)", type1_rad, type1_margin_rad),
+            ("type 2 (the distal links in line)", far.type2_rad, type2_margin_rad),
+        ] {
+            if found.is_nan() || found < margin {
+                let [found, margin] = [found, margin].map(f64::to_degrees);
+                return Some(format!(
+                    "{found:.3} deg from the singularity of {name}, at least {margin} deg are asked for"
+                ));
+            }
+        }
+        let least = clearance_mm?;
+        let found = self.clearance_mm(p, at);
+        (found.is_nan() || found <= least)
+            .then(|| format!("links {found:.3} mm apart, more than {least} mm are asked for"))
+    }
+
+    /// Least distance between the proximal link of one arm and the distal link of the other.
+    pub fn clearance_mm(&self, p: &[f64], at: &Linkage) -> f64 {
+        let half = 0.5 * p[4];
+        let (a1, a2) = ([-half, 0.0], [half, 0.0]);
+        let pairs = [[a1, at.b1, at.b2, at.c], [a2, at.b2, at.b1, at.c]];
+        pairs.into_iter().map(|[a, b, c, d]| segment_distance(a, b, c, d)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The working modes that reach `e` (base frame, mm).
+    pub fn reached(&self, p: &[f64], e: [f64; 2]) -> Vec<Configuration> {
+        let configuration = |branches: [f64; 2]| {
+            let joints_rad = self.inverse(p, e, branches);
+            let assembly = self.assembly_at(p, joints_rad, e);
+            let at = self.direct(p, joints_rad, assembly);
+            self.violation(p, joints_rad, &at).is_none().then_some(Configuration { branches, joints_rad, assembly })
+        };
+        WORKING_MODES.into_iter().filter_map(configuration).collect()
+    }
+
+    fn tool<T: Scalar>(&self, p: &[T], joints: &[f64]) -> [T; 2] {
+        let assembly = joints.get(2).copied().unwrap_or(1.0);
+        self.to_world(p, self.direct(p, [T::from(joints[0]), T::from(joints[1])], assembly).e)
+    }
+}
+
+fn plus<T: Scalar>(a: [T; 2], b: [T; 2]) -> [T; 2] {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+fn minus<T: Scalar>(a: [T; 2], b: [T; 2]) -> [T; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// `v` turned counterclockwise and stretched.
+fn turn<T: Scalar>(v: [T; 2], angle: T, stretch: T) -> [T; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [stretch * (cos * v[0] - sin * v[1]), stretch * (sin * v[0] + cos * v[1])]
+}
+
+/// From one end of `base`, where two links of lengths `near` and `far` from its two ends meet: on its left for `side` = +1.
+fn meet<T: Scalar>(base: [T; 2], near: T, far: T, side: T) -> [T; 2] {
+    let square = base[0] * base[0] + base[1] * base[1];
+    let along = (near * near - far * far + square) / (square * 2.0); // eq. 4.5: b1 / d
+    let across = (near * near / square - along * along).sqrt() * side; // eq. 4.5: ξ h / d
+    [along * base[0] - across * base[1], along * base[1] + across * base[0]]
+}
+
+fn from(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [b[0] - a[0], b[1] - a[1]]
+}
+
+/// Angle by which two directions miss being in line.
+fn from_line(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let cross = a[0] * b[1] - a[1] * b[0];
+    let along = a[0] * b[0] + a[1] * b[1];
+    cross.abs().atan2(along.abs())
+}
+
+/// Least distance between two segments; zero where they cross.
+fn segment_distance(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
+    let side = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
+        let (u, v) = (from(p, q), from(p, r));
+        u[0] * v[1] - u[1] * v[0]
+    };
+    if side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0 {
+        return 0.0;
+    }
+    let to = |p: [f64; 2], a: [f64; 2], b: [f64; 2]| {
+        let (u, v) = (from(a, b), from(a, p));
+        let t = ((u[0] * v[0] + u[1] * v[1]) / (u[0] * u[0] + u[1] * u[1])).clamp(0.0, 1.0);
+        (v[0] - t * u[0]).hypot(v[1] - t * u[1])
+    };
+    to(c, a, b).min(to(d, a, b)).min(to(a, c, d)).min(to(b, c, d))
+}
+
+impl Kinematics for FiveBar {
+    /// The tool has no orientation: that of the base.
+    fn tool_pose(&self, p: &[f64], joints: &[f64]) -> Option<Pose> {
+        let assembly = joints.get(2).copied().unwrap_or(1.0);
+        let [x_mm, y_mm] = FiveBar::direct(self, p, [joints[0], joints[1]], assembly).e;
+        in_space(PlanarPose { x_mm, y_mm, theta_rad: 0.0 })
+    }
+    /// Working modes are the branch indices ζ1, ζ2.
+    fn formulas(&self, p: &[f64]) -> Vec<Formula> {
+        let p = || p.iter().map(|&v| Recorded::from(v)).collect::<Vec<_>>();
+        let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<String>>();
+        let direct = Formula::record("direct", &names(&["theta1", "theta2", "assembly"]), |v| {
+            let e = FiveBar::direct(self, &p(), [v[0], v[1]], v[2]).e;
+            names(&["x", "y"]).into_iter().zip(e).collect()
+        });
+        let inverse = Formula::record("inverse", &names(&["x", "y", "branch1", "branch2"]), |v| {
+            let q = FiveBar::inverse(self, &p(), [v[0], v[1]], [v[2], v[3]]);
+            names(&["theta1", "theta2"]).into_iter().zip(q).collect()
+        });
+        vec![direct, inverse]
+    }
+    fn base_in_world(&self, p: &[f64]) -> Option<Pose> {
+        in_space(PlanarPose { x_mm: p[9], y_mm: p[10], theta_rad: p[11] })
+    }
+    /// Working mode and assembly mode.
+    fn branch(&self, p: &[f64], joints: &[f64]) -> Vec<bool> {
+        let assembly = joints.get(2).copied().unwrap_or(1.0);
+        let Linkage { b1, b2, c, e } = FiveBar::direct(self, p, [joints[0], joints[1]], assembly);
+        let half = 0.5 * p[4];
+        let left = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0] > 0.0;
+        vec![left(from([-half, 0.0], b1), from(b1, c)), left(from([half, 0.0], b2), from(b2, e)), assembly > 0.0]
+    }
+    fn all_joints(&self, p: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
+        let Some(PlanarPose { x_mm, y_mm, .. }) = in_plane(pose) else { return Vec::new() };
+        let e = [x_mm, y_mm];
+        let way = |branches: [f64; 2]| {
+            let q = FiveBar::inverse(self, p, e, branches);
+            q.iter().all(|v| v.is_finite()).then(|| vec![q[0], q[1], self.assembly_at(p, q, e)])
+        };
+        WORKING_MODES.into_iter().filter_map(way).collect()
+    }
+}
+
+impl Robot for FiveBar {
+    fn definition(&self) -> &Definition {
+        &self.definition
+    }
+    fn definition_mut(&mut self) -> &mut Definition {
+        &mut self.definition
+    }
+    /// With the arms half open, and the tool beside C however it is drawn, so that every parameter shows.
+    fn sketches(&self) -> Vec<Sketch> {
+        use StrokeKind::{Axis, Length, Part};
+        let title = meaning(
+            "The five-bar seen from above: links, and angles positive counterclockwise. The tool is drawn beside C.",
+        );
+        let mut sketch = Sketch::new(title, true);
+        let mut p = self.nominal();
+        (p[5], p[6]) = (1.3 * p[3], 0.5);
+        let meeting = |q: [f64; 2]| [1.0, -1.0].map(|mode| self.direct(&p, q, mode)).map(|at| (q, at));
+        let all = [[2.1, 1.1], [1.8, 1.3], [1.6, 1.5], [1.3, 1.8]].into_iter().flat_map(meeting);
+        // with C away from the motors
+        let mut away = all.filter(|(_, at)| at.e[0].is_finite() && at.c[1] > at.b1[1].max(at.b2[1]));
+        let Some((q, at)) = away.next() else {
+            return Vec::new();
+        };
+        let [a1, a2] = [-0.5, 0.5].map(|share| [share * p[4], 0.0, 0.0]);
+        let [b1, b2, c, e] = [at.b1, at.b2, at.c, at.e].map(|[x, y]| [x, y, 0.0]);
+        sketch.add(Part, "", &[a1, b1, c, b2, a2]);
+        sketch.add(Part, "", &[b2, e, c]);
+        for (name, ends) in [
+            ("l11", [a1, b1]),
+            ("l12", [b1, c]),
+            ("l21", [b2, a2]),
+            ("l22", [c, b2]),
+            ("l23", [b2, e]),
+            ("d", [a2, a1]),
+        ] {
+            sketch.add(Length, name, &ends);
+        }
+        let size = sketch.extent_mm();
+        for (name, from, angle) in [("theta1 + delta1", a1, q[0] + p[7]), ("theta2 + delta2", a2, q[1] + p[8])] {
+            let frame = Pose { translation_mm: from, ..Pose::identity() };
+            sketch.add(Axis, "", &[from, frame.shift(0, 0.2 * size).translation_mm]);
+            sketch.angle(name, &frame, 0.14 * size, angle);
+        }
+        let to_c = (c[1] - b2[1]).atan2(c[0] - b2[0]);
+        let elbow = Pose { translation_mm: b2, ..Pose::identity() }.turn_z(to_c);
+        sketch.angle("gamma", &elbow, 0.3 * size, p[6]);
+        sketch.frame("base", &Pose::identity(), 0.12 * size);
+        let world = Pose { translation_mm: [-p[9], -p[10], 0.0], ..Pose::identity() };
+        sketch.frame("world", &world, 0.12 * size);
+        sketch.add(Length, "x_o", &[world.translation_mm, [0.0, -p[10], 0.0]]);
+        sketch.add(Length, "y_o", &[[0.0, -p[10], 0.0], [0.0; 3]]);
+        sketch.add(Axis, "phi", &[[0.0; 3], [0.3 * size, 0.0, 0.0]]);
+        vec![sketch]
+    }
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(&self.tool(parameters, joints));
+    }
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let tool = self.tool::<Dual<PARAMETERS>>(&duals(parameters), joints);
+        for (row, value) in out.chunks_exact_mut(PARAMETERS).zip(tool) {
+            row.copy_from_slice(&value.gradient);
+        }
+    }
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        // an offset adds to its joint's value
+        let offsets = [7, 8].map(|i| Dual::<PARAMETERS>::variable(parameters[i], i - 7));
+        let mut p = constants(parameters);
+        p[7..9].copy_from_slice(&offsets);
+        for (row, value) in out.chunks_exact_mut(2).zip(self.tool(&p, joints)) {
+            row.copy_from_slice(&value.gradient[..2]);
+        }
+    }
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        Some(self)
+    }
+    fn has_assembly_modes(&self) -> bool {
+        true
+    }
+    fn inverse_all(&self, parameters: &[f64], position: Vector) -> Option<Vec<Vec<f64>>> {
+        let e = self.to_base(parameters, [position[0], position[1]]);
+        let reached = self.reached(parameters, e).into_iter();
+        Some(reached.map(|c| vec![c.joints_rad[0], c.joints_rad[1], c.assembly]).collect())
+    }
+    fn inverse(&self, parameters: &[f64], near: &[f64], position: Vector) -> Option<Vec<f64>> {
+        let e = self.to_base(parameters, [position[0], position[1]]);
+        let off = |q: &[f64; 2]| q.iter().zip(near).map(|(q, n)| (q - n).wrapped().abs()).sum::<f64>();
+        let ways = WORKING_MODES.map(|branches| self.inverse(parameters, e, branches));
+        let whole = ways.into_iter().filter(|q| q.iter().all(|q| q.is_finite()));
+        let q = whole.min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        Some(vec![q[0], q[1], self.assembly_at(parameters, q, e)])
+    }
+    fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
+        let &[theta1, theta2, assembly] = joints else { return None };
+        self.violation(parameters, [theta1, theta2], &self.direct(parameters, [theta1, theta2], assembly))
+    }
+    fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
+        Some("measure every position in all working modes that reach it, and positions all around the workspace")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_of_segments() {
+        let far = segment_distance([0.0, 0.0], [10.0, 0.0], [3.0, 4.0], [3.0, 9.0]);
+        assert_eq!(far, 4.0);
+        assert_eq!(segment_distance([0.0, 0.0], [10.0, 0.0], [3.0, -4.0], [3.0, 9.0]), 0.0);
+        assert_eq!(segment_distance([0.0, 0.0], [10.0, 0.0], [13.0, 4.0], [20.0, 9.0]), 5.0);
+    }
+
+    #[test]
+    fn stretched_and_in_line_is_singular() {
+        let robot = FiveBar::default();
+        let p = robot.nominal();
+        // elbows 460 mm apart: the distal links are one line (type 2); 1e-4 rad inside they nearly are
+        let q = (92.5f64 / 230.0).acos();
+        let at = robot.direct(&p, [PI - q - 1e-4, q + 1e-4], 1.0);
+        assert!(robot.singularity_distance(&p, &at).type2_rad < 0.03);
+        // arm 2 along the line to the tool (type 1)
+        let at = Linkage { e: [137.5 + 2.0 * (at.b2[0] - 137.5), 2.0 * at.b2[1]], ..at };
+        assert!(robot.singularity_distance(&p, &at).type1_rad[1] < 1e-12);
+    }
+}

@@ -1,0 +1,184 @@
+//! The hexapod (Gough & Whitehall 1962, Stewart 1965): a platform on six legs whose lengths are driven.
+//!
+//! 42 parameters (Masory, Wang & Zhuang 1993): of each leg the centres of its joints on base and platform, and its length at joint value
+//! zero. The frames of base and platform are free, so that twelve of them are not identifiable beside a base and targets.
+
+use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod, gaps, lengthening};
+use super::{Description, Model, Quantity, Robot, Source, meaning, wrong_targets};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Pose, Vector, norm};
+use etalon_base::scalar::Scalar;
+use etalon_base::sketch::{Sketch, StrokeKind};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Platform on six legs.
+pub(super) const MODEL: Model = Model::new::<Keys>(
+    "hexapod",
+    &[&["leg"], &["home_xyz_mm"], &["home_rpy_deg"]],
+    &["leg", "base_mm", "platform_mm", "length_mm", "home_xyz_mm", "home_rpy_deg"],
+);
+
+const LEGS: usize = 6;
+const ON_BASE: &str =
+    meaning("Centre of the leg's joint on the base, along the axis of the base that the name ends with.");
+const ON_PLATFORM: &str =
+    meaning("Centre of the leg's joint on the platform, along the axis of the platform that the name ends with.");
+
+/// Keys of a hexapod in robot.toml.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    /// Legs of a hexapod, six.
+    #[serde(default, rename = "leg")]
+    legs: Vec<LegKeys>,
+    /// Place of a hexapod's platform in the base at a pose inside its workspace. Six lengths leave up to 40 poses: the platform is in
+    /// the one that leads from here without a singularity (its assembly mode).
+    home_xyz_mm: Vector,
+    /// Orientation of the platform there: rx, ry, rz of Rz Ry Rx.
+    #[serde(default)]
+    home_rpy_deg: Vector,
+}
+
+/// A leg of a hexapod.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct LegKeys {
+    /// Centre of its joint on the base, in the base frame.
+    base_mm: Vector,
+    /// Centre of its joint on the platform, in the frame of the platform.
+    platform_mm: Vector,
+    /// Length of the leg, between these centres, at joint value zero.
+    #[serde(default)]
+    length_mm: f64,
+    /// Smallest and largest joint value of the leg.
+    limits_mm: Option<[f64; 2]>,
+}
+
+impl Description for Keys {
+    fn states_geometry(&self) -> bool {
+        true
+    }
+
+    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
+        let mut problems = wrong_targets(targets);
+        if self.legs.len() != LEGS {
+            let message = Message::error(format!("a hexapod has six legs, the file states {}", self.legs.len()));
+            let place = source.place(&["leg"]);
+            problems.0.push(message.at(place).hint("add one [[leg]] with base_mm and platform_mm per leg"));
+            return Err(problems);
+        }
+        let legs = Hexapod { home: Pose::from_xyz_rpy(self.home_xyz_mm, self.home_rpy_deg.map(f64::to_radians)) };
+        let nominal: Vec<f64> =
+            self.legs.iter().flat_map(|l| [&l.base_mm[..], &l.platform_mm, &[l.length_mm]].concat()).collect();
+        let rods = LegValues { legs: &legs, parameters: &nominal }.rods(&[0.0; LEGS]);
+        if lengthening(&rods, &legs.home).try_inverse().is_none_or(|m| m.amax() > SINGULAR) {
+            let message =
+                Message::error("the hexapod is singular at its home pose: six leg lengths do not hold it there");
+            let hint = "check `base_mm` and `platform_mm`, or state another home pose";
+            problems.0.push(message.at(source.place(&["home_xyz_mm"])).hint(hint));
+        }
+        problems.check()?;
+        let limits = self.legs.iter().map(|leg| leg.limits_mm).collect();
+        Ok(Box::new(Parallel::new(legs, &nominal, limits, targets)))
+    }
+}
+
+/// Millimetres that a platform moves for a millimetre of a leg, or radians: beyond it is singular.
+const SINGULAR: f64 = 1e6;
+/// Parts of the way from home to the joints at most, and steps of Newton's method in each.
+const SHORTEST: f64 = 1e-3;
+const STEPS: usize = 12;
+/// Each step is shorter than this part of the one before: Newton's method stays with the solution that it comes from.
+const CONTRACTION: f64 = 0.5;
+/// Rotation of a first step at most, rad.
+const TURN: f64 = 0.5;
+/// The pose is found where a step moves no joint of the platform by more, mm.
+const FOUND_MM: f64 = 1e-10;
+
+/// The legs of a hexapod, and the pose from which its assembly mode is reached.
+#[derive(Clone, Debug)]
+struct Hexapod {
+    home: Pose,
+}
+
+impl Legs for Hexapod {
+    const MODEL: &'static str = "hexapod";
+    const PARAMETERS: &'static [LegParameter] = &[
+        LegParameter { name: "leg#_bx", quantity: Quantity::Length, meaning: ON_BASE },
+        LegParameter { name: "leg#_by", quantity: Quantity::Length, meaning: ON_BASE },
+        LegParameter { name: "leg#_bz", quantity: Quantity::Length, meaning: ON_BASE },
+        LegParameter { name: "leg#_ax", quantity: Quantity::Length, meaning: ON_PLATFORM },
+        LegParameter { name: "leg#_ay", quantity: Quantity::Length, meaning: ON_PLATFORM },
+        LegParameter { name: "leg#_az", quantity: Quantity::Length, meaning: ON_PLATFORM },
+        LegParameter {
+            name: "leg#_l0",
+            quantity: Quantity::Length,
+            meaning: meaning("Length of the leg between the centres of its joints, at joint value zero."),
+        },
+    ];
+    const JOINT: LegParameter = LegParameter { name: "leg#", quantity: Quantity::Length, meaning: "" };
+    const COUNT: usize = LEGS;
+
+    fn rod<T: Scalar>(&self, _leg: usize, p: &[T], q: T) -> Rod<T> {
+        Rod { base_mm: [p[0], p[1], p[2]], platform_mm: [p[3], p[4], p[5]], length_mm: p[6] + q }
+    }
+
+    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+        let (rod, leg) = (self.rod(leg, p, q), leg + 1);
+        let end = platform.apply(rod.platform_mm);
+        sketch.add(StrokeKind::Length, format!("leg{leg}_l0 + leg{leg}"), &[rod.base_mm, end]);
+        let to_base = [[0.0; 3], [p[0], 0.0, 0.0], [p[0], p[1], 0.0], rod.base_mm];
+        for (axis, ends) in ["x", "y", "z"].into_iter().zip(to_base.windows(2)) {
+            sketch.add(StrokeKind::Direction, format!("leg{leg}_b{axis}"), ends);
+        }
+        let to_platform = [[0.0; 3], [p[3], 0.0, 0.0], [p[3], p[4], 0.0], rod.platform_mm].map(|at| platform.apply(at));
+        for (axis, ends) in ["x", "y", "z"].into_iter().zip(to_platform.windows(2)) {
+            sketch.add(StrokeKind::Direction, format!("leg{leg}_a{axis}"), ends);
+        }
+    }
+
+    /// By Newton's method from home, in parts of the way where it does not converge at once.
+    fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
+        let mut rods = legs.rods(joints);
+        let (lengths, from_home) = (rods.iter().map(|rod| rod.length_mm).collect::<Vec<_>>(), gaps(&rods, &self.home));
+        let (mut pose, mut done, mut part) = (self.home, 0.0, 1.0f64);
+        while done < 1.0 {
+            let next = (done + part).min(1.0);
+            let ahead = |(i, rod): (usize, &mut Rod)| rod.length_mm = lengths[i] + (1.0 - next) * from_home[i];
+            rods.iter_mut().enumerate().for_each(ahead);
+            match newton(&rods, pose) {
+                Some(there) => (pose, done) = (there, next),
+                None if part > SHORTEST => part *= 0.5,
+                None => return None,
+            }
+        }
+        Some(pose)
+    }
+
+    fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, _branch: T) -> T {
+        self.rod(leg, p, T::from(0.0)).gap(platform)
+    }
+}
+
+/// The pose of the platform on these rods that Newton's method leads to without leaping.
+fn newton(rods: &[Rod], mut pose: Pose) -> Option<Pose> {
+    let lever = rods.iter().map(|rod| norm(rod.platform_mm)).fold(0.0, f64::max);
+    let mut before = f64::INFINITY;
+    for step in 0..STEPS {
+        let by = -(lengthening(rods, &pose).lu().solve(&gaps(rods, &pose))?);
+        let turn = [by[3], by[4], by[5]];
+        let size = norm([by[0], by[1], by[2]]) + lever * norm(turn);
+        let too_far = if step == 0 { norm(turn) > TURN } else { size > CONTRACTION * before };
+        if size.is_nan() || too_far && size > FOUND_MM {
+            return None;
+        }
+        let at = [0, 1, 2].map(|i| pose.translation_mm[i] + by[i]);
+        pose = Pose { translation_mm: at, ..Pose::from_rotation_vector(turn).then(&pose) };
+        if size < FOUND_MM {
+            return Some(pose);
+        }
+        before = size;
+    }
+    None
+}

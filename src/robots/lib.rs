@@ -1,0 +1,535 @@
+//! Robots as functions of their parameters: direct and inverse kinematics, exact Jacobians.
+//!
+//! Each model is one file: its equations, written once and generic over the [`Scalar`], and
+//! its keys of robot.toml; and one line of [`MODELS`]. What not all models can do is a capability: [`Platform`],
+//! [`RailTable`], [`FreeBase`]. Lengths are in millimetres, angles in radians.
+#![allow(non_snake_case)] // world_T_base: frames in names
+
+mod chain;
+mod compensation;
+mod conventions;
+mod definition;
+mod delta;
+mod five_bar;
+mod hexapod;
+mod parallel;
+mod prexyt;
+mod serial;
+mod urdf;
+
+pub use compensation::{Calibrated, Compensated};
+pub use conventions::SerialJoint;
+pub use definition::{Definition, Effect, Joint, Parameter, Quantity, Role, meaning};
+pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
+pub use prexyt::Prexyt;
+pub use serial::Serial;
+pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
+
+use etalon_base::expression::Formula;
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::{Pose, Vector};
+use etalon_base::scalar::Scalar;
+use etalon_base::sketch::Sketch;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::DeserializeOwned;
+use std::fmt::Debug;
+use std::sync::Arc;
+use toml::Spanned;
+use toml::de::{DeTable, Deserializer};
+
+/// All models.
+pub const MODELS: [&Model; 8] = [
+    &prexyt::REDUCED,
+    &prexyt::FULL,
+    &five_bar::MODEL,
+    &conventions::MODEL,
+    &urdf::MODEL,
+    &hexapod::MODEL,
+    &delta::ROTARY,
+    &delta::LINEAR,
+];
+
+/// Reads the keys of a table that are a model's own.
+pub type ReadKeys = fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>;
+
+/// A kinematic model as robot.toml names it.
+#[derive(Debug)]
+pub struct Model {
+    /// Value of the key `model`.
+    pub name: &'static str,
+    /// The model's own keys, each by the keys that lead to it.
+    pub keys: &'static [&'static [&'static str]],
+    /// Keys of the top level that the robot needs, and keys of tables that end up there where the header of their table is missing.
+    pub essential: &'static [&'static str],
+    /// Reads the model's own keys.
+    pub read: ReadKeys,
+    /// JSON Schema of these keys.
+    pub schema: fn(&mut SchemaGenerator) -> Schema,
+}
+
+impl Model {
+    /// A model with the keys `K`.
+    const fn new<K: Description + DeserializeOwned + JsonSchema + 'static>(
+        name: &'static str,
+        keys: &'static [&'static [&'static str]],
+        essential: &'static [&'static str],
+    ) -> Self {
+        let read = |keys: Spanned<DeTable<'_>>| K::deserialize(Deserializer::from(keys)).map(|k| Arc::new(k) as _);
+        Self { name, keys, essential, read, schema: K::json_schema }
+    }
+}
+
+/// What the model's own keys of a robot.toml state.
+pub trait Description: Debug + Send + Sync {
+    /// Whether they state the geometry, so that `[nominal]` need not.
+    fn states_geometry(&self) -> bool {
+        false
+    }
+
+    /// The file that describes the robot, beside robot.toml, where there is one.
+    fn file(&self) -> Option<&str> {
+        None
+    }
+
+    /// The robot, with these targets where the model has none of its own.
+    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>>;
+}
+
+/// The file that states a robot.
+pub trait Source {
+    /// Where the value of a key is, by the keys that lead to it.
+    fn place(&self, path: &[&str]) -> Place;
+
+    /// Links and joints of the file that [`Description::file`] names.
+    fn tree(&self) -> Result<Tree>;
+}
+
+/// A robot whose targets are seen by a measuring system.
+pub trait Robot: Send + Sync {
+    /// Short name of the model: `prexyt`, `five_bar`, `serial` ...
+    fn model(&self) -> &'static str {
+        self.definition().model
+    }
+
+    /// Model, parameters, joints and targets.
+    fn definition(&self) -> &Definition;
+
+    /// The same, to be changed.
+    fn definition_mut(&mut self) -> &mut Definition;
+
+    /// The parameters, in the order in which every slice of parameters comes.
+    fn parameters(&self) -> &[Parameter] {
+        &self.definition().parameters
+    }
+
+    /// The joints, in the order in which every slice of joint values comes.
+    fn joints(&self) -> &[Joint] {
+        &self.definition().joints
+    }
+
+    /// Names of the targets on the moving part.
+    fn targets(&self) -> &[String] {
+        &self.definition().targets
+    }
+
+    /// Coordinates measured per target: 2 for planar robots (x, y), 3 in space.
+    fn dimension(&self) -> usize {
+        self.definition().dimension
+    }
+
+    /// Writes the positions of all targets in the world (mm), `dimension` values each.
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
+
+    /// Writes d positions / d parameters, row by row: (targets × dimension) × parameters.
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
+
+    /// Writes d positions / d joint values, row by row: (targets × dimension) × joints. Bending is that of the joint values themselves.
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
+
+    /// What gives the loads that bend its joints at joint values, whatever the parameters, each as a fraction of its largest; `None`
+    /// where bending is not modelled.
+    fn loads(&self) -> Option<Loads<'_>> {
+        None
+    }
+
+    /// The same with parameters that stay as they are at many joint values: what depends on them alone is computed once.
+    fn parametrised<'a>(&'a self, parameters: &'a [f64]) -> Box<dyn Parametrised + 'a> {
+        Box::new(Anew { robot: self, parameters })
+    }
+
+    /// Whether joint values leave two positions: the assembly mode, +1 or -1, then follows the joints in every slice
+    /// of joint values.
+    fn has_assembly_modes(&self) -> bool {
+        false
+    }
+
+    /// Joints whose direction of approach counts, by their indices: behind the joint values follow +1 for each that came from below and
+    /// -1 from above; without them the middle of its backlash is meant.
+    fn approached(&self) -> &[usize] {
+        &[]
+    }
+
+    /// Joints that move the base of the chain itself: the frame of what is measured moves with them.
+    fn joints_of_base(&self) -> &[String] {
+        &[]
+    }
+
+    /// Joint values (and the assembly mode behind them) of every way to bring the only target to a position in the world;
+    /// `None` for models whose inverse does not hold everywhere.
+    fn inverse_all(&self, _parameters: &[f64], _position: Vector) -> Option<Vec<Vec<f64>>> {
+        None
+    }
+
+    /// Of [`Self::inverse_all`] the way that is nearest to the joint values `near`, whatever its limits; `None` where the
+    /// position is out of reach.
+    fn inverse(&self, _parameters: &[f64], _near: &[f64], _position: Vector) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// Which limit that the robot file states joint values (and the assembly mode behind them) violate, if one.
+    fn limit_violation(&self, _parameters: &[f64], _joints: &[f64]) -> Option<String> {
+        None
+    }
+
+    /// Robots whose platform has a pose in the plane that two targets show.
+    fn platform(&self) -> Option<&dyn Platform> {
+        None
+    }
+
+    /// Robots that the geometric method calibrates.
+    fn rail_table(&self) -> Option<&dyn RailTable> {
+        None
+    }
+
+    /// Robots in space whose base is anywhere in the world.
+    fn free_base(&self) -> Option<&dyn FreeBase> {
+        None
+    }
+
+    /// Robots whose tool has a pose in the base frame that joints can be found for.
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        None
+    }
+
+    /// The joints one behind the other, of robots that are one chain.
+    fn joint_chain(&self, _parameters: &[f64]) -> Option<JointChain> {
+        None
+    }
+
+    /// What a joint moves by at commanded joint values with its own errors (lead, gain, zero, harmonics, bending), mm or rad; `None` for
+    /// models whose joints have none.
+    fn joint_travel(&self, parameters: &[f64], joints: &[f64], joint: usize) -> Option<f64> {
+        let lead = |table: &dyn RailTable| {
+            let [x, y] = table.travel(parameters, joint + 1);
+            x.hypot(y) * joints[joint]
+        };
+        let own = || self.free_base()?.joint_value(parameters, joints, joint, &mut |_, _| {});
+        self.rail_table().map(lead).or_else(own)
+    }
+
+    /// The robot that the same numbers describe in another convention of the field, and its name.
+    fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
+        Vec::new()
+    }
+
+    /// What a parameter describes, by its index; a zero of a joint is geometry here.
+    fn effect(&self, parameter: usize) -> Effect {
+        if self.parameters()[parameter].quantity == Quantity::Ratio { Effect::Gains } else { Effect::Geometry }
+    }
+
+    /// Drawings of the model with its parameters, from its nominal geometry.
+    fn sketches(&self) -> Vec<Sketch> {
+        Vec::new()
+    }
+
+    /// What to measure so that these parameters become separately identifiable, where a model has an answer.
+    fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
+        None
+    }
+
+    /// Index of a parameter by name.
+    fn index(&self, name: &str) -> Option<usize> {
+        self.parameters().iter().position(|p| p.name == name)
+    }
+
+    /// Nominal values of all parameters.
+    fn nominal(&self) -> Vec<f64> {
+        self.parameters().iter().map(|p| p.nominal).collect()
+    }
+
+    /// The position of one target as a point in space; planar robots have z = 0.
+    fn position(&self, parameters: &[f64], joints: &[f64], target: usize) -> Vector {
+        let d = self.dimension();
+        let mut all = vec![0.0; d * self.targets().len()];
+        self.positions(parameters, joints, &mut all);
+        let mut p = [0.0; 3];
+        p[..d].copy_from_slice(&all[target * d..][..d]);
+        p
+    }
+}
+
+/// Gives loads at joint values.
+pub type Loads<'a> = Box<dyn Fn(&[f64]) -> Vec<f64> + Send + Sync + 'a>;
+
+/// Joint values with what follows from them alone, whatever the parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct State<'a, J = f64> {
+    /// Joint values, rad or mm.
+    pub joints: &'a [J],
+    /// Loads, as [`Robot::loads`] has them.
+    pub loads: &'a [J],
+}
+
+/// A robot with its parameters.
+pub trait Parametrised: Send + Sync {
+    /// As [`Robot::positions`].
+    fn positions(&self, state: State, out: &mut [f64]);
+
+    /// As [`Robot::jacobian`].
+    fn jacobian(&self, state: State, out: &mut [f64]);
+
+    /// As [`Robot::positions`] and [`Robot::joint_jacobian`], at once.
+    fn joint_jacobian(&self, state: State, positions: &mut [f64], out: &mut [f64]);
+
+    /// Gives `write` the derivatives of the positions of some targets: target, parameter, and what that moves it by, in space. Of
+    /// parameters that act twice they are to be added; others are zero.
+    fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector));
+}
+
+/// A robot that computes everything anew at all joint values.
+struct Anew<'a, R: ?Sized> {
+    robot: &'a R,
+    parameters: &'a [f64],
+}
+
+impl<R: Robot + ?Sized> Parametrised for Anew<'_, R> {
+    fn positions(&self, state: State, out: &mut [f64]) {
+        self.robot.positions(self.parameters, state.joints, out);
+    }
+    fn jacobian(&self, state: State, out: &mut [f64]) {
+        self.robot.jacobian(self.parameters, state.joints, out);
+    }
+    fn joint_jacobian(&self, state: State, positions: &mut [f64], out: &mut [f64]) {
+        self.robot.positions(self.parameters, state.joints, positions);
+        self.robot.joint_jacobian(self.parameters, state.joints, out);
+    }
+    fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector)) {
+        let (n, d) = (self.parameters.len(), self.robot.dimension());
+        let mut all = vec![0.0; d * self.robot.targets().len() * n];
+        self.jacobian(state, &mut all);
+        for &k in targets {
+            let own = &all[d * k * n..];
+            let component = |i: usize, j: usize| if i < d { own[i * n + j] } else { 0.0 };
+            (0..n).for_each(|j| write(k, j, [0, 1, 2].map(|i| component(i, j))));
+        }
+    }
+}
+
+/// Joints one behind the other, with their errors in their places and without what bends them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointChain {
+    /// From the base.
+    pub joints: Vec<ChainJoint>,
+    /// The flange in the frame of the last joint.
+    pub flange: Pose,
+}
+
+/// A joint of a chain: it turns about, or slides along, the z axis of its frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainJoint {
+    /// Its frame at joint value zero, in that of the joint before, or the base.
+    pub origin: Pose,
+    /// The joint slides.
+    pub prismatic: bool,
+    /// What the joint moves for each mm or rad of the logged value.
+    pub gain: f64,
+}
+
+/// Direct and inverse kinematics of a whole pose: that of flange, platform or tool in the base frame. Poses of planar robots lie in
+/// the plane z = 0.
+pub trait Kinematics: Robot {
+    /// The pose at joint values; `None` where the robot cannot be there.
+    fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose>;
+
+    /// The base in the world, as the parameters have it; `None` where the model has no base.
+    fn base_in_world(&self, _parameters: &[f64]) -> Option<Pose> {
+        None
+    }
+
+    /// Its kinematics with these parameters as formulas, mm and rad: `direct`, and `inverse` where that has a closed form or `linearised`
+    /// for a search by Newton's method. None for models that have none.
+    fn formulas(&self, _parameters: &[f64]) -> Vec<Formula> {
+        Vec::new()
+    }
+
+    /// Signs that change only where the robot passes a singularity: they tell its configurations (working and assembly modes) apart.
+    fn branch(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<bool> {
+        Vec::new()
+    }
+
+    /// Joint values (and the assembly mode behind them) of the ways to a pose, whatever their limits. Angles are in (−π, π], or where a
+    /// limit allows them.
+    fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>>;
+
+    /// Of the ways that no limit forbids, the one that is nearest to the joint values `near`; an angle may have made turns. The error is
+    /// what forbids the nearest.
+    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> std::result::Result<Vec<f64>, String> {
+        nearest(self, parameters, self.all_joints(parameters, pose), near)
+    }
+}
+
+/// Names and values of a pose: x, y, z, and the rotation row by row.
+fn pose_outputs<T: Scalar>(pose: &Pose<T>) -> Vec<(String, T)> {
+    let place = ["x", "y", "z"].map(str::to_owned).into_iter().zip(pose.translation_mm);
+    let cells = (0..9).map(|i| (format!("r{}{}", i / 3 + 1, i % 3 + 1), pose.rotation[i / 3][i % 3]));
+    place.chain(cells).collect()
+}
+
+/// Of `all` ways that no limit forbids the nearest one.
+fn nearest<R: Robot + ?Sized>(
+    robot: &R,
+    parameters: &[f64],
+    mut all: Vec<Vec<f64>>,
+    near: &[f64],
+) -> std::result::Result<Vec<f64>, String> {
+    let distance = |q: &Vec<f64>| q.iter().zip(near).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+    all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let violation = |q: &Vec<f64>| robot.limit_violation(parameters, q);
+    let why = all.first().and_then(violation);
+    let within = all.into_iter().find(|q| violation(q).is_none());
+    within.ok_or_else(|| why.unwrap_or_else(|| "out of reach".to_owned()))
+}
+
+/// Which joint value is beyond its limits (rad or mm), if one.
+fn limit_violation(joints: &[Joint], limits: &[Option<[f64; 2]>], values: &[f64]) -> Option<String> {
+    let beyond = |(joint, (q, limit)): (&Joint, (&f64, &Option<[f64; 2]>))| {
+        let [lower, upper] = (*limit)?.map(|v| joint.quantity.outward(v));
+        let (q, unit) = (joint.quantity.outward(*q), joint.quantity.unit());
+        let name = &joint.name;
+        (!(lower..=upper).contains(&q))
+            .then(|| format!("{name} = {q} {unit}, its limits are {lower} and {upper} {unit}"))
+    };
+    joints.iter().zip(values.iter().zip(limits)).find_map(beyond)
+}
+
+/// What is wrong with the targets of a robot in space.
+fn wrong_targets(targets: &[String]) -> Problems {
+    let mut problems = Problems::default();
+    if targets.is_empty() {
+        problems.0.push(
+            Message::error("a robot in space needs at least one target")
+                .hint("name them in `targets` of the campaign, or in a column `target` of the table"),
+        );
+    }
+    if targets.iter().any(|target| target == "base") {
+        let what = "no target can be called `base`: its parameters would be those of the robot's base";
+        problems.0.push(Message::error(what).hint("give the target another name in label or columns"));
+    }
+    problems
+}
+
+/// A pose that lies this near to the plane is in it, mm or without unit.
+const PLANAR: f64 = 1e-6;
+
+/// The pose of a planar robot; `None` where it is not in the plane.
+fn in_plane(pose: &Pose) -> Option<PlanarPose> {
+    let ([x_mm, y_mm, z_mm], r) = (pose.translation_mm, &pose.rotation);
+    let tilted = z_mm.abs() > PLANAR || 1.0 - r[2][2] > PLANAR;
+    (!tilted).then(|| PlanarPose { x_mm, y_mm, theta_rad: r[1][0].atan2(r[0][0]) })
+}
+
+/// A pose in the plane as one in space.
+fn in_space(pose: PlanarPose) -> Option<Pose> {
+    let flat = Pose { translation_mm: [pose.x_mm, pose.y_mm, 0.0], ..Pose::identity() };
+    let pose = flat.turn_z(pose.theta_rad);
+    pose.rotation.as_flattened().iter().chain(&pose.translation_mm).all(|v| v.is_finite()).then_some(pose)
+}
+
+/// Position (mm) and orientation (rad) in the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarPose<T = f64> {
+    /// x in millimetres.
+    pub x_mm: T,
+    /// y in millimetres.
+    pub y_mm: T,
+    /// Orientation in radians.
+    pub theta_rad: T,
+}
+
+/// A platform that moves in the plane: its pose in the base frame follows from the joints, and from its two targets.
+pub trait Platform: Robot {
+    /// Pose at joint values.
+    fn pose(&self, parameters: &[f64], joints: &[f64]) -> PlanarPose;
+
+    /// Joint values for a pose, whatever their limits.
+    fn joints_at(&self, parameters: &[f64], pose: PlanarPose) -> Vec<f64>;
+
+    /// A point of the world in the base frame.
+    fn in_base(&self, parameters: &[f64], world: [f64; 2]) -> [f64; 2];
+
+    /// Pose as the two targets show it.
+    fn measured_pose(&self, parameters: &[f64], targets: [[f64; 2]; 2]) -> PlanarPose;
+
+    /// Estimated minus measured pose (mm, mm, rad).
+    fn pose_error(&self, parameters: &[f64], joints: &[f64], targets: [[f64; 2]; 2]) -> [f64; 3];
+
+    /// Derivatives of [`Self::pose_error`]: by the parameters (3 rows of all parameters) and by the coordinates of the
+    /// targets (3 rows of 4).
+    fn pose_error_jacobians(
+        &self,
+        parameters: &[f64],
+        joints: &[f64],
+        targets: [[f64; 2]; 2],
+    ) -> (Vec<f64>, [[f64; 4]; 3]);
+
+    /// Index of the parameter that is the distance of the two targets: no pose shows it.
+    fn target_distance(&self) -> usize;
+}
+
+/// A platform on carriages that run on rails, as the geometric method calibrates it (thesis, chapter 2).
+pub trait RailTable: Platform {
+    /// How far each actuator goes from zero, where that is stated.
+    fn travel_mm(&self) -> Option<[f64; 3]>;
+
+    /// How far a carriage travels along x and y for each millimetre commanded: actuator 1, 2 or 3.
+    fn travel(&self, parameters: &[f64], actuator: usize) -> [f64; 2];
+
+    /// Axes of revolute joints 2 and 3 in the world.
+    fn pivots(&self, parameters: &[f64], joints: &[f64; 3]) -> [[f64; 2]; 2];
+
+    /// Centre C of the platform in the world.
+    fn centre(&self, parameters: &[f64], joints: &[f64; 3]) -> [f64; 2];
+}
+
+/// Pose of the base in the world of a robot with a [`FreeBase`]: place (mm) and rotation vector (rad), its first six parameters.
+pub fn base_pose(parameters: &[f64]) -> Pose {
+    let [x, y, z, rx, ry, rz] = std::array::from_fn(|i| parameters[i]);
+    Pose { translation_mm: [x, y, z], ..Pose::from_rotation_vector([rx, ry, rz]) }
+}
+
+/// A robot in space whose base and targets are found from the observations: its first six parameters are `base_x`,
+/// `base_y`, `base_z`, `base_rx`, `base_ry`, `base_rz`, and each target has three, its place on the flange.
+pub trait FreeBase: Robot {
+    /// Pose of the flange in the world.
+    fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose;
+
+    /// Index of the first parameter of a target.
+    fn target_place(&self, target: usize) -> usize {
+        6 + 3 * target
+    }
+
+    /// What a joint moves by at logged joint values with its errors, mm or rad: its own value where parameters are nominal. Gives `write` the
+    /// derivatives by parameters, to be added. `None` for models whose joints have no such errors.
+    fn joint_value(
+        &self,
+        _parameters: &[f64],
+        _joints: &[f64],
+        _joint: usize,
+        _write: &mut dyn FnMut(usize, f64),
+    ) -> Option<f64> {
+        None
+    }
+
+    /// Writes by how much the flange turns with each parameter: rotation vectors in the world (rad), 3 rows of all parameters.
+    fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
+}

@@ -1,0 +1,471 @@
+//! Platforms on legs: what a hexapod and a delta share.
+//!
+//! Each leg is a rod between a point of the base and one of the platform. Its length is an equation between the pose of the platform,
+//! the joints and the leg's own parameters, from which derivatives follow exactly (implicit function theorem), however the pose was
+//! found. The platform is the flange of a robot with a free base: base and targets come first, then the legs one by one.
+
+use super::{
+    Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, base_pose, limit_violation, meaning,
+    pose_outputs,
+};
+use etalon_base::expression::{Formula, Recorded};
+use etalon_base::pose::{Pose, Vector, cross, minus, norm, turning_axes};
+use etalon_base::scalar::{Dual, Scalar};
+use etalon_base::sketch::{Sketch, StrokeKind};
+use nalgebra::{Matrix6, Vector6};
+use std::fmt::Debug;
+
+/// Parameters of a leg, and its joint, at most.
+const MOST: usize = 10;
+/// Parameters of base, and of each target.
+const BASE: usize = 6;
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A leg at a joint value, in mm.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rod<T = f64> {
+    /// Its end on the base, in the base frame.
+    pub base_mm: Vector<T>,
+    /// Its end on the platform, in the platform's frame.
+    pub platform_mm: Vector<T>,
+    /// Its length.
+    pub length_mm: T,
+}
+
+impl<T: Scalar> Rod<T> {
+    /// By how much its ends are farther apart than it is long.
+    pub fn gap(&self, platform: &Pose<T>) -> T {
+        let (a, b) = (platform.apply(self.platform_mm), self.base_mm);
+        let d = [0, 1, 2].map(|i| a[i] - b[i]);
+        (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt() - self.length_mm
+    }
+
+    /// Its end on a platform that does not turn, in the base.
+    pub fn shifted(&self, platform: &Pose<T>) -> Vector<T> {
+        let (a, t) = (self.platform_mm, platform.translation_mm);
+        [0, 1, 2].map(|i| a[i] + t[i])
+    }
+
+    /// By how much it lengthens as the platform moves by a small translation (mm) and rotation (rad) in the base.
+    fn lengthens(&self, platform: &Pose<T>) -> [T; 6] {
+        let (end, b) = (platform.apply(self.platform_mm), self.base_mm);
+        let [x, y, z] = [0, 1, 2].map(|i| end[i] - b[i]);
+        let length = (x * x + y * y + z * z).sqrt();
+        let along = [x, y, z].map(|v| v / length);
+        let turn = cross(platform.rotate(self.platform_mm), along);
+        [along[0], along[1], along[2], turn[0], turn[1], turn[2]]
+    }
+}
+
+/// A parameter of every leg.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LegParameter {
+    /// `#` is the number of the leg, from 1.
+    pub name: &'static str,
+    pub quantity: Quantity,
+    pub meaning: &'static str,
+}
+
+/// The legs of a model.
+pub(super) trait Legs: Clone + Debug + Send + Sync {
+    /// Value of the key `model`.
+    const MODEL: &'static str;
+    /// Parameters of each leg, in their order; at most nine.
+    const PARAMETERS: &'static [LegParameter];
+    /// Joints: `#` is the number of the leg, from 1.
+    const JOINT: LegParameter;
+    /// Number of legs: six, or three of a platform that does not turn.
+    const COUNT: usize;
+    /// Branches of the inverse kinematics of each leg.
+    const BRANCHES: &'static [f64] = &[1.0];
+
+    /// A leg, from 0, with its own parameters.
+    fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T>;
+
+    /// Pose of the platform in the base on rods that do not move, where it has a closed form.
+    fn direct<T: Scalar>(&self, _rods: &[Rod<T>]) -> Option<Pose<T>> {
+        None
+    }
+
+    /// Pose of the platform in the base on rods that do not move.
+    fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
+        self.direct(&legs.rods(joints))
+    }
+
+    /// Adds the parameters of a leg to a drawing of the platform where it is.
+    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch);
+
+    /// Joint value of a leg at a pose of the platform: on one branch (1), or on the other (-1) of legs that have two. Not a number where the
+    /// leg does not reach.
+    fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, branch: T) -> T;
+}
+
+/// Legs with their parameters.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LegValues<'a, L, T = f64> {
+    pub legs: &'a L,
+    /// Those of all legs.
+    pub parameters: &'a [T],
+}
+
+impl<L: Legs, T: Scalar> LegValues<'_, L, T> {
+    /// Parameters of one leg.
+    fn of(&self, leg: usize) -> &[T] {
+        let n = L::PARAMETERS.len();
+        &self.parameters[leg * n..][..n]
+    }
+
+    /// All rods.
+    pub fn rods(&self, joints: &[T]) -> Vec<Rod<T>> {
+        (0..L::COUNT).map(|leg| self.legs.rod(leg, self.of(leg), joints[leg])).collect()
+    }
+}
+
+/// How rods lengthen as the platform moves by a small translation (mm) and rotation (rad) in the base: a row a rod. A platform that
+/// does not turn has rows of its rotation alone behind those of three rods.
+pub(super) fn lengthening(rods: &[Rod], platform: &Pose) -> Matrix6<f64> {
+    let mut matrix = Matrix6::identity();
+    for (i, rod) in rods.iter().enumerate() {
+        rod.lengthens(platform).into_iter().enumerate().for_each(|(k, v)| matrix[(i, k)] = v);
+    }
+    matrix
+}
+
+/// A step of Newton's method to the pose of the platform on six rods, and its size, mm: shortened by nearly nothing where it is small, and
+/// to half a radian where it is large. Normal equations need no pivots; what they round the next step mends.
+fn newton_step<T: Scalar>(rods: &[Rod<T>], platform: &Pose<T>) -> (Pose<T>, T) {
+    // turns are in mm of the longest lever, so that all unknowns are alike
+    let lever = rods.iter().map(|rod| norm(rod.platform_mm.map(Scalar::value))).fold(0.0, f64::max);
+    let scale = |k: usize| if k < 3 { 1.0 } else { 1.0 / lever };
+    let rows: Vec<Vec<T>> = rods
+        .iter()
+        .map(|rod| {
+            let own = rod.lengthens(platform).into_iter().enumerate().map(|(k, v)| v * scale(k));
+            own.chain([-rod.gap(platform)]).collect()
+        })
+        .collect();
+    let product = |i: usize, j: usize| rows.iter().fold(T::from(0.0), |sum, row| sum + row[i] * row[j]);
+    let mut a: Vec<Vec<T>> = (0..6).map(|i| (0..7).map(|j| product(i, j)).collect()).collect();
+    for k in 0..6 {
+        let pivot = a[k].clone();
+        for (_, row) in a.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            let factor = row[k] / pivot[k];
+            (k + 1..7).for_each(|j| row[j] = row[j] - factor * pivot[j]);
+        }
+    }
+    let by: Vec<T> = (0..6).map(|k| a[k][6] / a[k][k] * scale(k)).collect();
+    let square = |v: &[T]| v.iter().fold(T::from(0.0), |sum, v| sum + *v * *v);
+    let shorter = T::from(1.0) / (square(&by[3..]) * 4.0 + 1.0).sqrt();
+    let size = (square(&by[..3]) + square(&by[3..]) * (lever * lever)).sqrt();
+    let [x, y, z, p, q, r] = [0, 1, 2, 3, 4, 5].map(|k| by[k] * shorter);
+    let t = platform.translation_mm;
+    let turned = Pose { translation_mm: [T::from(0.0); 3], ..cayley([p, q, r]) }.then(platform);
+    (Pose { translation_mm: [t[0] + x, t[1] + y, t[2] + z], ..turned }, size)
+}
+
+/// The rotation that a small rotation vector is, without trigonometry (Cayley).
+fn cayley<T: Scalar>([x, y, z]: Vector<T>) -> Pose<T> {
+    let [a, b, c, one] = [x * 0.5, y * 0.5, z * 0.5, T::from(1.0)];
+    let factor = T::from(2.0) / (a * a + b * b + c * c + 1.0);
+    let rotation = [
+        [one - factor * (b * b + c * c), factor * (a * b - c), factor * (a * c + b)],
+        [factor * (a * b + c), one - factor * (a * a + c * c), factor * (b * c - a)],
+        [factor * (a * c - b), factor * (b * c + a), one - factor * (a * a + b * b)],
+    ];
+    Pose { rotation, ..Pose::identity() }
+}
+
+/// By how much the ends of rods are farther apart than they are long, mm.
+pub(super) fn gaps(rods: &[Rod], platform: &Pose) -> Vector6<f64> {
+    let mut gaps = Vector6::zeros();
+    rods.iter().enumerate().for_each(|(i, rod)| gaps[i] = rod.gap(platform));
+    gaps
+}
+
+/// A platform on legs, with its nominal parameters and the limits of its joints.
+#[derive(Clone, Debug)]
+pub(super) struct Parallel<L> {
+    definition: Definition,
+    legs: L,
+    /// Limits of each joint, rad or mm.
+    limits: Vec<Option<[f64; 2]>>,
+}
+
+impl<L: Legs> Parallel<L> {
+    /// The robot, with the nominal parameters of its legs one after the other.
+    pub fn new(legs: L, nominal: &[f64], limits: Vec<Option<[f64; 2]>>, targets: &[String]) -> Self {
+        let free = |name: String, quantity, role| Parameter {
+            tolerance: f64::INFINITY,
+            ..Parameter::new(name, quantity, role, 0.0)
+        };
+        let mut parameters = Vec::new();
+        for (quantity, turn) in [(Quantity::Length, ""), (Quantity::Angle, "r")] {
+            parameters.extend(AXES.map(|axis| free(format!("base_{turn}{axis}"), quantity, Role::Base)));
+        }
+        for target in targets {
+            parameters.extend(AXES.map(|axis| free(format!("{target}_{axis}"), Quantity::Length, Role::Target)));
+        }
+        let numbered = |name: &str, leg: usize| name.replace('#', &(leg + 1).to_string());
+        for (leg, nominal) in nominal.chunks_exact(L::PARAMETERS.len()).enumerate() {
+            let own = L::PARAMETERS.iter().zip(nominal);
+            parameters.extend(
+                own.map(|(p, &v)| Parameter::new(numbered(p.name, leg), p.quantity, Role::Robot, v).meaning(p.meaning)),
+            );
+        }
+        let joint = |leg: usize| Joint { name: numbered(L::JOINT.name, leg), quantity: L::JOINT.quantity };
+        let joints = (0..L::COUNT).map(joint).collect();
+        let definition = Definition { model: L::MODEL, dimension: 3, parameters, joints, targets: targets.to_vec() };
+        Self { definition, legs, limits }
+    }
+
+    /// Index of the first parameter of the legs.
+    fn first(&self) -> usize {
+        BASE + 3 * self.targets().len()
+    }
+
+    fn values<'a>(&'a self, parameters: &'a [f64]) -> LegValues<'a, L> {
+        LegValues { legs: &self.legs, parameters: &parameters[self.first()..] }
+    }
+
+    /// Pose of the platform in the base frame.
+    pub fn place(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
+        let pose = self.legs.place(&self.values(parameters), joints)?;
+        pose.rotation.as_flattened().iter().chain(&pose.translation_mm).all(|v| v.is_finite()).then_some(pose)
+    }
+
+    /// Where the platform is, and how it moves.
+    fn moving(&self, parameters: &[f64], joints: &[f64]) -> Option<(Pose, Twists)> {
+        let platform = self.place(parameters, joints)?;
+        Some((platform, self.twists(parameters, joints, &platform)?))
+    }
+
+    /// Place of a target on the platform.
+    fn on_platform(&self, parameters: &[f64], target: usize) -> Vector {
+        let place = self.target_place(target);
+        [parameters[place], parameters[place + 1], parameters[place + 2]]
+    }
+
+    /// How the platform moves.
+    fn twists(&self, parameters: &[f64], joints: &[f64], platform: &Pose) -> Option<Twists> {
+        let values = self.values(parameters);
+        let inverse = lengthening(&values.rods(joints), platform).try_inverse()?;
+        let (mut twists, still) = (Twists::default(), constant(platform));
+        for (leg, &q) in joints.iter().enumerate().take(L::COUNT) {
+            let own = values.of(leg);
+            let p: Vec<Dual<MOST>> = own.iter().enumerate().map(|(k, &v)| Dual::variable(v, k)).collect();
+            let gap = self.legs.rod(leg, &p, Dual::variable(q, own.len())).gap(&still);
+            let by = |k: usize| {
+                let of = |row: usize| -inverse[(row, leg)] * gap.gradient[k];
+                Twist { shift: [of(0), of(1), of(2)], turn: [of(3), of(4), of(5)] }
+            };
+            twists.by_parameters.extend((0..own.len()).map(by));
+            twists.by_joints.push(by(own.len()));
+        }
+        Some(twists)
+    }
+}
+
+/// A small motion of the platform in the base, mm and rad.
+#[derive(Clone, Copy, Debug)]
+struct Twist {
+    shift: Vector,
+    turn: Vector,
+}
+
+impl Twist {
+    /// What a point at `lever` from the origin of the platform moves, in the world.
+    fn moves(&self, lever: Vector, base: &Pose) -> Vector {
+        let by_turn = cross(self.turn, lever);
+        base.rotate([0, 1, 2].map(|i| self.shift[i] + by_turn[i]))
+    }
+}
+
+/// How the platform moves with each parameter of the legs, in their order, and each joint.
+#[derive(Debug, Default)]
+struct Twists {
+    by_parameters: Vec<Twist>,
+    by_joints: Vec<Twist>,
+}
+
+/// A pose without derivatives.
+fn constant(pose: &Pose) -> Pose<Dual<MOST>> {
+    Pose { rotation: pose.rotation.map(|row| row.map(Dual::from)), translation_mm: pose.translation_mm.map(Dual::from) }
+}
+
+/// What is not where the joints put it.
+fn nowhere() -> Pose {
+    Pose { rotation: [[f64::NAN; 3]; 3], translation_mm: [f64::NAN; 3] }
+}
+
+/// Writes a vector down a column of three rows of `n`.
+fn write(out: &mut [f64], n: usize, column: usize, v: Vector) {
+    (0..3).for_each(|i| out[i * n + column] = v[i]);
+}
+
+impl<L: Legs> Robot for Parallel<L> {
+    fn definition(&self) -> &Definition {
+        &self.definition
+    }
+    fn definition_mut(&mut self) -> &mut Definition {
+        &mut self.definition
+    }
+    fn sketches(&self) -> Vec<Sketch> {
+        let parameters = self.nominal();
+        let joints: Vec<f64> = self.limits.iter().map(|l| l.map_or(0.0, |[low, high]| 0.5 * (low + high))).collect();
+        let Some(platform) = self.place(&parameters, &joints) else { return Vec::new() };
+        let title = meaning(
+            "The robot in the middle of its joints, with the parameters of leg 1; those of the other legs are alike.",
+        );
+        let mut sketch = Sketch::new(title, false);
+        let values = self.values(&parameters);
+        let rods = values.rods(&joints);
+        let ends: Vec<Vector> = rods.iter().map(|rod| platform.apply(rod.platform_mm)).collect();
+        rods.iter().zip(&ends).for_each(|(rod, end)| sketch.add(StrokeKind::Part, "", &[rod.base_mm, *end]));
+        sketch.add(StrokeKind::Part, "", &[&ends[..], &ends[..1]].concat());
+        self.legs.sketch(0, values.of(0), joints[0], &platform, &mut sketch);
+        let size = sketch.extent_mm();
+        sketch.frame("base", &Pose::identity(), 0.14 * size);
+        sketch.frame("platform", &platform, 0.1 * size);
+        vec![sketch]
+    }
+    /// Not numbers where the legs do not meet the platform.
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let flange = self.flange(parameters, joints);
+        for (k, out) in out.chunks_exact_mut(3).enumerate() {
+            out.copy_from_slice(&flange.apply(self.on_platform(parameters, k)));
+        }
+    }
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let n = parameters.len();
+        let Some((platform, twists)) = self.moving(parameters, joints) else { return out.fill(f64::NAN) };
+        out.fill(0.0);
+        let base = base_pose(parameters);
+        let flange = base.then(&platform);
+        let axes = turning_axes([parameters[3], parameters[4], parameters[5]]);
+        for (k, out) in out.chunks_exact_mut(3 * n).enumerate() {
+            let (place, on_platform) = (self.target_place(k), self.on_platform(parameters, k));
+            let from_base = base.rotate(platform.apply(on_platform));
+            for (i, axis) in axes.into_iter().enumerate() {
+                write(out, n, i, Pose::identity().axis(i));
+                write(out, n, 3 + i, cross(axis, from_base));
+                write(out, n, place + i, flange.axis(i));
+            }
+            for (j, twist) in twists.by_parameters.iter().enumerate() {
+                write(out, n, self.first() + j, twist.moves(platform.rotate(on_platform), &base));
+            }
+        }
+    }
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let Some((platform, twists)) = self.moving(parameters, joints) else { return out.fill(f64::NAN) };
+        let (n, base) = (joints.len(), base_pose(parameters));
+        for (k, out) in out.chunks_exact_mut(3 * n).enumerate() {
+            let lever = platform.rotate(self.on_platform(parameters, k));
+            twists.by_joints.iter().enumerate().for_each(|(j, twist)| write(out, n, j, twist.moves(lever, &base)));
+        }
+    }
+    fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
+        let apart = || self.place(parameters, joints).is_none().then(|| "the legs do not meet the platform".to_owned());
+        limit_violation(self.joints(), &self.limits, joints).or_else(apart)
+    }
+    fn free_base(&self) -> Option<&dyn FreeBase> {
+        Some(self)
+    }
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        Some(self)
+    }
+}
+
+/// Largest rotation of a platform on three legs, which does not turn, rad.
+const TURNED: f64 = 1e-6;
+/// How far from a pose, in mm and without unit, the joints that were found for it may bring the platform.
+const BACK: f64 = 1e-6;
+
+impl<L: Legs> Kinematics for Parallel<L> {
+    fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
+        self.place(parameters, joints)
+    }
+
+    /// `inverse`, with the branches of legs that have two, and `direct`, or `step`s of Newton's method to it.
+    fn formulas(&self, parameters: &[f64]) -> Vec<Formula> {
+        let joints: Vec<String> = self.joints().iter().map(|joint| joint.name.clone()).collect();
+        // a platform that does not turn is where it is
+        let count = if L::COUNT == 6 { 12 } else { 3 };
+        let names = pose_outputs(&Pose::<f64>::identity()).into_iter().map(|(name, _)| name).take(count);
+        let names: Vec<String> = names.collect();
+        let pose = |v: &[Recorded]| {
+            let platform = Pose { translation_mm: [v[0], v[1], v[2]], ..Pose::identity() };
+            let cell = |i: usize, j: usize| v[3 + 3 * i + j];
+            match L::COUNT {
+                6 => Pose { rotation: [0, 1, 2].map(|i| [0, 1, 2].map(|j| cell(i, j))), ..platform },
+                _ => platform,
+            }
+        };
+        let values = || parameters[self.first()..].iter().map(|&v| Recorded::from(v)).collect::<Vec<_>>();
+        let legs = &self.legs;
+        let two = L::BRANCHES.len() > 1;
+        let branches = (1..=L::COUNT).filter(|_| two).map(|leg| format!("branch{leg}"));
+        let inverse = Formula::record("inverse", &names.iter().cloned().chain(branches).collect::<Vec<_>>(), |v| {
+            let (platform, values) = (pose(v), values());
+            let values = LegValues { legs, parameters: &values };
+            let branch = |leg: usize| if two { v[names.len() + leg] } else { Recorded::from(1.0) };
+            let at = |leg: usize| legs.joint_at(leg, values.of(leg), &platform, branch(leg));
+            joints.iter().cloned().zip((0..L::COUNT).map(at)).collect()
+        });
+        let outputs = |pose: &Pose<Recorded>| pose_outputs(pose).into_iter().take(names.len()).collect::<Vec<_>>();
+        let mut closed = true;
+        let direct = Formula::record("direct", &joints, |q| {
+            let place = legs.direct(&LegValues { legs, parameters: &values() }.rods(q));
+            closed = place.is_some();
+            place.map_or_else(Vec::new, |place| outputs(&place))
+        });
+        if closed {
+            return vec![direct, inverse];
+        }
+        let inputs = names.iter().chain(&joints).cloned().collect::<Vec<_>>();
+        let step = Formula::record("step", &inputs, |v| {
+            let rods = LegValues { legs, parameters: &values() }.rods(&v[names.len()..]);
+            let (next, size) = newton_step(&rods, &pose(v));
+            outputs(&next).into_iter().chain([("size".to_owned(), size)]).collect()
+        });
+        vec![step, inverse]
+    }
+
+    /// Every combination of the ways of single legs that brings the platform to the pose and not to its other assembly modes.
+    fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
+        if L::COUNT < 6 && pose.angle_rad() > TURNED {
+            return Vec::new();
+        }
+        let values = self.values(parameters);
+        let mut all = vec![Vec::new()];
+        for leg in 0..L::COUNT {
+            let at = |branch: &f64| self.legs.joint_at(leg, values.of(leg), pose, *branch);
+            let ways: Vec<f64> = L::BRANCHES.iter().map(at).filter(|q| q.is_finite()).collect();
+            all = all.iter().flat_map(|q: &Vec<f64>| ways.iter().map(|w| [&q[..], &[*w]].concat())).collect();
+        }
+        all.retain(|q| {
+            let there = self.place(parameters, q);
+            there.is_some_and(|there| {
+                let off = there.rotation.as_flattened().iter().zip(pose.rotation.as_flattened());
+                norm(minus(there.translation_mm, pose.translation_mm)) < BACK
+                    && off.into_iter().all(|(a, b)| (a - b).abs() < BACK)
+            })
+        });
+        all
+    }
+}
+
+impl<L: Legs> FreeBase for Parallel<L> {
+    fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose {
+        self.place(parameters, joints).map_or_else(nowhere, |platform| base_pose(parameters).then(&platform))
+    }
+    fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let n = parameters.len();
+        let Some((_, twists)) = self.moving(parameters, joints) else { return out.fill(f64::NAN) };
+        out.fill(0.0);
+        let base = base_pose(parameters);
+        let axes = turning_axes([parameters[3], parameters[4], parameters[5]]);
+        (0..3).for_each(|i| write(out, n, 3 + i, axes[i]));
+        let turns = twists.by_parameters.iter().map(|twist| base.rotate(twist.turn)).enumerate();
+        turns.for_each(|(j, turn)| write(out, n, self.first() + j, turn));
+    }
+}

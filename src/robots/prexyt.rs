@@ -1,0 +1,413 @@
+//! The PreXYT: a planar parallel table with three actuators (thesis, chapter 3).
+//!
+//! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
+//! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
+
+use super::{
+    Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot,
+    Role, Source,
+};
+use super::{in_plane, in_space, meaning};
+use etalon_base::expression::{Formula, Recorded};
+use etalon_base::message::Result;
+use etalon_base::pose::Pose;
+use etalon_base::scalar::{Dual, Scalar, constants, duals};
+use etalon_base::sketch::{Sketch, StrokeKind};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::f64::consts::FRAC_PI_2;
+
+const PARAMETERS: usize = 16;
+/// Names, quantities, roles, nominal values and meanings (thesis, table 3.3; l_kl is twice the nominal x_C).
+const COMMON: [(&str, Quantity, Role, f64, &str); 14] = [
+    (
+        "beta",
+        Quantity::Angle,
+        Role::Robot,
+        0.0,
+        meaning("Angle of rail 3 from the y axis of the base; counterclockwise positive."),
+    ),
+    (
+        "gamma",
+        Quantity::Angle,
+        Role::Robot,
+        0.0,
+        meaning("Angle of the guide on carriage 1 from the y axis of the base; clockwise positive."),
+    ),
+    (
+        "epsilon_theta",
+        Quantity::Angle,
+        Role::Target,
+        0.0,
+        meaning("Angle from the platform's x axis to the line through the balls K and L; counterclockwise positive."),
+    ),
+    ("s", Quantity::Length, Role::Robot, 394.0, meaning("Distance of rail 3 from rail 2, along x.")),
+    ("d3", Quantity::Length, Role::Robot, 0.0, meaning("Place of carriage 3 at actuator value zero, along y.")),
+    ("d", Quantity::Length, Role::Robot, 116.0, meaning("Place of carriage 1 at actuator value zero, along x.")),
+    (
+        "x_c",
+        Quantity::Length,
+        Role::Target,
+        73.0,
+        meaning("Centre C of the platform from ball K, along the line of the balls."),
+    ),
+    (
+        "y_c",
+        Quantity::Length,
+        Role::Target,
+        -73.0,
+        meaning("Centre C of the platform from ball K, across the line of the balls."),
+    ),
+    ("x_o", Quantity::Length, Role::Base, 22.5, meaning("Origin of the base in the world, along x.")),
+    ("y_o", Quantity::Length, Role::Base, -30.5, meaning("Origin of the base in the world, along y.")),
+    (
+        "delta",
+        Quantity::Ratio,
+        Role::Robot,
+        1.0,
+        meaning("Travel of carriage 1 along x for each millimetre commanded; 1 as drawn."),
+    ),
+    (
+        "delta2",
+        Quantity::Ratio,
+        Role::Robot,
+        1.0,
+        meaning("Travel of carriage 2 for each millimetre commanded; 1 as drawn."),
+    ),
+    (
+        "delta3",
+        Quantity::Ratio,
+        Role::Robot,
+        1.0,
+        meaning("Travel of carriage 3 for each millimetre commanded; 1 as drawn."),
+    ),
+    ("l_kl", Quantity::Length, Role::Target, 146.0, meaning("Distance of the balls K and L.")),
+];
+
+/// Thirteen parameters.
+pub(super) const REDUCED: Model = Model::new::<Keys<false>>("prexyt", &[&["reach", "travel_mm"]], &[]);
+/// Fifteen parameters.
+pub(super) const FULL: Model = Model::new::<Keys<true>>("prexyt_full", &[&["reach", "travel_mm"]], &[]);
+
+/// Keys of a PreXYT in robot.toml; `FULL` before the reduction of section 3.4.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Keys<const FULL: bool> {
+    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
+    #[serde(default)]
+    reach: Travel,
+}
+
+/// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Travel {
+    /// Travel of each actuator from zero.
+    pub travel_mm: Option<[f64; 3]>,
+}
+
+impl<const FULL: bool> Description for Keys<FULL> {
+    fn build(&self, _targets: &[String], _source: &dyn Source) -> Result<Box<dyn Robot>> {
+        Ok(Box::new(Prexyt { travel_mm: self.reach.travel_mm, ..Prexyt::new(FULL) }))
+    }
+}
+
+/// The PreXYT with its nominal parameters.
+#[derive(Clone, Debug)]
+pub struct Prexyt {
+    definition: Definition,
+    full: bool,
+    travel_mm: Option<[f64; 3]>,
+}
+
+impl Default for Prexyt {
+    fn default() -> Self {
+        Self::new(false)
+    }
+}
+
+impl Prexyt {
+    /// The model of thirteen parameters, or, if `full`, the one before the reduction of section 3.4.
+    pub fn new(full: bool) -> Self {
+        let mut parameters: Vec<Parameter> = COMMON
+            .iter()
+            .map(|&(name, quantity, role, nominal, meaning)| {
+                Parameter::new(name, quantity, role, nominal).meaning(meaning)
+            })
+            .collect();
+        if full {
+            parameters[5].name = "d1".into();
+            parameters[10].name = "delta1".into();
+            let alpha = Parameter::new("alpha", Quantity::Angle, Role::Robot, 0.0);
+            parameters.push(
+                alpha.meaning(meaning("Angle of rail 1 from the x axis of the base; counterclockwise positive.")),
+            );
+            let h = Parameter::new("h", Quantity::Length, Role::Robot, 0.0);
+            parameters.push(h.meaning(meaning("Distance of rail 1 from the origin of the base, along y.")));
+        }
+        let joints = ["rho1", "rho2", "rho3"].map(|name| Joint { name: name.into(), quantity: Quantity::Length });
+        let targets = vec!["K".into(), "L".into()];
+        let model = if full { "prexyt_full" } else { "prexyt" };
+        let definition = Definition { model, dimension: 2, parameters, joints: joints.into(), targets };
+        Self { definition, full, travel_mm: None }
+    }
+
+    /// The same robot with actuators that go from zero to these displacements.
+    pub fn with_travel(mut self, travel_mm: [f64; 3]) -> Self {
+        self.travel_mm = Some(travel_mm);
+        self
+    }
+
+    /// delta and d of the reduced model (section 3.4, below eq. 3.10).
+    fn reduced<T: Scalar>(&self, p: &[T]) -> (T, T) {
+        if !self.full {
+            return (p[10], p[5]);
+        }
+        let (gamma, d1, delta1, alpha, h) = (p[1], p[5], p[10], p[14], p[15]);
+        let one = T::from(1.0);
+        let delta = delta1 * alpha.sin_cos().1 * (one - alpha.tan() * gamma.tan());
+        (delta, d1 - h * gamma.tan())
+    }
+
+    /// Direct kinematics: pose of the platform in the base frame (eq. 3.8, 3.11, 3.10).
+    pub fn direct<T: Scalar>(&self, p: &[T], rho: &[T]) -> PlanarPose<T> {
+        let (gamma, delta2) = (p[1], p[11]);
+        let (delta, d) = self.reduced(p);
+        let [[_, y2], [run, y3]] = self.revolutes(p, rho);
+        let rise = y3 - y2;
+        let theta = rise.atan2(run); // eq. 3.8
+        let (tan_theta, tan_gamma) = (rise / run, gamma.tan());
+        let one = T::from(1.0);
+        let x = (rho[0] * delta + d + delta2 * rho[1] * tan_gamma) / (one - tan_gamma * tan_theta); // eq. 3.11
+        let y = delta2 * rho[1] + x * tan_theta; // eq. 3.10
+        PlanarPose { x_mm: x, y_mm: y, theta_rad: theta }
+    }
+
+    /// Axes of revolute joints 2 and 3 in the base frame; theta is the direction from one to the other (eq. 3.8).
+    fn revolutes<T: Scalar>(&self, p: &[T], rho: &[T]) -> [[T; 2]; 2] {
+        let [beta, s, d3] = [p[0], p[3], p[4]];
+        let (sin_beta, cos_beta) = beta.sin_cos();
+        let reach3 = p[12] * rho[2];
+        let second = [T::from(0.0), p[11] * rho[1]];
+        [second, [s - reach3 * sin_beta - d3 * beta.tan(), reach3 * cos_beta + d3]]
+    }
+
+    /// Inverse kinematics: actuator values for a pose of the platform in the base frame (eq. 3.12 to 3.14).
+    pub fn inverse<T: Scalar>(&self, p: &[T], pose: PlanarPose<T>) -> [T; 3] {
+        let [beta, gamma, _, s, d3] = [p[0], p[1], p[2], p[3], p[4]];
+        let (delta, d) = self.reduced(p);
+        let PlanarPose { x_mm: x, y_mm: y, theta_rad } = pose;
+        let t = theta_rad.tan();
+        let (sin_beta, cos_beta) = beta.sin_cos();
+        let rho2 = (y - x * t) / p[11]; // eq. 3.12
+        let rho3 = (t * (s - d3 * beta.tan() - x) + y - d3) / (p[12] * (cos_beta + sin_beta * t)); // eq. 3.13
+        let rho1 = (x - d - y * gamma.tan()) / delta; // eq. 3.14
+        [rho1, rho2, rho3]
+    }
+
+    /// Positions of the balls K and L in the world: eq. 3.17 and 3.19 solved for K, and L at `l_kl` from it.
+    pub fn balls<T: Scalar>(&self, p: &[T], rho: &[T]) -> [[T; 2]; 2] {
+        let pose = self.direct(p, rho);
+        let (sin, cos) = (pose.theta_rad + p[2]).sin_cos();
+        let (x_c, y_c, x_o, y_o, l_kl) = (p[6], p[7], p[8], p[9], p[13]);
+        let k = [pose.x_mm + x_o - (x_c * cos - y_c * sin), pose.y_mm + y_o - (x_c * sin + y_c * cos)];
+        [k, [k[0] + l_kl * cos, k[1] + l_kl * sin]]
+    }
+
+    /// Pose of the platform in the base frame, as the balls K and L measure it (eq. 3.17 to 3.19).
+    pub fn measured<T: Scalar>(&self, p: &[T], k: [T; 2], l: [T; 2]) -> PlanarPose<T> {
+        let (dx, dy) = (l[0] - k[0], l[1] - k[1]);
+        let length = (dx * dx + dy * dy).sqrt();
+        let (cos, sin) = (dx / length, dy / length);
+        let (x_c, y_c, x_o, y_o) = (p[6], p[7], p[8], p[9]);
+        PlanarPose {
+            x_mm: k[0] + x_c * cos - y_c * sin - x_o,
+            y_mm: k[1] + x_c * sin + y_c * cos - y_o,
+            theta_rad: dy.atan2(dx) - p[2],
+        }
+    }
+
+    /// Estimated minus measured pose: the summands of eq. 3.26 (mm, mm, rad).
+    pub fn pose_residual<T: Scalar>(&self, p: &[T], rho: &[T], k: [T; 2], l: [T; 2]) -> [T; 3] {
+        let (estimated, measured) = (self.direct(p, rho), self.measured(p, k, l));
+        [
+            estimated.x_mm - measured.x_mm,
+            estimated.y_mm - measured.y_mm,
+            (estimated.theta_rad - measured.theta_rad).wrapped(),
+        ]
+    }
+}
+
+impl Robot for Prexyt {
+    fn definition(&self) -> &Definition {
+        &self.definition
+    }
+    fn definition_mut(&mut self) -> &mut Definition {
+        &mut self.definition
+    }
+    /// With tilts that show, whatever is drawn.
+    fn sketches(&self) -> Vec<Sketch> {
+        use StrokeKind::{Axis, Length, Part};
+        let title = meaning(
+            "The table seen from above, with tilts drawn large: rails, carriages, platform C and balls K and L.",
+        );
+        let mut sketch = Sketch::new(title, true);
+        let mut p = self.nominal();
+        (p[0], p[1], p[2]) = (0.14, 0.16, 0.3);
+        let s = p[3];
+        p[4] = 0.12 * s;
+        let rho = [0.25 * s, 0.3 * s, 0.5 * s];
+        let pose = self.direct(&p, &rho);
+        let [[x2, y2], [x3, y3]] = self.revolutes(&p, &rho);
+        let (second, third, c) = ([x2, y2, 0.0], [x3, y3, 0.0], [pose.x_mm, pose.y_mm, 0.0]);
+        let frame = Pose::identity();
+        let on_rail = |along: f64| [s - along * p[0].sin() - p[4] * p[0].tan(), along * p[0].cos() + p[4], 0.0];
+        let guide = |y: f64| [c[0] + (y - c[1]) * p[1].tan(), y, 0.0];
+        sketch.add(Part, "rho2", &[[0.0, -0.1 * s, 0.0], [0.0, 0.8 * s, 0.0]]);
+        sketch.add(Part, "rho3", &[on_rail(-0.1 * s), on_rail(0.8 * s)]);
+        sketch.add(Part, "rho1", &[[0.1 * s, 0.0, 0.0], [0.85 * s, 0.0, 0.0]]);
+        sketch.add(Part, "", &[second, third]);
+        sketch.add(Part, "", &[guide(0.0), guide(0.8 * s)]);
+        sketch.add(Length, "s", &[[0.0; 3], [s, 0.0, 0.0]]);
+        sketch.add(Length, "d3", &[[s, 0.0, 0.0], [s, p[4], 0.0]]);
+        sketch.add(Length, if self.full { "d1" } else { "d" }, &[[p[5], 0.0, 0.0], [0.0; 3]]);
+        sketch.add(Axis, "", &[[p[5], -0.06 * s, 0.0], [p[5], 0.06 * s, 0.0]]);
+        let up = |at: [f64; 3]| Pose { translation_mm: at, ..Pose::identity() }.turn_z(FRAC_PI_2);
+        for (name, from, angle) in [("beta", on_rail(0.0), p[0]), ("gamma", guide(0.0), -p[1])] {
+            sketch.add(Axis, "", &[from, up(from).shift(0, 0.72 * s).translation_mm]);
+            sketch.angle(name, &up(from), 0.66 * s, angle);
+        }
+        let platform = Pose { translation_mm: c, ..frame }.turn_z(pose.theta_rad);
+        let balls = platform.turn_z(p[2]);
+        let [k, l] = [0.0, p[13]].map(|along| balls.apply([along - p[6], -p[7], 0.0]));
+        let foot = balls.apply([0.0, -p[7], 0.0]);
+        sketch.add(Part, "", &[c, k, l, c]);
+        sketch.add(Length, "l_kl", &[l, k]);
+        sketch.add(Length, "x_c", &[k, foot]);
+        sketch.add(Length, "y_c", &[foot, c]);
+        sketch.angle("epsilon_theta", &platform, 0.3 * s, p[2]);
+        let world = Pose { translation_mm: [-0.22 * s, -0.2 * s, 0.0], ..frame };
+        sketch.frame("world", &world, 0.1 * s);
+        sketch.frame("base", &frame, 0.1 * s);
+        sketch.add(Length, "x_o", &[world.translation_mm, [0.0, -0.2 * s, 0.0]]);
+        sketch.add(Length, "y_o", &[[0.0, -0.2 * s, 0.0], [0.0; 3]]);
+        vec![sketch]
+    }
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(self.balls(parameters, joints).as_flattened());
+    }
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let balls = self.balls(&duals::<PARAMETERS>(parameters), &constants(joints));
+        for (row, value) in out.chunks_exact_mut(parameters.len()).zip(balls.as_flattened()) {
+            row.copy_from_slice(&value.gradient[..parameters.len()]);
+        }
+    }
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let balls = self.balls(&constants(parameters), &duals::<3>(joints));
+        for (row, value) in out.chunks_exact_mut(3).zip(balls.as_flattened()) {
+            row.copy_from_slice(&value.gradient);
+        }
+    }
+    fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
+        let ends = self.travel_mm?;
+        let off = |(_, (rho, end)): &(usize, (&f64, f64))| !(0.0..=*end).contains(*rho);
+        let (i, (rho, end)) = joints.iter().zip(ends).enumerate().find(off)?;
+        Some(format!("rho{} = {rho} mm, its travel is 0 to {end} mm", i + 1))
+    }
+    fn platform(&self) -> Option<&dyn Platform> {
+        Some(self)
+    }
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        Some(self)
+    }
+    fn rail_table(&self) -> Option<&dyn RailTable> {
+        Some(self)
+    }
+    fn remedy(&self, names: &[&str]) -> Option<&'static str> {
+        // d and x_c act along x and x': only different |theta| separate them
+        (names.contains(&"x_c") && (names.contains(&"d") || names.contains(&"d1")))
+            .then_some("measure poses with different |theta|, e.g. 0 and the largest the table reaches")
+    }
+}
+
+impl Kinematics for Prexyt {
+    fn tool_pose(&self, p: &[f64], joints: &[f64]) -> Option<Pose> {
+        in_space(self.direct(p, joints))
+    }
+    fn formulas(&self, p: &[f64]) -> Vec<Formula> {
+        let p = || p.iter().map(|&v| Recorded::from(v)).collect::<Vec<_>>();
+        let names = |names: [&str; 3]| names.map(str::to_owned);
+        let (rho, pose) = (names(["rho1", "rho2", "rho3"]), names(["x", "y", "theta"]));
+        let direct = Formula::record("direct", &rho, |v| {
+            let at = self.direct(&p(), v);
+            pose.clone().into_iter().zip([at.x_mm, at.y_mm, at.theta_rad]).collect()
+        });
+        let inverse = Formula::record("inverse", &pose, |v| {
+            let pose = PlanarPose { x_mm: v[0], y_mm: v[1], theta_rad: v[2] };
+            rho.clone().into_iter().zip(self.inverse(&p(), pose)).collect()
+        });
+        vec![direct, inverse]
+    }
+    fn base_in_world(&self, p: &[f64]) -> Option<Pose> {
+        in_space(PlanarPose { x_mm: p[8], y_mm: p[9], theta_rad: 0.0 })
+    }
+    fn all_joints(&self, p: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
+        // tan θ knows no half turns: the platform turns by less than a right angle (eq. 3.8)
+        let pose = in_plane(pose).filter(|pose| pose.theta_rad.abs() < FRAC_PI_2);
+        let joints = pose.map(|pose| self.inverse(p, pose).to_vec());
+        joints.filter(|q| q.iter().all(|v| v.is_finite())).into_iter().collect()
+    }
+}
+
+impl Platform for Prexyt {
+    fn pose(&self, p: &[f64], joints: &[f64]) -> PlanarPose {
+        self.direct(p, joints)
+    }
+    fn joints_at(&self, p: &[f64], pose: PlanarPose) -> Vec<f64> {
+        self.inverse(p, pose).to_vec()
+    }
+    fn in_base(&self, p: &[f64], [x, y]: [f64; 2]) -> [f64; 2] {
+        [x - p[8], y - p[9]]
+    }
+    fn measured_pose(&self, p: &[f64], [k, l]: [[f64; 2]; 2]) -> PlanarPose {
+        self.measured(p, k, l)
+    }
+    fn pose_error(&self, p: &[f64], joints: &[f64], [k, l]: [[f64; 2]; 2]) -> [f64; 3] {
+        self.pose_residual(p, joints, k, l)
+    }
+    fn pose_error_jacobians(&self, p: &[f64], joints: &[f64], [k, l]: [[f64; 2]; 2]) -> (Vec<f64>, [[f64; 4]; 3]) {
+        let by_parameters =
+            self.pose_residual(&duals::<PARAMETERS>(p), &constants(joints), k.map(Dual::from), l.map(Dual::from));
+        let balls = duals::<4>(&[k[0], k[1], l[0], l[1]]);
+        let by_balls =
+            self.pose_residual(&constants(p), &constants(joints), [balls[0], balls[1]], [balls[2], balls[3]]);
+        (by_parameters.iter().flat_map(|r| &r.gradient[..p.len()]).copied().collect(), by_balls.map(|r| r.gradient))
+    }
+    fn target_distance(&self) -> usize {
+        13
+    }
+}
+
+impl RailTable for Prexyt {
+    fn travel_mm(&self) -> Option<[f64; 3]> {
+        self.travel_mm
+    }
+    fn pivots(&self, p: &[f64], rho: &[f64; 3]) -> [[f64; 2]; 2] {
+        self.revolutes(p, rho).map(|[x, y]| [x + p[8], y + p[9]])
+    }
+    fn centre(&self, p: &[f64], rho: &[f64; 3]) -> [f64; 2] {
+        let pose = self.direct(p, rho);
+        [pose.x_mm + p[8], pose.y_mm + p[9]]
+    }
+    // eq. 3.7; without alpha, actuator 1 travels delta along x: what C shows of it
+    fn travel(&self, p: &[f64], actuator: usize) -> [f64; 2] {
+        match actuator {
+            1 => {
+                let (sin, cos) = p.get(14).filter(|_| self.full).map_or((0.0, 1.0), |alpha| alpha.sin_cos());
+                [p[10] * cos, p[10] * sin]
+            }
+            2 => [0.0, p[11]],
+            _ => [-p[12] * p[0].sin(), p[12] * p[0].cos()],
+        }
+    }
+}

@@ -1,0 +1,938 @@
+//! Robots in space as one chain of joints: base, targets, and the parameters of the chain, whichever convention they are in.
+//!
+//! A convention pushes its motions and parameters into an [`ArmBuilder`]; gains, coupling and bending are the same for all.
+
+use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
+use super::{
+    ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Loads, Parameter, Parametrised, Quantity,
+    Robot, Role, State, base_pose, meaning, pose_outputs,
+};
+use super::{limit_violation, nearest};
+use etalon_base::expression::{Formula, Recorded, derivatives};
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm};
+use etalon_base::scalar::Scalar;
+use etalon_base::sketch::{Sketch, StrokeKind};
+use nalgebra::Matrix6;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// Mass of what a joint carries up to the next one, and its centre in the frame that it moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Body {
+    pub mass_kg: f64,
+    pub center_mm: Vector,
+}
+
+/// What a joint is called and what moves it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Drive {
+    /// Its number or name, as gains bear it.
+    pub label: String,
+    /// Its name, as its errors bear it.
+    pub name: String,
+    /// Index of the joint whose value moves it by factor · value + offset.
+    pub joint: usize,
+    pub factor: f64,
+    /// rad or mm.
+    pub offset: f64,
+    pub prismatic: bool,
+}
+
+/// The joints that `bending`, `coupling`, `harmonics` and `backlash` name, and the direction of `gravity`.
+#[derive(Debug, Default)]
+pub(super) struct Effects {
+    pub gravity: Vector,
+    pub bending: Vec<usize>,
+    pub coupling: Vec<(usize, usize)>,
+    pub harmonics: Vec<usize>,
+    pub backlash: Vec<usize>,
+}
+
+/// A moving joint of the chain.
+#[derive(Clone, Debug)]
+struct Axis {
+    drive: Drive,
+    /// The element that it moves.
+    element: usize,
+    /// Where its value comes among the terms of that element.
+    at: usize,
+    /// Elements up to the frame behind it, whose z axis is that of the joint.
+    frame: usize,
+    /// From the frame of the joint to that frame.
+    aligned: Pose,
+    body: Body,
+}
+
+/// What bends a joint.
+#[derive(Clone, Copy, Debug)]
+enum Load {
+    /// The weight of a link about a joint, as a fraction of the largest: 1 when the link is level. Axes by their numbers.
+    Link { axis: usize, link: usize },
+    /// The moment of all masses beyond an axis about a direction of the frame that it moves, as a fraction of the largest: 1 when the
+    /// arm is stretched out level.
+    Moment { axis: usize, about: Vector, largest_kg_mm: f64 },
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+const GAIN: &str = meaning("Gain of the joint: by how much it moves for each unit of its logged value; 1 as drawn.");
+const BENDING: &str = meaning(
+    "Bending under gravity: the angle under the largest moment, arm stretched out level; positive as the load turns.",
+);
+const COUPLING: &str =
+    meaning("Coupling: by how much the first joint moves for each unit that the second one is moved.");
+const HARMONIC: &str = meaning(
+    "Harmonic of the transmission: by how much the joint moves for each unit of the sine or cosine that the name ends with, of once or twice the angle of the joint.",
+);
+const BACKLASH: &str = meaning(
+    "Backlash of the joint: by how much it is further, coming from above, than coming from below to the same logged value; 0 without play.",
+);
+const TILT: &str =
+    meaning("Small rotation of the joint's axis, about the axis that the name ends with; counterclockwise positive.");
+const ASIDE: &str = meaning("Small displacement of the joint's axis, along the axis that the name ends with.");
+
+/// A small error of an axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SmallError {
+    pub motion: Motion,
+    /// None where another axis has the same error.
+    pub parameter: Option<usize>,
+    /// Its element.
+    pub element: usize,
+}
+
+/// Collects the motions and parameters of a chain; base and targets come first.
+#[derive(Debug)]
+pub(super) struct ArmBuilder {
+    parameters: Vec<Parameter>,
+    elements: Vec<Element>,
+    axes: Vec<Axis>,
+    loads: Vec<Load>,
+    /// Elements of the base.
+    based: usize,
+    targets: Vec<String>,
+    /// Parameters of each axis: what moves it beside its gain.
+    moved: Vec<Vec<Term>>,
+    /// Joints whose direction of approach counts.
+    approached: Vec<usize>,
+}
+
+impl ArmBuilder {
+    /// A chain that begins with its base and carries these targets.
+    pub fn new(targets: &[String]) -> Self {
+        let mut arm = Self {
+            parameters: Vec::new(),
+            elements: Vec::new(),
+            axes: Vec::new(),
+            loads: Vec::new(),
+            based: 0,
+            targets: targets.to_vec(),
+            moved: Vec::new(),
+            approached: Vec::new(),
+        };
+        for (quantity, turn) in [(Quantity::Length, ""), (Quantity::Angle, "r")] {
+            for axis in AXES {
+                arm.free(format!("base_{turn}{axis}"), quantity, Role::Base);
+            }
+        }
+        for target in targets {
+            for axis in AXES {
+                arm.free(format!("{target}_{axis}"), Quantity::Length, Role::Target);
+            }
+        }
+        for axis in 0..3 {
+            arm.push(Motion::Shift(axis), 0.0, &[axis]);
+        }
+        (0..3).for_each(|axis| arm.push(Motion::Attitude(axis), 0.0, &[3 + axis]));
+        arm.based = arm.elements.len();
+        arm
+    }
+
+    /// Adds a parameter of base or targets.
+    fn free(&mut self, name: String, quantity: Quantity, role: Role) {
+        self.parameters.push(Parameter { tolerance: f64::INFINITY, ..Parameter::new(name, quantity, role, 0.0) });
+    }
+
+    /// Adds a parameter of the robot with its meaning, and gives its index.
+    pub fn parameter(&mut self, name: String, quantity: Quantity, nominal: f64, meaning: &'static str) -> usize {
+        self.parameters.push(Parameter::new(name, quantity, Role::Robot, nominal).meaning(meaning));
+        self.parameters.len() - 1
+    }
+
+    /// Adds a motion by `constant` + Σ parameters.
+    pub fn push(&mut self, motion: Motion, constant: f64, parameters: &[usize]) {
+        let terms = parameters.iter().copied().map(Term::of).collect();
+        self.elements.push(Element { motion, constant, terms });
+    }
+
+    /// Adds the motion against a small error.
+    pub fn push_back(&mut self, error: &SmallError) {
+        let term = |parameter| Term { parameter, coefficient: Coefficient::Constant(-1.0) };
+        let terms = error.parameter.map(term).into_iter().collect();
+        self.elements.push(Element { motion: error.motion, constant: 0.0, terms });
+    }
+
+    /// Adds a constant place; two in a row are one.
+    pub fn place(&mut self, place: Pose) {
+        match self.elements.last_mut().map(|e| &mut e.motion) {
+            Some(Motion::Fixed(last)) => *last = last.then(&place),
+            _ if place == Pose::identity() => {}
+            _ => self.push(Motion::Fixed(place), 0.0, &[]),
+        }
+    }
+
+    /// Lets a joint move the last element, where its value comes before or behind the other terms.
+    pub fn drive(&mut self, drive: Drive, first: bool) {
+        let element = self.elements.len() - 1;
+        let at = if first { 0 } else { self.elements[element].terms.len() };
+        self.axes.push(Axis {
+            drive,
+            element,
+            at,
+            frame: element + 1,
+            aligned: Pose::identity(),
+            body: Body::default(),
+        });
+        self.moved.push(Vec::new());
+    }
+
+    /// The frame behind the last axis is that of the chain so far.
+    pub fn frame(&mut self) {
+        let frame = self.elements.len();
+        if let Some(axis) = self.axes.last_mut() {
+            axis.frame = frame;
+        }
+    }
+
+    /// What the last axis carries up to the next one.
+    pub fn carry(&mut self, body: Body) {
+        if let Some(axis) = self.axes.last_mut() {
+            axis.body = body;
+        }
+    }
+
+    /// Whether an axis or one beyond it carries a mass.
+    pub fn is_loaded(&self, axis: usize) -> bool {
+        self.axes[axis..].iter().any(|axis| axis.body.mass_kg > 0.0)
+    }
+
+    /// A gain of each axis.
+    pub fn gains(&mut self) {
+        for k in 0..self.axes.len() {
+            let Drive { ref label, joint, factor, offset, .. } = self.axes[k].drive;
+            let parameter = self.parameter(format!("gain_{label}"), Quantity::Ratio, 1.0, GAIN);
+            self.moved[k].push(Term { parameter, coefficient: Coefficient::Joint { joint, factor, offset } });
+        }
+    }
+
+    /// Harmonics of axes, once and twice a turn, as a deviating gear or encoder has them.
+    pub fn harmonics(&mut self, axes: &[usize]) {
+        for &k in axes {
+            let Drive { label, joint, factor, offset, .. } = self.axes[k].drive.clone();
+            for (order, name, sine) in
+                [(1.0, "sin1", true), (1.0, "cos1", false), (2.0, "sin2", true), (2.0, "cos2", false)]
+            {
+                let parameter = self.parameter(format!("harmonic_{label}_{name}"), Quantity::Angle, 0.0, HARMONIC);
+                let coefficient = Coefficient::Harmonic { joint, factor, offset, order, sine };
+                self.moved[k].push(Term { parameter, coefficient });
+            }
+        }
+    }
+
+    /// Backlash of axes of a chain with so many joints: half of it on either side.
+    pub fn backlash(&mut self, axes: &[usize], joints: usize) {
+        for &k in axes {
+            let Drive { label, joint, factor, prismatic, .. } = self.axes[k].drive.clone();
+            let known = self.approached.iter().position(|j| *j == joint);
+            let at = joints + known.unwrap_or(self.approached.len());
+            self.approached.extend(known.is_none().then_some(joint));
+            let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
+            let parameter = self.parameter(format!("backlash_{label}"), quantity, 0.0, BACKLASH);
+            let coefficient = Coefficient::Approach { at, factor: -0.5 * factor.signum() };
+            self.moved[k].push(Term { parameter, coefficient });
+        }
+    }
+
+    /// Bending of the axes `bending`, in their order, under the links behind them.
+    pub fn bending(&mut self, bending: &[usize]) {
+        for &axis in bending {
+            for &link in bending.iter().filter(|&&link| link >= axis) {
+                let name = format!("compliance_{}_{}", self.axes[axis].drive.label, self.axes[link].drive.label);
+                let term = self.load(name, Load::Link { axis, link });
+                self.moved[axis].push(term);
+            }
+        }
+    }
+
+    /// Bending of an axis under all masses beyond it, as the angle under their largest moment: about itself where it turns, about the
+    /// axes of its small rotations where it slides.
+    pub fn bending_by_masses(&mut self, axis: usize, errors: &[SmallError]) {
+        let Drive { ref label, prismatic, .. } = self.axes[axis].drive;
+        let label = label.clone();
+        let length = |e: &Element| if let Motion::Fixed(place) = e.motion { norm(place.translation_mm) } else { 0.0 };
+        let stretched = |k: usize| -> f64 {
+            let between = &self.elements[self.axes[axis].element..self.axes[k].element];
+            between.iter().map(length).sum::<f64>() + norm(self.axes[k].body.center_mm)
+        };
+        let largest_kg_mm = (axis..self.axes.len()).map(|k| self.axes[k].body.mass_kg * stretched(k)).sum();
+        if !prismatic {
+            let about = self.axes[axis].aligned.axis(2);
+            let term = self.load(format!("compliance_{label}"), Load::Moment { axis, about, largest_kg_mm });
+            return self.moved[axis].push(term);
+        }
+        for error in errors {
+            let Motion::Turn(k) = error.motion else { continue };
+            let name = format!("compliance_{label}_r{}", AXES[k]);
+            let term = self.load(name, Load::Moment { axis, about: Pose::identity().axis(k), largest_kg_mm });
+            self.elements[error.element].terms.push(term);
+        }
+    }
+
+    fn load(&mut self, name: String, load: Load) -> Term {
+        let parameter = self.parameter(name, Quantity::Angle, 0.0, BENDING);
+        self.loads.push(load);
+        Term { parameter, coefficient: Coefficient::Load(self.loads.len() - 1) }
+    }
+
+    /// Axes moved by other joints: pairs of an axis and the joint that moves it.
+    pub fn coupling(&mut self, pairs: &[(usize, usize)]) {
+        for &(axis, by) in pairs {
+            let name = format!("coupling_{}_{}", self.axes[axis].drive.label, self.axes[by].drive.label);
+            let parameter = self.parameter(name, Quantity::Ratio, 0.0, COUPLING);
+            let joint = self.axes[by].drive.joint;
+            let coefficient = Coefficient::Joint { joint, factor: 1.0, offset: 0.0 };
+            let moved = &mut self.moved[axis];
+            let before = moved.iter().take_while(|t| !matches!(t.coefficient, Coefficient::Load(_))).count();
+            moved.insert(before, Term { parameter, coefficient });
+        }
+    }
+
+    /// An axis of this direction in the frame so far, with its small errors before it: two rotations, and two translations where it turns,
+    /// all transversal to the axis, about and along the coordinate axes that are furthest from it. They are complete and minimal: what
+    /// is along the axis is a motion of the axes or targets behind it.
+    ///
+    /// An axis that follows one before it, along which it slides by the same joint, has none of its own.
+    pub fn screw(&mut self, direction: Vector, drive: Drive, follows: bool) -> Vec<SmallError> {
+        let size = |k: usize| direction[k].abs();
+        let along = (0..3).fold(2, |best, k| if size(k) > size(best) { k } else { best });
+        let across: Vec<usize> = (0..3).filter(|&k| k != along).collect();
+        let mut errors = Vec::new();
+        for (turn, quantity) in [(false, Quantity::Length), (true, Quantity::Angle)] {
+            for &k in across.iter().filter(|_| turn || !drive.prismatic) {
+                let name = format!("{}_{}{}", drive.name, if turn { "r" } else { "" }, AXES[k]);
+                let parameter =
+                    (!follows).then(|| self.parameter(name, quantity, 0.0, if turn { TILT } else { ASIDE }));
+                let motion = if turn { Motion::Turn(k) } else { Motion::Shift(k) };
+                self.push(motion, 0.0, parameter.as_slice());
+                errors.push(SmallError { motion, parameter, element: self.elements.len() - 1 });
+            }
+        }
+        let aligned = z_to(direction);
+        self.place(aligned);
+        self.push(if drive.prismatic { Motion::Shift(2) } else { Motion::Turn(2) }, 0.0, &[]);
+        self.drive(drive, false);
+        if let Some(axis) = self.axes.last_mut() {
+            axis.aligned = aligned;
+        }
+        self.place(aligned.inverse());
+        errors
+    }
+
+    /// Gains, harmonics, backlash, bending and coupling, and the robot with joints that are called q1, q2 ...
+    pub fn finish(mut self, prismatic: impl Iterator<Item = bool>, effects: &Effects) -> Serial {
+        self.gains();
+        self.harmonics(&effects.harmonics);
+        self.backlash(&effects.backlash, self.axes.len());
+        self.bending(&effects.bending);
+        self.coupling(&effects.coupling);
+        let joints = (1..).zip(prismatic).map(|(i, prismatic)| Joint::numbered(i, prismatic));
+        self.build("serial", joints.collect(), effects.gravity)
+    }
+
+    /// The name of a parameter that is there twice.
+    pub fn doubled(&self) -> Option<&str> {
+        let names = || self.parameters.iter().map(|p| p.name.as_str());
+        names().enumerate().find(|(i, name)| names().take(*i).any(|n| n == *name)).map(|(_, name)| name)
+    }
+
+    /// The robot with these joints, under gravity in this direction of the base.
+    pub fn build(mut self, model: &'static str, joints: Vec<Joint>, gravity: Vector) -> Serial {
+        for (axis, moved) in self.axes.iter().zip(self.moved) {
+            self.elements[axis.element].terms.splice(axis.at..axis.at, moved);
+        }
+        Serial {
+            limits: vec![None; joints.len()],
+            definition: Definition { model, dimension: 3, parameters: self.parameters, joints, targets: self.targets },
+            elements: self.elements,
+            axes: self.axes,
+            loads: self.loads,
+            based: self.based,
+            approached: self.approached,
+            gravity,
+            of_base: Vec::new(),
+            other: None,
+        }
+    }
+}
+
+/// The rotation that brings z to a direction, exact where that is a coordinate axis.
+fn z_to(direction: Vector) -> Pose {
+    let [x, y, z] = direction;
+    if z < 0.0 {
+        let flipped = Pose { rotation: [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]], ..Pose::identity() };
+        return flipped.then(&z_to([x, -y, -z]));
+    }
+    // Rodrigues about z × direction
+    let c = 1.0 / (1.0 + z);
+    let rotation = [[1.0 - c * x * x, -c * x * y, x], [-c * x * y, 1.0 - c * y * y, y], [-x, -y, z]];
+    Pose { rotation, ..Pose::identity() }
+}
+
+/// A link between two joints with its Denavit-Hartenberg parameters, of sizes that show them all.
+fn drawn_link(modified: bool, parallel: bool) -> Sketch {
+    const TWIST: f64 = 0.9;
+    const OFFSET: f64 = 0.7;
+    let (a, d, arc) = (160.0, 90.0, 45.0);
+    let title = match modified {
+        true => meaning("A link and its modified Denavit-Hartenberg parameters."),
+        false => meaning("A link and its standard Denavit-Hartenberg parameters."),
+    };
+    let mut sketch = Sketch::new(title, false);
+    let axis = |sketch: &mut Sketch, name: &str, frame: &Pose, ends: [f64; 2]| {
+        let ends = ends.map(|end| frame.shift(2, end).translation_mm);
+        sketch.add(StrokeKind::Axis, name, &ends);
+    };
+    let length = |sketch: &mut Sketch, name: &str, frame: Pose, k: usize, by: f64| {
+        let to = frame.shift(k, by);
+        sketch.add(StrokeKind::Part, "", &[frame.translation_mm, to.translation_mm]);
+        sketch.add(StrokeKind::Length, name, &[frame.translation_mm, to.translation_mm]);
+        to
+    };
+    // about x from z; about y from z
+    let twisted = |sketch: &mut Sketch, frame: &Pose| {
+        sketch.add(StrokeKind::Axis, "", &[frame.translation_mm, frame.shift(2, 80.0).translation_mm]);
+        sketch.angle("alpha_i", &frame.turn_y(-FRAC_PI_2), 70.0, -TWIST);
+        let to = frame.turn_x(TWIST);
+        if parallel {
+            sketch.angle("beta_i", &to.turn_x(-FRAC_PI_2).turn_z(-FRAC_PI_2), 100.0, 0.4);
+        }
+        to
+    };
+    // turned so that no axis is seen end on
+    let mut frame = Pose::identity().turn_z(1.2);
+    if modified {
+        axis(&mut sketch, "z i−1", &frame, [-50.0, 130.0]);
+        frame = length(&mut sketch, "a_i", frame, 0, a);
+        frame = twisted(&mut sketch, &frame);
+    } else {
+        axis(&mut sketch, "z i", &frame, [-50.0, 130.0]);
+    }
+    if modified {
+        axis(&mut sketch, "z i", &frame, [-60.0, 170.0]);
+    }
+    sketch.add(StrokeKind::Axis, "", &[frame.translation_mm, frame.shift(0, 60.0).translation_mm]);
+    sketch.angle("theta_i", &frame, arc, OFFSET);
+    frame = length(&mut sketch, "d_i", frame.turn_z(OFFSET), 2, d);
+    if !modified {
+        frame = length(&mut sketch, "a_i", frame, 0, a);
+        frame = twisted(&mut sketch, &frame);
+        axis(&mut sketch, "z i+1", &frame, [-60.0, 140.0]);
+    }
+    sketch.frame("", &frame, 60.0);
+    sketch
+}
+
+/// A robot in space whose joints follow each other, with its targets and the non-geometric effects that are modelled.
+#[derive(Clone, Debug)]
+pub struct Serial {
+    definition: Definition,
+    elements: Vec<Element>,
+    axes: Vec<Axis>,
+    loads: Vec<Load>,
+    /// Elements of the base.
+    based: usize,
+    /// Joints whose direction of approach follows the joint values.
+    approached: Vec<usize>,
+    gravity: Vector,
+    /// Limits of each joint, rad or mm.
+    limits: Vec<Option<[f64; 2]>>,
+    /// Joints that move the base.
+    of_base: Vec<String>,
+    /// What the same numbers are in another convention.
+    other: Option<(String, Box<Self>)>,
+}
+
+impl Serial {
+    /// The same with limits of its joints, rad or mm.
+    pub(super) fn with_limits(self, limits: Vec<Option<[f64; 2]>>) -> Self {
+        Self { limits, ..self }
+    }
+
+    /// The same on a base that these joints move.
+    pub(super) fn on_moving_base(self, of_base: Vec<String>) -> Self {
+        Self { of_base, ..self }
+    }
+
+    /// The same, with what its numbers are in another convention.
+    pub(super) fn with_other(self, what: String, other: Self) -> Self {
+        Self { other: Some((what, Box::new(other))), ..self }
+    }
+
+    /// The frames behind all axes, and the flange, in the base under these loads.
+    fn frames<T: Scalar>(&self, parameters: &[T], state: State<T>) -> (Vec<Pose<T>>, Pose<T>) {
+        let (mut frames, mut pose) = (Vec::with_capacity(self.axes.len()), Pose::identity());
+        for (i, element) in self.elements.iter().enumerate().skip(self.based) {
+            pose = element.advance(pose, parameters, state);
+            if self.axes.get(frames.len()).is_some_and(|axis| axis.frame == i + 1) {
+                frames.push(pose);
+            }
+        }
+        (frames, pose)
+    }
+
+    /// For each load its size at joint values, on nominal geometry.
+    fn loads_at<T: Scalar>(&self, joints: &[T]) -> Vec<T> {
+        if self.loads.is_empty() {
+            return Vec::new();
+        }
+        let nominal: Vec<T> = self.parameters().iter().map(|p| T::from(p.nominal)).collect();
+        self.loads_on(&self.frames(&nominal, State { joints, loads: &[] }).0)
+    }
+
+    /// For each load its size where these are the frames behind all axes.
+    fn loads_on<T: Scalar>(&self, frames: &[Pose<T>]) -> Vec<T> {
+        let gravity = self.gravity.map(T::from);
+        let size = |load: &Load| match *load {
+            Load::Link { axis, link } => {
+                let next = frames.get(link + 1).unwrap_or(&frames[link]);
+                let along = minus(next.translation_mm, frames[link].translation_mm);
+                let length = dot(along, along).sqrt();
+                let along = if length.value() == 0.0 { along } else { along.map(|v| v / length) };
+                dot(frames[axis].axis(2), cross(along, gravity))
+            }
+            Load::Moment { axis, about, largest_kg_mm } => {
+                let in_joint = |k: usize, v: Vector| self.axes[k].aligned.inverse().rotate(v).map(T::from);
+                let (pivot, about) = (frames[axis].translation_mm, frames[axis].rotate(in_joint(axis, about)));
+                let beyond = frames.iter().zip(&self.axes).enumerate().skip(axis);
+                let moment = |(k, (frame, a)): (usize, (&Pose<T>, &Axis))| {
+                    let lever = minus(frame.apply(in_joint(k, a.body.center_mm)), pivot);
+                    dot(about, cross(lever, gravity)) * a.body.mass_kg
+                };
+                beyond.map(moment).fold(T::from(0.0), |sum, m| sum + m) * (1.0 / largest_kg_mm)
+            }
+        };
+        self.loads.iter().map(size).collect()
+    }
+
+    /// The same way to a pose, with the turns that bring each angle nearest to `near` within its limits; `None` where a gain other than one
+    /// leaves no such way.
+    fn within_limits(&self, parameters: &[f64], place: &Pose, joints: Vec<f64>, near: &[f64]) -> Option<Vec<f64>> {
+        let mut turned = joints.clone();
+        let all = turned.iter_mut().zip(near).zip(self.joints().iter().zip(&self.limits));
+        for ((q, near), (joint, limit)) in all {
+            if joint.quantity == Quantity::Angle {
+                let nearest = *q - ((*q - near) / TAU).round() * TAU;
+                let inside = |v: &f64| limit.is_none_or(|[lower, upper]| (lower..=upper).contains(v));
+                let turned = [nearest, nearest - TAU, nearest + TAU].into_iter().find(inside);
+                *q = turned.unwrap_or(nearest);
+            }
+        }
+        // with a gain a turn of the joint value is not one of the joint
+        if turned == joints { Some(turned) } else { self.inverse(parameters, place, &turned) }
+    }
+
+    /// The arm in its base at joint values zero, with the lengths that are not zero as drawn.
+    fn drawn(&self) -> Sketch {
+        let mut sketch =
+            Sketch::new(meaning("The arm at joint values zero: axes of the joints and lengths of the links."), false);
+        let (p, joints) = (self.nominal(), vec![0.0; self.joints().len()]);
+        let state = State { joints: &joints[..], loads: &[] };
+        let mut pose = Pose::identity();
+        for element in &self.elements[self.based..] {
+            let next = element.advance(pose, &p, state);
+            let ends = [pose.translation_mm, next.translation_mm];
+            if norm(minus(ends[1], ends[0])) > 1e-6 {
+                sketch.add(StrokeKind::Part, "", &ends);
+                let own = element.terms.iter().find(|term| term.coefficient == Coefficient::Constant(1.0));
+                if let Some(term) = own.filter(|_| matches!(element.motion, Motion::Shift(_))) {
+                    sketch.add(StrokeKind::Length, &self.parameters()[term.parameter].name, &ends);
+                }
+            }
+            pose = next;
+        }
+        let size = sketch.extent_mm();
+        for (axis, frame) in self.axes.iter().zip(self.frames(&p, state).0) {
+            let ends = [-0.09, 0.13].map(|share| frame.shift(2, share * size).translation_mm);
+            sketch.add(StrokeKind::Axis, &axis.drive.name, &ends);
+        }
+        sketch.frame("base", &Pose::identity(), 0.15 * size);
+        sketch.frame("flange", &pose, 0.1 * size);
+        sketch
+    }
+
+    /// Direct kinematics: pose of the flange in the world.
+    pub fn direct(&self, parameters: &[f64], q: &[f64]) -> Pose {
+        chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads_at(q) })
+    }
+
+    /// The generic form of [`Robot::positions`]: positions of all targets in the world.
+    pub fn target_positions<T: Scalar>(&self, parameters: &[T], q: &[f64]) -> Vec<Vector<T>> {
+        let flange = chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads_at(q) });
+        (0..self.targets().len())
+            .map(|k| {
+                let place = self.target_place(k);
+                flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]])
+            })
+            .collect()
+    }
+
+    /// The arm with these parameters.
+    fn with(&self, parameters: &[f64]) -> WithParameters<'_> {
+        WithParameters { arm: self, chain: Prepared::new(&self.elements, parameters) }
+    }
+
+    /// Inverse kinematics near `start`: joint values at which the flange has the pose `world_T_flange`.
+    ///
+    /// `None` where the pose cannot be reached to 1e-9 mm and 1e-12 rad from there. The branch is that of `start`.
+    pub fn inverse(&self, parameters: &[f64], world_T_flange: &Pose, start: &[f64]) -> Option<Vec<f64>> {
+        let mut q = start.to_vec();
+        let arm = self.with(parameters);
+        for _ in 0..50 {
+            let (reached, a) = arm.flange_jacobian(&q);
+            let gap = minus(world_T_flange.translation_mm, reached.translation_mm);
+            // small rotation from reached to wanted, in the world
+            let turn = world_T_flange.then(&reached.inverse()).rotation;
+            let small = [turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1]].map(|v| 0.5 * v);
+            let b: Vec<f64> = gap.iter().chain(&small.map(|v| v * TURNED_MM)).copied().collect();
+            let factor = etalon_math::Factor::new(&a, &b, &vec![1.0; q.len()]);
+            let step = factor.solve().or_else(|| factor.damped(1.0).solve())?;
+            let longest = step.iter().fold(0.0f64, |m, s| m.max(s.abs()));
+            let shorten = if longest > 0.5 { 0.5 / longest } else { 1.0 };
+            q.iter_mut().zip(&step).for_each(|(q, s)| *q += shorten * s);
+            if longest < 1e-13 {
+                break;
+            }
+        }
+        let reached = self.direct(parameters, &q);
+        let off = norm(minus(world_T_flange.translation_mm, reached.translation_mm));
+        let turned = world_T_flange.inverse().then(&reached).angle_rad();
+        (off < 1e-9 && turned < 1e-12).then_some(q)
+    }
+}
+
+impl Robot for Serial {
+    fn definition(&self) -> &Definition {
+        &self.definition
+    }
+    fn definition_mut(&mut self) -> &mut Definition {
+        &mut self.definition
+    }
+    fn sketches(&self) -> Vec<Sketch> {
+        let mut all = vec![self.drawn()];
+        if self.index("alpha_1").is_some() {
+            // a link begins with its twist in modified parameters
+            let modified = matches!(self.elements[self.based].motion, Motion::Turn(0));
+            let parallel = self.parameters().iter().any(|p| p.name.starts_with("beta_"));
+            all.push(drawn_link(modified, parallel));
+        }
+        all
+    }
+    fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
+        self.other.iter().map(|(what, other)| (what.clone(), other.clone() as _)).collect()
+    }
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(self.target_positions(parameters, joints).as_flattened());
+    }
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        self.with(parameters).jacobian(State { joints, loads: &self.loads_at(joints) }, out);
+    }
+    fn position(&self, parameters: &[f64], joints: &[f64], target: usize) -> Vector {
+        let place = self.target_place(target);
+        let flange = chain::end(&self.elements, parameters, State { joints, loads: &self.loads_at(joints) });
+        flange.apply([parameters[place], parameters[place + 1], parameters[place + 2]])
+    }
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let state = State { joints, loads: &self.loads_at(joints) };
+        self.with(parameters).joint_jacobian(state, &mut vec![0.0; 3 * self.targets().len()], out);
+    }
+    fn loads(&self) -> Option<Loads<'_>> {
+        if self.loads.is_empty() {
+            return None;
+        }
+        let nominal = Prepared::new(&self.elements[self.based..], &self.nominal());
+        Some(Box::new(move |joints| {
+            let mut frames = Vec::with_capacity(self.axes.len());
+            let end = nominal.run(State { joints, loads: &[] }, |i, before| {
+                if self.axes.get(frames.len()).is_some_and(|axis| axis.frame == self.based + i) {
+                    frames.push(*before);
+                }
+            });
+            frames.resize(self.axes.len(), end);
+            self.loads_on(&frames)
+        }))
+    }
+    fn parametrised<'a>(&'a self, parameters: &'a [f64]) -> Box<dyn Parametrised + 'a> {
+        Box::new(self.with(parameters))
+    }
+    fn joints_of_base(&self) -> &[String] {
+        &self.of_base
+    }
+    fn approached(&self) -> &[usize] {
+        &self.approached
+    }
+    fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
+        limit_violation(self.joints(), &self.limits, joints)
+    }
+    fn effect(&self, parameter: usize) -> Effect {
+        let mut terms = self.elements.iter().flat_map(|e| &e.terms);
+        let p = &self.parameters()[parameter];
+        match (terms.find(|t| t.parameter == parameter).map(|t| t.coefficient), p.quantity) {
+            (Some(Coefficient::Load(_)), _) => Effect::Bending,
+            (Some(Coefficient::Harmonic { .. }), _) => Effect::Harmonics,
+            (Some(Coefficient::Approach { .. }), _) => Effect::Backlash,
+            // a gain is 1 without error, a coupling 0
+            (_, Quantity::Ratio) if p.nominal == 0.0 => Effect::Coupling,
+            (_, Quantity::Ratio) => Effect::Gains,
+            _ => Effect::Geometry,
+        }
+    }
+    fn free_base(&self) -> Option<&dyn FreeBase> {
+        Some(self)
+    }
+    fn kinematics(&self) -> Option<&dyn Kinematics> {
+        Some(self)
+    }
+    fn joint_chain(&self, parameters: &[f64]) -> Option<JointChain> {
+        let zero = vec![0.0; self.joints().len()];
+        let (mut frames, flange) = self.frames(parameters, State { joints: &zero, loads: &[] });
+        frames.insert(0, Pose::identity());
+        let gain = |axis: &Axis| {
+            let gain = self.index(&format!("gain_{}", axis.drive.label)).map_or(1.0, |i| parameters[i]);
+            gain * axis.drive.factor
+        };
+        let joint = |(axis, pair): (&Axis, &[Pose])| ChainJoint {
+            origin: pair[0].inverse().then(&pair[1]),
+            prismatic: axis.drive.prismatic,
+            gain: gain(axis),
+        };
+        let joints = self.axes.iter().zip(frames.windows(2)).map(joint).collect();
+        Some(JointChain { joints, flange: frames.last()?.inverse().then(&flange) })
+    }
+}
+
+/// A turn by one radian weighs like this path in a pose, mm.
+const TURNED_MM: f64 = 1000.0;
+
+/// Starts from which all ways to a pose are searched, at least, and without a new one before the search ends.
+const STARTS: usize = 96;
+/// Starts at most.
+const MOST_STARTS: usize = 1024;
+/// Joint values (rad, mm) nearer than this are the same way.
+const SAME: f64 = 1e-6;
+const SEARCH_SEED: u64 = 19;
+/// A way that is this near (rad, mm) to where it is looked for is the nearest.
+const NEAR: f64 = 0.5;
+/// Range of a sliding joint without limits, mm.
+const UNLIMITED_MM: [f64; 2] = [-1000.0, 1000.0];
+
+impl Kinematics for Serial {
+    fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
+        let pose = base_pose(parameters).inverse().then(&self.direct(parameters, joints));
+        pose.translation_mm.iter().all(|v| v.is_finite()).then_some(pose)
+    }
+
+    fn base_in_world(&self, parameters: &[f64]) -> Option<Pose> {
+        Some(base_pose(parameters))
+    }
+
+    /// Direct kinematics, and the same with derivatives: of the position by the joint values, and of the rotation as vectors in the base.
+    fn formulas(&self, parameters: &[f64]) -> Vec<Formula> {
+        let joints: Vec<String> = self.joints().iter().map(|joint| joint.name.clone()).collect();
+        let record = |name, with_derivatives| {
+            Formula::record(name, &joints, |q| {
+                let p: Vec<Recorded> = parameters.iter().map(|&v| Recorded::from(v)).collect();
+                let flange = self.frames(&p, State { joints: q, loads: &self.loads_at(q) }).1;
+                let mut outputs = pose_outputs(&flange);
+                let numbers: Vec<Recorded> = outputs.iter().map(|(_, v)| *v).collect();
+                for (q, joint) in q.iter().zip(&joints).filter(|_| with_derivatives) {
+                    let by = derivatives(&numbers, *q);
+                    let column = |of: &[Recorded], j: usize| [of[3 + j], of[6 + j], of[9 + j]];
+                    let turns = (0..3).map(|j| cross(column(&numbers, j), column(&by, j)));
+                    let turn = turns.fold([Recorded::from(0.0); 3], |sum, t| [0, 1, 2].map(|i| sum[i] + t[i] * 0.5));
+                    let rows = by[..3].iter().chain(&turn).zip(["x", "y", "z", "rx", "ry", "rz"]);
+                    outputs.extend(rows.map(|(v, row)| (format!("{row}_by_{joint}"), *v)));
+                }
+                outputs
+            })
+        };
+        vec![record("direct", false), record("linearised", true)]
+    }
+
+    /// That of the Jacobian's determinant, for six joints.
+    fn branch(&self, parameters: &[f64], joints: &[f64]) -> Vec<bool> {
+        let square = joints.len() == 6;
+        let determinant = || Matrix6::from_row_slice(&self.with(parameters).flange_jacobian(joints).1).determinant();
+        square.then(|| determinant() > 0.0).into_iter().collect()
+    }
+
+    /// Found by a search from many starts (Newton's method), whatever the arm: none with more joints than a pose has freedoms.
+    fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
+        let (mut all, mut noise, mut without_new) = (Vec::<Vec<f64>>::new(), Noise::new(SEARCH_SEED, 0), 0);
+        let place = base_pose(parameters).then(pose);
+        for start in 0..if self.joints().len() > 6 { 0 } else { MOST_STARTS } {
+            if without_new >= STARTS {
+                break;
+            }
+            let range = |(joint, limit): (&Joint, &Option<[f64; 2]>)| match joint.quantity {
+                Quantity::Length => limit.unwrap_or(UNLIMITED_MM),
+                _ => [-PI, PI],
+            };
+            let draw = |[lower, upper]: [f64; 2]| 0.5 * (lower + upper) + noise.uniform(0.5 * (upper - lower));
+            let ranges = self.joints().iter().zip(&self.limits).map(range);
+            let drawn: Vec<f64> = ranges.map(draw).collect();
+            let from = if start == 0 { vec![0.0; drawn.len()] } else { drawn };
+            without_new += 1;
+            let found = self.inverse(parameters, &place, &from);
+            let zero = vec![0.0; from.len()];
+            let Some(found) = found.and_then(|q| self.within_limits(parameters, &place, q, &zero)) else { continue };
+            if all.iter().all(|other| found.iter().zip(other).any(|(a, b)| (a - b).abs() > SAME)) {
+                all.push(found);
+                without_new = 0;
+            }
+        }
+        all.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+        all
+    }
+
+    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
+        let place = base_pose(parameters).then(pose);
+        let turned = |q| self.within_limits(parameters, &place, q, near);
+        // the branch that the start is on, or, where that leads nowhere, any
+        let along = self.inverse(parameters, &place, near).and_then(turned);
+        let way = along.clone().filter(|q| self.limit_violation(parameters, q).is_none());
+        if let Some(way) = way.filter(|q| q.iter().zip(near).all(|(a, b)| (a - b).abs() < NEAR)) {
+            return Ok(way);
+        }
+        let all = self.all_joints(parameters, pose).into_iter().filter_map(turned).chain(along);
+        nearest(self, parameters, all.collect(), near)
+    }
+}
+
+impl FreeBase for Serial {
+    fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose {
+        self.direct(parameters, joints)
+    }
+    fn joint_value(
+        &self,
+        parameters: &[f64],
+        joints: &[f64],
+        joint: usize,
+        write: &mut dyn FnMut(usize, f64),
+    ) -> Option<f64> {
+        let loads = self.loads_at(joints);
+        let axis = self.axes.iter().find(|axis| axis.drive.joint == joint)?;
+        let element = &self.elements[axis.element];
+        let state = State { joints, loads: &loads };
+        let mut value = joints[joint];
+        // what the element moves by, less what it does so at nominal parameters
+        for (parameter, coefficient) in element.coefficients(state) {
+            write(parameter, coefficient / axis.drive.factor);
+            value += coefficient / axis.drive.factor * (parameters[parameter] - self.parameters()[parameter].nominal);
+        }
+        Some(value)
+    }
+    fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        let n = parameters.len();
+        out.fill(0.0);
+        let state = State { joints, loads: &self.loads_at(joints) };
+        let (_, axes) = Prepared::new(&self.elements, parameters).trace(state);
+        for (element, &axis) in self.elements.iter().zip(&axes) {
+            let turn = element.angular_velocity(axis);
+            for (parameter, coefficient) in element.coefficients(state) {
+                (0..3).for_each(|i| out[i * n + parameter] += turn[i] * coefficient);
+            }
+        }
+    }
+}
+
+/// An arm with its parameters.
+struct WithParameters<'a> {
+    arm: &'a Serial,
+    chain: Prepared<'a>,
+}
+
+impl WithParameters<'_> {
+    /// The place of a target on a flange.
+    fn target(&self, flange: &Pose, target: usize) -> Vector {
+        let place = self.arm.target_place(target);
+        flange.apply([0, 1, 2].map(|k| self.chain.parameters()[place + k]))
+    }
+
+    /// Pose of the flange in the world, and its derivatives by the joint values, loads as they are: three rows of the position, three of
+    /// the orientation, rad times [`TURNED_MM`].
+    fn flange_jacobian(&self, q: &[f64]) -> (Pose, Vec<f64>) {
+        let state = State { joints: q, loads: &self.arm.loads_at(q) };
+        let (reached, axes) = self.chain.trace(state);
+        let mut a = vec![0.0; 6 * q.len()];
+        for (element, axis, joint, rate) in self.chain.rates(state, &axes) {
+            let linear = element.velocity(axis, reached.translation_mm);
+            let angular = element.angular_velocity(axis);
+            for i in 0..3 {
+                a[i * q.len() + joint] += linear[i] * rate;
+                a[(3 + i) * q.len() + joint] += angular[i] * rate * TURNED_MM;
+            }
+        }
+        (reached, a)
+    }
+
+    /// Gives `write` the derivatives of the positions of targets by parameters, one behind the other.
+    fn derivatives(
+        &self,
+        state: State,
+        targets: impl Iterator<Item = usize>,
+        mut write: impl FnMut(usize, usize, Vector),
+    ) {
+        let (flange, axes) = self.chain.trace(state);
+        for k in targets {
+            let point = self.target(&flange, k);
+            for (element, &axis) in self.arm.elements.iter().zip(&axes).filter(|(e, _)| !e.terms.is_empty()) {
+                let v = element.velocity(axis, point);
+                for (parameter, coefficient) in element.coefficients(state) {
+                    write(k, parameter, [v[0] * coefficient, v[1] * coefficient, v[2] * coefficient]);
+                }
+            }
+            let place = self.arm.target_place(k);
+            (0..3).for_each(|axis| write(k, place + axis, flange.axis(axis)));
+        }
+    }
+}
+
+impl Parametrised for WithParameters<'_> {
+    fn positions(&self, state: State, out: &mut [f64]) {
+        let flange = self.chain.end(state);
+        out.chunks_exact_mut(3).enumerate().for_each(|(k, out)| out.copy_from_slice(&self.target(&flange, k)));
+    }
+    fn jacobian(&self, state: State, out: &mut [f64]) {
+        let n = self.chain.parameters().len();
+        out.fill(0.0);
+        self.derivatives(state, 0..self.arm.targets().len(), |target, parameter, moved| {
+            (0..3).for_each(|i| out[(3 * target + i) * n + parameter] += moved[i]);
+        });
+    }
+    fn joint_jacobian(&self, state: State, positions: &mut [f64], out: &mut [f64]) {
+        let n = self.arm.joints().len();
+        out.fill(0.0);
+        let (flange, axes) = self.chain.trace(state);
+        for (k, (rows, at)) in out.chunks_exact_mut(3 * n).zip(positions.chunks_exact_mut(3)).enumerate() {
+            let point = self.target(&flange, k);
+            at.copy_from_slice(&point);
+            for (element, axis, joint, rate) in self.chain.rates(state, &axes) {
+                let v = element.velocity(axis, point);
+                (0..3).for_each(|i| rows[i * n + joint] += v[i] * rate);
+            }
+        }
+    }
+    fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector)) {
+        self.derivatives(state, targets.iter().copied(), write);
+    }
+}

@@ -1,0 +1,403 @@
+//! `model = "urdf"`: a chain of joints out of a tree, as the Unified Robot Description Format states it.
+//!
+//! Each moving joint of the chain has small errors before it, in the frame of its origin: two rotations, and two translations where it
+//! turns. They are complete and minimal whatever the axes are, so that parallel axes need no parameters of their own.
+
+use super::conventions::{JointRef, down};
+use super::serial::{ArmBuilder, Body, Drive, Effects};
+use super::{Description, Joint, Model, Quantity, Robot, Source, wrong_targets};
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::{Pose, Vector, cross, norm, unit};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Robot of a URDF file.
+pub(super) const MODEL: Model = Model::new::<Keys>(
+    "urdf",
+    &[
+        &["file"],
+        &["base_link"],
+        &["tool_link"],
+        &["gravity"],
+        &["bending"],
+        &["coupling"],
+        &["harmonics"],
+        &["backlash"],
+    ],
+    &["file", "base_link", "tool_link"],
+);
+
+/// Origins further from each other than this are not in metres, mm.
+const FURTHEST_MM: f64 = 20_000.0;
+
+/// Sine of the angle below which two axes are parallel as drawn.
+const PARALLEL: f64 = 1e-6;
+
+/// Keys of a robot that a URDF file describes.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    /// URDF file of the robot, beside this one.
+    file: String,
+    /// Link of the URDF that is the base: one that does not move, or, where nothing is measured from outside, the flange of another arm
+    /// or a part on a positioner.
+    base_link: String,
+    /// Link of the URDF that carries the targets: their coordinates are in its frame.
+    tool_link: String,
+    /// Direction of gravity in the base of an arm.
+    #[serde(default = "down")]
+    gravity: Vector,
+    /// Joints of an arm that bend under gravity: their numbers, from 1, or names.
+    #[serde(default)]
+    bending: Vec<JointRef>,
+    /// Coupled joints of an arm: pairs of a joint and the joint that moves it, by their numbers, from 1, or names.
+    #[serde(default)]
+    coupling: Vec<(JointRef, JointRef)>,
+    /// Joints of an arm whose transmission deviates once and twice a turn: their numbers, from 1, or names.
+    #[serde(default)]
+    harmonics: Vec<JointRef>,
+    /// Joints of an arm with backlash: their numbers, from 1, or names. The direction from which each came is needed: `NAME_direction`.
+    #[serde(default)]
+    backlash: Vec<JointRef>,
+}
+
+/// Links and joints of a URDF, in mm and rad.
+#[derive(Clone, Debug, Default)]
+pub struct Tree {
+    /// The links.
+    pub links: Vec<Link>,
+    /// The joints.
+    pub joints: Vec<TreeJoint>,
+}
+
+/// A link.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// Its name.
+    pub name: String,
+    /// Mass, kg; 0 where none is stated.
+    pub mass_kg: f64,
+    /// Centre of mass in the frame of the link.
+    pub center_mm: Vector,
+}
+
+/// A joint between two links.
+#[derive(Clone, Debug)]
+pub struct TreeJoint {
+    /// Its name.
+    pub name: String,
+    /// Where the file states it.
+    pub place: Place,
+    /// `fixed`, `revolute`, `continuous`, `prismatic` or another.
+    pub kind: String,
+    /// Link that carries it.
+    pub parent: String,
+    /// Link that it moves; its frame is that of the joint.
+    pub child: String,
+    /// The joint in the frame of its parent.
+    pub origin: Pose,
+    /// Direction of the axis in the frame of the joint, of any length.
+    pub axis: Vector,
+    /// Lower and upper limit in m or rad.
+    pub limits: Option<[f64; 2]>,
+    /// The joint that it follows.
+    pub mimic: Option<Mimic>,
+}
+
+/// A joint has the value multiplier · value of another + offset, in m and rad.
+#[derive(Clone, Debug)]
+pub struct Mimic {
+    /// The other.
+    pub joint: String,
+    /// Without unit, m/rad or rad/m.
+    pub multiplier: f64,
+    /// m or rad.
+    pub offset: f64,
+}
+
+impl TreeJoint {
+    fn quantity(&self) -> Quantity {
+        if self.kind == "prismatic" { Quantity::Length } else { Quantity::Angle }
+    }
+
+    /// mm or rad of a unit of the file.
+    fn scale(&self) -> f64 {
+        if self.kind == "prismatic" { 1000.0 } else { 1.0 }
+    }
+
+    fn error(&self, what: impl Into<String>) -> Message {
+        Message::error(what).at(self.place.clone())
+    }
+
+    /// What no joint of a chain can have.
+    fn check(&self) -> Problems {
+        let mut problems = Problems::default();
+        let name = &self.name;
+        if !["fixed", "revolute", "continuous", "prismatic"].contains(&self.kind.as_str()) {
+            let message = self.error(format!("joint `{name}` is {}, which is not a joint of a chain", self.kind));
+            problems.0.push(message.expected("fixed, revolute, continuous or prismatic"));
+        }
+        if self.kind != "fixed" && unit(self.axis).is_none() {
+            let message = self.error(format!("the axis of joint `{name}` has no direction"));
+            problems.0.push(message.expected("<axis xyz=\"0 0 1\"/> or another direction"));
+        }
+        let away_mm = norm(self.origin.translation_mm);
+        if away_mm > FURTHEST_MM {
+            let what = format!("the origin of joint `{name}` is {:.0} m from its parent", away_mm / 1000.0);
+            problems.0.push(self.error(what).hint("lengths of a URDF are metres: divide those of this file by 1000"));
+        }
+        problems
+    }
+}
+
+/// A joint of a chain and whether the chain passes it from its child to its parent.
+#[derive(Clone, Copy, Debug)]
+struct Step<'a> {
+    joint: &'a TreeJoint,
+    upward: bool,
+}
+
+/// The chain of a URDF with the most moving joints.
+#[derive(Clone, Debug)]
+pub struct LongestChain {
+    /// Link that no joint carries.
+    pub base_link: String,
+    /// Link that carries no joint.
+    pub tool_link: String,
+    /// Joints whose values move it.
+    pub joints: Vec<Joint>,
+}
+
+impl Tree {
+    /// The chain with the most moving joints, the first of the file where several have as many.
+    pub fn longest_chain(&self, file: &str) -> Result<LongestChain> {
+        let place = &|_: &[&str]| Place::file(file);
+        let is_parent = |link: &&Link| self.joints.iter().any(|joint| joint.parent == link.name);
+        let mut longest: Option<(usize, LongestChain)> = None;
+        for leaf in self.links.iter().filter(|link| !is_parent(link)) {
+            let base = self.upward(&leaf.name)?.last().map_or(leaf.name.as_str(), |joint| joint.parent.as_str());
+            let chain = self.chain(file, [base, &leaf.name], place)?;
+            let mut joints: Vec<Joint> = Vec::new();
+            let moving = chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed");
+            for joint in moving.clone() {
+                let (driver, ..) = self.driven_by(joint)?;
+                if joints.iter().all(|known| known.name != driver.name) {
+                    joints.push(Joint { name: driver.name.clone(), quantity: driver.quantity() });
+                }
+            }
+            let count = moving.count();
+            if longest.as_ref().is_none_or(|(most, _)| count > *most) {
+                let chain = LongestChain { base_link: base.to_owned(), tool_link: leaf.name.clone(), joints };
+                longest = Some((count, chain));
+            }
+        }
+        if longest.is_none() {
+            // no link ends a chain
+            self.links.iter().try_for_each(|link| self.upward(&link.name).map(drop))?;
+        }
+        let none = || Message::error("no joint of the file moves").at(Place::file(file));
+        Ok(longest.filter(|(count, _)| *count > 0).ok_or_else(none)?.1)
+    }
+
+    fn joint(&self, name: &str) -> Option<&TreeJoint> {
+        self.joints.iter().find(|joint| joint.name == name)
+    }
+
+    /// The joint that moves a link; an error where there are two.
+    fn above(&self, link: &str) -> Result<Option<&TreeJoint>> {
+        let mut all = self.joints.iter().filter(|joint| joint.child == link);
+        let first = all.next();
+        match (first, all.next()) {
+            (Some(first), Some(second)) => {
+                let what = format!("link `{link}` has two parents: `{}` and `{}`", first.parent, second.parent);
+                Err(second.error(what).hint("a URDF is a tree: loops are closed by `mimic`").into())
+            }
+            _ => Ok(first),
+        }
+    }
+
+    /// Joints from a link to the root of the tree.
+    fn upward<'a>(&'a self, mut link: &'a str) -> Result<Vec<&'a TreeJoint>> {
+        let mut chain = Vec::new();
+        while let Some(joint) = self.above(link)? {
+            if chain.len() > self.joints.len() {
+                let what = format!("the joints from `{}` on form a loop", joint.child);
+                return Err(joint.error(what).hint("a URDF is a tree: loops are closed by `mimic`").into());
+            }
+            chain.push(joint);
+            link = &joint.parent;
+        }
+        Ok(chain)
+    }
+
+    /// Joints of a file from one link to another, by way of the link that carries both: up from a link that moves itself, the flange of
+    /// another arm or the table of a positioner, and down to the other.
+    fn chain<'a>(&'a self, file: &str, ends: [&'a str; 2], place: &dyn Fn(&[&str]) -> Place) -> Result<Vec<Step<'a>>> {
+        let [base_link, tool_link] = ends;
+        for (key, link) in [("base_link", base_link), ("tool_link", tool_link)] {
+            if self.links.iter().all(|l| l.name != *link) {
+                let message = Message::error(format!("`{file}` has no link `{link}`")).at(place(&[key]));
+                return Err(message.hint_names(link, self.links.iter().map(|l| l.name.as_str())).into());
+            }
+        }
+        let (mut up, mut down) = (self.upward(base_link)?, self.upward(tool_link)?);
+        let root = |chain: &[&TreeJoint], link: &str| chain.last().map_or(link.to_owned(), |j| j.parent.clone());
+        let (carries_base, carries_tool) = (root(&up, base_link), root(&down, tool_link));
+        while let (Some(a), Some(b)) = (up.last(), down.last())
+            && std::ptr::eq(*a, *b)
+        {
+            up.pop();
+            down.pop();
+        }
+        if carries_base != carries_tool || (down.is_empty() && !up.is_empty()) {
+            let what = format!("no joints lead from `{base_link}` to `{tool_link}`");
+            let message = Message::error(what).at(place(&["tool_link"]));
+            return Err(message.hint(format!("no joint carries `{carries_tool}`")).into());
+        }
+        let upward = up.into_iter().map(|joint| Step { joint, upward: true });
+        let chain: Vec<Step> =
+            upward.chain(down.into_iter().rev().map(|joint| Step { joint, upward: false })).collect();
+        let mut problems = Problems::default();
+        chain.iter().for_each(|step| problems.0.extend(step.joint.check().0));
+        problems.check().map(|_| chain)
+    }
+
+    /// The joint whose value a joint has, and by which factor and offset (mm, rad).
+    fn driven_by<'a>(&'a self, joint: &'a TreeJoint) -> Result<(&'a TreeJoint, f64, f64)> {
+        let (mut at, mut factor, mut offset) = (joint, 1.0, 0.0);
+        for _ in 0..=self.joints.len() {
+            let Some(mimic) = &at.mimic else { return Ok((at, factor, offset)) };
+            let other = self.joint(&mimic.joint).ok_or_else(|| {
+                let what = format!("joint `{}` mimics `{}`, which the file does not have", at.name, mimic.joint);
+                at.error(what).hint_names(&mimic.joint, self.joints.iter().map(|j| j.name.as_str()))
+            })?;
+            offset += factor * mimic.offset * at.scale();
+            factor *= mimic.multiplier * at.scale() / other.scale();
+            at = other;
+        }
+        Err(joint.error(format!("joint `{}` mimics itself", joint.name)).hint("name another joint in <mimic>").into())
+    }
+
+    /// What a link carries with fixed joints, itself included: mass and centre in the frame of the link.
+    fn body(&self, link: &str) -> Body {
+        let mut open = vec![(link, Pose::identity())];
+        let (mut mass_kg, mut sum) = (0.0, [0.0; 3]);
+        let mut seen = 0;
+        while let Some((name, pose)) = open.pop() {
+            for l in self.links.iter().filter(|l| l.name == name) {
+                let center = pose.apply(l.center_mm);
+                mass_kg += l.mass_kg;
+                sum = [0, 1, 2].map(|i| sum[i] + l.mass_kg * center[i]);
+            }
+            let fixed = self.joints.iter().filter(|j| j.parent == name && j.kind == "fixed");
+            open.extend(fixed.map(|j| (j.child.as_str(), pose.then(&j.origin))));
+            seen += 1;
+            if seen > self.links.len() {
+                break;
+            }
+        }
+        let center_mm = if mass_kg > 0.0 { sum.map(|v| v / mass_kg) } else { [0.0; 3] };
+        Body { mass_kg, center_mm }
+    }
+}
+
+/// Joints of a chain that move its base.
+fn of_base(chain: &[Step]) -> Vec<String> {
+    let moving = chain.iter().filter(|step| step.upward && step.joint.kind != "fixed");
+    moving.map(|step| step.joint.name.clone()).collect()
+}
+
+impl Description for Keys {
+    fn states_geometry(&self) -> bool {
+        true
+    }
+
+    fn file(&self) -> Option<&str> {
+        Some(&self.file)
+    }
+
+    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
+        let place = &|path: &[&str]| source.place(path);
+        let tree = source.tree()?;
+        let chain = tree.chain(&self.file, [&self.base_link, &self.tool_link], place)?;
+        let mut problems = wrong_targets(targets);
+        let moving = || chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed");
+        let axes: Vec<Joint> =
+            moving().map(|joint| Joint { name: joint.name.clone(), quantity: joint.quantity() }).collect();
+        if axes.is_empty() {
+            let what = format!("no joint moves between `{}` and `{}`", self.base_link, self.tool_link);
+            problems.0.push(Message::error(what).at(place(&["tool_link"])));
+        }
+        let effects = problems.keep(Effects::new(
+            self.gravity,
+            [&self.bending, &self.harmonics, &self.backlash],
+            &self.coupling,
+            &axes,
+            place,
+        ));
+        let of_base = of_base(&chain);
+        if !self.bending.is_empty() && !of_base.is_empty() {
+            let what = format!("`bending` needs a fixed direction of gravity, and joints move `{}`", self.base_link);
+            let message = Message::error(what).at(place(&["bending"]));
+            problems.0.push(message.hint("remove it, or let `base_link` be a link that does not move"));
+        }
+        let Some(effects) = effects.filter(|_| problems.0.is_empty()) else { return Err(problems) };
+        let mut arm = ArmBuilder::new(targets);
+        let (mut joints, mut limits): (Vec<Joint>, Vec<Option<[f64; 2]>>) = Default::default();
+        let mut errors = Vec::new();
+        // the sliding axis before a joint, in its frame, and the joint that drives it
+        let mut before: Option<(Vector, &str)> = None;
+        for Step { joint, upward } in &chain {
+            let pass = |arm: &mut ArmBuilder, before: &mut Option<(Vector, &str)>, origin: Pose| {
+                arm.place(origin);
+                *before = before.map(|(axis, driver)| (origin.inverse().rotate(axis), driver));
+            };
+            if !upward {
+                pass(&mut arm, &mut before, joint.origin);
+            }
+            if joint.kind == "fixed" {
+                if *upward {
+                    pass(&mut arm, &mut before, joint.origin.inverse());
+                }
+                continue;
+            }
+            let (driver, factor, offset) = tree.driven_by(joint)?;
+            let known = joints.iter().position(|j| j.name == driver.name);
+            let index = known.unwrap_or_else(|| {
+                joints.push(Joint { name: driver.name.clone(), quantity: driver.quantity() });
+                limits.push(driver.limits.map(|l| l.map(|v| v * driver.scale())));
+                joints.len() - 1
+            });
+            let prismatic = joint.kind == "prismatic";
+            let name = joint.name.clone();
+            let drive = Drive { label: name.clone(), name, joint: index, factor, offset, prismatic };
+            // passed upward, it moves the other way
+            let axis = unit(joint.axis).unwrap_or_default().map(|v| if *upward { -v } else { v });
+            let parallel = |along: Vector| norm(cross(along, axis)) < PARALLEL;
+            let follows = prismatic && before.is_some_and(|(along, by)| by == driver.name && parallel(along));
+            errors.push(arm.screw(axis, drive, follows));
+            before = prismatic.then_some((axis, driver.name.as_str()));
+            arm.carry(tree.body(&joint.child));
+            if *upward {
+                pass(&mut arm, &mut before, joint.origin.inverse());
+            }
+        }
+        arm.gains();
+        arm.harmonics(&effects.harmonics);
+        arm.backlash(&effects.backlash, joints.len());
+        for &k in &effects.bending {
+            if !arm.is_loaded(k) {
+                let what = format!("no mass is stated beyond joint `{}`: nothing bends it", axes[k].name);
+                problems.0.push(Message::error(what).at(place(&["bending"])).hint("add <inertial> to its links"));
+            }
+            arm.bending_by_masses(k, &errors[k]);
+        }
+        arm.coupling(&effects.coupling);
+        if let Some(name) = arm.doubled() {
+            let message = Message::error(format!("two parameters would be called `{name}`"));
+            problems.0.push(message.hint("no target can bear the name of a joint: rename the target"));
+        }
+        problems.check()?;
+        Ok(Box::new(arm.build("urdf", joints, effects.gravity).with_limits(limits).on_moving_base(of_base)))
+    }
+}

@@ -1,0 +1,128 @@
+//! Standstills in a recorded motion, and which of the poses each of them visits. The standard measures poses after
+//! stabilisation and does not define how standing differs from moving: both thresholds are the user's, and are reported.
+
+use crate::iso9283::motion::stream::Stream;
+use crate::iso9283::statistics::sample::{mean_position, spread};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, minus, norm};
+use std::ops::Range;
+
+/// What counts as standing: all positions within `radius_mm` of their mean for at least `duration_s`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stillness {
+    /// Largest distance from the mean.
+    pub radius_mm: f64,
+    /// Least time.
+    pub duration_s: f64,
+}
+
+/// The robot stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Standstill {
+    /// Its samples.
+    pub samples: Range<usize>,
+    /// Mean position of the middle half of them: neither the last of the arrival nor the first of the departure.
+    pub mean_mm: Vector,
+    /// Mean of each angle over the same samples.
+    pub angles_rad: Vec<f64>,
+}
+
+impl Standstill {
+    fn new(stream: &Stream, samples: Range<usize>) -> Self {
+        let middle = middle(&samples);
+        Self {
+            mean_mm: mean_position(&stream.positions_mm()[middle.clone()]),
+            angles_rad: stream.angles_rad().iter().map(|a| spread(&a[middle.clone()]).mean).collect(),
+            samples,
+        }
+    }
+
+    /// Samples of the middle half.
+    pub fn middle(&self) -> Range<usize> {
+        middle(&self.samples)
+    }
+}
+
+fn middle(samples: &Range<usize>) -> Range<usize> {
+    let quarter = samples.len() / 4;
+    samples.start + quarter..samples.end - quarter
+}
+
+/// All standstills, in the order of time; both thresholds must be positive.
+pub fn standstills(stream: &Stream, still: &Stillness) -> Result<Vec<Standstill>> {
+    if !(still.radius_mm > 0.0 && still.duration_s > 0.0) {
+        let message = Message::error("a standstill needs a radius and a duration that are positive");
+        return Err(message
+            .hint("larger than the noise of a standing robot, and shorter than the shortest stop")
+            .into());
+    }
+    let (time_s, points) = (stream.time_s(), stream.positions_mm());
+    let mut found: Vec<Range<usize>> = Vec::new();
+    let (mut from, mut last) = (0, 0);
+    while from < points.len() {
+        while last < points.len() && time_s[last] - time_s[from] < still.duration_s {
+            last += 1;
+        }
+        if last == points.len() {
+            break;
+        }
+        match stands(points, from..last + 1, still.radius_mm) {
+            None => from += 1,
+            Some(end) => {
+                // a few samples away, at the end of the arrival, part no standstill
+                match found.last_mut().filter(|before| {
+                    let gap = time_s[from] - time_s[before.end - 1];
+                    let apart =
+                        || norm(minus(mean_position(&points[middle(before)]), mean_position(&points[from..end])));
+                    gap < still.duration_s && apart() <= still.radius_mm
+                }) {
+                    Some(before) => before.end = end,
+                    None => found.push(from..end),
+                }
+                (from, last) = (end, last.max(end));
+            }
+        }
+    }
+    Ok(found.into_iter().map(|samples| Standstill::new(stream, samples)).collect())
+}
+
+/// The end of the standstill that begins with these samples, if all of them are within the radius of their mean.
+fn stands(points: &[Vector], window: Range<usize>, radius_mm: f64) -> Option<usize> {
+    // quickly: two within a ball are within its diameter
+    if norm(minus(points[window.start], points[window.end - 1])) > 2.0 * radius_mm {
+        return None;
+    }
+    let mut mean = mean_position(&points[window.clone()]);
+    if points[window.clone()].iter().any(|p| norm(minus(*p, mean)) > radius_mm) {
+        return None;
+    }
+    let mut end = window.end;
+    while end < points.len() && norm(minus(points[end], mean)) <= radius_mm {
+        end += 1;
+        let n = (end - window.start) as f64;
+        mean = [0, 1, 2].map(|k| mean[k] + (points[end - 1][k] - mean[k]) / n);
+    }
+    Some(end)
+}
+
+/// Which pose each standstill visits: the nearest of `poses_mm` that is at most `near_mm` away.
+pub fn visited(standstills: &[Standstill], poses_mm: &[Vector], near_mm: f64) -> Vec<Option<usize>> {
+    let away = |s: &Standstill, i: usize| norm(minus(s.mean_mm, poses_mm[i]));
+    let nearest = |s: &Standstill| {
+        let nearest = (0..poses_mm.len()).min_by(|&i, &j| away(s, i).total_cmp(&away(s, j)));
+        nearest.filter(|&i| away(s, i) <= near_mm)
+    };
+    standstills.iter().map(nearest).collect()
+}
+
+/// Where the robot stood, where nobody states the poses: each place where it stood first, farther than `near_mm` from all
+/// before.
+pub fn places_mm(standstills: &[Standstill], near_mm: f64) -> Vec<Vector> {
+    let mut places: Vec<Vector> = Vec::new();
+    for s in standstills {
+        if places.iter().all(|p| norm(minus(*p, s.mean_mm)) > near_mm) {
+            places.push(s.mean_mm);
+        }
+    }
+    places
+}

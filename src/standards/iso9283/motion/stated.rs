@@ -1,0 +1,115 @@
+//! What a command or a campaign states of a recorded motion, checked the same for both.
+
+use super::Settings;
+use crate::iso9283::motion::standstill::Stillness;
+use crate::iso9283::path::PathSettings;
+use crate::iso9283::path::commanded::CommandedPath;
+use crate::iso9283::path::weaving::Weave;
+use crate::iso9283::pose::test::CommandedPose;
+use etalon_base::message::{Message, Problems, Result};
+
+/// Statements under the names that they have in `campaign.toml`; options of the command are named alike.
+#[derive(Clone, Debug)]
+pub struct Stated<'a> {
+    /// Sampling rate, instead of time stamps.
+    pub rate_hz: Option<f64>,
+    /// Standing: all positions within this distance of their mean.
+    pub still_mm: f64,
+    /// Standing: for at least this time.
+    pub still_s: f64,
+    /// How near a standstill is to its pose, and an attained path to the commanded one.
+    pub near_mm: f64,
+    /// Limit band.
+    pub band_mm: Option<f64>,
+    /// Whether a commanded path is stated.
+    pub path: bool,
+    /// Command points on it.
+    pub path_points: usize,
+    /// Commanded velocity on it.
+    pub velocity_mm_s: Option<f64>,
+    /// Central part of it over which velocities are compared.
+    pub central_percent: f64,
+    /// The path is the centre line of a weave with this stroke from side to side.
+    pub weave_stroke_mm: Option<f64>,
+    /// Swings there and back by second.
+    pub weave_hz: Option<f64>,
+    /// The way it swings: x, y and z; empty where it is not stated.
+    pub weave_across: &'a [f64],
+}
+
+impl Stated<'_> {
+    /// Statements that mean nothing; `name` makes a key what its reader wrote.
+    pub fn check(&self, name: impl Fn(&str) -> String) -> Result<()> {
+        let numbers = [
+            ("rate_hz", self.rate_hz),
+            ("still_mm", Some(self.still_mm)),
+            ("still_s", Some(self.still_s)),
+            ("near_mm", Some(self.near_mm)),
+            ("band_mm", self.band_mm),
+            ("velocity_mm_s", self.velocity_mm_s),
+            ("central_percent", Some(self.central_percent)),
+            ("weave_stroke_mm", self.weave_stroke_mm),
+            ("weave_hz", self.weave_hz),
+        ];
+        let wrong = numbers.iter().filter(|(_, value)| value.is_some_and(|v| !(v > 0.0 && v.is_finite())));
+        let wrong = wrong.map(|(key, _)| Message::error(format!("{} must be positive", name(key))));
+        let mut problems = Problems(wrong.collect());
+        let mut add = |message: Message| problems.0.push(message);
+        if self.central_percent > 100.0 {
+            add(Message::error(format!("{} is more than the path", name("central_percent"))));
+        }
+        if !(2..=100_000).contains(&self.path_points) {
+            add(Message::error(format!("{} must be 2 to 100000", name("path_points"))));
+        }
+        let weave = [
+            ("weave_stroke_mm", self.weave_stroke_mm.is_some()),
+            ("weave_hz", self.weave_hz.is_some()),
+            ("weave_across", !self.weave_across.is_empty()),
+        ];
+        let of_a_path = weave.into_iter().chain([("velocity_mm_s", self.velocity_mm_s.is_some())]);
+        for (key, _) in of_a_path.filter(|(_, stated)| *stated && !self.path) {
+            let message = Message::error(format!("{} is that of a {}", name(key), name("path")));
+            add(message.hint("state the file of the commanded path"));
+        }
+        if weave.iter().any(|(_, stated)| *stated) {
+            for (key, _) in weave.iter().filter(|(_, stated)| !stated) {
+                add(Message::error(format!("a weave has no {}", name(key))).hint("a weave is stated by all three"));
+            }
+        }
+        let across = self.weave_across;
+        if !(across.is_empty() || across.len() == 3 && across.iter().all(|v| v.is_finite())) {
+            let message = Message::error(format!("{} has not three numbers", name("weave_across")));
+            add(message.expected("x, y and z of the way it swings"));
+        }
+        problems.check().map(|_| ())
+    }
+
+    /// What was stated, with the poses and the path that were read.
+    pub fn settings(&self, poses: Option<Vec<CommandedPose>>, path: Option<CommandedPath>, seed: u64) -> Settings {
+        let weave = match (self.weave_stroke_mm, self.weave_hz, self.weave_across) {
+            (Some(stroke_mm), Some(frequency_hz), &[x, y, z]) => {
+                Some(Weave { across: [x, y, z], stroke_mm, frequency_hz })
+            }
+            _ => None,
+        };
+        let path = path.map(|path| PathSettings {
+            path,
+            points: self.path_points,
+            velocity_mm_s: self.velocity_mm_s,
+            central: self.central_percent / 100.0,
+            weave,
+        });
+        Settings {
+            still: Stillness { radius_mm: self.still_mm, duration_s: self.still_s },
+            near_mm: self.near_mm,
+            band_mm: self.band_mm,
+            poses,
+            path,
+            time: match self.rate_hz {
+                Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
+                None => "times: as stamped in the recording".to_owned(),
+            },
+            seed,
+        }
+    }
+}

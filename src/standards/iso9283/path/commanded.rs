@@ -1,0 +1,121 @@
+//! The commanded path: corners joined by straight lines, a curve by as many points as it needs.
+
+use crate::iso9283::statistics::sample::followed;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, dot, minus, norm, unit};
+
+/// A path in space or in the plane, with the angles commanded along it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CommandedPath {
+    points_mm: Vec<Vector>,
+    /// One list over all points for each angle that exists.
+    angles_rad: Vec<Vec<f64>>,
+    /// Length from the first point to each.
+    along_mm: Vec<f64>,
+}
+
+/// A point of the commanded path with its normal plane: where passes are compared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CommandPoint {
+    /// Length of the path up to here.
+    pub along_mm: f64,
+    /// The point.
+    pub position_mm: Vector,
+    /// Unit vector along the path: the normal of the plane.
+    pub tangent: Vector,
+    /// Angles commanded here.
+    pub angles_rad: Vec<f64>,
+}
+
+/// A corner between two legs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corner {
+    /// The commanded corner.
+    pub position_mm: Vector,
+    /// Unit vector of the leg that leads to it.
+    pub incoming: Vector,
+    /// Unit vector of the leg that leads away.
+    pub outgoing: Vector,
+    /// Length of the path from the middle of the one leg, up to the corner, and to the middle of the other.
+    pub along_mm: [f64; 3],
+}
+
+impl CommandedPath {
+    /// Of at least two points, none the same as the one before; angles turn the shorter way round.
+    pub fn new(points_mm: Vec<Vector>, angles_rad: &[Vec<f64>]) -> Result<Self> {
+        crate::iso9283::statistics::sample::positions(&points_mm, 2, "commanded path")?;
+        let n = points_mm.len();
+        if angles_rad.iter().any(|a| a.len() != n || a.iter().any(|v| !v.is_finite())) {
+            return Err(Message::error("commanded path: an angle is missing or is not a finite number").into());
+        }
+        let mut along_mm = vec![0.0];
+        for (i, pair) in points_mm.windows(2).enumerate() {
+            let leg = norm(minus(pair[1], pair[0]));
+            if leg == 0.0 {
+                let message = Message::error(format!("commanded path: points {} and {} are the same", i + 1, i + 2));
+                return Err(message.hint("a robot that turns in place drives no path").into());
+            }
+            along_mm.push(along_mm[i] + leg);
+        }
+        Ok(Self { points_mm, angles_rad: angles_rad.iter().map(|a| followed(a)).collect(), along_mm })
+    }
+
+    /// Length of the whole path.
+    pub fn length_mm(&self) -> f64 {
+        self.along_mm.last().copied().unwrap_or_default()
+    }
+
+    /// Largest change of each angle along the path.
+    pub fn turned_rad(&self) -> Vec<f64> {
+        let turned = |a: &Vec<f64>| {
+            let (low, high) = a.iter().fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
+            high - low
+        };
+        self.angles_rad.iter().map(turned).collect()
+    }
+
+    /// The middles of `count` equal parts of the path: never its very ends, which a robot that stops may not reach.
+    pub fn command_points(&self, count: usize) -> Vec<CommandPoint> {
+        (0..count).map(|i| self.at((i as f64 + 0.5) / count as f64 * self.length_mm())).collect()
+    }
+
+    /// The same without those within `near_mm` of a corner that turns by more than `least_rad`, and at most a quarter of its leg:
+    /// a robot that rounds it off goes through their planes in another order, or not at all.
+    pub fn command_points_beside(&self, count: usize, least_rad: f64, near_mm: f64) -> Vec<CommandPoint> {
+        let corners = self.corners(least_rad);
+        let mut points = self.command_points(count);
+        let beside = |p: &CommandPoint, c: &Corner| {
+            let [before, at, after] = c.along_mm;
+            let half_leg_mm = if p.along_mm < at { at - before } else { after - at };
+            (p.along_mm - at).abs() > near_mm.min(0.5 * half_leg_mm)
+        };
+        points.retain(|p| corners.iter().all(|c| beside(p, c)));
+        points
+    }
+
+    fn at(&self, along_mm: f64) -> CommandPoint {
+        let after = self.along_mm.partition_point(|&s| s <= along_mm).clamp(1, self.points_mm.len() - 1);
+        let (a, b) = (self.points_mm[after - 1], self.points_mm[after]);
+        let share = (along_mm - self.along_mm[after - 1]) / (self.along_mm[after] - self.along_mm[after - 1]);
+        let between = |a: f64, b: f64| a + share * (b - a);
+        CommandPoint {
+            along_mm,
+            position_mm: [0, 1, 2].map(|k| between(a[k], b[k])),
+            tangent: unit(minus(b, a)).unwrap_or_default(),
+            angles_rad: self.angles_rad.iter().map(|v| between(v[after - 1], v[after])).collect(),
+        }
+    }
+
+    /// Points where the path turns by more than `least_rad`; the small turns of a curve given by points are none.
+    pub fn corners(&self, least_rad: f64) -> Vec<Corner> {
+        let corner = |i: usize| {
+            let (a, e, b) = (self.points_mm[i - 1], self.points_mm[i], self.points_mm[i + 1]);
+            let (incoming, outgoing) = (unit(minus(e, a))?, unit(minus(b, e))?);
+            let turn = dot(incoming, outgoing).clamp(-1.0, 1.0).acos();
+            let [from, at, to] = [i - 1, i, i + 1].map(|j| self.along_mm[j]);
+            let along_mm = [0.5 * (from + at), at, 0.5 * (at + to)];
+            (turn > least_rad).then_some(Corner { position_mm: e, incoming, outgoing, along_mm })
+        };
+        (1..self.points_mm.len() - 1).filter_map(corner).collect()
+    }
+}

@@ -1,0 +1,129 @@
+//! Passes of a commanded path in a recorded motion: the places where each of them goes through the normal planes of the
+//! command points, one after the other.
+
+use crate::iso9283::motion::stream::Stream;
+use crate::iso9283::path::commanded::CommandPoint;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, dot, minus, norm};
+use std::ops::Range;
+
+/// Where an attained path goes through the plane of a command point; between two samples along a straight line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crossing {
+    /// When.
+    pub time_s: f64,
+    /// Where.
+    pub position_mm: Vector,
+    /// With which angles.
+    pub angles_rad: Vec<f64>,
+    /// The first sample beyond the plane.
+    sample: usize,
+}
+
+/// One pass: a crossing for each command point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pass {
+    /// In the order of the command points.
+    pub crossings: Vec<Crossing>,
+}
+
+impl Pass {
+    /// Samples from crossing `first` to crossing `last`.
+    pub fn samples(&self, first: usize, last: usize) -> Range<usize> {
+        self.crossings[first].sample..self.crossings[last].sample
+    }
+}
+
+/// Passes found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Passes {
+    /// Those that went through all planes in order.
+    pub complete: Vec<Pass>,
+    /// How many began and were left, or were not ended.
+    pub incomplete: usize,
+}
+
+/// Finds passes. A plane counts only within `near_mm` of its command point: less than what is between two parts of the path,
+/// more than the robot deviates. Going back through a plane takes its crossing back, so noise on a slow robot does no harm:
+/// the last crossing counts.
+pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<Passes> {
+    if points.len() < 2 || near_mm.is_nan() || near_mm <= 0.0 {
+        let message = Message::error("passes of a path need two command points and a distance that is positive");
+        return Err(message.into());
+    }
+    let mut found = Passes { complete: Vec::new(), incomplete: 0 };
+    // passes begun, the eldest first: on a closed path the next may begin before one is at its end
+    let mut begun: Vec<Vec<Crossing>> = Vec::new();
+    for sample in 1..stream.len() {
+        let crossing = |point: usize, forwards: bool| crossing(stream, sample, &points[point], forwards, near_mm);
+        begun.extend(crossing(0, true).map(|first| vec![first]));
+        for crossings in &mut begun {
+            // one step may go through several planes
+            while crossings.len() < points.len()
+                && let Some(next) = crossing(crossings.len(), true)
+            {
+                crossings.push(next);
+            }
+            while !crossings.is_empty() && crossing(crossings.len() - 1, false).is_some() {
+                crossings.pop();
+            }
+        }
+        // one that a younger has caught up with was left
+        let mut farthest = 0;
+        for i in (0..begun.len()).rev() {
+            if begun[i].len() > farthest {
+                farthest = begun[i].len();
+            } else {
+                found.incomplete += usize::from(begun.remove(i).len() > 1);
+            }
+        }
+        // so the eldest is the farthest
+        if farthest == points.len() {
+            found.complete.push(Pass { crossings: begun.remove(0) });
+        }
+    }
+    found.incomplete += begun.iter().filter(|crossings| crossings.len() > 1).count();
+    Ok(found)
+}
+
+/// The crossing of a plane on the way to a sample, in the direction of the path or against it.
+fn crossing(stream: &Stream, sample: usize, point: &CommandPoint, forwards: bool, near_mm: f64) -> Option<Crossing> {
+    let (from, to) = (stream.positions_mm()[sample - 1], stream.positions_mm()[sample]);
+    let beyond = |p: Vector| dot(minus(p, point.position_mm), point.tangent);
+    let (a, b) = (beyond(from), beyond(to));
+    if (a < 0.0) == (b < 0.0) || (b >= 0.0) != forwards {
+        return None;
+    }
+    let share = a / (a - b);
+    let between = |a: f64, b: f64| a + share * (b - a);
+    let position_mm = [0, 1, 2].map(|k| between(from[k], to[k]));
+    (norm(minus(position_mm, point.position_mm)) <= near_mm).then(|| Crossing {
+        time_s: between(stream.time_s()[sample - 1], stream.time_s()[sample]),
+        position_mm,
+        angles_rad: stream.angles_rad().iter().map(|angle| between(angle[sample - 1], angle[sample])).collect(),
+        sample,
+    })
+}
+
+/// Refuses fewer than `least` passes, or passes of other command points.
+pub(crate) fn check(passes: &[Pass], points: &[CommandPoint], least: usize, what: &str) -> Result<()> {
+    if passes.len() < least {
+        let message =
+            Message::error(format!("{what}: {} of the path", etalon_base::message::count(passes.len(), "pass")));
+        return Err(message.expected(format!("at least {least}")).into());
+    }
+    if points.is_empty() || passes.iter().any(|pass| pass.crossings.len() != points.len()) {
+        return Err(Message::error(format!("{what}: the passes are of another path")).into());
+    }
+    Ok(())
+}
+
+/// Positions of all passes at one command point.
+pub(crate) fn positions_at(passes: &[Pass], point: usize) -> Vec<Vector> {
+    passes.iter().map(|pass| pass.crossings[point].position_mm).collect()
+}
+
+/// Angle number `angle` of all passes at one command point.
+pub(crate) fn angles_at(passes: &[Pass], point: usize, angle: usize) -> Vec<f64> {
+    passes.iter().filter_map(|pass| pass.crossings[point].angles_rad.get(angle).copied()).collect()
+}

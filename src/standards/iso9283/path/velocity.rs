@@ -1,0 +1,69 @@
+//! Path velocity accuracy AV, repeatability RV and fluctuation FV (ISO 9283:1998 8.6, unverified against a bought copy), over
+//! the central part of the path, where the robot neither speeds up nor slows down.
+
+use crate::iso9283::path::commanded::CommandPoint;
+use crate::iso9283::path::passes::{Pass, check};
+use crate::iso9283::statistics::sample::spread;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{minus, norm};
+
+/// How a commanded velocity is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathVelocity {
+    /// Mean over passes of the mean velocity of each.
+    pub mean_mm_s: f64,
+    /// AV: mean minus commanded, in per cent of the commanded velocity.
+    pub av_percent: f64,
+    /// RV: three standard deviations of the passes' means, in per cent of the commanded velocity; NaN with one pass.
+    pub rv_percent: f64,
+    /// FV: the largest difference between two velocities of one pass. Noise of the instrument is in it.
+    pub fv_mm_s: f64,
+}
+
+/// Velocities between neighbouring command points in the central `share` of the path (0 to 1), which holds two at least. Across a
+/// corner, where command points are left out, there is none.
+pub fn path_velocity(
+    passes: &[Pass],
+    points: &[CommandPoint],
+    commanded_mm_s: f64,
+    share: f64,
+) -> Result<PathVelocity> {
+    check(passes, points, 1, "path velocity")?;
+    if !(commanded_mm_s > 0.0 && commanded_mm_s.is_finite()) {
+        return Err(Message::error("path velocity: the commanded velocity must be positive").into());
+    }
+    let (from, to) = central(points, share);
+    let part_mm = (1..points.len()).map(|i| points[i].along_mm - points[i - 1].along_mm).fold(f64::INFINITY, f64::min);
+    let neighbours = |i: usize| points[i + 1].along_mm - points[i].along_mm < 1.5 * part_mm;
+    if (from..to).filter(|&i| neighbours(i)).count() < 2 {
+        let message = Message::error("path velocity: the central part holds fewer than three command points");
+        return Err(message.hint("state more command points, or a larger central part").into());
+    }
+    let velocities = |pass: &Pass| -> Vec<f64> {
+        let pairs = (from..to).filter(|&i| neighbours(i)).map(|i| (&pass.crossings[i], &pass.crossings[i + 1]));
+        pairs.map(|(a, b)| norm(minus(b.position_mm, a.position_mm)) / (b.time_s - a.time_s)).collect()
+    };
+    let all: Vec<Vec<f64>> = passes.iter().map(velocities).collect();
+    let means = spread(&all.iter().map(|v| spread(v).mean).collect::<Vec<_>>());
+    let fluctuation = |v: &Vec<f64>| {
+        let (low, high) = v.iter().fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
+        high - low
+    };
+    Ok(PathVelocity {
+        mean_mm_s: means.mean,
+        av_percent: (means.mean - commanded_mm_s) / commanded_mm_s * 100.0,
+        rv_percent: 3.0 * means.deviation / commanded_mm_s * 100.0,
+        fv_mm_s: all.iter().map(fluctuation).fold(0.0, f64::max),
+    })
+}
+
+/// First and last command point of the central share of the path.
+pub fn central(points: &[CommandPoint], share: f64) -> (usize, usize) {
+    // command points are the middles of equal parts: the first is as far from the start as the last from the end, unless a
+    // leg is shorter than a part
+    let length = points[0].along_mm + points[points.len() - 1].along_mm;
+    let edge = 0.5 * (1.0 - share) * length - 1e-9 * length;
+    let inside = |p: &CommandPoint| p.along_mm >= edge && p.along_mm <= length - edge;
+    let first = points.iter().position(inside).unwrap_or_default();
+    (first, points.iter().rposition(inside).unwrap_or_default())
+}

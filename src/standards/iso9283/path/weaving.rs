@@ -1,0 +1,94 @@
+//! Weaving deviations (ISO 9283:1998 11, unverified against a bought copy): stroke WS and frequency WF of a path that swings
+//! from side to side of its centre line.
+
+use crate::iso9283::motion::stream::Stream;
+use crate::iso9283::statistics::sample::spread;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, dot, minus, unit};
+use std::ops::Range;
+
+/// How a weave is driven.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weaving {
+    /// Mean distance from a turn on one side to the next on the other, across the centre line.
+    pub stroke_mm: f64,
+    /// Swings there and back by second.
+    pub frequency_hz: f64,
+    /// WS: attained minus commanded stroke, in per cent of the commanded one.
+    pub ws_percent: f64,
+    /// WF: attained minus commanded frequency, in per cent of the commanded one.
+    pub wf_percent: f64,
+    /// Turns that were counted.
+    pub turns: usize,
+}
+
+/// What was commanded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weave {
+    /// Across the centre line: the way the weave swings.
+    pub across: Vector,
+    /// Stroke from side to side.
+    pub stroke_mm: f64,
+    /// Swings there and back by second.
+    pub frequency_hz: f64,
+}
+
+/// Weaving in the samples of a recorded motion about a centre line that runs `along`. A turn counts when the path comes back by a quarter of the commanded stroke:
+/// noise makes no turns. The first and the last turn may be those of a standing robot and do not count; three others are
+/// needed.
+pub fn weaving(stream: &Stream, samples: Range<usize>, along: Vector, weave: &Weave) -> Result<Weaving> {
+    let wrong = |what: &str| Message::error(format!("weaving: {what}"));
+    let positive = |v: f64| v > 0.0 && v.is_finite();
+    let along = unit(along).ok_or_else(|| wrong("the centre line has no direction"))?;
+    let part = dot(weave.across, along);
+    let across = unit([0, 1, 2].map(|k| weave.across[k] - part * along[k]));
+    let across = across.ok_or_else(|| wrong("the swing is along the centre line, or has no direction"))?;
+    if !positive(weave.stroke_mm) || !positive(weave.frequency_hz) {
+        return Err(wrong("commanded stroke and frequency must be positive").into());
+    }
+    if samples.end > stream.len() || samples.is_empty() {
+        return Err(wrong("no samples").into());
+    }
+    let origin = stream.positions_mm()[samples.start];
+    let points = &stream.positions_mm()[samples.clone()];
+    let swing: Vec<f64> = points.iter().map(|p| dot(minus(*p, origin), across)).collect();
+    let turns = turns(&swing, 0.25 * weave.stroke_mm);
+    let inner = turns.get(1..turns.len().saturating_sub(1)).unwrap_or_default();
+    if inner.len() < 3 {
+        let message = wrong(&format!("{} turns", turns.len()));
+        return Err(message.expected("five or more, a quarter of the commanded stroke apart at least").into());
+    }
+    let strokes: Vec<f64> = inner.windows(2).map(|t| (swing[t[1]] - swing[t[0]]).abs()).collect();
+    let time_s = |turn: usize| stream.time_s()[samples.start + turn];
+    let stroke_mm = spread(&strokes).mean;
+    let frequency_hz = 0.5 * (inner.len() - 1) as f64 / (time_s(inner[inner.len() - 1]) - time_s(inner[0]));
+    Ok(Weaving {
+        stroke_mm,
+        frequency_hz,
+        ws_percent: (stroke_mm - weave.stroke_mm) / weave.stroke_mm * 100.0,
+        wf_percent: (frequency_hz - weave.frequency_hz) / weave.frequency_hz * 100.0,
+        turns: inner.len(),
+    })
+}
+
+/// Where values turn: alternating extremes that are left by more than `dead`.
+fn turns(values: &[f64], dead: f64) -> Vec<usize> {
+    let mut found: Vec<usize> = Vec::new();
+    let (mut low, mut high, mut upwards) = (0, 0, None);
+    for (i, &v) in values.iter().enumerate() {
+        if v > values[high] {
+            high = i;
+        }
+        if v < values[low] {
+            low = i;
+        }
+        if upwards != Some(false) && values[high] - v > dead {
+            found.push(high);
+            (low, upwards) = (i, Some(false));
+        } else if upwards != Some(true) && v - values[low] > dead {
+            found.push(low);
+            (high, upwards) = (i, Some(true));
+        }
+    }
+    found
+}

@@ -1,0 +1,29 @@
+//! Pose accuracy AP (ISO 9283:1998 7.2.1; thesis eq. 1.9 to 1.12).
+
+use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapped};
+use etalon_base::message::Result;
+use etalon_base::pose::{Vector, minus, norm};
+
+/// The mean attained pose against the commanded one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseAccuracy {
+    /// Barycentre of the attained positions.
+    pub mean_mm: Vector,
+    /// AP_x, AP_y, AP_z: barycentre minus commanded position.
+    pub deviation_mm: Vector,
+    /// AP_p, the length of the deviation.
+    pub ap_mm: f64,
+}
+
+/// Accuracy of position; at least one attained position.
+pub fn pose_accuracy(attained_mm: &[Vector], commanded_mm: Vector) -> Result<PoseAccuracy> {
+    crate::iso9283::statistics::sample::positions(attained_mm, 1, "pose accuracy")?;
+    let mean_mm = mean_position(attained_mm);
+    let deviation_mm = minus(mean_mm, commanded_mm);
+    Ok(PoseAccuracy { mean_mm, deviation_mm, ap_mm: norm(deviation_mm) })
+}
+
+/// AP_a, AP_b or AP_c in radians, within half a turn; NaN without angles.
+pub fn angle_accuracy_rad(attained_rad: &[f64], commanded_rad: f64) -> f64 {
+    wrapped(spread(&unwrapped(attained_rad)).mean - commanded_rad)
+}

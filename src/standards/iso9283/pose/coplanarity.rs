@@ -1,0 +1,54 @@
+//! Coplanarity of mean positions (thesis 2.4): a planar robot's barycentres should lie in one plane.
+
+use crate::iso9283::statistics::sample::mean_position;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
+
+/// Mean positions against their least-squares plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coplanarity {
+    /// Unit normal of the plane.
+    pub normal: Vector,
+    /// Distance of each mean position from it, with its sign.
+    pub deviations_mm: Vec<f64>,
+    /// Peak to valley.
+    pub flatness_mm: f64,
+}
+
+/// Coplanarity of at least four poses that do not lie on a line.
+pub fn coplanarity(poses_mm: &[Vec<Vector>]) -> Result<Coplanarity> {
+    if poses_mm.len() < 4 {
+        let message = Message::error(format!("coplanarity: {} poses", poses_mm.len()));
+        return Err(message.expected("at least four: three lie in a plane anyhow").into());
+    }
+    for points in poses_mm {
+        crate::iso9283::statistics::sample::positions(points, 1, "coplanarity")?;
+    }
+    let means: Vec<Vector> = poses_mm.iter().map(|points| mean_position(points)).collect();
+    let plane = etalon_fit::plane(&means, &etalon_fit::Settings::default())?;
+    let normal = plane.direction.and_then(unit).unwrap_or_default();
+    let deviations_mm: Vec<f64> = means.iter().map(|p| dot(minus(*p, plane.point_mm), normal)).collect();
+    let (low, high) = deviations_mm.iter().fold((0.0f64, 0.0f64), |(l, h), d| (l.min(*d), h.max(*d)));
+    Ok(Coplanarity { normal, deviations_mm, flatness_mm: high - low })
+}
+
+/// Distance of each of four mean positions from the plane of the other three (thesis 2.4), in mm, never negative.
+pub fn from_the_others(poses_mm: &[Vec<Vector>; 4]) -> Result<[f64; 4]> {
+    for points in poses_mm {
+        crate::iso9283::statistics::sample::positions(points, 1, "coplanarity")?;
+    }
+    let means = [0, 1, 2, 3].map(|i| mean_position(&poses_mm[i]));
+    let mut distances_mm = [0.0; 4];
+    for (i, distance_mm) in distances_mm.iter_mut().enumerate() {
+        let [a, b, c] = [1, 2, 3].map(|k| means[(i + k) % 4]);
+        let (ab, ac) = (minus(b, a), minus(c, a));
+        let normal = cross(ab, ac);
+        // three places that a thousandth of their distance takes off a line have a plane
+        if norm(normal) <= 1e-3 * norm(ab) * norm(ac) {
+            let message = Message::error("coplanarity: three of the four mean positions lie on a line");
+            return Err(message.hint("name four poses that span a plane").into());
+        }
+        *distance_mm = unit(normal).map_or(0.0, |n| dot(minus(means[i], a), n).abs());
+    }
+    Ok(distances_mm)
+}

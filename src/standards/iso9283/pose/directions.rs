@@ -1,0 +1,51 @@
+//! The attained pose depends on the direction of approach: multi-directional pose accuracy variation vAP (ISO 9283:1998 7.2.3,
+//! unverified against a bought copy) and the same by any pose approached from (not of the standard).
+
+use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
+use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapped};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, minus, norm};
+
+/// Attained positions of one pose, apart by approach.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variation {
+    /// vAP_p: the largest distance between two barycentres.
+    pub vap_mm: f64,
+    /// The two approaches that are farthest apart.
+    pub between: (usize, usize),
+    /// Barycentre of each approach.
+    pub means_mm: Vec<Vector>,
+    /// Repeatability within each approach; absent with a single visit.
+    pub within: Vec<Option<PoseRepeatability>>,
+}
+
+/// Variation over approaches, each with at least one position; at least two approaches (the standard has three at right
+/// angles, 30 cycles each).
+pub fn variation(approaches_mm: &[Vec<Vector>]) -> Result<Variation> {
+    if approaches_mm.len() < 2 {
+        let message = Message::error(format!("variation over approaches: {} of them", approaches_mm.len()));
+        return Err(message.expected("at least two").into());
+    }
+    for points in approaches_mm {
+        crate::iso9283::statistics::sample::positions(points, 1, "variation over approaches")?;
+    }
+    let means_mm: Vec<Vector> = approaches_mm.iter().map(|points| mean_position(points)).collect();
+    let (vap_mm, between) = farthest(means_mm.len(), |h, k| norm(minus(means_mm[h], means_mm[k])));
+    let within = approaches_mm.iter().map(|points| match points.len() {
+        1 => Ok(None),
+        _ => pose_repeatability(points).map(Some),
+    });
+    Ok(Variation { vap_mm, between, within: within.collect::<Result<_>>()?, means_mm })
+}
+
+/// vAP_a, vAP_b or vAP_c in radians.
+pub fn angle_variation_rad(approaches_rad: &[Vec<f64>]) -> f64 {
+    let means: Vec<f64> = approaches_rad.iter().map(|angles| spread(&unwrapped(angles)).mean).collect();
+    farthest(means.len(), |h, k| wrapped(means[h] - means[k]).abs()).0
+}
+
+/// The largest of `distance(h, k)` over pairs, and the first pair that has it.
+pub(crate) fn farthest(count: usize, distance: impl Fn(usize, usize) -> f64) -> (f64, (usize, usize)) {
+    let pairs = (0..count).flat_map(|h| (h + 1..count).map(move |k| (h, k)));
+    pairs.map(|(h, k)| (distance(h, k), (h, k))).fold((0.0, (0, 0)), |a, b| if b.0 > a.0 { b } else { a })
+}

@@ -1,0 +1,33 @@
+//! Exchangeability E (ISO 9283:1998 7.7, unverified against a bought copy): five robots, one programme, the same mounting.
+
+use crate::iso9283::pose::directions::farthest;
+use crate::iso9283::statistics::sample::mean_position;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, minus, norm};
+
+/// How far apart the mean poses of robots of one type are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Exchangeability {
+    /// E: the largest distance between the barycentres of two robots at any pose.
+    pub e_mm: f64,
+    /// The same of each pose.
+    pub poses_mm: Vec<f64>,
+}
+
+/// `attained_mm[robot][pose]`: positions of at least two robots at the same poses.
+pub fn exchangeability(attained_mm: &[Vec<Vec<Vector>>]) -> Result<Exchangeability> {
+    let poses = attained_mm.first().map_or(0, Vec::len);
+    if attained_mm.len() < 2 || poses == 0 || attained_mm.iter().any(|robot| robot.len() != poses) {
+        let message = Message::error("exchangeability: robots do not have the same poses");
+        return Err(message.expected("at least two robots, each at every pose").into());
+    }
+    for points in attained_mm.iter().flatten() {
+        crate::iso9283::statistics::sample::positions(points, 1, "exchangeability")?;
+    }
+    let apart = |pose: usize| {
+        let means: Vec<Vector> = attained_mm.iter().map(|robot| mean_position(&robot[pose])).collect();
+        farthest(means.len(), |h, k| norm(minus(means[h], means[k]))).0
+    };
+    let poses_mm: Vec<f64> = (0..poses).map(apart).collect();
+    Ok(Exchangeability { e_mm: poses_mm.iter().fold(0.0, |m, e| m.max(*e)), poses_mm })
+}

@@ -1,0 +1,87 @@
+//! RP without the instrument's noise (not of the standard), where every visit was read several times: readings of one visit
+//! differ by the instrument alone, means of visits by the robot and what is left of the instrument.
+
+use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
+use crate::iso9283::statistics::sample::{covariance, mean_position};
+use crate::iso9283::statistics::scatter::drawn_together;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::Vector;
+use etalon_math::symmetric_eigen;
+
+/// RP of the robot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoiseFree {
+    /// RP of the means of the visits: robot and instrument.
+    pub found: PoseRepeatability,
+    /// RP of the robot: what was found, times the ratio of the RP of Gaussian scatter without the noise to that with it; zero
+    /// where the noise explains all scatter.
+    pub rp_mm: f64,
+    /// Standard deviation of one reading, by coordinate.
+    pub noise_mm: Vector,
+}
+
+/// Of at least three visits, each with readings; at least one visit with two or more.
+pub fn without_noise(visits_mm: &[Vec<Vector>]) -> Result<NoiseFree> {
+    for readings in visits_mm {
+        crate::iso9283::statistics::sample::positions(readings, 1, "noise of readings")?;
+    }
+    let means: Vec<Vector> = visits_mm.iter().map(|readings| mean_position(readings)).collect();
+    crate::iso9283::statistics::sample::positions(&means, 3, "repeatability without noise")?;
+    let repeated: Vec<&Vec<Vector>> = visits_mm.iter().filter(|readings| readings.len() > 1).collect();
+    let degrees: usize = repeated.iter().map(|readings| readings.len() - 1).sum();
+    if degrees == 0 {
+        let message = Message::error("repeatability without noise: no visit was read twice");
+        return Err(message.hint("readings of one visit give the instrument's noise").into());
+    }
+    let mut noise = [[0.0; 3]; 3];
+    for readings in repeated {
+        let share = (readings.len() - 1) as f64 / degrees as f64;
+        add(&mut noise, &covariance(readings), share);
+    }
+    // the mean over visits of what a mean of readings keeps of the noise
+    let kept = visits_mm.iter().map(|readings| 1.0 / readings.len() as f64).sum::<f64>() / visits_mm.len() as f64;
+    let with = covariance(&means);
+    let mut without = with;
+    add(&mut without, &noise, -kept);
+    let n = means.len() as f64;
+    let trace = |m: &[[f64; 3]; 3]| m[0][0] + m[1][1] + m[2][2];
+    // Satterthwaite: what a difference of variances is worth
+    let parts = trace(&with).powi(2) / (n - 1.0) + (kept * trace(&noise)).powi(2) / degrees as f64;
+    let worth = (trace(&without).powi(2) / parts).clamp(2.0, n - 1.0);
+    let expected = |m: [[f64; 3]; 3], degrees: f64| {
+        let variances = symmetric_eigen(m).0.map(|v| v.max(0.0));
+        repeatability_of_scatter(drawn_together(variances, degrees))
+    };
+    let found = pose_repeatability(&means)?;
+    let (rest, all) = (expected(without, worth), expected(with, n - 1.0));
+    Ok(NoiseFree {
+        found,
+        rp_mm: if all > 0.0 { found.rp_mm * (rest / all).min(1.0) } else { 0.0 },
+        noise_mm: [0, 1, 2].map(|k| noise[k][k].sqrt()),
+    })
+}
+
+fn add(to: &mut [[f64; 3]; 3], m: &[[f64; 3]; 3], factor: f64) {
+    to.iter_mut().flatten().zip(m.iter().flatten()).for_each(|(a, b)| *a += factor * b);
+}
+
+/// Mean + 3 s of the radius of Gaussian scatter with these principal variances.
+///
+/// E √Q = (1 / 2√π) ∫ t^(-3/2) (1 - φ(t)) dt with φ(t) = Π (1 + 2 v t)^(-1/2), the Laplace transform of Q; with t = e^u the
+/// integrand falls off at both ends and the trapezoidal rule is exact to rounding.
+pub fn repeatability_of_scatter(variances: Vector) -> f64 {
+    let largest = variances.iter().copied().fold(0.0, f64::max);
+    if largest == 0.0 {
+        return 0.0;
+    }
+    const STEP: f64 = 0.125;
+    let at = |i: i32| {
+        let u = f64::from(i) * STEP;
+        let logs: f64 = variances.iter().map(|v| (2.0 * v / largest * u.exp()).ln_1p()).sum();
+        -(-0.5 * logs).exp_m1() * (-0.5 * u).exp()
+    };
+    let integral = STEP * (-640..=640).map(at).sum::<f64>();
+    let mean = largest.sqrt() * integral / (2.0 * std::f64::consts::PI.sqrt());
+    let square: f64 = variances.iter().sum();
+    mean + 3.0 * (square - mean * mean).max(0.0).sqrt()
+}

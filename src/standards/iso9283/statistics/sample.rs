@@ -1,0 +1,75 @@
+//! Means and standard deviations that are exact where all values are equal, and angles without jumps.
+
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, minus, norm};
+use std::f64::consts::TAU;
+
+/// Refuses fewer than `least` positions, or one that is not finite.
+pub(crate) fn positions(points: &[Vector], least: usize, what: &str) -> Result<()> {
+    if points.len() < least {
+        let message = Message::error(format!("{what}: {} attained positions", points.len()));
+        return Err(message.expected(format!("at least {least}")).into());
+    }
+    match points.iter().position(|&p| !norm(p).is_finite()) {
+        Some(i) => Err(Message::error(format!("{what}: position {} is not finite", i + 1)).into()),
+        None => Ok(()),
+    }
+}
+
+/// Mean and standard deviation of values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Mean; NaN without values.
+    pub mean: f64,
+    /// Standard deviation with n - 1; NaN with fewer than two values.
+    pub deviation: f64,
+}
+
+/// Mean and standard deviation, computed about the first value.
+pub fn spread(values: &[f64]) -> Spread {
+    let n = values.len() as f64;
+    let first = values.first().copied().unwrap_or(f64::NAN);
+    let mean = first + values.iter().map(|v| v - first).sum::<f64>() / n;
+    let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
+    let deviation = if values.len() < 2 { f64::NAN } else { (squares / (n - 1.0)).sqrt() };
+    Spread { mean, deviation }
+}
+
+/// Mean position, computed about the first; NaN without positions.
+pub(crate) fn mean_position(points: &[Vector]) -> Vector {
+    [0, 1, 2].map(|k| spread(&points.iter().map(|p| p[k]).collect::<Vec<_>>()).mean)
+}
+
+/// Covariance of positions with n - 1, in mm².
+pub(crate) fn covariance(points: &[Vector]) -> [[f64; 3]; 3] {
+    let mean = mean_position(points);
+    let mut sum = [[0.0; 3]; 3];
+    for p in points {
+        let d = minus(*p, mean);
+        for (row, a) in sum.iter_mut().zip(d) {
+            row.iter_mut().zip(d).for_each(|(s, b)| *s += a * b);
+        }
+    }
+    sum.map(|row| row.map(|s| s / (points.len() as f64 - 1.0)))
+}
+
+/// An angle or a difference of angles in -π to π.
+pub fn wrapped(angle_rad: f64) -> f64 {
+    angle_rad - TAU * (angle_rad / TAU).round()
+}
+
+/// Angles of one pose without jumps of 2π: each within half a turn of the first.
+pub fn unwrapped(angles_rad: &[f64]) -> Vec<f64> {
+    let first = angles_rad.first().copied().unwrap_or_default();
+    angles_rad.iter().map(|a| first + wrapped(a - first)).collect()
+}
+
+/// Angles along a motion without jumps of 2π: each within half a turn of the one before.
+pub(crate) fn followed(angles_rad: &[f64]) -> Vec<f64> {
+    let mut all: Vec<f64> = Vec::with_capacity(angles_rad.len());
+    for &angle in angles_rad {
+        let before = all.last().copied().unwrap_or(angle);
+        all.push(before + wrapped(angle - before));
+    }
+    all
+}
