@@ -22,7 +22,7 @@ fn main() {
     let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/dextar");
     let robot = read_robot(&sample.join("robot.toml")).expect("robot").build(&[]).expect("robot");
     let text = std::fs::read_to_string(sample.join("candidates.csv")).expect("candidates");
-    let table = import::observations("candidates.csv", &text).expect("candidates");
+    let table = formats::observations("candidates.csv", &text).expect("candidates");
     let observations = candidates::configurations(robot.as_ref(), &table).expect("configurations").observations;
     let settings = Settings::default();
     let known = sensitivity(robot.as_ref(), &observations, &settings).expect("sensitivity");

@@ -53,6 +53,7 @@
 
 pub use etalon_base as base;
 pub use etalon_campaign as campaign;
+pub use etalon_compare as compare;
 pub use etalon_controllers as controllers;
 pub use etalon_documents as documents;
 pub use etalon_fit as fit;
@@ -64,7 +65,6 @@ pub use etalon_robots as robots;
 pub use etalon_standards as standards;
 
 pub mod cli;
-pub mod compare;
 pub mod run;
 pub mod simulate;
 pub mod stages;

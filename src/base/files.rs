@@ -15,8 +15,7 @@ const LARGEST_STATEMENT: u64 = 16 << 20;
 
 /// Opens a regular file for reading: a pipe may never answer, and a device never end.
 pub fn open(path: &Path) -> std::io::Result<File> {
-    #[cfg(test)]
-    OPENED.with_borrow_mut(|opened| opened.push(path.to_owned()));
+    OPENED.with_borrow_mut(|opened| opened.iter_mut().for_each(|all| all.push(path.to_owned())));
     match std::fs::metadata(path)? {
         kind if kind.is_dir() => Err(std::io::Error::other("it is a folder")),
         kind if !kind.is_file() => Err(std::io::Error::other("it is not a regular file")),
@@ -24,10 +23,16 @@ pub fn open(path: &Path) -> std::io::Result<File> {
     }
 }
 
-#[cfg(test)]
 thread_local! {
-    /// Every file that was opened on this thread, in order.
-    pub(crate) static OPENED: std::cell::RefCell<Vec<PathBuf>> = const { std::cell::RefCell::new(Vec::new()) };
+    /// Files opened on this thread, in order, while somebody asks.
+    static OPENED: std::cell::RefCell<Option<Vec<PathBuf>>> = const { std::cell::RefCell::new(None) };
+}
+
+/// Runs `work` and returns its result with the files that it opened on this thread, in order.
+pub fn record_opened<T>(work: impl FnOnce() -> T) -> (T, Vec<PathBuf>) {
+    OPENED.set(Some(Vec::new()));
+    let result = work();
+    (result, OPENED.take().unwrap_or_default())
 }
 
 fn read_at_most(path: &Path, largest: u64) -> Result<Vec<u8>> {

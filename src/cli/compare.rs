@@ -2,9 +2,9 @@
 
 use super::report::Reports;
 use super::{Verdict, answer, remark};
-use crate::compare::{Compared, compare};
 use crate::run::documents::{self, Documents};
 use etalon_base::message::{Message, Problems, Result};
+use etalon_compare::{Compared, compare};
 use etalon_documents::to_json;
 use etalon_report::Faces;
 use std::collections::{BTreeMap, BTreeSet};

@@ -65,13 +65,13 @@ pub fn element<'a>(element: Element, points: impl Into<Source<'a>>, settings: &S
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::chart::Chart;
-    use crate::math::circle_and_sphere::{Ball, Disc, Ring};
-    use crate::math::cone::Funnel;
-    use crate::math::cylinder::Tube;
-    use crate::math::f64x8::F64x8;
-    use crate::math::solver::Surface;
-    use crate::math::torus::Bend;
+    use crate::chart::Chart;
+    use crate::circle_and_sphere::{Ball, Disc, Ring};
+    use crate::cone::Funnel;
+    use crate::cylinder::Tube;
+    use crate::f64x8::F64x8;
+    use crate::solver::Surface;
+    use crate::torus::Bend;
 
     /// Fourth-order central difference of every distance by every parameter but the held ones, through a new chart.
     fn derivatives_agree<S: Surface<N, K>, const N: usize, const K: usize>(

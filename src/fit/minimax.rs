@@ -210,7 +210,7 @@ mod tests {
             let rows: Vec<Row<2>> =
                 (0..30).map(|_| ([noise.gaussian(1.0), noise.gaussian(1.0)], noise.gaussian(1.0))).collect();
             let flat: Vec<[f64; 3]> = rows.iter().map(|(g, d)| [g[0], g[1], *d]).collect();
-            let expected = crate::math::chebyshev::least_spread(&flat, f64::INFINITY).unwrap();
+            let expected = crate::chebyshev::least_spread(&flat, f64::INFINITY).unwrap();
             let found = best_step(&rows, 1e3).unwrap();
             assert!((found.spread - expected.spread).abs() < 1e-12, "{} {}", found.spread, expected.spread);
         }

@@ -40,8 +40,11 @@ pub struct Export {
 /// What a label names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Named {
+    /// Target of the label.
     pub target: Option<String>,
+    /// Pose of the label.
     pub pose: Option<PoseName>,
+    /// Repeat of the pose.
     pub cycle: Option<i64>,
 }
 

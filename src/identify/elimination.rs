@@ -181,9 +181,9 @@ impl Owners {
 mod tests {
     use super::super::{fit_frames, identify};
     use super::*;
-    use crate::math::identifiability::Analysis;
-    use crate::math::residuals::Residuals;
-    use crate::math::uncertainty::by_cluster;
+    use crate::identifiability::Analysis;
+    use crate::residuals::Residuals;
+    use crate::uncertainty::by_cluster;
     use etalon_base::noise::Noise;
     use etalon_math::{Options, solve};
     use etalon_robots::{Serial, SerialJoint};

@@ -207,7 +207,7 @@ fn exporters(campaign: &Campaign) -> Vec<&'static dyn etalon_controllers::Export
 #[cfg(test)]
 mod tests {
     use super::*;
-    use etalon_base::files::{self, OPENED};
+    use etalon_base::files::{self, record_opened};
     use std::path::{Path, PathBuf};
 
     /// A copy of a sample in a folder of its own, with more in its `campaign.toml`, and other files.
@@ -237,9 +237,8 @@ mod tests {
         let again = "\n[[export]]\nfile = \"exports/world.txt\"\nformat = \"polyworks\"\nunit = \"mm\"\n";
         let folder = copy("prexyt-cmm", again, &[]);
         let campaign = Campaign::read(folder.path()).unwrap();
-        OPENED.take();
-        let (gathered, _) = crate::stages::gather::recover(&campaign);
-        let opened = OPENED.take().into_iter().filter(|path| path.ends_with("exports/world.txt")).count();
+        let ((gathered, _), opened) = record_opened(|| crate::stages::gather::recover(&campaign));
+        let opened = opened.into_iter().filter(|path| path.ends_with("exports/world.txt")).count();
         let listed = gathered.document.sources.iter().filter(|source| source.file == "exports/world.txt").count();
         assert_eq!((opened, listed), (1, 2));
     }
@@ -265,9 +264,11 @@ mod tests {
             [("prexyt-geometric", stream, &others[..]), ("prexyt-repeatability", "", &[]), ("pose-test", "", &[])]
         {
             let folder = copy(sample, more, others);
-            OPENED.take();
-            let campaign = Campaign::read(folder.path()).unwrap();
-            run(&campaign).unwrap();
+            let (campaign, mut opened) = record_opened(|| {
+                let campaign = Campaign::read(folder.path()).unwrap();
+                run(&campaign).unwrap();
+                campaign
+            });
             let file = &campaign.file;
             let mut inputs: Vec<PathBuf> = file
                 .inputs()
@@ -277,7 +278,6 @@ mod tests {
                 .collect();
             inputs.push(folder.path().join("campaign.toml"));
             inputs.sort();
-            let mut opened = OPENED.take();
             opened.sort();
             assert_eq!(opened, inputs, "{sample}");
         }

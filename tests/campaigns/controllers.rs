@@ -286,7 +286,7 @@ fn written(format: &str, campaign: &str, robot_name: &str) -> Vec<u8> {
         description: file.description().map(|(file, text)| Description { file, text }),
         ..Given::parameters(&found)
     };
-    export::by_name(format).unwrap().write(&given).unwrap_or_else(|problems| panic!("{format}: {problems}"))
+    controllers::by_name(format).unwrap().write(&given).unwrap_or_else(|problems| panic!("{format}: {problems}"))
 }
 
 /// Letters of arrays have more than one byte.
@@ -296,7 +296,7 @@ fn letters(bytes: &[u8]) -> String {
 
 #[test]
 fn every_format_begins_with_version_campaign_robot_units_and_hash() {
-    for format in export::names() {
+    for format in controllers::names() {
         let text = letters(&written(format, "Spring check 3", "Arm 7"));
         // tables have the same as columns, arrays anywhere
         let anywhere = ["csv", "numpy", "mat"].contains(&format);
@@ -321,7 +321,7 @@ fn names_end_no_comment_and_no_string() {
     let safe = |c: char| if c.is_ascii_alphanumeric() || " .,-_:()=+".contains(c) { c } else { '_' };
     let harmless: String = hostile.chars().map(safe).collect();
     let folder = tempfile::tempdir().unwrap();
-    for format in export::names() {
+    for format in controllers::names() {
         let [as_named, as_harmless] = [hostile, &harmless].map(|name| written(format, name, name));
         std::fs::write(folder.path().join(format), &as_named).unwrap();
         match format {

@@ -23,7 +23,7 @@ struct Stated {
 /// Reads a file as `format = ..` and `unit = ..` say; `encoding` may follow.
 fn read(path: &Path, format: &str, unit: &str) -> Result<Vec<Point>> {
     let stated: Stated = toml::from_str(&format!("format = {format}\nunit = {unit:?}\n")).expect(format);
-    import::read_file(path, stated.encoding, &stated.format, stated.unit)
+    formats::read_file(path, stated.encoding, &stated.format, stated.unit)
 }
 
 fn points(folder: &Path, file: &str, format: &str) -> Vec<Point> {
@@ -91,7 +91,7 @@ fn every_file_is_read_with_its_counts_or_refused_with_its_reason() {
                     assert!(said.contains(says), "{file}: {why}, and it says: {said}");
                 }
                 As::Nothing(says) => {
-                    let said = import::propose_file(&path).expect_err(file).to_string();
+                    let said = formats::propose_file(&path).expect_err(file).to_string();
                     assert!(said.contains(says), "{file}: {why}, and it says: {said}");
                 }
                 // `logs_are_read_with_their_rows` and the tests named there

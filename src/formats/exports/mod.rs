@@ -268,11 +268,17 @@ impl<'de> Deserialize<'de> for Format {
 /// A row to write, in the unit of the export.
 #[derive(Clone, Debug)]
 pub struct Row {
+    /// Label of the point.
     pub label: String,
+    /// Target of the robot that was measured.
     pub target: String,
+    /// Pose of the robot.
     pub pose: PoseName,
+    /// Repeat of the pose.
     pub cycle: i64,
+    /// Time of the measurement (s).
     pub time_s: f64,
+    /// Coordinates, in the unit of the export.
     pub xyz: Vector,
 }
 

@@ -3,8 +3,8 @@
 use super::page::with_text;
 use super::workbook::only_texts_and_numbers;
 use super::{demo::Documents, demo_iso9283, demo_streams};
-use crate::compare::{Compared, compare};
 use crate::*;
+use etalon_compare::{Compared, compare};
 use etalon_documents::{Iso9283StreamsDocument, Language};
 
 fn compared(folder: &str, documents: Documents, streams: Iso9283StreamsDocument) -> Compared {
