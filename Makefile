@@ -4,7 +4,8 @@
 # make compare CAMPAIGNS="FOLDER ..." compare campaigns of one robot, the oldest first
 # make clean-NAME remove the output of campaign NAME; make clean that of all
 # make test    run the tests
-# make unit T=NAME those in src whose path holds NAME, some ten seconds after an edit
+# make quick   the tests of single files, of the architecture and of golden documents: before each commit
+# make unit CRATE=NAME those of one crate, some seconds after an edit; T=NAME only those whose path holds NAME
 # make bench   compare with SciPy, NumPy and Pinocchio, side by side in the same run, and write benches/README.md; COUNT= sets how many campaigns
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
@@ -26,12 +27,13 @@ PROFILE ?= release
 ETALON := $(CARGO_TARGET_DIR)/$(PROFILE:dev=debug)/etalon
 SOURCES := Cargo.toml Cargo.lock $(shell find src -type f)
 T ?=
+CRATE ?=
 CAMPAIGNS ?= $(patsubst %/campaign.toml,%,$(sort $(wildcard samples/*/campaign.toml campaigns/*/campaign.toml)))
 SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth.toml)))
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test unit test-slurm test-linuxcnc thesis bench bench-fit bench-import samples help clean FORCE
+.PHONY: all report compare test quick unit test-slurm test-linuxcnc thesis bench bench-fit bench-import samples help clean FORCE
 
 # how the run of a campaign ended: NAME.status, or NAME.failed where it is to be tried again
 ENDED := $(abspath $(CARGO_TARGET_DIR))/campaigns
@@ -71,22 +73,26 @@ report: $(ETALON)
 compare: $(ETALON)
 	$(ETALON) compare $(CAMPAIGNS)
 
-# the libraries are built once, as the program has them; etalon's own code is not optimised for the tests of single files
-UNOPTIMISED := $(foreach option,opt-level=0 debug-assertions=true codegen-units=256,--config profile.release.package.etalon.$(option))
+# the libraries are built once, as the program has them; etalon's own crates are not optimised for the tests of single files
+CRATES := $(patsubst src/%/Cargo.toml,etalon-%,$(wildcard src/*/Cargo.toml)) etalon
+UNOPTIMISED := $(foreach crate,$(CRATES),$(foreach option,opt-level=0 debug-assertions=true codegen-units=256,--config profile.release.package.$(crate).$(option)))
 RUN := cargo $(if $(shell command -v cargo-nextest),nextest run,test) --locked --release
 WHOLE := $(RUN) --test laws --test etalon
-SINGLE := env CARGO_INCREMENTAL=1 $(RUN) $(UNOPTIMISED) --lib
+SINGLE := env CARGO_INCREMENTAL=1 $(RUN) $(UNOPTIMISED)
 
 test:
 	[ -n "$${ETALON_REFERENCE:-}" ] || echo "ETALON_REFERENCE is not set: tests on outside data (NIST, PreXYT, IRB 120) are skipped"
 	$(WHOLE) --no-run
 	@# those of single files are compiled while the others run, which hold the folder of the build no longer after a second
-	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(SINGLE)) >$$log 2>&1 & single=$$!; \
+	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(SINGLE) --workspace --lib) >$$log 2>&1 & single=$$!; \
 	$(WHOLE) || { kill $$single; exit 1; }; \
 	wait $$single && code=0 || code=$$?; cat $$log; exit $$code
 
 unit:
-	$(SINGLE) $(T)
+	$(SINGLE) --lib $(if $(CRATE),-p etalon-$(CRATE),--workspace) $(T)
+
+quick:
+	$(SINGLE) --workspace --lib --test etalon -E 'kind(lib) | test(/^(architecture|golden)/)'
 
 bench:
 	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv

@@ -3,38 +3,26 @@
 //! A campaign goes in (exports of a measuring system, encoder logs, one `campaign.toml`); frames, identified parameters
 //! with uncertainties, errors before and after, a report and files for the controller come out. This page is the map.
 //!
-//! # The stages
+//! # Where things are
 //!
-//! ```text
-//! exports ──import──► points ──fit──► features ──frames──► frames ─┐
-//! logs ────import──► joints ─────────────────────────────────────┴─join──► observations
-//! observations ──identify──► parameters ──evaluate──► accuracy ──► report · export
-//! robot model ──plan──► poses to measure
-//! robot model ──simulate──► exports and logs with a known truth
-//! ```
+//! Each module below is a crate of the workspace, except [`stages`], [`simulate`], [`run`] and [`cli`], which are the program.
+//! `docs/architecture.md` has the table of crates with their dependencies and one measured point walked from the export to the
+//! report. [`run::pipeline`] is the order of the stages on one screen.
 //!
-//! [`run::pipeline`] is this diagram on one screen. Every stage is a function from the documents before it to the document
-//! after it: none reads a file that another stage did not name, none prints, none reads the clock.
-//!
-//! # The modules
-//!
-//! | module | contents | may name |
-//! | --- | --- | --- |
-//! | [`base`] | messages, files, tables, poses, dual numbers, random numbers, patterns of names | nothing |
-//! | [`math`] | least squares, fits of elements, robots, identification, the geometric method, choice of poses | `base` |
-//! | [`document`] | the types of every JSON document, and their schemas | the above |
-//! | [`iso9283`] | the characteristics of ISO 9283, one a file, each with its clause | the above |
-//! | [`import`] | formats of exports and logs, one file each; tables of observations, poses and recordings | the above |
-//! | [`campaign`] | `campaign.toml` and `robot.toml`: the keys, where each value is, what is wrong with it | the above |
-//! | [`stages`] | one stage a file, each from documents to the next document | the above |
-//! | [`report`] | the sections of a report and the four forms in which they are drawn | `base`, `document` |
-//! | [`export`] | one controller format a file | `base`, `document` |
-//! | [`compare`] | several campaigns side by side | `base` to `iso9283` |
-//! | [`simulate`] | a truth becomes exports and logs, written by the formats themselves | `base` to `stages` |
-//! | [`run`] | the pipeline, the check before it, the output folder | all but `compare`, `simulate`, `cli` |
-//! | [`cli`] | one command a file | all |
-//!
-//! `tests/architecture.rs` holds this table: every `crate::` path of every file, and no circle among files.
+//! | crate | contents |
+//! | --- | --- |
+//! | [`base`] | messages, files, poses, dual numbers, random numbers |
+//! | [`math`] | linear algebra, nonlinear least squares, statistics |
+//! | [`fit`] | geometric elements, minimum zones, point clouds |
+//! | [`robots`] | kinematic models |
+//! | [`identify`] | identification, its uncertainty and diagnosis; choice of poses; the geometric method |
+//! | [`standards`] | ISO 9283, ISO 230-2, decision rules |
+//! | [`documents`] | JSON documents and their schemas |
+//! | [`formats`] | exports, logs and tables |
+//! | [`campaign`] | `campaign.toml` and `robot.toml` |
+//! | [`report`] | sections, charts and four renderers |
+//! | [`controllers`] | files that controllers load |
+//! | [`compare`] | several campaigns side by side |
 //!
 //! # Conventions
 //!

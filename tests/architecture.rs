@@ -1,31 +1,71 @@
-//! Who may know whom: the modules of `src`, read from every `crate::` and `super::` path of every file up to its tests.
+//! The walls: which crate may depend on which (cargo's own metadata against the table of docs/architecture.md), and no circle
+//! among the files of a crate.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
-/// A room and the rooms that its files may name; `cli` may name all.
-const ROOMS: [(&str, &[&str]); 13] = [
-    ("base", &[]),
-    ("math", &["base"]),
-    ("document", &["base", "math"]),
-    ("iso9283", &["base", "math", "document"]),
-    ("import", &["base", "math", "iso9283", "document"]),
-    ("campaign", &["base", "math", "iso9283", "document", "import"]),
-    ("stages", &["base", "math", "iso9283", "document", "import", "campaign"]),
-    ("report", &["base", "document"]),
-    ("export", &["base", "math", "document"]),
-    ("compare", &["base", "math", "iso9283", "document"]),
-    ("simulate", &["base", "math", "document", "import", "campaign", "stages"]),
-    ("run", &["base", "math", "iso9283", "document", "import", "campaign", "stages", "report", "export"]),
-    (
-        "cli",
-        &[
-            "base", "math", "iso9283", "document", "import", "campaign", "stages", "report", "export", "compare",
-            "simulate", "run",
-        ],
-    ),
-];
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// Crates of pure mathematics, and external crates that they must not depend on.
+const PURE: [&str; 5] = ["math", "fit", "robots", "identify", "standards"];
+const IMPURE: [&str; 9] =
+    ["serde", "serde_json", "schemars", "toml", "polars", "polars-io", "csv", "clap", "quick-xml"];
+
+/// Modules of the root package, from below: each may name those before it.
+const PROGRAM: [&str; 4] = ["stages", "simulate", "run", "cli"];
+
+/// Rows of the table of crates in docs/architecture.md: name, dependencies inside the workspace, external ones.
+fn table() -> BTreeMap<String, [BTreeSet<String>; 2]> {
+    let page = std::fs::read_to_string(Path::new(ROOT).join("docs/architecture.md")).unwrap();
+    let rows = page.lines().skip_while(|line| !line.starts_with("| crate |")).skip(2);
+    let names = |cell: &str| {
+        cell.split(',')
+            .map(|name| name.trim().trim_matches('`').to_owned())
+            .filter(|n| !n.is_empty() && n != "-")
+            .collect()
+    };
+    let rows = rows.take_while(|line| line.starts_with('|')).map(|line| {
+        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+        (cells[0].trim_matches('`').to_owned(), [names(cells[2]), names(cells[3])])
+    });
+    rows.collect()
+}
+
+#[test]
+fn crates_depend_on_what_the_table_of_the_architecture_states() {
+    let metadata = Command::new(env!("CARGO"))
+        .args(["metadata", "--locked", "--offline", "--no-deps", "--format-version", "1"])
+        .current_dir(ROOT)
+        .output()
+        .unwrap();
+    assert!(metadata.status.success(), "{}", String::from_utf8_lossy(&metadata.stderr));
+    let metadata: serde_json::Value = serde_json::from_slice(&metadata.stdout).unwrap();
+    let short = |name: &str| name.strip_prefix("etalon-").unwrap_or(name).to_owned();
+    let mut found = BTreeMap::new();
+    for package in metadata["packages"].as_array().unwrap() {
+        let mut dependencies = [BTreeSet::new(), BTreeSet::new()];
+        for dependency in package["dependencies"].as_array().unwrap().iter().filter(|d| d["kind"].is_null()) {
+            let name = dependency["name"].as_str().unwrap();
+            dependencies[usize::from(!name.starts_with("etalon-"))].insert(short(name));
+        }
+        found.insert(short(package["name"].as_str().unwrap()), dependencies);
+    }
+    let stated = table();
+    let mut wrong = String::new();
+    for name in found.keys().chain(stated.keys()).collect::<BTreeSet<_>>() {
+        if found.get(name) != stated.get(name) {
+            let _ =
+                writeln!(wrong, "{name}: cargo {:?}\n    docs/architecture.md {:?}", found.get(name), stated.get(name));
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+    for pure in PURE {
+        let impure: Vec<&str> = IMPURE.into_iter().filter(|name| found[pure][1].contains(*name)).collect();
+        assert!(impure.is_empty(), "`{pure}` is pure mathematics and depends on {impure:?}");
+    }
+}
 
 /// A path that begins with `crate::`, and the line on which it is.
 #[derive(Debug, PartialEq)]
@@ -88,23 +128,29 @@ fn spelled(text: &str) -> (Vec<String>, usize) {
     }
 }
 
-/// Every file of `src` by the path of its module; files of tests alone are left out.
-fn modules() -> BTreeMap<String, PathBuf> {
+/// The folders of the crates in `src`, and `src` itself for the program.
+fn crates() -> Vec<PathBuf> {
+    let src = Path::new(ROOT).join("src");
+    let folders = std::fs::read_dir(&src).unwrap().flatten().map(|entry| entry.path());
+    folders.filter(|path| path.join("Cargo.toml").exists()).chain([src.clone()]).collect()
+}
+
+/// Every file of a crate by the path of its module; files of tests alone are left out.
+fn modules(root: &Path) -> BTreeMap<String, PathBuf> {
     fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
         for entry in std::fs::read_dir(folder).unwrap().flatten() {
             let path = entry.path();
-            if path.is_dir() {
+            if path.is_dir() && !path.join("Cargo.toml").exists() {
                 walk(&path, found);
             } else if path.extension().is_some_and(|e| e == "rs") {
                 found.push(path);
             }
         }
     }
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = Vec::new();
-    walk(&src, &mut files);
+    walk(root, &mut files);
     let module = |path: &Path| {
-        let inside = path.strip_prefix(&src).unwrap().with_extension("");
+        let inside = path.strip_prefix(root).unwrap().with_extension("");
         let names: Vec<String> = inside.iter().map(|n| n.to_string_lossy().into_owned()).collect();
         names.into_iter().filter(|n| n != "mod").collect::<Vec<_>>().join("::")
     };
@@ -114,7 +160,8 @@ fn modules() -> BTreeMap<String, PathBuf> {
         parent.is_some_and(|text| text.contains(&format!("#[cfg(test)]\nmod {own};")))
     };
     let all = files.iter().map(|f| (module(f), f.clone()));
-    all.filter(|(name, _)| !["lib", "main"].contains(&name.as_str()) && !tests_alone(name)).collect()
+    let named = all.filter(|(name, _)| name != "main" && !tests_alone(name));
+    named.filter(|(name, _)| !name.starts_with("tests::")).collect()
 }
 
 /// The file that a path leads to: the longest part of it that is a module.
@@ -128,22 +175,15 @@ fn target<'a>(modules: &'a BTreeMap<String, PathBuf>, path: &str) -> Option<&'a 
     }
 }
 
-fn room(module: &str) -> &str {
-    module.split("::").next().unwrap_or(module)
-}
-
 #[test]
-fn every_file_names_only_rooms_that_its_own_may_know() {
-    let modules = modules();
-    let rooms: BTreeSet<&str> = modules.keys().map(|name| room(name)).collect();
-    assert_eq!(rooms, ROOMS.iter().map(|(name, _)| *name).collect(), "the rooms of src");
+fn the_modules_of_the_program_name_those_below_them() {
+    let place = |name: &str| PROGRAM.iter().position(|module| *module == name.split("::").next().unwrap_or(name));
     let mut wrong = String::new();
-    for (module, file) in &modules {
-        let allowed = ROOMS.iter().find(|(name, _)| *name == room(module)).unwrap().1;
+    for (module, file) in modules(&Path::new(ROOT).join("src")).iter().filter(|(name, _)| *name != "lib") {
+        let own = place(module).unwrap_or_else(|| panic!("`{module}` is not in the table of the program's modules"));
         for Named { line, path } in named(module, &code(&std::fs::read_to_string(file).unwrap())) {
-            let other = room(&path);
-            if other != room(module) && !allowed.contains(&other) {
-                let _ = writeln!(wrong, "{}:{line}: `{}` may not know `crate::{path}`", file.display(), room(module));
+            if place(&path).is_some_and(|other| other > own) {
+                let _ = writeln!(wrong, "{}:{line}: `{}` may not name `crate::{path}`", file.display(), PROGRAM[own]);
             }
         }
     }
@@ -151,12 +191,17 @@ fn every_file_names_only_rooms_that_its_own_may_know() {
 }
 
 #[test]
-fn no_files_name_each_other_in_a_circle() {
-    let modules = modules();
+fn no_files_of_a_crate_name_each_other_in_a_circle() {
+    let circles: String = crates().iter().map(|root| circles(&modules(root))).collect();
+    assert!(circles.is_empty(), "\n{circles}");
+}
+
+/// The arrows among modules that lie on a circle, one a line.
+fn circles(modules: &BTreeMap<String, PathBuf>) -> String {
     let mut arrows: BTreeMap<&str, BTreeMap<&str, usize>> = BTreeMap::new();
-    for (module, file) in &modules {
+    for (module, file) in modules.iter().filter(|(name, _)| *name != "lib") {
         for Named { line, path } in named(module, &code(&std::fs::read_to_string(file).unwrap())) {
-            if let Some(other) = target(&modules, &path).filter(|other| other != module) {
+            if let Some(other) = target(modules, &path).filter(|other| other != module) {
                 arrows.entry(module).or_default().entry(other).or_insert(line);
             }
         }
@@ -178,7 +223,7 @@ fn no_files_name_each_other_in_a_circle() {
             let _ = writeln!(circles, "{}:{line}: names `crate::{to}`", modules[*from].display());
         }
     }
-    assert!(circles.is_empty(), "\n{circles}");
+    circles
 }
 
 #[test]
