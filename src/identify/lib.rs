@@ -44,7 +44,7 @@ pub use frame_error::FrameError;
 pub use identifiability::{Group, RANK_TOLERANCE};
 pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, SingularValue, WeakGroup};
-pub use observation::{Observation, directions, joint_column, joint_values, stated_modes};
+pub use observation::{AssumedModes, Contradiction, Distances, Measured, Observation, ObservationError, directions};
 pub use predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use reliability::{ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, reliability};
 pub use residuals::{OF_MEDIAN, ResidualKind};
@@ -60,7 +60,7 @@ pub use verification::{
     Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test, Verification,
     detectable, most_probable, p_value, verify,
 };
-pub use weights::{Covariance, turned, weigh};
+pub use weights::{Covariance, is_positive_definite, turned, weigh};
 
 use etalon_base::message::{Message, Result};
 use etalon_base::pattern::matches_pattern;

@@ -3,11 +3,13 @@
 //! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
 
 use crate::stages::orientations::{AngleOrder, Orientations, unstated};
+use crate::stages::positions;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::table;
-use etalon_identify::{Condition, Fixture, Kind, Known, Observation, Settings, Surface, joint_values};
+use etalon_formats::tables::joints::joint_values;
+use etalon_identify::{Condition, Fixture, Kind, Known, Measured, Observation, Settings, Surface};
 use etalon_robots::{Joint, Quantity, Robot};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::{BTreeMap, BTreeSet};
@@ -127,33 +129,44 @@ const MEANT_ROWS: usize = 6;
 fn misspelt(observations: &DataFrame) -> Result<Problems> {
     let mut problems = Problems::default();
     let lines = observations.column("line").is_ok().then(|| table::integers(observations, "line")).transpose()?;
-    let place = |row: usize| Place { line: lines.as_ref().map(|lines| lines[row] as usize), ..Place::default() };
+    let line = |row: usize| lines.as_ref().map(|lines| lines[row] as usize);
     let fixed = fixed_rows(observations)?;
     for (column, most) in SHARED.into_iter().filter(|(name, _)| observations.column(name).is_ok()) {
         let names = table::texts(observations, column)?;
-        let mut rows: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-        let named = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
-        named.for_each(|(row, name)| rows.entry(name).or_default().push(row));
-        // a place that is stated needs no more rows
-        let stated = |name: &&str| rows[name].iter().any(|&row| fixed[row]);
-        let few = rows.iter().filter(|(name, rows)| rows.len() <= most && !stated(name));
-        for (name, own) in few {
-            let many = rows.iter().filter(|(_, rows)| rows.len() >= MEANT_ROWS).map(|(name, _)| *name);
-            let alike = many.filter_map(|meant| Some((letters_wrong(name, meant)?, meant)));
-            if let Some((_, meant)) = alike.min() {
-                let what = format!(
-                    "`{name}` is named in {} only, and `{meant}` in {}",
-                    count(own.len(), "row"),
-                    rows[meant].len()
-                );
-                let message = Message::error(what).at(place(own[0]));
-                problems.0.push(message.hint(format!(
-                    "did you mean `{meant}`? else leave the rows of `{name}` out: they do not determine where it is"
-                )));
-            }
-        }
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        problems.0.extend(misspelt_names(&names, most, |row| fixed[row], line));
     }
     Ok(problems)
+}
+
+/// An error where a target of measured positions is misspelt, as of a table.
+pub(super) fn misspelt_targets(measured: &[Measured], targets: &[String]) -> Result<()> {
+    let names: Vec<&str> = measured.iter().map(|m| targets[m.target].as_str()).collect();
+    Problems(misspelt_names(&names, SHARED[0].1, |_| false, |_| None)).check().map(drop)
+}
+
+/// Errors about the names of rows that at most `most` rows bear; those of `fixed` rows state a place, and need no more rows.
+fn misspelt_names(
+    names: &[&str],
+    most: usize,
+    fixed: impl Fn(usize) -> bool,
+    line: impl Fn(usize) -> Option<usize>,
+) -> Vec<Message> {
+    let mut rows: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    let named = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
+    named.for_each(|(row, name)| rows.entry(name).or_default().push(row));
+    let few = rows.iter().filter(|(_, rows)| rows.len() <= most && !rows.iter().any(|&row| fixed(row)));
+    let error = |(name, own): (&&str, &Vec<usize>)| {
+        let many = rows.iter().filter(|(_, rows)| rows.len() >= MEANT_ROWS).map(|(name, _)| *name);
+        let (_, meant) = many.filter_map(|meant| Some((letters_wrong(name, meant)?, meant))).min()?;
+        let (alone, others) = (count(own.len(), "row"), rows[meant].len());
+        let what = format!("`{name}` is named in {alone} only, and `{meant}` in {others}");
+        let message = Message::error(what).at(Place { line: line(own[0]), ..Place::default() });
+        Some(message.hint(format!(
+            "did you mean `{meant}`? else leave the rows of `{name}` out: they do not determine where it is"
+        )))
+    };
+    few.filter_map(error).collect()
 }
 
 /// How many letters are wrong in a name that is another one but for these, a few that are no counter.
@@ -169,7 +182,7 @@ fn letters_wrong(name: &str, meant: &str) -> Option<usize> {
 }
 
 /// A warning where an instrument measured positions, and joints move the base of the chain.
-fn moving_base(robot: &dyn Robot) -> Option<Message> {
+pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
     let names = robot.joints_of_base().join(", ");
     let what = format!(
         "`base_link` is moved by the joints {names}: positions are taken as measured in a frame that moves with it"
@@ -196,7 +209,7 @@ pub fn observed(
         && !fixed_rows(observations)?.contains(&true)
     {
         messages.extend(moving_base(robot));
-        return Ok(Observed { observations: Observation::from_table(robot, observations, messages)?, settings });
+        return Ok(Observed { observations: positions::observations(robot, observations, messages)?, settings });
     }
     let rows = Rows::new(robot, observations, without)?;
     let mut problems = Problems::default();
@@ -231,7 +244,7 @@ pub fn observed(
     let observations = match has_position.any() {
         true => {
             messages.extend(moving_base(robot));
-            Observation::from_table(robot, &observations.filter(&has_position)?, messages)?
+            positions::observations(robot, &observations.filter(&has_position)?, messages)?
         }
         false => Vec::new(),
     };
