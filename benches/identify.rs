@@ -5,8 +5,8 @@
 
 #![allow(clippy::print_stdout)] // a benchmark prints
 
-use etalon::base::table;
 use etalon::campaign::Campaign;
+use etalon::formats::table;
 use etalon::identify::{Settings, identify};
 use etalon::run::check::{Prepared, check};
 use etalon::stages::evaluate;

@@ -8,10 +8,10 @@ use crate::stages::candidates::configurations;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table::ASSEMBLY;
 use etalon_campaign::{RobotFile, read_robot, read_true_parameters};
 use etalon_documents::observability_summary;
 use etalon_documents::*;
+use etalon_formats::table::ASSEMBLY;
 use etalon_identify::plan::candidates::Candidates;
 use etalon_identify::plan::{
     Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, point_of, study,

@@ -2,7 +2,7 @@
 
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table;
+use etalon_formats::table;
 use etalon_formats::tables::joints::{joint_values, stated_modes};
 use etalon_identify::Observation;
 use etalon_identify::plan::candidates::{Candidates, within_reach};

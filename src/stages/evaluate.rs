@@ -5,12 +5,12 @@ use crate::stages::kinds::Observed;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table::{self, XYZ};
 use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::{
     AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
     Statistics,
 };
+use etalon_formats::table::{self, XYZ};
 use etalon_identify::{
     Condition, Contributions, Figure, Kind, Observation, ReadingReliability, Settings, UncertaintySource,
 };
@@ -399,7 +399,7 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     for (name, of) in RELIABILITY {
         columns.push(Column::new(name.into(), errors.iter().map(|e| e.reliability.map(of)).collect::<Vec<_>>()));
     }
-    Ok(DataFrame::new(errors.len(), columns)?)
+    table::frame(errors.len(), columns)
 }
 
 /// Name of a column, and the number in it.

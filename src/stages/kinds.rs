@@ -7,7 +7,7 @@ use crate::stages::positions;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_base::table;
+use etalon_formats::table;
 use etalon_formats::tables::joints::joint_values;
 use etalon_identify::{Condition, Fixture, Kind, Known, Measured, Observation, Settings, Surface};
 use etalon_robots::{Joint, Quantity, Robot};
@@ -244,7 +244,7 @@ pub fn observed(
     let observations = match has_position.any() {
         true => {
             messages.extend(moving_base(robot));
-            positions::observations(robot, &observations.filter(&has_position)?, messages)?
+            positions::observations(robot, &observations.filter(&has_position).map_err(table::failed)?, messages)?
         }
         false => Vec::new(),
     };

@@ -2,7 +2,7 @@
 
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::pose::Pose;
-use etalon_base::table::{self, QUATERNION};
+use etalon_formats::table::{self, QUATERNION};
 use etalon_identify::{Condition, Kind, Observation, Settings, fit_frames, mounted_misfit_rad};
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;

@@ -1,7 +1,7 @@
 //! Measured positions of a table, and observations of measured positions with every contradiction in words.
 
 use etalon_base::message::{Message, Place, Result};
-use etalon_base::table::{self, COVARIANCES, UNCERTAINTIES};
+use etalon_formats::table::{self, COVARIANCES, UNCERTAINTIES};
 use etalon_formats::tables::joints::{joint_values, stated_modes};
 use etalon_identify::{
     AssumedModes, Contradiction, Covariance, Measured, Observation, ObservationError, is_positive_definite,
@@ -112,10 +112,10 @@ const PLAUSIBLE_MM: std::ops::RangeInclusive<f64> = 2e-5..=100.0;
 fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covariance>>> {
     let has = |names: &[&str]| names.iter().any(|name| table.column(name).is_ok());
     if has(&[ANY_AXIS]) && !has(&UNCERTAINTIES) && !has(&COVARIANCES) {
-        let of = |name: &str| table.column(ANY_AXIS).cloned().map(|column| column.with_name(name.into()));
-        let columns = UNCERTAINTIES[..dimension].iter().map(|name| of(name)).collect::<std::result::Result<_, _>>()?;
-        let lines = table.column("line").ok().cloned();
-        return covariances(&DataFrame::new(table.height(), [columns, Vec::from_iter(lines)].concat())?, dimension);
+        let column = |name: &str, of: &str| table.column(of).ok().map(|column| column.clone().with_name(name.into()));
+        let columns =
+            UNCERTAINTIES[..dimension].iter().map(|name| column(name, ANY_AXIS)).chain([column("line", "line")]);
+        return covariances(&table::frame(table.height(), columns.flatten().collect())?, dimension);
     }
     let (apart, whole) = (has(&UNCERTAINTIES), has(&COVARIANCES));
     if !apart && !whole {

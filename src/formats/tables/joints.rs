@@ -1,7 +1,7 @@
 //! Columns of joints in tables: values, directions and assembly modes.
 
+use crate::table::{self, ASSEMBLY};
 use etalon_base::message::{Message, Place, Result};
-use etalon_base::table::{self, ASSEMBLY};
 use etalon_robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 

@@ -5,8 +5,8 @@ use crate::stages::kinds::{self, Observed, Stated};
 use crate::stages::positions;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table;
 use etalon_formats::JointLog;
+use etalon_formats::table;
 use etalon_formats::tables::joints::{stated_mode, wrong_direction};
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
@@ -199,7 +199,7 @@ impl JoinedLog {
         if self.has_modes {
             columns.push(real(table::ASSEMBLY, &|m| m.assembly));
         }
-        Ok(DataFrame::new(self.measured.len(), columns)?)
+        table::frame(self.measured.len(), columns)
     }
 
     /// A warning where some poses lack a target that others have.

@@ -1,8 +1,8 @@
 //! Tables: points, joints, observations (polars underneath), with the names of their columns in one place.
 
-use crate::message::{Message, Place, Problems, Result};
-use crate::pose::Vector;
-use crate::pose_name::PoseName;
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
 use polars::prelude::*;
 use polars_io::parquet::write::{BatchedWriter, ParquetCompression};
 use serde::Serialize;
@@ -34,16 +34,20 @@ pub const TEXTS: [&str; 10] =
 /// Column of the assembly mode, +1 or -1, of robots that have several.
 pub const ASSEMBLY: &str = "assembly";
 
-impl From<PolarsError> for Problems {
-    fn from(error: PolarsError) -> Self {
-        Message::error(format!("table: {error}")).into()
-    }
+/// The problem that a table cannot be made.
+pub fn failed(error: impl std::fmt::Display) -> Problems {
+    Message::error(format!("table: {error}")).into()
+}
+
+/// A table of `height` rows.
+pub fn frame(height: usize, columns: Vec<Column>) -> Result<DataFrame> {
+    DataFrame::new(height, columns).map_err(failed)
 }
 
 /// A column as numbers; missing values are NaN.
 pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
-    let column = column(table, name)?.cast(&DataType::Float64)?;
-    Ok(column.f64()?.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
+    let column = column(table, name)?.cast(&DataType::Float64).map_err(failed)?;
+    Ok(column.f64().map_err(failed)?.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
 }
 
 /// A column of whole numbers without gaps.
@@ -51,13 +55,13 @@ pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
     let wrong = || Message::error(format!("column `{name}` holds a value that is not a whole number"));
     let column = column(table, name)?;
     // a cast would cut 1.5 and 1e300
-    let cut = |v: Option<f64>| v.is_some_and(|v| v.fract() != 0.0 || v.abs() > 9e15);
-    if column.dtype().is_float() && column.cast(&DataType::Float64)?.f64()?.iter().any(cut) {
+    let cut = |v: f64| v.is_finite() && v.fract() != 0.0 || v.abs() > 9e15;
+    if column.dtype().is_float() && numbers(table, name)?.into_iter().any(cut) {
         return Err(wrong().into());
     }
     let column = column.strict_cast(&DataType::Int64).map_err(|_| wrong())?;
     let whole = |v: Option<i64>| v.ok_or_else(|| Message::error(format!("column `{name}` has an empty cell")).into());
-    column.i64()?.iter().map(whole).collect()
+    column.i64().map_err(failed)?.iter().map(whole).collect()
 }
 
 /// The names of poses in the column `pose`, without gaps.
@@ -86,13 +90,14 @@ pub fn pose_column_as(name: &str, poses: &[Option<PoseName>], numbers: bool) -> 
 
 /// A column of whole numbers; empty where missing.
 pub fn optional_integers(table: &DataFrame, name: &str) -> Result<Vec<Option<i64>>> {
-    Ok(column(table, name)?.cast(&DataType::Int64)?.i64()?.iter().collect())
+    let column = column(table, name)?.cast(&DataType::Int64).map_err(failed)?;
+    Ok(column.i64().map_err(failed)?.iter().collect())
 }
 
 /// A column as text; empty where missing.
 pub fn texts(table: &DataFrame, name: &str) -> Result<Vec<String>> {
-    let column = column(table, name)?.cast(&DataType::String)?;
-    Ok(column.str()?.iter().map(|v| v.unwrap_or_default().to_owned()).collect())
+    let column = column(table, name)?.cast(&DataType::String).map_err(failed)?;
+    Ok(column.str().map_err(failed)?.iter().map(|v| v.unwrap_or_default().to_owned()).collect())
 }
 
 /// The three coordinates in millimetres; a table without `z_mm`, or with an empty one, has z = 0.
@@ -145,16 +150,13 @@ impl From<AnyValue<'_>> for Cell {
 
 /// The table as CSV text; missing values are empty.
 pub fn to_csv(table: &DataFrame) -> Result<Vec<u8>> {
-    let failed = |e: String| Problems::from(Message::error(format!("table: {e}")));
     let mut writer = ::csv::Writer::from_writer(Vec::new());
-    writer
-        .write_record(table.get_column_names().iter().map(|name| name.as_str()))
-        .map_err(|e| failed(e.to_string()))?;
+    writer.write_record(table.get_column_names().iter().map(|name| name.as_str())).map_err(failed)?;
     for row in 0..table.height() {
-        let cells = table.columns().iter().map(|column| Ok(Cell::from(column.get(row)?)));
-        writer.serialize(cells.collect::<Result<Vec<Cell>>>()?).map_err(|e| failed(e.to_string()))?;
+        let cells = table.columns().iter().map(|column| column.get(row).map(Cell::from).map_err(failed));
+        writer.serialize(cells.collect::<Result<Vec<Cell>>>()?).map_err(failed)?;
     }
-    writer.into_inner().map_err(|e| failed(e.to_string()))
+    writer.into_inner().map_err(failed)
 }
 
 /// A writer of so many rows: for fewer than that, waking other threads and setting up zstd take longer than the rows.
@@ -165,7 +167,7 @@ fn writer<W: Write>(into: W, rows: usize) -> ParquetWriter<W> {
 /// The table as Parquet.
 pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    writer(&mut bytes, table.height()).finish(table)?;
+    writer(&mut bytes, table.height()).finish(table).map_err(failed)?;
     Ok(bytes)
 }
 
@@ -175,21 +177,20 @@ pub struct RowGroups<W: Write + Send>(BatchedWriter<W>);
 impl<W: Write + Send> RowGroups<W> {
     /// A table with the columns of `like`.
     pub fn new(into: W, like: &DataFrame) -> Result<Self> {
-        Ok(Self(writer(into, 0).batched(like.schema())?))
+        writer(into, 0).batched(like.schema()).map(Self).map_err(failed)
     }
 
     /// Adds the rows of a table.
     pub fn add(&mut self, rows: &DataFrame) -> Result<()> {
         if rows.height() > 0 {
-            self.0.write_batch(rows)?;
+            self.0.write_batch(rows).map_err(failed)?;
         }
         Ok(())
     }
 
     /// Ends the file.
     pub fn finish(self) -> Result<()> {
-        self.0.finish()?;
-        Ok(())
+        self.0.finish().map(drop).map_err(failed)
     }
 }
 
