@@ -1,6 +1,6 @@
 //! Which unknowns are eliminated block by block: targets, or fixed points and planes, each of which only its own observations show.
 
-use super::condition::{Condition, Kind};
+use super::kinds::Condition;
 use super::{Observation, Settings};
 use etalon_math::{Blocks, OWN, Rows, Solution};
 use etalon_robots::{FreeBase, Robot};
@@ -142,11 +142,13 @@ impl Owners {
         // of four unknowns one may be that of a point
         let (mut mountings, mut fixtures, mut shared) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
         for c in &settings.conditions {
-            let of = c.kind.unknowns();
-            match c.kind {
-                Kind::Orientation { .. } => mountings.extend(of.first()),
-                _ if of.len() == OWN => fixtures.extend(of.first()),
-                _ => shared.extend(of),
+            let of = c.kind.equation().unknowns();
+            if c.kind.is_orientation() {
+                mountings.extend(of.first());
+            } else if of.len() == OWN {
+                fixtures.extend(of.first());
+            } else {
+                shared.extend(of);
             }
         }
         fixtures.retain(|first| !shared.contains(first));
@@ -167,12 +169,10 @@ impl Owners {
 
     /// First of the unknowns that a condition shows.
     fn of(&self, arm: &dyn FreeBase, c: &Condition) -> Option<usize> {
-        let unknowns = c.kind.unknowns().first().copied();
-        match (self.of_targets, &c.kind) {
-            (_, Kind::Joint { .. }) => None,
-            (true, Kind::Orientation { .. }) => unknowns,
-            (true, _) => Some(arm.target_place(c.target)),
-            (false, _) => unknowns.filter(|first| self.fixtures.contains(first)),
+        let equation = c.kind.equation();
+        match self.of_targets {
+            true => equation.moving(arm.target_place(c.target)),
+            false => equation.unknowns().first().copied().filter(|first| self.fixtures.contains(first)),
         }
     }
 }

@@ -4,14 +4,16 @@
 mod budget;
 mod chi_square;
 mod clusters;
-mod condition;
 mod diagnosis;
 mod effects;
 mod elimination;
+mod fixture;
 mod fixtures;
 mod frame_error;
 pub mod geometric;
 mod identifiability;
+mod kinds;
+mod known;
 mod logs;
 mod observability;
 mod observation;
@@ -27,7 +29,6 @@ mod significance;
 mod solution;
 mod stability;
 mod start;
-mod surface;
 mod tool;
 mod uncertainty;
 mod verification;
@@ -35,13 +36,15 @@ mod weights;
 
 pub use budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
 pub use chi_square::exceeds as chi_square_exceeds;
-use condition::tied_to_world;
-pub use condition::{Condition, Fixture, Kind, Known};
 pub use diagnosis::{OUTLIER, Reading, RobustFit, WRONG_READINGS};
 pub use effects::effects;
-pub use fixtures::mounted_misfit_rad;
+pub use fixture::Fixture;
 pub use frame_error::FrameError;
 pub use identifiability::{Group, RANK_TOLERANCE};
+pub use kinds::orientation::mounted_misfit_rad;
+use kinds::tied_to_world;
+pub use kinds::{Condition, Contact, Coordinate, Distance, JointValue, Kind, On, Orientation, Seen, Surface};
+pub use known::Known;
 pub use logs::{LogComparison, compare_logs};
 pub use observability::{Observability, SingularValue, WeakGroup};
 pub use observation::{AssumedModes, Contradiction, Distances, Measured, Observation, ObservationError, directions};
@@ -53,7 +56,6 @@ pub use robust::{PoseWeight, RobustChange, RobustComparison, robust_comparison};
 pub use set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
 pub use significance::{Variance, holm};
 pub use stability::{Stability, halves, stability};
-pub use surface::Surface;
 pub use tool::{Held, ToolError, ToolFrame, ToolPoint, held};
 pub use uncertainty::UncertaintyFrom;
 pub use verification::{
@@ -215,7 +217,7 @@ pub fn identify_with(
     let wanted = wanted_parameters(robot, observations, settings)?;
     let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
     let mut found = uncertainty::with_uncertainty(robot, (observations, systematic), settings, &wanted, found)?;
-    found.warnings.extend(condition::without_length(robot, observations, settings, &found.status));
+    found.warnings.extend(kinds::without_length(robot, observations, settings, &found.status));
     Ok(found)
 }
 
@@ -332,7 +334,7 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
         .hint("state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets")
         .into());
     }
-    condition::check(robot, settings)?;
+    kinds::check(robot, settings)?;
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in &settings.hold {
         if !names().any(|name| matches_pattern(pattern, name)) {

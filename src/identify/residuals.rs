@@ -1,7 +1,8 @@
 //! Residuals between model and measurement, as a least-squares problem in the free parameters.
 
-use super::condition::{Condition, Kind, Known};
 use super::elimination::Layout;
+use super::kinds::Condition;
+use super::known::Known;
 use super::rigid_part::{At, Shape};
 use super::weights::Weights;
 use super::{Observation, Settings};
@@ -305,8 +306,7 @@ impl<'a> Residuals<'a> {
         self.of_conditions(all, out, width, |met, out| {
             let (condition, dimension) = (met.condition, self.robot.dimension());
             let mut moved = vec![0.0; dimension * n];
-            // an orientation, and a joint, do not depend on where the target is
-            if !condition.kind.is_orientation() && !matches!(condition.kind, Kind::Joint { .. }) {
+            if condition.kind.equation().depends_on_target() {
                 let state = State {
                     joints: &condition.joints,
                     loads: &loads.as_ref().map_or_else(Vec::new, |at| at(&condition.joints)),

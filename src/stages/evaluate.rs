@@ -133,7 +133,7 @@ fn condition_error(
 ) {
     let target = &robot.targets()[condition.target];
     let (b, a) = (condition.error(robot, before), condition.error(robot, after));
-    if matches!(condition.kind, Kind::Joint { .. }) {
+    if matches!(condition.kind, Kind::Joint(_)) {
         // the value of a joint is not an error of a target
         return;
     }

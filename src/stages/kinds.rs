@@ -9,7 +9,10 @@ use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_formats::table;
 use etalon_formats::tables::joints::joint_values;
-use etalon_identify::{Condition, Fixture, Kind, Known, Measured, Observation, Settings, Surface};
+use etalon_identify::{
+    Condition, Contact, Coordinate, Distance, Fixture, JointValue, Kind, Known, Measured, Observation, On, Orientation,
+    Seen, Settings, Surface,
+};
 use etalon_robots::{Joint, Quantity, Robot};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::{BTreeMap, BTreeSet};
@@ -403,13 +406,16 @@ impl Rows {
         let kind = match kind {
             "pose" => {
                 let mounting = Fixture::Mounting(&self.targets[row]).add_to(robot);
-                Kind::Orientation { world_T_body: self.orientations.pose(row, self.without.order)?, mounting }
+                Kind::Orientation(Orientation {
+                    world_T_body: self.orientations.pose(row, self.without.order)?,
+                    mounting,
+                })
             }
             "distance" => {
                 let to = self.fixture(row, "other", &self.others, robot)?;
-                Kind::Distance { to, distance_mm: self.distance(row)? }
+                Kind::Distance(Distance { to, distance_mm: self.distance(row)? })
             }
-            "contact" => Kind::Contact { socket: self.fixture(row, "socket", &self.sockets, robot)? },
+            "contact" => Kind::Contact(Contact { socket: self.fixture(row, "socket", &self.sockets, robot)? }),
             "plane" | "line" | "sphere" => {
                 let (surface, unknowns) = self.surface(row, kind, robot)?;
                 let offset_mm = match self.offsets_mm[row] {
@@ -424,18 +430,18 @@ impl Rows {
                     }
                     offset => offset,
                 };
-                Kind::On { surface, unknowns, offset_mm }
+                Kind::On(On { surface, unknowns, offset_mm })
             }
             "joints" => self.joint(row, robot)?,
             "point" if self.partial[row] => {
                 for axis in (0..3).filter(|&axis| !self.xyz[row][axis].is_nan()) {
-                    let kind = Kind::Coordinate { axis, at_mm: self.xyz[row][axis] };
+                    let kind = Kind::Coordinate(Coordinate { axis, at_mm: self.xyz[row][axis] });
                     self.add(row, kind, self.u_axes_mm[axis][row], settings)?;
                 }
                 return Ok(());
             }
             _ => match &self.stations[row] {
-                Some(name) => Kind::Seen { station: self.station(name, robot)?, at_mm: self.xyz[row] },
+                Some(name) => Kind::Seen(Seen { station: self.station(name, robot)?, at_mm: self.xyz[row] }),
                 None => return Ok(()),
             },
         };
@@ -457,7 +463,7 @@ impl Rows {
             cycle: self.cycles[row],
             joints,
             target: match kind {
-                Kind::Joint { .. } if self.targets[row].is_empty() => 0,
+                Kind::Joint(_) if self.targets[row].is_empty() => 0,
                 _ => self.target(row)?,
             },
             standard_uncertainty: positive(standard_uncertainty, kind.is_angle())?,
@@ -592,7 +598,7 @@ impl Rows {
                 .expected("the value of the joint by the switch or second encoder")
                 .into());
         }
-        Ok(Kind::Joint { joint, value, is_angle })
+        Ok(Kind::Joint(JointValue { joint, value, is_angle }))
     }
 
     fn distance(&self, row: usize) -> Result<f64> {
