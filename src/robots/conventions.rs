@@ -4,8 +4,8 @@
 //! near-parallel axes (Hayati & Mirmirani 1985), or screw axes (product of exponentials: Brockett 1984).
 
 use super::chain::Motion;
-use super::serial::{ArmBuilder, Drive, Effects};
-use super::{Description, Joint, Model, Quantity, Robot, Serial, Source, meaning, wrong_targets};
+use super::serial::{ArmBuilder, Drive, Effects, drawn_link};
+use super::{Description, Joint, Model, Parameter, Quantity, Robot, Role, Serial, Source, meaning, wrong_targets};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector, unit};
 use schemars::JsonSchema;
@@ -456,12 +456,15 @@ impl Serial {
         for (i, j) in joints.iter().enumerate() {
             let n = i + 1;
             let [alpha_means, a_means] = if modified { BEFORE } else { BEHIND };
-            let alpha = arm.parameter(format!("alpha_{n}"), Quantity::Angle, j.alpha_rad, alpha_means);
-            let a = arm.parameter(format!("a_{n}"), Quantity::Length, j.a_mm, a_means);
-            let theta = arm.parameter(format!("theta_{n}"), Quantity::Angle, j.theta_rad, THETA);
+            let own = |name: &str, quantity, nominal, meaning| {
+                Parameter::new(format!("{name}_{n}"), quantity, Role::Robot, nominal).meaning(meaning).of_joint(i)
+            };
+            let alpha = arm.add(own("alpha", Quantity::Angle, j.alpha_rad, alpha_means));
+            let a = arm.add(own("a", Quantity::Length, j.a_mm, a_means));
+            let theta = arm.add(own("theta", Quantity::Angle, j.theta_rad, THETA));
             let beta_or_d = match j.parallel {
-                true => arm.parameter(format!("beta_{n}"), Quantity::Angle, 0.0, BETA),
-                false => arm.parameter(format!("d_{n}"), Quantity::Length, j.d_mm, D),
+                true => arm.add(own("beta", Quantity::Angle, 0.0, BETA)),
+                false => arm.add(own("d", Quantity::Length, j.d_mm, D)),
             };
             let link = |arm: &mut ArmBuilder| {
                 arm.push(Motion::Turn(0), 0.0, &[alpha]);
@@ -488,7 +491,10 @@ impl Serial {
                 link(&mut arm);
             }
         }
-        arm.finish(joints.iter().map(|j| j.prismatic), effects)
+        let link = drawn_link(modified, joints.iter().any(|j| j.parallel));
+        let arm = arm.finish(joints.iter().map(|j| j.prismatic), effects);
+        // without joints there is no link
+        if joints.is_empty() { arm } else { arm.with_link(link) }
     }
 
     /// An arm of screw axes with `targets` on its flange, whose pose in the base at zero joints is `home`. Each axis has its own small

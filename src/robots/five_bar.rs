@@ -173,9 +173,10 @@ pub struct Configuration {
 
 impl Default for FiveBar {
     fn default() -> Self {
-        let parameters = TABLE.map(|(name, quantity, role, nominal, meaning)| {
+        let mut parameters = TABLE.map(|(name, quantity, role, nominal, meaning)| {
             Parameter::new(name, quantity, role, nominal).meaning(meaning)
         });
+        (parameters[9].axis, parameters[10].axis) = (Some(0), Some(1));
         let joints = ["theta1", "theta2"].map(|name| Joint { name: name.into(), quantity: Quantity::Angle });
         let definition = Definition {
             model: "five_bar",

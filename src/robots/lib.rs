@@ -232,9 +232,14 @@ pub trait Robot: Send + Sync {
         Vec::new()
     }
 
-    /// What a parameter describes, by its index; a zero of a joint is geometry here.
-    fn effect(&self, parameter: usize) -> Effect {
-        if self.parameters()[parameter].quantity == Quantity::Ratio { Effect::Gains } else { Effect::Geometry }
+    /// Origin of the base in the world, mm; the world's own for coordinates that the model does not have.
+    fn base_origin(&self, parameters: &[f64]) -> Vector {
+        let mut origin = [0.0; 3];
+        let base = self.parameters().iter().zip(parameters).filter(|(p, _)| p.role == Role::Base);
+        for (p, &value) in base.filter(|(p, _)| p.quantity == Quantity::Length) {
+            p.axis.into_iter().for_each(|axis| origin[axis] = value);
+        }
+        origin
     }
 
     /// Drawings of the model with its parameters, from its nominal geometry.
@@ -505,6 +510,18 @@ pub trait RailTable: Platform {
 pub fn base_pose(parameters: &[f64]) -> Pose {
     let [x, y, z, rx, ry, rz] = std::array::from_fn(|i| parameters[i]);
     Pose { translation_mm: [x, y, z], ..Pose::from_rotation_vector([rx, ry, rz]) }
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Parameters that a robot with a [`FreeBase`] begins with.
+fn base_and_targets(targets: &[String]) -> Vec<Parameter> {
+    let of = |prefix: String, quantity, role| {
+        (0..3).map(move |axis| Parameter::free(format!("{prefix}{}", AXES[axis]), quantity, role, axis))
+    };
+    let base = [(Quantity::Length, "base_"), (Quantity::Angle, "base_r")];
+    let base = base.into_iter().flat_map(|(quantity, prefix)| of(prefix.to_owned(), quantity, Role::Base));
+    base.chain(targets.iter().flat_map(|target| of(format!("{target}_"), Quantity::Length, Role::Target))).collect()
 }
 
 /// A robot in space whose base and targets are found from the observations: its first six parameters are `base_x`,

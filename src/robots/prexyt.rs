@@ -135,6 +135,7 @@ impl Prexyt {
                 Parameter::new(name, quantity, role, nominal).meaning(meaning)
             })
             .collect();
+        (parameters[8].axis, parameters[9].axis) = (Some(0), Some(1));
         if full {
             parameters[5].name = "d1".into();
             parameters[10].name = "delta1".into();
