@@ -1,10 +1,7 @@
 //! What a parameter and a joint are.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 /// What is measured: decides the unit at the door.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Millimetres inside and outside.
     Length,
@@ -36,8 +33,7 @@ impl Quantity {
 }
 
 /// What a parameter describes: decides what is fitted "before" the calibration.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Role {
     /// Pose of the base in the world.
     Base,
@@ -51,8 +47,7 @@ pub enum Role {
 }
 
 /// What a parameter of the robot itself describes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Effect {
     /// Zeros of the joints.
     Zeros,

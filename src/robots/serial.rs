@@ -38,7 +38,7 @@ pub(super) struct Drive {
     pub prismatic: bool,
 }
 
-/// The joints that `bending`, `coupling`, `harmonics` and `backlash` name, and the direction of `gravity`.
+/// Non-geometric effects of joints, by their indices, and the direction of gravity in the base.
 #[derive(Debug, Default)]
 pub(super) struct Effects {
     pub gravity: Vector,
