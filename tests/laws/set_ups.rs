@@ -310,7 +310,7 @@ fn wrong_set_ups_are_refused_by_name() {
     let planar = [prexyt(), dextar()];
     let measured = irb120();
     if measured.is_none() {
-        println!("ETALON_REFERENCE is not set: the measured IRB 120 is skipped");
+        crate::support::skipped("ETALON_REFERENCE");
     }
     let synthetic = || arms.iter().chain(&planar);
     let tables = [wrong_tables(&SEVEN_AXES, &TARGETS[..1]), wrong_tables(&SIX_AXES, &TARGETS)];
