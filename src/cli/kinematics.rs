@@ -10,6 +10,7 @@ use crate::math::identify::{joint_column, stated_modes};
 use crate::math::robots::{Kinematics as Arm, Robot, Role};
 use crate::run::documents::read_parameters;
 use crate::stages::given::robot_values;
+use crate::stages::joint_range::{self, Joints};
 use crate::stages::table_file::TableFile;
 use std::path::{Path, PathBuf};
 
@@ -149,6 +150,7 @@ pub(super) fn joint_values(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Vec<f6
         }
     }
     complete(file, &rows)?;
+    joint_range::check_table(arm, &file.table, &[], Joints::Proposed)?;
     Ok(rows)
 }
 

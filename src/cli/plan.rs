@@ -18,6 +18,7 @@ use crate::math::plan::{
 use crate::math::robots::{Parameter, Robot};
 use crate::report::Faces;
 use crate::simulate::true_values;
+use crate::stages::joint_range::{self, Joints};
 use crate::stages::parameters::observability_summary;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -164,6 +165,7 @@ pub(super) fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot
     let here = |problems: Problems| file.place(problems);
     let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };
     let robot = robot_file.build(&targets).map_err(here)?;
+    joint_range::check_table(robot.as_ref(), &file.table, &[], Joints::Proposed).map_err(here)?;
     let mut found = candidates::configurations(robot.as_ref(), &file.table).map_err(here)?;
     found.beyond = found.beyond.map(|message| message.at(Place::file(file.name.as_str())));
     Ok((robot, found))

@@ -14,6 +14,7 @@ use crate::math::identify::Observation;
 use crate::math::plan::candidates::Candidates;
 use crate::report::Faces;
 use crate::run::documents::read_parameters;
+use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds;
 use crate::stages::verification::{plan, verify};
 use std::path::PathBuf;
@@ -74,6 +75,7 @@ impl Verify {
         let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
         only_points(&observed)?;
         let mut messages: Vec<Message> = unread(robot.as_ref(), &observed).into_iter().collect();
+        joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
         let measured = Observation::from_table(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;

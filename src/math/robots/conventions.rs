@@ -10,6 +10,7 @@ use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::{Pose, Vector, unit};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
 
 /// Serial arm.
 pub(super) const MODEL: Model = Model::new::<Keys>(
@@ -199,9 +200,30 @@ struct JointKeys {
     /// Near-parallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. By default so below 3 degrees of
     /// twist.
     parallel: Option<bool>,
+    /// Smallest and largest value of a joint that turns. Where they are not stated, joint values beyond two turns are refused.
+    limits_deg: Option<[f64; 2]>,
+    /// Smallest and largest value of a prismatic joint.
+    limits_mm: Option<[f64; 2]>,
 }
 
 impl JointKeys {
+    /// Limits of the joint, rad or mm; `place` is that of a key of its table.
+    fn limits(&self, place: &dyn Fn(&str) -> Place) -> Result<Option<[f64; 2]>> {
+        let (key, other) = if self.prismatic { ("limits_mm", "limits_deg") } else { ("limits_deg", "limits_mm") };
+        let (own, foreign) =
+            if self.prismatic { (self.limits_mm, self.limits_deg) } else { (self.limits_deg, self.limits_mm) };
+        if foreign.is_some() {
+            let what =
+                format!("`{other}` is not a key of a joint that {}", if self.prismatic { "slides" } else { "turns" });
+            return Err(Message::error(what).at(place(other)).hint(format!("state `{key}`")).into());
+        }
+        if let Some([lower, upper]) = own.filter(|[lower, upper]| lower.partial_cmp(upper) != Some(Ordering::Less)) {
+            let message = Message::error(format!("`{key}` is not a range: {lower} to {upper}")).at(place(key));
+            return Err(message.expected("the smaller limit, then the larger one").into());
+        }
+        Ok(if self.prismatic { own } else { own.map(|ends| ends.map(f64::to_radians)) })
+    }
+
     /// The joint; `alone` where no other axis is on the side of its link, `place` that of its table.
     fn of_table(&self, alone: bool, place: &Place) -> Result<SerialJoint> {
         let mut problems = Problems::default();
@@ -335,6 +357,11 @@ impl Description for Keys {
             &joints,
             place,
         ));
+        let of_joint = |(i, keys): (usize, &JointKeys)| {
+            let i = i.to_string();
+            problems.keep(keys.limits(&|key| place(&["joint", &i, key]))).flatten()
+        };
+        let limits = self.joints.iter().enumerate().map(of_joint).collect();
         // geometry is checked whatever is wrong with the rest
         let effects = effects.unwrap_or_default();
         let arm = problems.keep(match self.convention {
@@ -342,7 +369,7 @@ impl Description for Keys {
             Convention::Dh => self.table(TableConvention::Standard, targets, &effects, place),
             Convention::Poe => self.screws(targets, &effects, place),
         });
-        arm.filter(|_| problems.0.is_empty()).map(|arm| Box::new(arm) as _).ok_or(problems)
+        arm.filter(|_| problems.0.is_empty()).map(|arm| Box::new(arm.with_limits(limits)) as _).ok_or(problems)
     }
 }
 

@@ -3,7 +3,9 @@
 //!
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
-use super::{Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role, Source};
+use super::{
+    Definition, Description, Joint, JointRange, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role, Source,
+};
 use super::{in_plane, in_space, meaning};
 use crate::base::expression::{Formula, Recorded};
 use crate::base::message::Result;
@@ -495,6 +497,10 @@ impl Robot for FiveBar {
     fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
         let &[theta1, theta2, assembly] = joints else { return None };
         self.violation(parameters, [theta1, theta2], &self.direct(parameters, [theta1, theta2], assembly))
+    }
+    fn joint_range(&self, joint: usize) -> JointRange {
+        let ends = self.limits.limits_rad.get(joint).copied();
+        JointRange::of_limits(ends.filter(|ends| *ends != Limits::default().limits_rad[0]))
     }
     fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
         Some("measure every position in all working modes that reach it, and positions all around the workspace")

@@ -4,8 +4,8 @@
 //! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
 
 use super::{
-    Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot,
-    Role, Source,
+    Definition, Description, Joint, JointRange, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity,
+    RailTable, Robot, Role, Source,
 };
 use super::{in_plane, in_space, meaning};
 use crate::base::expression::{Formula, Recorded};
@@ -313,6 +313,14 @@ impl Robot for Prexyt {
         let off = |(_, (rho, end)): &(usize, (&f64, f64))| !(0.0..=*end).contains(*rho);
         let (i, (rho, end)) = joints.iter().zip(ends).enumerate().find(off)?;
         Some(format!("rho{} = {rho} mm, its travel is 0 to {end} mm", i + 1))
+    }
+    fn joint_range(&self, joint: usize) -> JointRange {
+        JointRange::of_limits(self.travel_mm.and_then(|ends| Some([0.0, *ends.get(joint)?])))
+    }
+    fn nominal_gain(&self, joint: usize) -> f64 {
+        // delta, delta2 and delta3 are the gains of the three joints
+        let mut gains = self.parameters().iter().filter(|p| p.quantity == Quantity::Ratio);
+        gains.nth(joint).map_or(1.0, |p| p.nominal)
     }
     fn platform(&self) -> Option<&dyn Platform> {
         Some(self)

@@ -1,0 +1,99 @@
+//! Data that look sound and are not, or are sound and too many: refused by name, or read in time and memory that grow with them.
+
+use crate::support::scratch::{Scratch, copy_sample, ends, said};
+
+/// Replaces a cell of a table: `line` and `column` count from 1; gives the value that was there.
+fn replace_cell(scratch: &Scratch, file: &str, line: usize, column: usize, value: &str) -> String {
+    let path = scratch.path().join(file);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let mut cells: Vec<&str> = lines[line - 1].split(',').collect();
+    let before = std::mem::replace(&mut cells[column - 1], value).to_owned();
+    lines[line - 1] = cells.join(",");
+    std::fs::write(path, lines.join("\n") + "\n").unwrap();
+    before
+}
+
+/// What each command says of a table of observations and its robot.toml.
+fn refused_everywhere(scratch: &Scratch, robot: &str, table: &str, more: &[&str], parts: &[&str]) {
+    let given = ["--robot", robot, "--standard-uncertainty-um", "50"];
+    for command in [
+        &["check", "campaign"][..],
+        &["run", "campaign"],
+        &["validate", "campaign"],
+        &[&["identify", "--observations", table][..], &given].concat(),
+    ] {
+        let (code, said) = said(scratch, &[command, more].concat());
+        assert_eq!(code, Some(2), "{command:?}: {said}");
+        for part in parts {
+            assert!(said.contains(part), "{command:?} lacks {part:?}: {said}");
+        }
+    }
+}
+
+#[test]
+fn a_joint_value_without_its_decimal_mark_is_named() {
+    let scratch = copy_sample("draw-wire");
+    assert_eq!(replace_cell(&scratch, "observations.csv", 192, 4, "-83776534"), "-83.776534");
+    let parts = ["pose 48", "`q1` = -83776534 deg", "observations.csv:192", "from -720 to 720 deg", "decimal mark"];
+    refused_everywhere(&scratch, "campaign/robot.toml", "campaign/observations.csv", &[], &parts);
+    assert!(!scratch.path().join("out").exists());
+    // the pose may be left out, with a reason
+    let exclude = "exclude = [{ poses = \"48\", reason = \"decimal mark lost\" }]\n\n[limits]";
+    scratch.replace("campaign.toml", "\n[limits]", exclude);
+    ends(&scratch, "check", 0, &[]);
+}
+
+#[test]
+fn ten_turns_too_many_are_named() {
+    let scratch = copy_sample("draw-wire");
+    replace_cell(&scratch, "observations.csv", 192, 4, "3516.223466");
+    let parts = ["`q1` = 3516.2235 deg", "observations.csv:192"];
+    refused_everywhere(&scratch, "campaign/robot.toml", "campaign/observations.csv", &[], &parts);
+    // limits that allow them are believed
+    let stated = "theta_deg = 0, d_mm = 290, limits_deg = [-3600, 3600]";
+    scratch.replace("robot.toml", "theta_deg = 0, d_mm = 290", stated);
+    ends(&scratch, "check", 0, &[]);
+    scratch.replace("robot.toml", "[-3600, 3600]", "[-170, 170]");
+    let parts = ["`q1` = 3516.2235 deg", "from -170.1 to 170.1 deg", "correct its limits"];
+    refused_everywhere(&scratch, "campaign/robot.toml", "campaign/observations.csv", &[], &parts);
+}
+
+#[test]
+fn a_joint_value_of_a_log_beyond_the_limits_of_a_urdf_is_named() {
+    let scratch = copy_sample("column-arm");
+    ends(&scratch, "run", 0, &[]);
+    for (name, value, of) in [("elbow", "12.5", 2), ("lift", "8.5", 3), ("wrist_2", "42.5", 8)] {
+        let scratch = copy_sample("column-arm");
+        replace_cell(&scratch, "encoders.csv", 7, of, value);
+        for command in ["check", "run", "validate"] {
+            ends(&scratch, command, 2, &[&format!("`{name}` = "), "encoders.csv:7", "out of range"]);
+        }
+    }
+    // the observations of the sound run, for `verify`
+    let table = std::fs::read_to_string(scratch.path().join("out/observations.csv")).unwrap();
+    let column = table.lines().next().unwrap().split(',').position(|name| name == "elbow_deg").unwrap() + 1;
+    let verify = ["verify", "campaign/out/observations.csv", "--robot", "campaign/robot.toml", "--parameters"];
+    let verify = [&verify[..], &["campaign/out/parameters.json"]].concat();
+    assert_ne!(said(&scratch, &verify).0, Some(2));
+    replace_cell(&scratch, "out/observations.csv", 5, column, "716.2");
+    let (code, error) = said(&scratch, &verify);
+    assert!(code == Some(2) && error.contains("`elbow` = 716.2 deg") && error.contains("csv:5"), "{error}");
+}
+
+#[test]
+fn candidates_and_poses_to_compute_have_joint_values_in_range() {
+    let scratch = copy_sample("draw-wire");
+    let rows = |value: &str| {
+        format!("pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,ball,1,2,3,4,5,6\n2,ball,{value},3,4,5,6,7\n")
+    };
+    for (value, sound) in [("12.5", true), ("-700", true), ("12500000", false), ("3612.5", false)] {
+        std::fs::write(scratch.path().join("t.csv"), rows(value)).unwrap();
+        let robot = ["campaign/t.csv", "--robot", "campaign/robot.toml"];
+        let (code, error) = said(&scratch, &[&["kinematics", "direct"][..], &robot].concat());
+        assert_eq!((code == Some(0), error.contains("`q1` = ")), (sound, !sound), "{value}: {error}");
+        let plan = ["plan", "--robot", "campaign/robot.toml", "--candidates", "campaign/t.csv", "--positions", "1"];
+        let (_, error) = said(&scratch, &plan);
+        assert_eq!(error.contains("`q1` = ") && error.contains("t.csv:3"), !sound, "{value}: {error}");
+    }
+}
