@@ -97,3 +97,19 @@ fn candidates_and_poses_to_compute_have_joint_values_in_range() {
         assert_eq!(error.contains("`q1` = ") && error.contains("t.csv:3"), !sound, "{value}: {error}");
     }
 }
+
+#[test]
+fn joint_names_of_any_length_fit_into_a_drawing() {
+    for length in [56, 200] {
+        let scratch = copy_sample("column-arm");
+        let name = "j".repeat(length);
+        for file in ["arm.urdf", "robot.toml", "truth.toml", "encoders.csv"] {
+            let path = scratch.path().join(file);
+            let text = std::fs::read_to_string(&path).unwrap();
+            std::fs::write(path, text.replace("shoulder_lift", &name)).unwrap();
+        }
+        scratch.replace("campaign.toml", "shoulder_lift", &name);
+        let said = ends(&scratch, "run", 0, &[]);
+        assert!(!said.contains("panic"), "{length}: {said}");
+    }
+}
