@@ -113,3 +113,19 @@ fn joint_names_of_any_length_fit_into_a_drawing() {
         assert!(!said.contains("panic"), "{length}: {said}");
     }
 }
+
+#[test]
+fn one_rounded_column_of_an_export_is_told() {
+    let scratch = copy_sample("prexyt-cmm");
+    let said = ends(&scratch, "check", 0, &[]);
+    assert!(!said.contains("coarser than the instrument"), "{said}");
+    let path = scratch.path().join("exports/poses.txt");
+    let rounded = |line: &str| {
+        let mut cells: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+        cells[2] = format!("{:.1}", cells[2].parse::<f64>().unwrap());
+        cells.join(" ") + "\n"
+    };
+    let text: String = std::fs::read_to_string(&path).unwrap().lines().map(rounded).collect();
+    std::fs::write(&path, text).unwrap();
+    ends(&scratch, "check", 0, &["columns of `exports/poses.txt`", "coarser than the instrument", ": y of 0.1 mm"]);
+}
