@@ -3,6 +3,7 @@
 use super::report::Reports;
 use super::table_file::TableFile;
 use super::{Verdict, answer, progress, remark};
+use crate::base::bounds::option_at_most;
 use crate::base::files;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose_name::PoseName;
@@ -58,10 +59,10 @@ pub struct Plan {
     #[arg(long, value_name = "POSES", value_delimiter = ',', value_parser = pose)]
     compare: Vec<PoseName>,
     /// Random starts of the exchange
-    #[arg(long, value_name = "N", default_value_t = 10)]
-    starts: u64,
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = option_at_most::<100_000>)]
+    starts: usize,
     /// Largest number of nodes of branch and bound
-    #[arg(long, value_name = "N", default_value_t = 2000)]
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = option_at_most::<10_000_000>)]
     nodes: usize,
     /// Seed of the random starts
     #[arg(long, default_value_t = 1)]
@@ -111,7 +112,7 @@ impl Plan {
             criterion: self.index,
             single: self.single,
             start: self.start.clone(),
-            starts: self.starts,
+            starts: self.starts as u64,
             seed: self.seed,
             nodes: self.nodes,
         };

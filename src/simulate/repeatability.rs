@@ -1,6 +1,7 @@
 //! Visits of a test of repeatability (thesis 2.4): where a robot stands depends on where it comes from.
 
 use super::{Scene, Turn};
+use crate::base::bounds::{MOST, at_most};
 use crate::base::message::{Message, Result};
 use crate::base::noise::Noise;
 use crate::base::pose::{Vector, minus};
@@ -30,7 +31,7 @@ pub struct Repeating {
     /// Joint values of the home position, in mm or deg.
     pub home: Vec<f64>,
     /// How often it is homed.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "at_most::<_, _, MOST>")]
     pub homings: i64,
     /// Standard deviation of each coordinate after homing.
     #[serde(default)]

@@ -129,3 +129,42 @@ fn one_rounded_column_of_an_export_is_told() {
     std::fs::write(&path, text).unwrap();
     ends(&scratch, "check", 0, &["columns of `exports/poses.txt`", "coarser than the instrument", ": y of 0.1 mm"]);
 }
+
+#[test]
+fn counts_are_bounded_before_anything_is_allocated() {
+    let scratch = copy_sample("draw-wire");
+    let table = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,ball,1,2,3,4,5,6\n2,ball,9,3,4,5,6,7\n";
+    std::fs::write(scratch.path().join("t.csv"), table).unwrap();
+    let plan = ["plan", "--robot", "campaign/robot.toml", "--candidates", "campaign/t.csv", "--positions", "1"];
+    for option in ["--starts", "--nodes"] {
+        for count in ["18446744073709551615", "1000000000000"] {
+            let (code, error) = said(&scratch, &[&plan[..], &[option, count]].concat());
+            let named = [option, count, "expected a whole number from 0 to "].iter().all(|part| error.contains(part));
+            assert!(code == Some(2) && named, "{option} {count}: {error}");
+        }
+    }
+    let simulate = |from: &str, to: &str, parts: &[&str]| {
+        let scratch = copy_sample("prexyt-geometric");
+        scratch.replace("truth.toml", from, to);
+        ends(&scratch, "simulate", 2, parts);
+    };
+    for count in ["1000000000", "9223372036854775807"] {
+        let parts = ["truth.toml:", count, "is not a count from 0 to 1000000"];
+        simulate("cycles = 5", &format!("cycles = {count}"), &parts);
+        simulate("count = 36", &format!("count = {count}"), &parts);
+        simulate("repeats = 5", &format!("repeats = {count}"), &parts);
+    }
+    let study = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/prexyt-cmm/study.toml")).unwrap();
+    for (from, to, part) in [
+        ("draws = 100", "draws = 9223372036854775807", "9223372036854775807 is not a count from 0 to 1000000"),
+        ("runs = 5", "runs = 9223372036854775807", "9223372036854775807 is not a count from 0 to 1000000"),
+        ("count = 1000 }", "count = 1000000 }", "too many positions in `workspace`: 3000000 poses"),
+        ("draws = 100", "draws = 1000000", "too many calibrations: 1000000 draws x 5 runs"),
+    ] {
+        let scratch = copy_sample("prexyt-cmm");
+        assert!(study.contains(from), "{from}");
+        std::fs::write(scratch.path().join("study.toml"), study.replace(from, to)).unwrap();
+        let (code, error) = said(&scratch, &["study", "campaign/study.toml"]);
+        assert!(code == Some(2) && error.contains(part), "{to}: {error}");
+    }
+}
