@@ -2,6 +2,7 @@
 //! numbers, dates, order statistics, line drawings.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+pub mod bounds;
 pub mod country;
 pub mod date;
 pub mod expression;

@@ -52,6 +52,16 @@ pub(super) fn message(fault: &FaultKind, spellings: &dyn Fn(&str) -> Vec<String>
             Message::error(format!("`{}` means nothing for Denavit-Hartenberg parameters", spelled(key)))
                 .hint("it belongs to `convention = \"poe\"`")
         }
+        Kind::RangeOfOtherMotion { key, own } => {
+            let motion = if *own == "travel" { "slides" } else { "turns" };
+            Message::error(format!("`{}` is not a key of a joint that {motion}", spelled(key)))
+                .hint(format!("state `{}`", spelled(own)))
+        }
+        Kind::NoRange { key, ends: [lower, upper] } => {
+            let outward = |v: &f64| if *key == "limits" { v.to_degrees() } else { *v };
+            let what = format!("`{}` is not a range: {} to {}", spelled(key), outward(lower), outward(upper));
+            Message::error(what).expected("the smaller limit, then the larger one")
+        }
         Kind::Tree(fault) => tree(fault, file),
     }
 }

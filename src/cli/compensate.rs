@@ -5,6 +5,7 @@ use super::kinematics::{cell, identified, joint_names, poses, starts, whole_pose
 use super::{Verdict, print_with, remark, say};
 use crate::stages::table_file::TableFile;
 use clap::ValueEnum;
+use etalon_base::bounds::option_at_most;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose::{Pose, minus, norm};
@@ -57,7 +58,7 @@ pub struct Compensate {
     #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
     counts_per_unit: Vec<f64>,
     /// Decimals of lengths in mm; metres, angles and quaternions have as many more as makes them as fine
-    #[arg(long, value_name = "N", default_value_t = DECIMALS)]
+    #[arg(long, value_name = "N", default_value_t = DECIMALS, value_parser = option_at_most::<17>)]
     decimals: usize,
     /// Print the answer as JSON
     #[arg(long)]

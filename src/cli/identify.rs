@@ -5,6 +5,7 @@ use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
 use crate::stages::evaluate::{self, Sets};
 use crate::stages::exclusions::{Exclusion, exclude, excluded_rows};
+use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{self, Observed, Stated};
 use crate::stages::plausible::plausibility;
 use crate::stages::repeats::stale;
@@ -98,9 +99,11 @@ impl Identify {
                 .transpose()
                 .map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))?,
         };
+        let exclusions = self.exclusions()?;
+        joint_range::check_table(robot.as_ref(), &observed.table, &exclusions, Joints::Measured).map_err(here)?;
         let Observed { mut observations, mut settings } =
             kinds::observed(robot.as_mut(), &observed.table, without, settings, &mut messages).map_err(here)?;
-        messages.extend(exclude(&self.exclusions()?, robot.as_ref(), &mut observations, &mut settings.conditions)?);
+        messages.extend(exclude(&exclusions, robot.as_ref(), &mut observations, &mut settings.conditions)?);
         messages.extend(weigh(&observations, robot.dimension(), &mut settings).map_err(here)?);
         messages.extend(stale(robot.as_ref(), &observations));
         let before = fit_frames(robot.as_ref(), &observations, &settings)?;

@@ -3,6 +3,7 @@
 use super::{Verdict, print_with, remark};
 use crate::run::documents::read_parameters;
 use crate::stages::given::robot_values;
+use crate::stages::joint_range::{self, Joints};
 use crate::stages::table_file::TableFile;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Pose;
@@ -149,6 +150,7 @@ pub(super) fn joint_values(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Vec<f6
         }
     }
     complete(file, &rows)?;
+    joint_range::check_table(arm, &file.table, &[], Joints::Proposed)?;
     Ok(rows)
 }
 

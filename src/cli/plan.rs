@@ -5,6 +5,8 @@ use super::table_file::TableFile;
 use super::{Verdict, answer, progress, remark};
 use crate::simulate::true_values;
 use crate::stages::candidates::configurations;
+use crate::stages::joint_range::{self, Joints};
+use etalon_base::bounds::option_at_most;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
@@ -80,10 +82,10 @@ pub struct Plan {
     #[arg(long, value_name = "POSES", value_delimiter = ',', value_parser = pose)]
     compare: Vec<PoseName>,
     /// Random starts of the exchange
-    #[arg(long, value_name = "N", default_value_t = 10)]
-    starts: u64,
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = option_at_most::<100_000>)]
+    starts: usize,
     /// Largest number of nodes of branch and bound
-    #[arg(long, value_name = "N", default_value_t = 2000)]
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = option_at_most::<10_000_000>)]
     nodes: usize,
     /// Seed of the random starts
     #[arg(long, default_value_t = 1)]
@@ -133,7 +135,7 @@ impl Plan {
             criterion: self.index.0,
             single: self.single,
             start: self.start.clone(),
-            starts: self.starts,
+            starts: self.starts as u64,
             seed: self.seed,
             nodes: self.nodes,
         };
@@ -187,6 +189,7 @@ pub(super) fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot
     let here = |problems: Problems| file.place(problems);
     let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };
     let robot = robot_file.build(&targets).map_err(here)?;
+    joint_range::check_table(robot.as_ref(), &file.table, &[], Joints::Proposed).map_err(here)?;
     let mut found = configurations(robot.as_ref(), &file.table).map_err(here)?;
     found.beyond = found.beyond.map(|message| message.at(Place::file(file.name.as_str())));
     Ok((robot, found))

@@ -7,6 +7,7 @@ use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, progress, remark};
 use crate::run::documents::read_parameters;
+use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds;
 use crate::stages::positions;
 use crate::stages::verification::{plan, verify};
@@ -74,6 +75,7 @@ impl Verify {
         let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
         only_points(&observed)?;
         let mut messages: Vec<Message> = unread(robot.as_ref(), &observed).into_iter().collect();
+        joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
         let measured = positions::observations(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;

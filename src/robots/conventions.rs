@@ -145,6 +145,8 @@ struct JointKeys {
     point_mm: Stated<Vector>,
     prismatic: bool,
     parallel: Option<bool>,
+    limits_rad: Option<[f64; 2]>,
+    travel_mm: Option<[f64; 2]>,
 }
 
 impl JointKeys {
@@ -169,7 +171,24 @@ impl JointKeys {
                 "Near-parallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. By default so below 3 degrees of\n\
                  twist.",
             )),
+            limits_rad: keys.optional(Key::angle(
+                "limits",
+                "Smallest and largest value of a joint that turns. Where they are not stated, joint values beyond two turns are refused.",
+            )),
+            travel_mm: keys.optional(Key::length("travel", "Smallest and largest value of a prismatic joint.")),
         }
+    }
+
+    /// Limits of the joint `i` (mm or rad).
+    fn limits(&self, i: usize) -> Result<Option<[f64; 2]>, Faults> {
+        let (own, stated) = if self.prismatic { ("travel", self.travel_mm) } else { ("limits", self.limits_rad) };
+        let foreign = if self.prismatic { self.limits_rad.map(|_| "limits") } else { self.travel_mm.map(|_| "travel") };
+        let kind = match (foreign, stated) {
+            (Some(key), _) => FaultKind::RangeOfOtherMotion { key, own },
+            (_, Some([lower, upper])) if !(lower < upper) => FaultKind::NoRange { key: own, ends: [lower, upper] },
+            _ => return Ok(stated),
+        };
+        Err(Fault::new(At::Item("joint", i), kind).into())
     }
 
     /// The joint `i`; `alone` where no other axis is on the side of its link.
@@ -295,11 +314,12 @@ impl Description for Keys {
         let joints: Vec<Joint> = (1..).zip(&self.joints).map(|(i, keys)| Joint::numbered(i, keys.prismatic)).collect();
         // geometry is checked whatever is wrong with the rest
         let effects = faults.keep(self.effects.among(&joints)).unwrap_or_default();
+        let limits = self.joints.iter().enumerate().map(|(i, keys)| faults.keep(keys.limits(i)).flatten()).collect();
         let arm = faults.keep(match self.convention {
             Convention::Table(convention) => self.table(convention, targets, &effects),
             Convention::Poe => self.screws(targets, &effects),
         });
-        arm.filter(|_| faults.0.is_empty()).map(|arm| Box::new(arm) as _).ok_or(faults)
+        arm.filter(|_| faults.0.is_empty()).map(|arm| Box::new(arm.with_limits(limits)) as _).ok_or(faults)
     }
 }
 

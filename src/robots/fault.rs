@@ -64,6 +64,20 @@ pub enum FaultKind {
     NoFlange(&'static str),
     /// A value of the pose of the flange stands beside Denavit-Hartenberg parameters.
     FlangeOfTable(&'static str),
+    /// Limits of the value of this key belong to a joint of the other motion, whose limits have the key `own`.
+    RangeOfOtherMotion {
+        /// The key.
+        key: &'static str,
+        /// Key of the limits of the joint.
+        own: &'static str,
+    },
+    /// The lower limit is not below the upper one.
+    NoRange {
+        /// The key.
+        key: &'static str,
+        /// Lower and upper limit (mm or rad).
+        ends: [f64; 2],
+    },
     /// The tree of links and joints is wrong.
     Tree(TreeFault),
 }

@@ -4,7 +4,9 @@
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
 use super::keys::{Description, Reader};
-use super::{Definition, Faults, Joint, Key, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role};
+use super::{
+    Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role,
+};
 use super::{REACH, in_plane, in_space, meaning};
 use etalon_base::expression::{Formula, Recorded};
 use etalon_base::pose::Pose;
@@ -486,6 +488,10 @@ impl Robot for FiveBar {
     fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
         let &[theta1, theta2, assembly] = joints else { return None };
         self.violation(parameters, [theta1, theta2], &self.direct(parameters, [theta1, theta2], assembly))
+    }
+    fn joint_range(&self, joint: usize) -> JointRange {
+        let ends = self.limits.limits_rad.get(joint).copied();
+        JointRange::of_limits(ends.filter(|ends| *ends != Limits::default().limits_rad[0]))
     }
     fn remedy(&self, _parameters: &[usize]) -> Option<&'static str> {
         Some("measure every position in all working modes that reach it, and positions all around the workspace")

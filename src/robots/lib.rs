@@ -46,6 +46,28 @@ pub const MODELS: [&Model; 8] = [
     &delta::LINEAR,
 ];
 
+/// Range of a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum JointRange {
+    /// Lower and upper limit, mm or rad.
+    Limits([f64; 2]),
+    /// The joint turns without end.
+    Endless,
+    /// The robot file states no limits.
+    Unstated,
+}
+
+impl JointRange {
+    /// The range of stated limits; equal ones are those of a file that states none.
+    fn of_limits(limits: Option<[f64; 2]>) -> Self {
+        match limits {
+            Some([lower, upper]) if lower.is_infinite() && upper.is_infinite() => Self::Endless,
+            Some(ends) if ends[0] < ends[1] => Self::Limits(ends),
+            _ => Self::Unstated,
+        }
+    }
+}
+
 /// A robot whose targets are seen by a measuring system.
 pub trait Robot: Send + Sync {
     /// Short name of the model: `prexyt`, `five_bar`, `serial` ...
@@ -131,6 +153,16 @@ pub trait Robot: Send + Sync {
     /// Which limit that the robot file states joint values (and the assembly mode behind them) violate, if one.
     fn limit_violation(&self, _parameters: &[f64], _joints: &[f64]) -> Option<String> {
         None
+    }
+
+    /// Range of joint `joint`, by its index, as the robot file states it.
+    fn joint_range(&self, _joint: usize) -> JointRange {
+        JointRange::Unstated
+    }
+
+    /// Nominal motion of a joint for each unit of its logged value: other than 1 where its motor is logged.
+    fn nominal_gain(&self, _joint: usize) -> f64 {
+        1.0
     }
 
     /// Robots whose platform has a pose in the plane that two targets show.

@@ -5,7 +5,7 @@
 //! found. The platform is the flange of a robot with a free base: base and targets come first, then the legs one by one.
 
 use super::{
-    Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, base_and_targets, base_pose,
+    Definition, FreeBase, Joint, JointRange, Kinematics, Parameter, Quantity, Robot, Role, base_and_targets, base_pose,
     limit_violation, meaning, pose_outputs,
 };
 use etalon_base::expression::{Formula, Recorded};
@@ -356,6 +356,9 @@ impl<L: Legs> Robot for Parallel<L> {
     fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
         let apart = || self.place(parameters, joints).is_none().then(|| "the legs do not meet the platform".to_owned());
         limit_violation(self.joints(), &self.limits, joints).or_else(apart)
+    }
+    fn joint_range(&self, joint: usize) -> JointRange {
+        JointRange::of_limits(self.limits.get(joint).copied().flatten())
     }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)

@@ -5,8 +5,8 @@
 
 use super::keys::{Description, Reader};
 use super::{
-    Definition, Faults, Joint, Key, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot,
-    Role,
+    Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity,
+    RailTable, Robot, Role,
 };
 use super::{REACH, in_plane, in_space, meaning};
 use etalon_base::expression::{Formula, Recorded};
@@ -311,6 +311,14 @@ impl Robot for Prexyt {
         let off = |(_, (rho, end)): &(usize, (&f64, f64))| !(0.0..=*end).contains(*rho);
         let (i, (rho, end)) = joints.iter().zip(ends).enumerate().find(off)?;
         Some(format!("rho{} = {rho} mm, its travel is 0 to {end} mm", i + 1))
+    }
+    fn joint_range(&self, joint: usize) -> JointRange {
+        JointRange::of_limits(self.travel_mm.and_then(|ends| Some([0.0, *ends.get(joint)?])))
+    }
+    fn nominal_gain(&self, joint: usize) -> f64 {
+        // delta, delta2 and delta3 are the gains of the three joints
+        let mut gains = self.parameters().iter().filter(|p| p.quantity == Quantity::Ratio);
+        gains.nth(joint).map_or(1.0, |p| p.nominal)
     }
     fn platform(&self) -> Option<&dyn Platform> {
         Some(self)

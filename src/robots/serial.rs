@@ -4,8 +4,8 @@
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
 use super::{
-    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Loads, Parameter, Parametrised,
-    Quantity, Robot, Role, State, base_and_targets, base_pose, meaning, pose_outputs,
+    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads, Parameter,
+    Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning, pose_outputs,
 };
 use super::{limit_violation, nearest};
 use etalon_base::expression::{Formula, Recorded, derivatives};
@@ -476,6 +476,11 @@ impl Serial {
         Self { limits, ..self }
     }
 
+    /// Gain of an axis: its motion for each unit of the value of its joint, apart from its factor.
+    fn gain(&self, axis: &Axis, parameters: &[f64]) -> f64 {
+        axis.gain.map_or(1.0, |i| parameters[i])
+    }
+
     /// The same on a base that these joints move.
     pub(super) fn on_moving_base(self, of_base: Vec<String>) -> Self {
         Self { of_base, ..self }
@@ -691,6 +696,13 @@ impl Robot for Serial {
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
         limit_violation(self.joints(), &self.limits, joints)
     }
+    fn joint_range(&self, joint: usize) -> JointRange {
+        JointRange::of_limits(self.limits.get(joint).copied().flatten())
+    }
+    fn nominal_gain(&self, joint: usize) -> f64 {
+        let axis = self.axes.iter().find(|axis| axis.drive.joint == joint);
+        axis.map_or(1.0, |axis| self.gain(axis, &self.nominal()))
+    }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)
     }
@@ -701,11 +713,10 @@ impl Robot for Serial {
         let zero = vec![0.0; self.joints().len()];
         let (mut frames, flange) = self.frames(parameters, State { joints: &zero, loads: &[] });
         frames.insert(0, Pose::identity());
-        let gain = |axis: &Axis| axis.gain.map_or(1.0, |i| parameters[i]) * axis.drive.factor;
         let joint = |(axis, pair): (&Axis, &[Pose])| ChainJoint {
             origin: pair[0].inverse().then(&pair[1]),
             prismatic: axis.drive.prismatic,
-            gain: gain(axis),
+            gain: self.gain(axis, parameters) * axis.drive.factor,
         };
         let joints = self.axes.iter().zip(frames.windows(2)).map(joint).collect();
         Some(JointChain { joints, flange: frames.last()?.inverse().then(&flange) })

@@ -323,7 +323,8 @@ impl Description for Keys {
             let known = joints.iter().position(|j| j.name == driver.name);
             let index = known.unwrap_or_else(|| {
                 joints.push(Joint { name: driver.name.clone(), quantity: driver.quantity() });
-                limits.push(driver.limits.map(|l| l.map(|v| v * driver.scale())));
+                let endless = (driver.kind == "continuous").then_some([f64::NEG_INFINITY, f64::INFINITY]);
+                limits.push(driver.limits.or(endless).map(|l| l.map(|v| v * driver.scale())));
                 joints.len() - 1
             });
             let prismatic = joint.kind == "prismatic";

@@ -2,6 +2,7 @@
 
 use super::{Scene, Turn};
 use crate::stages::geometric;
+use etalon_base::bounds::{MOST, at_most};
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus};
@@ -30,7 +31,7 @@ pub struct Repeating {
     /// Joint values of the home position, in mm or deg.
     pub home: Vec<f64>,
     /// How often it is homed.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "at_most::<_, _, MOST>")]
     pub homings: i64,
     /// Standard deviation of each coordinate after homing.
     #[serde(default)]

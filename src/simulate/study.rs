@@ -3,8 +3,9 @@
 use super::truth::{Circle, stated_joints, true_values};
 use crate::stages::candidates::configurations;
 use crate::stages::table_file::TableFile;
+use etalon_base::bounds::{MOST, at_most, product_at_most};
 use etalon_base::files;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -17,6 +18,11 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
+
+/// Largest number of poses of a set, or of the workspace.
+const MOST_POSES: u64 = 100_000;
+/// Largest number of errors that are evaluated at once.
+const MOST_ERRORS: u64 = 5_000_000;
 
 /// Simulated calibrations of one robot.
 pub struct Study<'a> {
@@ -155,10 +161,10 @@ pub struct StudyFile {
     /// Seed of the noise.
     pub seed: u64,
     /// Calibrations whose mean is evaluated, and over which three standard deviations are stated.
-    #[serde(default = "five")]
+    #[serde(default = "five", deserialize_with = "at_most::<_, _, MOST>")]
     pub runs: u64,
     /// How often that is drawn, for intervals.
-    #[serde(default = "hundred")]
+    #[serde(default = "hundred", deserialize_with = "at_most::<_, _, MOST>")]
     pub draws: u64,
     /// Noise of one coordinate (one standard deviation); several compare instruments.
     pub noise_um: Vec<f64>,
@@ -278,6 +284,15 @@ pub fn observations(places: &[Places], robot: &dyn Robot, folder: &Path) -> Resu
 }
 
 impl Places {
+    /// Number of poses that are stated, apart from those of tables; working modes do not count.
+    fn count(&self) -> u64 {
+        let thetas = self.theta_deg.len().max(1) as u64;
+        let circles = self.circles.iter().chain(&self.discs).map(|circle| circle.count as u64);
+        let grids = self.grids.iter().map(|grid| (grid.count[0] as u64).saturating_mul(grid.count[1] as u64));
+        let positions = circles.chain(grids).fold(self.positions_mm.len() as u64, u64::saturating_add);
+        positions.saturating_mul(thetas).saturating_add(self.joints.len() as u64)
+    }
+
     fn add(&self, robot: &dyn Robot, folder: &Path, all: &mut Vec<(PoseName, Vec<f64>)>) -> Result<()> {
         let nominal = robot.nominal();
         if let Some(file) = &self.file {
@@ -324,7 +339,27 @@ impl StudyFile {
     /// # Errors
     /// What is wrong with it.
     pub fn read(path: &Path) -> Result<Self> {
-        parse(&path.display().to_string(), &files::read_text(path)?)
+        let file = path.display().to_string();
+        let study: Self = parse(&file, &files::read_text(path)?)?;
+        study.bounded().map_err(|problems| problems.at(&Place::file(file)))?;
+        Ok(study)
+    }
+
+    /// Checks that sets, draws and the workspace are not too large.
+    fn bounded(&self) -> Result<()> {
+        let count = |places: &[Places]| places.iter().map(Places::count).fold(0u64, u64::saturating_add);
+        for set in &self.sets {
+            let what = format!("poses in the set `{}`", set.name);
+            product_at_most(&what, &[("poses", count(&set.poses))], MOST_POSES)?;
+        }
+        let workspace = count(&self.workspace);
+        product_at_most("positions in `workspace`", &[("poses", workspace)], MOST_POSES)?;
+        product_at_most("calibrations", &[("draws", self.draws), ("runs", self.runs)], MOST)?;
+        product_at_most(
+            "errors to evaluate",
+            &[("draws", self.draws), ("poses of `workspace`", workspace)],
+            MOST_ERRORS,
+        )
     }
 
     /// The tables that its sets name.

@@ -1,7 +1,8 @@
 //! What is true in a simulation, and what is measured.
 
+use etalon_base::bounds::{MOST, at_most, product_at_most};
 use etalon_base::files;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::{Message, Place, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_campaign::parse;
@@ -23,6 +24,7 @@ pub struct Truth {
     /// Seed of the noise.
     pub seed: u64,
     /// Repeats of every pose.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub cycles: i64,
     /// Gaussian noise of one coordinate (one standard deviation); by default the instrument's standard uncertainty. Over that it scales the
     /// noise of a whole table of observations: 0 is a table without noise.
@@ -67,7 +69,22 @@ pub struct Truth {
 impl Truth {
     /// Reads `truth.toml`.
     pub fn read(path: &Path) -> Result<Self> {
-        parse(&path.display().to_string(), &files::read_text(path)?)
+        let file = path.display().to_string();
+        let truth: Self = parse(&file, &files::read_text(path)?)?;
+        truth.bounded().map_err(|problems| problems.at(&Place::file(file)))?;
+        Ok(truth)
+    }
+
+    /// Checks that the counts together are not too many.
+    fn bounded(&self) -> Result<()> {
+        let sum = |counts: &mut dyn Iterator<Item = u64>| counts.fold(0u64, u64::saturating_add);
+        let counts = [
+            ("poses", sum(&mut self.poses.iter().map(|poses| poses.count() as u64))),
+            ("cycles", self.cycles.max(0) as u64),
+        ];
+        product_at_most("poses to simulate", &counts, MOST)?;
+        let repeats = sum(&mut self.points.iter().map(|point| point.repeats as u64));
+        product_at_most("points to simulate", &[("repeats of [[point]]", repeats)], MOST)
     }
 }
 
@@ -96,7 +113,7 @@ pub struct LabelledPoint {
     /// Where it is in the world.
     pub at_mm: Vector,
     /// How often it is measured.
-    #[serde(default = "once")]
+    #[serde(default = "once", deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
 }
 
@@ -130,6 +147,7 @@ pub struct Poses {
 #[serde(deny_unknown_fields)]
 pub struct Drawn {
     /// Number of poses.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub count: usize,
     /// Least joint values in mm or deg.
     pub from: Vec<f64>,
@@ -146,6 +164,7 @@ pub struct Circle {
     /// Diameter.
     pub diameter_mm: f64,
     /// Number of positions.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub count: usize,
 }
 
@@ -174,9 +193,8 @@ impl Poses {
     /// Number of poses.
     fn count(&self) -> usize {
         let drawn = self.drawn.as_ref().map_or(0, |drawn| drawn.count);
-        drawn
-            + self.joints.len()
-            + self.circles.iter().map(|c| c.count.saturating_mul(self.theta_deg.len())).sum::<usize>()
+        let of_circles = self.circles.iter().map(|c| c.count.saturating_mul(self.theta_deg.len()));
+        of_circles.fold(drawn.saturating_add(self.joints.len()), usize::saturating_add)
     }
 }
 

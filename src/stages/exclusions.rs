@@ -2,10 +2,11 @@
 
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
-use etalon_campaign::{Exclude, Selection, StatedPoses};
+use etalon_campaign::{Campaign, Exclude, Identify, Selection, StatedPoses};
 use etalon_identify::{Condition, Observation};
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
+use toml::Spanned;
 
 /// A rule of exclusion, and where it is stated.
 #[derive(Clone, Debug)]
@@ -17,6 +18,24 @@ pub struct Exclusion {
 }
 
 impl Exclusion {
+    /// The rules of a campaign.
+    pub fn of_campaign(campaign: &Campaign, stated: &Identify) -> Vec<Self> {
+        let rule = |rule: &Spanned<Exclude>| Self { rule: rule.get_ref().clone(), place: campaign.place(rule) };
+        stated.exclude.iter().map(rule).collect()
+    }
+
+    /// Returns a predicate that is `true` of the readings that the rule names, by pose, cycle and target; `None` of a rule that
+    /// names no poses.
+    pub fn covering(&self) -> Option<impl Fn(PoseName, i64, &str) -> bool + '_> {
+        let Exclude { poses, cycle: only, target: of, .. } = &self.rule;
+        let Ok(Selection::Named(named)) = Selection::parse(poses.as_ref()?) else { return None };
+        Some(move |pose: PoseName, cycle: i64, target: &str| {
+            named.iter().any(|named| named.contains(pose))
+                && only.is_none_or(|only| only == cycle)
+                && of.as_ref().is_none_or(|of| of == target)
+        })
+    }
+
     /// The rule that an option `POSES: REASON` states.
     ///
     /// # Errors

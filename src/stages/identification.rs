@@ -5,6 +5,7 @@ use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::{Joined, Observations};
+use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, Stated};
 use crate::stages::orientations::AngleOrder;
 use crate::stages::plausible::plausibility;
@@ -162,7 +163,13 @@ pub(crate) fn observed(
         rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
         order: angle_order(campaign)?,
     };
-    let found = observations.observed(robot, without, settings, messages);
+    let exclusions = Exclusion::of_campaign(campaign, stated);
+    let found = match observations {
+        Observations::Table(table) => joint_range::check_table(robot, table, &exclusions, Joints::Measured),
+        // the join has checked its rows, by their lines in the log
+        Observations::Log(_) => Ok(()),
+    };
+    let found = found.and_then(|()| observations.observed(robot, without, settings, messages));
     let place = |problems: Problems| match &campaign.file.observations {
         Some(stated) => problems.at(&Place::file(stated.file.get_ref())),
         None => problems,
@@ -206,10 +213,8 @@ fn leave_out(
     robot: &dyn Robot,
     observed: &mut Observed,
 ) -> Result<Vec<Message>> {
-    let all = stated.exclude.iter();
-    let all = all.map(|rule| Exclusion { rule: rule.get_ref().clone(), place: campaign.place(rule) });
     let Observed { observations, settings } = observed;
-    exclude(&all.collect::<Vec<_>>(), robot, observations, &mut settings.conditions)
+    exclude(&Exclusion::of_campaign(campaign, stated), robot, observations, &mut settings.conditions)
 }
 
 /// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.

@@ -12,6 +12,7 @@ pub mod given;
 pub mod identification;
 pub mod iso9283;
 pub mod join;
+pub mod joint_range;
 pub mod kinds;
 pub(crate) mod labelled_points;
 pub mod monte_carlo;

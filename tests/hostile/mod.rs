@@ -1,5 +1,6 @@
 //! Broken campaigns: every error says what, where, what was expected, and a hint; nothing panics, nothing is written.
 
+mod attacks_on_data;
 mod causes;
 mod check;
 mod files;

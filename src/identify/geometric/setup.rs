@@ -1,6 +1,7 @@
 //! Where the balls, the shaft and the carriages of a table on rails are, for campaigns with a known truth.
 
 use super::{LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned};
+use etalon_base::bounds::{MOST, at_most};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_robots::{PlanarPose, RailTable};
@@ -38,6 +39,7 @@ pub struct Arc {
     /// Last displacement of actuator 3; the first is zero.
     pub rho3_end_mm: f64,
     /// Number of positions, in equal increments.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub count: usize,
 }
 
@@ -54,6 +56,7 @@ pub struct Turn {
     /// The orientations run from minus to plus this.
     pub theta_deg: f64,
     /// Number of orientations.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub count: usize,
 }
 
@@ -68,14 +71,17 @@ pub struct ShaftSetup {
     /// First and last ring, along the shaft from revolute joint 2.
     pub rings_mm: [f64; 2],
     /// Number of rings.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub rings: usize,
     /// Points on each.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub points: usize,
     /// The two displacements of actuator 2.
     pub rho2_mm: [f64; 2],
     /// Displacement of actuator 3.
     pub rho3_mm: f64,
     /// How often s is determined.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
 }
 
@@ -88,6 +94,7 @@ pub struct OffsetSetup {
     /// End of actuator 1.
     pub rho1_end_mm: f64,
     /// How often, each after homing.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
     /// Standard deviation of the homing of each actuator, in micrometres.
     #[serde(default)]
@@ -105,6 +112,7 @@ pub struct LeadSetup {
     /// Commanded displacements.
     pub positions_mm: Vec<f64>,
     /// How often the positions are gone through.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub passes: usize,
 }
 
@@ -119,6 +127,7 @@ pub struct BarSetup {
     /// Distance of its balls.
     pub length_mm: f64,
     /// How often both balls are measured.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
 }
 
@@ -129,6 +138,7 @@ pub struct BallSetup {
     /// Where it is, in the world.
     pub at_mm: Vector,
     /// How often it is measured.
+    #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
 }
 

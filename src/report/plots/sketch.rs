@@ -5,6 +5,7 @@ use super::view::{ABOVE, ASLANT, Paper};
 use crate::model::Figure;
 use crate::words::Words;
 use etalon_base::sketch::{Sketch, StrokeKind};
+use std::borrow::Cow;
 
 const WIDTH: f64 = 380.0;
 const MOST_HIGH: f64 = 420.0;
@@ -15,6 +16,8 @@ const ASIDE: f64 = 7.0;
 /// Size of letters, and width of one.
 const LETTER: f64 = 12.0;
 const LETTER_WIDTH: f64 = 6.8;
+/// Most letters of a name in a drawing; a longer one is cut in its middle.
+const LONGEST_NAME: usize = 40;
 /// Places beyond this are not places of a robot, mm.
 const REACH: f64 = 1e7;
 
@@ -61,7 +64,8 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
     // those with the least choice first
     let (short, long): (Vec<_>, Vec<_>) = lines.partition(|(s, _)| s.kind == StrokeKind::Direction);
     for (stroke, line) in short.into_iter().chain(long) {
-        let (at, name) = (labels.place(stroke.kind, line, &stroke.name), stroke.name.as_str());
+        let name = &*shortened(&stroke.name);
+        let at = labels.place(stroke.kind, line, name);
         let class = match stroke.kind {
             StrokeKind::Length | StrokeKind::Direction => "mid over name",
             _ => "mid over",
@@ -92,6 +96,16 @@ fn aside(line: &[Place]) -> Vec<Place> {
     let Some(((last, _), (first, _))) = ends(line) else { return Vec::new() };
     let (nx, ny) = across(first, last);
     line.iter().map(|p| (p.0 + ASIDE * nx, p.1 + ASIDE * ny)).collect()
+}
+
+/// A name that fits into a drawing: its beginning and its end, which tells parameters of one joint apart.
+fn shortened(name: &str) -> Cow<'_, str> {
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= LONGEST_NAME {
+        return Cow::Borrowed(name);
+    }
+    let (kept, last) = (LONGEST_NAME / 2, letters.len() - (LONGEST_NAME / 2 - 1));
+    Cow::Owned(letters[..kept].iter().chain(&['…']).chain(&letters[last..]).collect())
 }
 
 /// Left, right, top and bottom of a name around its place.

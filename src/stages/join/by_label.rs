@@ -52,6 +52,7 @@ pub(super) fn by_label(
             time_s: row.time_s,
             assembly: row.assembly,
             joints: row.joints.clone(),
+            line: Some(row.line),
         });
     }
     problems.check()?;

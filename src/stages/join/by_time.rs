@@ -197,6 +197,7 @@ fn joined(targets: &[Target], log: &JointLog, times: &[i64], met: &[Option<Met>]
         let mut row = Row::of(&targets[i], nearer);
         row.pose = row.pose.or(Some(if interpolated { rank[&times[i]] } else { nearer.row }.into()));
         let Some((other, share)) = met.other else { return row };
+        row.line = None;
         for ((value, other), name) in row.joints.iter_mut().zip(&log.rows[other].joints).zip(&log.joints) {
             let step = other - *value;
             // a direction is that of the nearer row

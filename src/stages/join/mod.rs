@@ -9,7 +9,9 @@ mod unmatched;
 
 pub use observations::{JoinedLog, ObservationTime, Observations};
 
+use crate::stages::exclusions::Exclusion;
 use crate::stages::gather::Gathered;
+use crate::stages::joint_range::{self, JointRow, Joints};
 use by_key::by_key;
 use by_label::by_label;
 use by_time::{Clocks, by_time};
@@ -20,7 +22,7 @@ use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
 use etalon_documents::{FramesDocument, Unmatched};
 use etalon_formats::{JointLog, LogRow, Point};
 use etalon_identify::{Covariance, directions, turned};
-use etalon_robots::Robot;
+use etalon_robots::{Quantity, Robot};
 use polars::prelude::DataFrame;
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -73,6 +75,8 @@ struct Row {
     time_s: Option<f64>,
     assembly: Option<f64>,
     joints: Vec<f64>,
+    /// Line of the log; none of a row between two.
+    line: Option<usize>,
 }
 
 impl Row {
@@ -87,6 +91,7 @@ impl Row {
             time_s: target.point.time_s.or(met.time_s),
             assembly: met.assembly,
             joints: met.joints.clone(),
+            line: Some(met.line),
         }
     }
 }
@@ -115,6 +120,10 @@ pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, r
         };
         let joined = joined.map(|rows| leave_out_unknown(rows, log, &mut remarks));
         let moved_out = joined.as_ref().ok().and_then(|rows| out_of_plane(rows, robot));
+        let joined = joined.and_then(|rows| {
+            joint_range::check(robot, &joint_rows(campaign, &rows, log, robot), Joints::Measured)?;
+            Ok(rows)
+        });
         match joined.and_then(|rows| JoinedLog::new(rows, log, robot)) {
             Ok(joined) => {
                 if observations.is_empty() {
@@ -367,6 +376,33 @@ fn leave_out_unknown(rows: Vec<Row>, log: &JointLog, remarks: &mut Remarks) -> V
             .push(Message::warning(what).hint("begin the log before the first pose, or state the direction"));
     }
     rows
+}
+
+/// The joint values of the rows that no exclusion names; a joint that the log lacks has none.
+fn joint_rows(campaign: &Campaign, rows: &[Row], log: &JointLog, robot: &dyn Robot) -> Vec<JointRow> {
+    let columns: Vec<Option<(usize, Quantity)>> = robot
+        .joints()
+        .iter()
+        .map(|joint| Some((log.joints.iter().position(|name| *name == joint.column())?, joint.quantity)))
+        .collect();
+    let value = |row: &Row, column: Option<(usize, Quantity)>| -> Option<f64> {
+        let (k, quantity) = column?;
+        Some(quantity.inward(*row.joints.get(k)?))
+    };
+    let exclusions = campaign.file.identify.as_ref().map(|stated| Exclusion::of_campaign(campaign, stated));
+    let exclusions = exclusions.unwrap_or_default();
+    let rules: Vec<_> = exclusions.iter().filter_map(Exclusion::covering).collect();
+    let target = |row: &Row| robot.targets()[row.target].as_str();
+    let left_out = |row: &&Row| {
+        let of = |pose| rules.iter().any(|covers| covers(pose, row.cycle.unwrap_or(1), target(row)));
+        row.pose.is_some_and(of)
+    };
+    let joint_row = |row: &Row| JointRow {
+        pose: row.pose.map_or_else(String::new, |pose| pose.to_string()),
+        joints: columns.iter().map(|column| value(row, *column).unwrap_or(f64::NAN)).collect(),
+        place: Place { line: row.line, ..Place::file(&log.file) },
+    };
+    rows.iter().filter(|row| !left_out(row)).map(joint_row).collect()
 }
 
 /// Targets of a planar robot differ in height by less: more is a tilt against the world's plane that spoils what is projected, mm.

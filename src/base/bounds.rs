@@ -1,0 +1,54 @@
+//! Largest counts that files and options may state: checked before anything is allocated for them.
+
+use super::message::{Message, Result};
+use serde::{Deserialize, Deserializer, de};
+
+/// Largest number of poses, repeats or draws that a file states.
+pub const MOST: u64 = 1_000_000;
+
+/// Reads a count of a TOML file, at most `M`.
+pub fn at_most<'de, D: Deserializer<'de>, T: TryFrom<i64>, const M: u64>(
+    deserializer: D,
+) -> std::result::Result<T, D::Error> {
+    let count = i64::deserialize(deserializer)?;
+    match T::try_from(count) {
+        Ok(value) if count <= M as i64 => Ok(value),
+        _ => Err(de::Error::custom(format!("{count} is not a count from 0 to {M}"))),
+    }
+}
+
+/// Checks the product of counts, which is named `what`.
+///
+/// # Errors
+/// A product above `most`, with the counts that make it.
+pub fn product_at_most(what: &str, counts: &[(&str, u64)], most: u64) -> Result<()> {
+    let product = counts.iter().fold(1u64, |product, (_, count)| product.saturating_mul(*count));
+    if product <= most {
+        return Ok(());
+    }
+    let factors: Vec<String> = counts.iter().map(|(name, count)| format!("{count} {name}")).collect();
+    let message = Message::error(format!("too many {what}: {}", factors.join(" x ")));
+    Err(message.expected(format!("at most {most}")).into())
+}
+
+/// Reads a count of an option, at most `M`.
+pub fn option_at_most<const M: usize>(text: &str) -> std::result::Result<usize, String> {
+    let wrong = || format!("expected a whole number from 0 to {M}");
+    text.trim().parse().ok().filter(|count| *count <= M).ok_or_else(wrong)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_end_at_their_bound() {
+        assert_eq!((option_at_most::<9>("9"), option_at_most::<9>("10").is_err()), (Ok(9), true));
+        assert!(option_at_most::<9>("18446744073709551616").is_err());
+        assert!(product_at_most("rows", &[("poses", 3), ("cycles", 3)], 9).is_ok());
+        for many in [4, u64::MAX] {
+            let error = product_at_most("rows", &[("poses", 3), ("cycles", many)], 9).unwrap_err();
+            assert!(error.to_string().contains(&format!("too many rows: 3 poses x {many} cycles")), "{error}");
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! Data that look sound and are not, or are sound and too many: refused by name, or read in time and memory that grow with them.
+
+use crate::support::scratch::{Scratch, copy_sample, ends, said};
+
+/// Replaces a cell of a table: `line` and `column` count from 1; gives the value that was there.
+fn replace_cell(scratch: &Scratch, file: &str, line: usize, column: usize, value: &str) -> String {
+    let path = scratch.path().join(file);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let mut cells: Vec<&str> = lines[line - 1].split(',').collect();
+    let before = std::mem::replace(&mut cells[column - 1], value).to_owned();
+    lines[line - 1] = cells.join(",");
+    std::fs::write(path, lines.join("\n") + "\n").unwrap();
+    before
+}
+
+/// What each command says of a table of observations and its robot.toml.
+fn refused_everywhere(scratch: &Scratch, robot: &str, table: &str, more: &[&str], parts: &[&str]) {
+    let given = ["--robot", robot, "--standard-uncertainty-um", "50"];
+    for command in [
+        &["check", "campaign"][..],
+        &["run", "campaign"],
+        &["validate", "campaign"],
+        &[&["identify", "--observations", table][..], &given].concat(),
+    ] {
+        let (code, said) = said(scratch, &[command, more].concat());
+        assert_eq!(code, Some(2), "{command:?}: {said}");
+        for part in parts {
+            assert!(said.contains(part), "{command:?} lacks {part:?}: {said}");
+        }
+    }
+}
+
+#[test]
+fn a_joint_value_without_its_decimal_mark_is_named() {
+    let scratch = copy_sample("draw-wire");
+    assert_eq!(replace_cell(&scratch, "observations.csv", 192, 4, "-83776534"), "-83.776534");
+    let parts = ["pose 48", "`q1` = -83776534 deg", "observations.csv:192", "from -720 to 720 deg", "decimal mark"];
+    refused_everywhere(&scratch, "campaign/robot.toml", "campaign/observations.csv", &[], &parts);
+    assert!(!scratch.path().join("out").exists());
+    // the pose may be left out, with a reason
+    let exclude = "exclude = [{ poses = \"48\", reason = \"decimal mark lost\" }]\n\n[limits]";
+    scratch.replace("campaign.toml", "\n[limits]", exclude);
+    ends(&scratch, "check", 0, &[]);
+}
+
+#[test]
+fn ten_turns_too_many_are_named() {
+    let scratch = copy_sample("draw-wire");
+    replace_cell(&scratch, "observations.csv", 192, 4, "3516.223466");
+    let parts = ["`q1` = 3516.2235 deg", "observations.csv:192"];
+    refused_everywhere(&scratch, "campaign/robot.toml", "campaign/observations.csv", &[], &parts);
+    // limits that allow them are believed
+    let stated = "theta_deg = 0, d_mm = 290, limits_deg = [-3600, 3600]";
+    scratch.replace("robot.toml", "theta_deg = 0, d_mm = 290", stated);
+    ends(&scratch, "check", 0, &[]);
+    scratch.replace("robot.toml", "[-3600, 3600]", "[-170, 170]");
+    let parts = ["`q1` = 3516.2235 deg", "from -170.1 to 170.1 deg", "correct its limits"];
+    refused_everywhere(&scratch, "campaign/robot.toml", "campaign/observations.csv", &[], &parts);
+}
+
+#[test]
+fn a_joint_value_of_a_log_beyond_the_limits_of_a_urdf_is_named() {
+    let scratch = copy_sample("column-arm");
+    ends(&scratch, "run", 0, &[]);
+    for (name, value, of) in [("elbow", "12.5", 2), ("lift", "8.5", 3), ("wrist_2", "42.5", 8)] {
+        let scratch = copy_sample("column-arm");
+        replace_cell(&scratch, "encoders.csv", 7, of, value);
+        for command in ["check", "run", "validate"] {
+            ends(&scratch, command, 2, &[&format!("`{name}` = "), "encoders.csv:7", "out of range"]);
+        }
+    }
+    // the observations of the sound run, for `verify`
+    let table = std::fs::read_to_string(scratch.path().join("out/observations.csv")).unwrap();
+    let column = table.lines().next().unwrap().split(',').position(|name| name == "elbow_deg").unwrap() + 1;
+    let verify = ["verify", "campaign/out/observations.csv", "--robot", "campaign/robot.toml", "--parameters"];
+    let verify = [&verify[..], &["campaign/out/parameters.json"]].concat();
+    assert_ne!(said(&scratch, &verify).0, Some(2));
+    replace_cell(&scratch, "out/observations.csv", 5, column, "716.2");
+    let (code, error) = said(&scratch, &verify);
+    assert!(code == Some(2) && error.contains("`elbow` = 716.2 deg") && error.contains("csv:5"), "{error}");
+}
+
+#[test]
+fn candidates_and_poses_to_compute_have_joint_values_in_range() {
+    let scratch = copy_sample("draw-wire");
+    let rows = |value: &str| {
+        format!("pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,ball,1,2,3,4,5,6\n2,ball,{value},3,4,5,6,7\n")
+    };
+    for (value, sound) in [("12.5", true), ("-700", true), ("12500000", false), ("3612.5", false)] {
+        std::fs::write(scratch.path().join("t.csv"), rows(value)).unwrap();
+        let robot = ["campaign/t.csv", "--robot", "campaign/robot.toml"];
+        let (code, error) = said(&scratch, &[&["kinematics", "direct"][..], &robot].concat());
+        assert_eq!((code == Some(0), error.contains("`q1` = ")), (sound, !sound), "{value}: {error}");
+        let plan = ["plan", "--robot", "campaign/robot.toml", "--candidates", "campaign/t.csv", "--positions", "1"];
+        let (_, error) = said(&scratch, &plan);
+        assert_eq!(error.contains("`q1` = ") && error.contains("t.csv:3"), !sound, "{value}: {error}");
+    }
+}
+
+#[test]
+fn joint_names_of_any_length_fit_into_a_drawing() {
+    for length in [56, 200] {
+        let scratch = copy_sample("column-arm");
+        let name = "j".repeat(length);
+        for file in ["arm.urdf", "robot.toml", "truth.toml", "encoders.csv"] {
+            let path = scratch.path().join(file);
+            let text = std::fs::read_to_string(&path).unwrap();
+            std::fs::write(path, text.replace("shoulder_lift", &name)).unwrap();
+        }
+        scratch.replace("campaign.toml", "shoulder_lift", &name);
+        let said = ends(&scratch, "run", 0, &[]);
+        assert!(!said.contains("panic"), "{length}: {said}");
+    }
+}
+
+#[test]
+fn one_rounded_column_of_an_export_is_told() {
+    let scratch = copy_sample("prexyt-cmm");
+    let said = ends(&scratch, "check", 0, &[]);
+    assert!(!said.contains("coarser than the instrument"), "{said}");
+    let path = scratch.path().join("exports/poses.txt");
+    let rounded = |line: &str| {
+        let mut cells: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+        cells[2] = format!("{:.1}", cells[2].parse::<f64>().unwrap());
+        cells.join(" ") + "\n"
+    };
+    let text: String = std::fs::read_to_string(&path).unwrap().lines().map(rounded).collect();
+    std::fs::write(&path, text).unwrap();
+    ends(&scratch, "check", 0, &["columns of `exports/poses.txt`", "coarser than the instrument", ": y of 0.1 mm"]);
+}
+
+#[test]
+fn counts_are_bounded_before_anything_is_allocated() {
+    let scratch = copy_sample("draw-wire");
+    let table = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,ball,1,2,3,4,5,6\n2,ball,9,3,4,5,6,7\n";
+    std::fs::write(scratch.path().join("t.csv"), table).unwrap();
+    let plan = ["plan", "--robot", "campaign/robot.toml", "--candidates", "campaign/t.csv", "--positions", "1"];
+    for option in ["--starts", "--nodes"] {
+        for count in ["18446744073709551615", "1000000000000"] {
+            let (code, error) = said(&scratch, &[&plan[..], &[option, count]].concat());
+            let named = [option, count, "expected a whole number from 0 to "].iter().all(|part| error.contains(part));
+            assert!(code == Some(2) && named, "{option} {count}: {error}");
+        }
+    }
+    let simulate = |from: &str, to: &str, parts: &[&str]| {
+        let scratch = copy_sample("prexyt-geometric");
+        scratch.replace("truth.toml", from, to);
+        ends(&scratch, "simulate", 2, parts);
+    };
+    for count in ["1000000000", "9223372036854775807"] {
+        let parts = ["truth.toml:", count, "is not a count from 0 to 1000000"];
+        simulate("cycles = 5", &format!("cycles = {count}"), &parts);
+        simulate("count = 36", &format!("count = {count}"), &parts);
+        simulate("repeats = 5", &format!("repeats = {count}"), &parts);
+    }
+    let study = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/prexyt-cmm/study.toml")).unwrap();
+    for (from, to, part) in [
+        ("draws = 100", "draws = 9223372036854775807", "9223372036854775807 is not a count from 0 to 1000000"),
+        ("runs = 5", "runs = 9223372036854775807", "9223372036854775807 is not a count from 0 to 1000000"),
+        ("count = 1000 }", "count = 1000000 }", "too many positions in `workspace`: 3000000 poses"),
+        ("draws = 100", "draws = 1000000", "too many calibrations: 1000000 draws x 5 runs"),
+    ] {
+        let scratch = copy_sample("prexyt-cmm");
+        assert!(study.contains(from), "{from}");
+        std::fs::write(scratch.path().join("study.toml"), study.replace(from, to)).unwrap();
+        let (code, error) = said(&scratch, &["study", "campaign/study.toml"]);
+        assert!(code == Some(2) && error.contains(part), "{to}: {error}");
+    }
+}
