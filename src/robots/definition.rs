@@ -87,7 +87,7 @@ pub struct Parameter {
     /// How far from nominal the part may be as it is drawn and mounted, in mm, rad or 1: a result beyond it is that of a wrong
     /// set-up. Infinite for base and targets without a nominal value: those of an arm.
     pub tolerance: f64,
-    /// Whether the robot's file states the tolerance.
+    /// `true` if the tolerance is stated for this robot, and is not that of its kind.
     pub tolerance_is_stated: bool,
     /// What it is and which sign it has, in a sentence that is the same for parameters of a kind.
     pub meaning: &'static str,
@@ -132,7 +132,7 @@ impl Parameter {
         Self { meaning, ..self }
     }
 
-    /// Takes the tolerance that a file states, in mm, deg or 1.
+    /// Takes a tolerance that is stated, in mm, deg or 1.
     pub fn state_tolerance(&mut self, value: f64) {
         (self.tolerance, self.tolerance_is_stated) = (self.quantity.inward(value), true);
     }

@@ -44,7 +44,7 @@ pub enum Shape {
     Joints,
     /// Pairs of references to joints.
     JointPairs,
-    /// Links and joints, which a file of its own states.
+    /// Links and joints of a tree.
     Tree,
     /// A table with these keys.
     Table(Vec<Key>),
@@ -98,7 +98,7 @@ pub type Values = BTreeMap<&'static str, Value>;
 pub enum JointRef {
     /// From 1.
     Number(usize),
-    /// As its column begins.
+    /// As the joint is called.
     Name(String),
 }
 

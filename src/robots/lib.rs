@@ -150,7 +150,7 @@ pub trait Robot: Send + Sync {
         None
     }
 
-    /// Which limit that the robot file states joint values (and the assembly mode behind them) violate, if one.
+    /// Which stated limit joint values (and the assembly mode behind them) violate, if one.
     fn limit_violation(&self, _parameters: &[f64], _joints: &[f64]) -> Option<String> {
         None
     }

@@ -67,7 +67,7 @@ pub(super) struct LegParameter {
 
 /// The legs of a model.
 pub(super) trait Legs: Clone + Debug + Send + Sync {
-    /// Value of the key `model`.
+    /// Name of the model.
     const MODEL: &'static str;
     /// Parameters of each leg, in their order; at most nine.
     const PARAMETERS: &'static [LegParameter];
