@@ -121,7 +121,7 @@ fn comes_back(keys: &str, effect: Effect, count: usize, first: &str) {
     let robot = robot.as_ref();
     let mut noise = Noise::new(18, 41);
     derivatives_hold(robot, &mut noise);
-    let own: Vec<usize> = (0..robot.parameters().len()).filter(|&i| robot.effect(i) == effect).collect();
+    let own: Vec<usize> = (0..robot.parameters().len()).filter(|&i| robot.parameters()[i].effect == effect).collect();
     assert_eq!(own.len(), count);
     assert_eq!(robot.parameters()[own[0]].name, first);
     let truth = truth(robot, &mut noise);

@@ -255,7 +255,7 @@ fn refine(
     let mut motion = Pose::identity();
     for _ in 0..ITERATIONS {
         let (mut back, mut place) = (observations.to_vec(), given.clone());
-        let origin = base_origin(robot, given);
+        let origin = robot.base_origin(&given.values);
         match moved {
             Moved::Joint(j) => back.iter_mut().for_each(|o| o.joints[j] += change[0]),
             Moved::Target(k) => {
@@ -298,15 +298,6 @@ fn refine(
         }
     }
     None
-}
-
-/// The origin of the base in the world; that of the world where the model has none.
-fn base_origin(robot: &dyn Robot, given: &GivenParameters) -> Vector {
-    let values = |axis: &str| {
-        let names = [format!("base_{axis}"), format!("{axis}_o")];
-        names.iter().find_map(|name| robot.index(name)).map_or(0.0, |i| given.values[i])
-    };
-    ["x", "y", "z"].map(values)
 }
 
 /// Both tests together.
@@ -515,7 +506,7 @@ impl<'a> Space<'a> {
         let axes: &[usize] = if planar { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] };
         let mut columns = DMatrix::zeros(m, axes.len());
         // a rotation about the origin of the base: p moves by ω × (p − o)
-        let origin = base_origin(self.robot, self.given);
+        let origin = self.robot.base_origin(&self.given.values);
         for (k, &axis) in axes.iter().enumerate() {
             let mut column = frame.column(axis).into_owned();
             if axis > 2 {

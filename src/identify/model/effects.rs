@@ -33,7 +33,7 @@ pub fn effects(robot: &dyn Robot, observations: &[Observation]) -> Vec<Option<Ef
     };
     let of = |i: usize| {
         let p = &robot.parameters()[i];
-        match robot.effect(i) {
+        match p.effect {
             _ if p.role != Role::Robot => None,
             Effect::Geometry if p.quantity != Quantity::Ratio && is_zero(i) => Some(Effect::Zeros),
             effect => Some(effect),

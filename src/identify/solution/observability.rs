@@ -217,7 +217,7 @@ pub(crate) fn weak_message(robot: &dyn Robot, weak: &[WeakGroup]) -> Option<Mess
             )
         }
     };
-    let remedies: BTreeSet<&str> = weak.iter().filter_map(|w| robot.remedy(&names(w))).collect();
+    let remedies: BTreeSet<&str> = weak.iter().filter_map(|w| robot.remedy(&w.parameters)).collect();
     let remedy = match remedies.is_empty() {
         true => "measure poses in which these parameters act differently, or hold one of them".to_owned(),
         false => remedies.into_iter().collect::<Vec<_>>().join("; "),
