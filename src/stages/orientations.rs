@@ -100,11 +100,12 @@ impl fmt::Display for AngleOrder {
     }
 }
 
-/// The orientations of a table, row by row.
-pub struct Orientations {
+/// An orientation as the row of a table states it.
+#[derive(Clone, Copy)]
+pub struct Written {
     form: Form,
-    /// Numbers of each row, of three the last is 0: rad.
-    rows: Vec<[f64; 4]>,
+    /// Numbers of the form, of three the last is 0: rad.
+    numbers: [f64; 4],
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -115,58 +116,54 @@ enum Form {
     Angles,
 }
 
-impl Orientations {
-    /// Whether a table has any.
-    pub fn are_in(observations: &DataFrame) -> bool {
-        let columns = QUATERNION.into_iter().chain(TRIPLES.iter().flat_map(|t| t.0));
-        columns.into_iter().any(|name| observations.column(name).is_ok())
-    }
+/// `true` if a table has a column of an orientation.
+pub fn are_in(observations: &DataFrame) -> bool {
+    let columns = QUATERNION.into_iter().chain(TRIPLES.iter().flat_map(|t| t.0));
+    columns.into_iter().any(|name| observations.column(name).is_ok())
+}
 
-    /// Of a table.
-    ///
-    /// # Errors
-    /// Columns that lack one, or are of two forms.
-    pub fn new(observations: &DataFrame) -> Result<Self> {
-        let has = |name: &&str| observations.column(name).is_ok();
-        let forms = [(&QUATERNION[..], 1.0, Form::Quaternion)].into_iter().chain(
-            TRIPLES
-                .iter()
-                .map(|(names, unit, angles)| (&names[..], *unit, if *angles { Form::Angles } else { Form::Vector })),
-        );
-        let mut given = forms.filter(|(names, ..)| names.iter().any(&has));
-        let header = || Place { line: Some(1), ..Place::default() };
-        let Some((names, unit, form)) = given.next() else {
-            return Ok(Self { form: Form::None, rows: vec![[f64::NAN; 4]; observations.height()] });
-        };
-        if let Some((others, ..)) = given.next() {
-            let what = format!("the table has orientations twice: {} and {}", names.join(", "), others.join(", "));
-            return Err(Message::error(what).at(header()).hint("leave one of them out").into());
-        }
-        let missing: Vec<&str> = names.iter().copied().filter(|name| !has(name)).collect();
-        if !missing.is_empty() {
-            let message = Message::error(format!("an orientation lacks {}", missing.join(", ")));
-            return Err(message.at(header()).expected(format!("{}: body in world", names.join(", "))).into());
-        }
-        let mut rows = vec![[0.0; 4]; observations.height()];
-        for (k, name) in names.iter().enumerate() {
-            rows.iter_mut().zip(table::numbers(observations, name)?).for_each(|(row, v)| row[k] = v * unit);
-        }
-        Ok(Self { form, rows })
+/// The orientations of a table, row by row.
+///
+/// # Errors
+/// Columns that lack one, or are of two forms.
+pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
+    let has = |name: &&str| observations.column(name).is_ok();
+    let forms = [(&QUATERNION[..], 1.0, Form::Quaternion)].into_iter().chain(
+        TRIPLES
+            .iter()
+            .map(|(names, unit, angles)| (&names[..], *unit, if *angles { Form::Angles } else { Form::Vector })),
+    );
+    let mut given = forms.filter(|(names, ..)| names.iter().any(&has));
+    let header = || Place { line: Some(1), ..Place::default() };
+    let Some((names, unit, form)) = given.next() else {
+        return Ok(vec![Written { form: Form::None, numbers: [f64::NAN; 4] }; observations.height()]);
+    };
+    if let Some((others, ..)) = given.next() {
+        let what = format!("the table has orientations twice: {} and {}", names.join(", "), others.join(", "));
+        return Err(Message::error(what).at(header()).hint("leave one of them out").into());
     }
-
-    /// Whether a row has one.
-    pub fn is_given(&self, row: usize) -> bool {
-        self.rows[row].iter().any(|v| !v.is_nan()) && self.form != Form::None && !self.first_is_nan(row)
+    let missing: Vec<&str> = names.iter().copied().filter(|name| !has(name)).collect();
+    if !missing.is_empty() {
+        let message = Message::error(format!("an orientation lacks {}", missing.join(", ")));
+        return Err(message.at(header()).expected(format!("{}: body in world", names.join(", "))).into());
     }
+    let mut rows = vec![Written { form, numbers: [0.0; 4] }; observations.height()];
+    for (k, name) in names.iter().enumerate() {
+        rows.iter_mut().zip(table::numbers(observations, name)?).for_each(|(row, v)| row.numbers[k] = v * unit);
+    }
+    Ok(rows)
+}
 
-    fn first_is_nan(&self, row: usize) -> bool {
+impl Written {
+    /// `true` if the row states any of its numbers.
+    pub fn is_given(&self) -> bool {
         let count = if self.form == Form::Quaternion { 4 } else { 3 };
-        self.rows[row][..count].iter().all(|v| v.is_nan())
+        self.form != Form::None && self.numbers[..count].iter().any(|v| !v.is_nan())
     }
 
-    /// The angles of a row, where it needs their order (rad).
-    pub fn angles(&self, row: usize) -> Option<[f64; 3]> {
-        let [a, b, c, _] = self.rows[row];
+    /// The angles, where they need their order (rad).
+    pub fn angles(&self) -> Option<[f64; 3]> {
+        let [a, b, c, _] = self.numbers;
         (self.form == Form::Angles).then_some([a, b, c])
     }
 
@@ -174,8 +171,8 @@ impl Orientations {
     ///
     /// # Errors
     /// A number that is missing, or a quaternion that is not of length one.
-    pub fn pose(&self, row: usize, order: Option<AngleOrder>) -> Result<Pose> {
-        let [a, b, c, d] = self.rows[row];
+    pub fn pose(&self, order: Option<AngleOrder>) -> Result<Pose> {
+        let [a, b, c, d] = self.numbers;
         if !(a + b + c + d).is_finite() {
             let message = Message::error("the orientation is missing or not a number");
             return Err(message

@@ -1,0 +1,222 @@
+//! Tables of observations of several kinds: positions, poses, distances, contacts, surfaces and joints, a row each.
+//!
+//! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
+
+mod conditions;
+mod row;
+
+pub use row::columns;
+
+use crate::stages::orientations::{self, AngleOrder, unstated};
+use crate::stages::positions;
+use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::pose_name::PoseName;
+use etalon_formats::table;
+use etalon_identify::{Measured, Observation, Settings};
+use etalon_robots::Robot;
+use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
+use row::{LINE, Row, STATION, fixed_rows, partial_rows, row_poses};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Poses at which the station of the world sees the robot, at least.
+const FEWEST_SEEN: usize = 3;
+/// What is stated of all rows: standard uncertainties of those that have none, and the order of angles.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Stated {
+    /// Of a coordinate, a distance, a contact, mm.
+    pub length_mm: Option<f64>,
+    /// Of a rotation about any axis, rad.
+    pub rotation_rad: Option<f64>,
+    /// The order of three angles of an orientation.
+    pub order: Option<AngleOrder>,
+}
+
+/// What was observed, and what is identified from it.
+#[derive(Clone, Debug)]
+pub struct Observed {
+    /// Positions of targets.
+    pub observations: Vec<Observation>,
+    /// The settings, with all conditions.
+    pub settings: Settings,
+}
+
+impl Observed {
+    /// Names of the poses.
+    pub fn poses(&self) -> BTreeSet<PoseName> {
+        let conditions = self.settings.conditions.iter().map(|c| c.pose);
+        self.observations.iter().map(|o| o.pose).chain(conditions).collect()
+    }
+}
+
+/// The names in the column `target` that are on the robot, each once, in their order: those of rows with a pose.
+pub fn targets(observations: &DataFrame) -> Result<Vec<String>> {
+    let mut targets: Vec<String> = Vec::new();
+    let fixed = fixed_rows(observations)?;
+    for (name, _) in table::texts(observations, "target")?.into_iter().zip(fixed).filter(|(_, fixed)| !fixed) {
+        // the value of a joint is of no target
+        if !name.is_empty() && !targets.contains(&name) {
+            targets.push(name);
+        }
+    }
+    Ok(targets)
+}
+
+/// The poses of a table.
+pub fn poses(observations: &DataFrame) -> Result<BTreeSet<PoseName>> {
+    Ok(row_poses(observations)?.into_iter().flatten().collect())
+}
+
+/// Columns of names of what many rows share, and the most rows that do not determine more than a place of their own.
+const SHARED: [(&str, usize); 7] =
+    [("target", 1), ("socket", 1), ("other", 2), ("plane", 2), (LINE, 2), ("sphere", 2), (STATION, 2)];
+/// Rows of the name that is meant, at least.
+const MEANT_ROWS: usize = 6;
+
+/// Errors about names that a row or two bear, and that are spelt almost as one of many rows: what they name would be identified from these
+/// rows alone, which then say nothing of the robot. Names that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
+fn misspelt(observations: &DataFrame) -> Result<Problems> {
+    let mut problems = Problems::default();
+    let lines = observations.column("line").is_ok().then(|| table::integers(observations, "line")).transpose()?;
+    let line = |row: usize| lines.as_ref().map(|lines| lines[row] as usize);
+    let fixed = fixed_rows(observations)?;
+    for (column, most) in SHARED.into_iter().filter(|(name, _)| observations.column(name).is_ok()) {
+        let names = table::texts(observations, column)?;
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        problems.0.extend(misspelt_names(&names, most, |row| fixed[row], line));
+    }
+    Ok(problems)
+}
+
+/// An error where a target of measured positions is misspelt, as of a table.
+pub(super) fn misspelt_targets(measured: &[Measured], targets: &[String]) -> Result<()> {
+    let names: Vec<&str> = measured.iter().map(|m| targets[m.target].as_str()).collect();
+    Problems(misspelt_names(&names, SHARED[0].1, |_| false, |_| None)).check().map(drop)
+}
+
+/// Errors about the names of rows that at most `most` rows bear; those of `fixed` rows state a place, and need no more rows.
+fn misspelt_names(
+    names: &[&str],
+    most: usize,
+    fixed: impl Fn(usize) -> bool,
+    line: impl Fn(usize) -> Option<usize>,
+) -> Vec<Message> {
+    let mut rows: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    let named = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
+    named.for_each(|(row, name)| rows.entry(name).or_default().push(row));
+    let few = rows.iter().filter(|(_, rows)| rows.len() <= most && !rows.iter().any(|&row| fixed(row)));
+    let error = |(name, own): (&&str, &Vec<usize>)| {
+        let many = rows.iter().filter(|(_, rows)| rows.len() >= MEANT_ROWS).map(|(name, _)| *name);
+        let (_, meant) = many.filter_map(|meant| Some((letters_wrong(name, meant)?, meant))).min()?;
+        let (alone, others) = (count(own.len(), "row"), rows[meant].len());
+        let what = format!("`{name}` is named in {alone} only, and `{meant}` in {others}");
+        let message = Message::error(what).at(Place { line: line(own[0]), ..Place::default() });
+        Some(message.hint(format!(
+            "did you mean `{meant}`? else leave the rows of `{name}` out: they do not determine where it is"
+        )))
+    };
+    few.filter_map(error).collect()
+}
+
+/// How many letters are wrong in a name that is another one but for these, a few that are no counter.
+fn letters_wrong(name: &str, meant: &str) -> Option<usize> {
+    let wrong = strsim::damerau_levenshtein(&name.to_lowercase(), &meant.to_lowercase());
+    let words = |name: &str| -> Vec<String> {
+        let words = name.split(|c: char| !c.is_alphabetic());
+        words.filter(|word| word.chars().count() > 1).map(str::to_owned).collect()
+    };
+    // few letters are many names
+    let most = if meant.chars().count() < 6 { 1 } else { 2 };
+    (wrong == 0 || wrong <= most && words(name) != words(meant)).then_some(wrong)
+}
+
+/// A warning where an instrument measured positions, and joints move the base of the chain.
+pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
+    let names = robot.joints_of_base().join(", ");
+    let what = format!(
+        "`base_link` is moved by the joints {names}: positions are taken as measured in a frame that moves with it"
+    );
+    let hint = "if the instrument is fixed in the room, let `base_link` be the root of the URDF";
+    (!names.is_empty()).then(|| Message::warning(what).to_decide().hint(hint))
+}
+
+/// Observations of `robot` from a table of any kinds; what they refer to is added to its parameters, and what is not the position of
+/// a target to `settings`. What was taken from the measurement is in `messages`.
+pub fn observed(
+    robot: &mut dyn Robot,
+    observations: &DataFrame,
+    without: Stated,
+    mut settings: Settings,
+    messages: &mut Vec<Message>,
+) -> Result<Observed> {
+    misspelt(observations)?.check()?;
+    let of_kinds = |name: &str| observations.column(name).is_ok();
+    if !partial_rows(robot, observations)?.contains(&true)
+        && !of_kinds("kind")
+        && !of_kinds(STATION)
+        && !orientations::are_in(observations)
+        && !fixed_rows(observations)?.contains(&true)
+    {
+        messages.extend(moving_base(robot));
+        return Ok(Observed { observations: positions::observations(robot, observations, messages)?, settings });
+    }
+    let rows = Row::read(robot, observations, without)?;
+    let mut problems = Problems::default();
+    problems.0.extend(unnamed_station(&rows));
+    let mut angles = Vec::new();
+    for row in &rows {
+        let before = settings.conditions.len();
+        if let Err(more) = row.add_to(&mut settings, robot, without.order) {
+            problems.0.extend(more.at(&row.place()).0);
+        }
+        let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
+        angles.extend(added.filter_map(|_| row.orientation.angles()));
+    }
+    problems.check()?;
+    let names = robot.parameters();
+    if let Some((_, p)) = names.iter().enumerate().find(|(i, p)| names[..*i].iter().any(|other| other.name == p.name)) {
+        let what = format!("`{}` would be the name of two parameters", p.name);
+        return Err(Message::error(what).hint("give targets, points and planes names of their own").into());
+    }
+    let partial = rows.iter().filter(|row| row.is_partial).count();
+    if partial > 0 {
+        let what = format!(
+            "{} give one or two coordinates of their targets, which count by themselves",
+            count(partial, "row")
+        );
+        messages.push(Message::warning(what).routine());
+    }
+    let has_position = BooleanChunked::from_iter_values("position".into(), rows.iter().map(Row::has_position));
+    let observations = match has_position.any() {
+        true => {
+            messages.extend(moving_base(robot));
+            positions::observations(robot, &observations.filter(&has_position).map_err(table::failed)?, messages)?
+        }
+        false => Vec::new(),
+    };
+    if !angles.is_empty() && without.order.is_none() {
+        return Err(unstated(robot, &observations, &settings, &angles).at(header()).into());
+    }
+    Ok(Observed { observations, settings })
+}
+
+/// An error about a few rows without a station, which would be the world, beside many that have one.
+fn unnamed_station(rows: &[Row]) -> Option<Message> {
+    let points = rows.iter().filter(|row| row.pose.is_some() && row.kind == "point");
+    let (named, unnamed): (Vec<&Row>, Vec<&Row>) = points.partition(|row| row.station.is_some());
+    let poses = |rows: &[&Row]| rows.iter().map(|row| row.pose).collect::<BTreeSet<_>>().len();
+    let all_stated = unnamed.iter().all(|row| row.has_station);
+    if all_stated || poses(&unnamed) >= FEWEST_SEEN || poses(&named) < FEWEST_SEEN {
+        return None;
+    }
+    let message =
+        Message::error("the column `station` is empty here, and other points have one").at(unnamed[0].place());
+    Some(
+        message.hint(
+            "rows without a station would be those of the world, which has to see the robot at three poses at least",
+        ),
+    )
+}
+
+fn header() -> Place {
+    Place { line: Some(1), ..Place::default() }
+}
