@@ -1,11 +1,14 @@
 //! Every format against the same parameters: what is written reads back bit for bit.
 
 mod certificates;
+#[path = "../../tests/support/skipped.rs"]
+mod skipped;
 
 use super::*;
 use etalon_documents::ResidualKind;
 use etalon_documents::Termination;
 use etalon_documents::{ObservabilitySummary, Provenance, ResidualSummary, SolverSummary};
+use skipped::skipped;
 use std::process::Command;
 
 const NUMBERS: [f64; 8] =
@@ -147,7 +150,6 @@ fn a_c_header_reads_back_bit_for_bit() {
 
 /// Python itself reads the module, a reader of our own the MATLAB function: whatever the names.
 #[test]
-#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
 fn matlab_and_python_read_back_bit_for_bit() {
     let hostile = "%} ' \"\"\" # */ \n\\ \u{202e}\u{e9}";
     let mut document = numbers();
@@ -168,7 +170,7 @@ fn matlab_and_python_read_back_bit_for_bit() {
                   assert len(e.identified) == len(e.covariance) == 9 and list(e.parameters)[8] == e.identified[8]\n\
                   print(ascii(e.identified[8]))";
     let Ok(output) = Command::new("python3").args(["-B", "-c", script]).current_dir(folder.path()).output() else {
-        return println!("skipped: there is no `python3`");
+        return skipped("python3");
     };
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let read = String::from_utf8(output.stdout).unwrap();
@@ -180,7 +182,6 @@ fn matlab_and_python_read_back_bit_for_bit() {
 
 /// NumPy, SciPy and Octave read the arrays, whatever the names.
 #[test]
-#[allow(clippy::print_stdout, reason = "a skipped reader is said")]
 fn arrays_read_back_bit_for_bit() {
     let mut document = numbers();
     document.parameters.push(parameter("\u{e9}' \"%s\n\u{5d0}", "mm", 1.0));
@@ -205,7 +206,7 @@ fn arrays_read_back_bit_for_bit() {
     for (reader, needs, script) in [("numpy", "numpy", numpy), ("scipy", "scipy.io", scipy)] {
         let run = |script: &str| Command::new("python3").args(["-c", script]).current_dir(folder.path()).output();
         if !run(&format!("import {needs}")).is_ok_and(|output| output.status.success()) {
-            println!("skipped: there is no `{reader}`");
+            skipped(reader);
             continue;
         }
         let check = format!("{script}{print}e = [float(v).hex() for v in [{expected}]]\nprint(*e)\n");
@@ -224,7 +225,7 @@ fn arrays_read_back_bit_for_bit() {
             assert_eq!(values, NUMBERS, "{read}");
             assert!(read.contains("8 8 p0 deg ") && read.contains("sha256 of parameters.json"), "{read}");
         }
-        Err(_) => println!("skipped: there is no `octave-cli`"),
+        Err(_) => skipped("octave-cli"),
     }
 }
 
@@ -295,7 +296,6 @@ fn a_list_of_twincat_reads_back_bit_for_bit() {
 
 /// An independent reader of XML, and lines of a data block.
 #[test]
-#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
 fn constants_of_plcs_read_back_bit_for_bit() {
     let hostile = "*) // \" ' END_STRUCT; <x> --> & \n";
     let mut document = numbers();
@@ -314,7 +314,7 @@ fn constants_of_plcs_read_back_bit_for_bit() {
     let script = "import xml.etree.ElementTree as E\nn = '{http://www.plcopen.org/xml/tc6_0200}'\nr = E.parse('plc.xml').getroot()\n\
                   for v in r.iter(n + 'variable'): print(v.find('.//' + n + 'simpleValue').get('value'))";
     let Ok(output) = Command::new("python3").args(["-c", script]).current_dir(folder.path()).output() else {
-        return println!("skipped: there is no `python3`");
+        return skipped("python3");
     };
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let read = String::from_utf8(output.stdout).unwrap();
@@ -384,7 +384,6 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
 }
 
 #[test]
-#[allow(clippy::print_stdout, reason = "a skipped compiler is said")]
 fn compilers_read_the_same_numbers_whatever_the_names() {
     let hostile = "*/ int x; /* ??/ \\\n// \u{202e}\u{e9}\u{5d0}";
     let mut document = numbers();
@@ -402,7 +401,7 @@ fn compilers_read_the_same_numbers_whatever_the_names() {
     std::fs::write(file("p.cpp"), &source).unwrap();
     for (compiler, standard, name) in [("cc", "-std=c99", "p.c"), ("c++", "-std=c++11", "p.cpp")] {
         if Command::new(compiler).arg("--version").output().is_err() {
-            println!("skipped: there is no `{compiler}`");
+            skipped(compiler);
             continue;
         }
         let program = file("p.out");

@@ -21,7 +21,7 @@ type Check = fn(&mut Browser, &Pages);
 #[test]
 fn reports_are_shown_and_printed_as_they_are_meant() {
     if !Browser::is_there() {
-        println!("skipped: there is no `chromium` to show the report with");
+        crate::support::skipped("chromium");
         return;
     }
     let reports = all();
@@ -119,7 +119,7 @@ fn axe() -> Option<String> {
 
 fn every_page_is_accessible_in_light_and_dark(browser: &mut Browser, reports: &Pages) {
     let Some(axe) = axe() else {
-        println!("skipped: axe-core cannot be had from the npm registry");
+        crate::support::skipped("axe-core");
         return;
     };
     browser.size(1024, 768);
@@ -229,7 +229,7 @@ fn letters(text: &str) -> String {
 
 fn printing_cuts_no_figure_and_no_row(browser: &mut Browser, reports: &Pages) {
     if Command::new("pdftotext").arg("-v").stderr(Stdio::null()).status().is_err() {
-        println!("skipped: there is no `pdftotext` to read the printed pages with");
+        crate::support::skipped("pdftotext");
         return;
     }
     for page in reports.pages.iter().filter(|page| **page != hostile(&reports.folder)) {

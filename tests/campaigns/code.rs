@@ -168,7 +168,7 @@ fn answers(command: &mut Command, cases: &[(Vec<f64>, Vec<f64>)]) -> Vec<Vec<f64
 #[test]
 fn c99_computes_what_the_program_does() {
     if Command::new("cc").arg("--version").output().is_err() {
-        return println!("skipped: there is no `cc`");
+        return crate::support::skipped("cc");
     }
     for robot in ROBOTS {
         let exported = Exported::new(robot, "c-kinematics");
@@ -208,7 +208,7 @@ fn c99_computes_what_the_program_does() {
 #[test]
 fn python_computes_what_the_program_does() {
     if Command::new("python3").arg("--version").output().is_err() {
-        return println!("skipped: there is no `python3`");
+        return crate::support::skipped("python3");
     }
     for robot in ROBOTS {
         let exported = Exported::new(robot, "python-kinematics");
@@ -233,7 +233,7 @@ fn python_computes_what_the_program_does() {
 #[test]
 fn structured_text_computes_what_the_program_does() {
     if Command::new("python3").arg("--version").output().is_err() {
-        return println!("skipped: there is no `python3`");
+        return crate::support::skipped("python3");
     }
     let interpreter = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support/structured_text.py");
     for robot in ROBOTS {
@@ -249,7 +249,7 @@ fn structured_text_computes_what_the_program_does() {
             let blark = || Command::new("blark").args(["parse", file]).current_dir(exported.scratch.path()).output();
             match (format == "structured-text" && text.len() < 20_000).then(blark).and_then(Result::ok) {
                 Some(read) => assert!(read.status.success(), "{robot}: {}", String::from_utf8_lossy(&read.stderr)),
-                None => println!("skipped: `blark` on {robot}"),
+                None => crate::support::skipped("blark"),
             }
             let run = |block: &str, cases: &[(Vec<f64>, Vec<f64>)]| {
                 let mut command = Command::new("python3");

@@ -55,7 +55,6 @@ pub fn disturbed(robot: &dyn Robot, gains: &[&str]) -> Vec<f64> {
 }
 
 /// Direct kinematics of the URDF in Python, which shares nothing with the program.
-#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
 fn reads_as_the_identified_robot(urdf: &Path, robot: &dyn Robot, values: &[f64]) {
     let arm = robot.kinematics().unwrap();
     let mut noise = etalon::base::noise::Noise::new(19, 10);
@@ -74,7 +73,7 @@ fn reads_as_the_identified_robot(urdf: &Path, robot: &dyn Robot, values: &[f64])
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support/urdf_direct.py");
     let numpy = Command::new("python3").args(["-c", "import numpy"]).output();
     if !numpy.is_ok_and(|output| output.status.success()) {
-        return println!("skipped: there is no `numpy`");
+        return crate::support::skipped("numpy");
     }
     let mut reader = Command::new("python3");
     let reader = reader.arg("-B").arg(script).arg(urdf).args(["base_link", "tool"]);
@@ -315,7 +314,6 @@ fn every_format_begins_with_version_campaign_robot_units_and_hash() {
 
 /// A name that ends comments, strings and lines of every language is the same with `_` in their places.
 #[test]
-#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
 fn names_end_no_comment_and_no_string() {
     let hostile = "x */ --> *) ]]> \"\"\" ''' ; # // \\ ${y} `z` %} \n\rEND_VAR\u{202e}\u{e9} ??/";
     let safe = |c: char| if c.is_ascii_alphanumeric() || " .,-_:()=+".contains(c) { c } else { '_' };
@@ -346,13 +344,13 @@ fn names_end_no_comment_and_no_string() {
                   for name in ['python', 'python-kinematics']: ast.parse(open(name).read())\n";
     match Command::new("python3").args(["-c", script]).current_dir(folder.path()).output() {
         Ok(output) => assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr)),
-        Err(_) => println!("skipped: there is no `python3`"),
+        Err(_) => crate::support::skipped("python3"),
     }
     for (format, kind) in [("c-header", "c-header"), ("c-kinematics", "c")] {
         let flags = ["-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-x", kind, format];
         match Command::new("cc").args(flags).current_dir(folder.path()).output() {
             Ok(output) => assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr)),
-            Err(_) => println!("skipped: there is no `cc`"),
+            Err(_) => crate::support::skipped("cc"),
         }
     }
 }

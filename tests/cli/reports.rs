@@ -24,8 +24,8 @@ pub(super) fn tool(program: &str, arguments: &[&str], file: &Path) -> Option<Str
             assert!(output.status.success(), "{program} {arguments:?}: {}", text_of(&output));
             Some(String::from_utf8_lossy(&output.stdout).into_owned())
         }
-        Err(e) => {
-            println!("skipped: {program} could not be started ({e})");
+        Err(_) => {
+            crate::support::skipped(program);
             None
         }
     }

@@ -27,7 +27,7 @@ fn strace_is_there() -> bool {
     let there = Command::new("strace").args(["-qq", "-o", "/dev/null", "true"]).stderr(Stdio::null()).status();
     let there = there.is_ok_and(|status| status.success());
     if !there {
-        println!("skipped: there is no strace, or it may not trace");
+        crate::support::skipped("strace");
     }
     there
 }
@@ -119,7 +119,7 @@ impl Mounted {
         mount.args(["-t", "tmpfs", "-o", "size=64m", "tmpfs"]).arg(&folder).stderr(Stdio::null());
         let mounted = mount.status().is_ok_and(|status| status.success());
         if !mounted {
-            println!("skipped: the machine does not mount a file system for this user");
+            crate::support::skipped("mount");
         }
         mounted.then_some(Self(folder))
     }

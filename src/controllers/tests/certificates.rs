@@ -45,7 +45,6 @@ fn written(format: &str) -> String {
 }
 
 /// What `xmllint` finds wrong in a text by a schema of the reference, nothing in a valid one; `None` where there is no schema or no `xmllint`.
-#[allow(clippy::print_stdout, reason = "a skipped validation is said")]
 fn valid(text: &str, schema: &str) -> Option<String> {
     let schema = Path::new(&std::env::var_os("ETALON_REFERENCE").unwrap_or_default()).join("xsd").join(schema);
     let folder = tempfile::tempdir().unwrap();
@@ -58,7 +57,7 @@ fn valid(text: &str, schema: &str) -> Option<String> {
             Some(if output.status.success() { String::new() } else { said })
         }
         _ => {
-            println!("skipped: no `xmllint`, or no schema {}", schema.display());
+            skipped("xmllint");
             None
         }
     }
@@ -122,7 +121,6 @@ fn a_certificate_needs_the_date_of_the_measurements() {
 
 /// Python's own reader of XML, which knows neither schema: values, uncertainties and covariances bit for bit.
 #[test]
-#[allow(clippy::print_stdout, reason = "a skipped interpreter is said")]
 fn certificates_read_back_bit_for_bit() {
     let folder = tempfile::tempdir().unwrap();
     for format in ["dcc", "qif"] {
@@ -153,7 +151,7 @@ for measured in root.find('.//' + q + 'CharacteristicMeasurements'):
     print('qif', nominal.find(q + 'Name').text.encode('ascii', 'replace').decode(), nominal.find(q + 'TargetValue').text, value.text, value.get('combinedUncertainty'))
 "#;
     let Ok(output) = Command::new("python3").args(["-c", script]).current_dir(folder.path()).output() else {
-        return println!("skipped: there is no `python3`");
+        return skipped("python3");
     };
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let read = String::from_utf8(output.stdout).unwrap();

@@ -4,7 +4,6 @@ use super::{Iso9283Path, Iso9283Weaving, coordinates, degrees};
 use crate::mirror::mirror;
 use etalon_base::message::{Message, Result, count};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table::ANGLES;
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::motion::{Settings, Standing, standing};
@@ -280,7 +279,7 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
         }
     }
     if !recording.angles.is_empty() {
-        let names: Vec<&str> = recording.angles.iter().map(|&k| &ANGLES[k][..1]).collect();
+        let names: Vec<&str> = recording.angles.iter().map(|&k| ["a", "b", "c"][k]).collect();
         conventions.push(format!("angles {} are followed along the motion and treated each alone", names.join(", ")));
     }
     conventions

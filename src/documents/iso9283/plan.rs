@@ -2,7 +2,6 @@
 
 use crate::mirror::mirror;
 use etalon_base::pose::Vector;
-use etalon_base::table::{ANGLES, XYZ};
 use etalon_robots::Robot;
 use etalon_standards::iso9283::plan::programme::{Item, LOADS_PERCENT, programme};
 use etalon_standards::iso9283::plan::{Place, Places, Plan, Reach, Unreached};
@@ -80,6 +79,9 @@ mirror! {
     }
 }
 
+/// Names of the coordinates and angles of a commanded pose.
+const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 /// Name of the assembly mode beside joint values.
 const ASSEMBLY: &str = "assembly";
 

@@ -9,7 +9,6 @@ pub use reach::{Reach, Unreached, reach};
 use crate::iso9283::plan::layout::{Layout, PLANES, layout};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Vector;
-use etalon_base::table::ANGLES;
 
 /// What the user states.
 #[derive(Clone, Debug)]
@@ -55,6 +54,8 @@ pub struct Place {
     pub angles_deg: Vec<f64>,
 }
 
+/// Angles of a commanded pose.
+const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 /// Chords of a circle.
 const CHORDS: usize = 72;
 
